@@ -6,9 +6,9 @@
 //   4ec70f4942aff7984d7880608abe7fca2facb67c1385522b8728c2d3f368accd  scenes/loom_drive.toml
 //   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
 //   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
-//   a432e3554ef0bee873d254e694b634b60dcc3e16bb2cfdd965f33491dd76f594  units/textile/loom_shaft.toml
+//   dc92d4b5c034e6768d678dacf12dae6d316acfe1a8702cc76ad48de5008ecaad  units/textile/loom_shaft.toml
 //   1d0520b4231bba2b7140446b5e9a17db2010e38b2cce6a238c16742d74a3f154  units/textile/reed.toml
-//   4059931e3d9f8860c6bfee9b6180d3b431b75d6274bc2d071b6a59ddc0d92e0a  units/textile/cloth_fell_contact.toml
+//   776b00d95a270cd538ccbb33c56fd307af850ed7a7e75f0928f7a9fa2200474d  units/textile/cloth_fell_contact.toml
 //
 // Loom: motor, coupling, shaft and reed in one machine
 //

@@ -3,17 +3,18 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   b4871a6e466ee538d276d52e5ad764cf6c171cc1c4080a5c2fb024d527097ceb  scenes/reed_beat_up.toml
+//   6e5551b18aaa6285f01ddf3e77f8e91e23d4548ca1acb91755765d2467f34627  scenes/reed_beat_up.toml
 //   27ff54ebb22a3b586435703ddffd2395b693238649c4d6fb67f9c6829f6b2d15  units/textile/imposed_drive.toml
-//   a432e3554ef0bee873d254e694b634b60dcc3e16bb2cfdd965f33491dd76f594  units/textile/loom_shaft.toml
+//   dc92d4b5c034e6768d678dacf12dae6d316acfe1a8702cc76ad48de5008ecaad  units/textile/loom_shaft.toml
 //   1d0520b4231bba2b7140446b5e9a17db2010e38b2cce6a238c16742d74a3f154  units/textile/reed.toml
-//   4059931e3d9f8860c6bfee9b6180d3b431b75d6274bc2d071b6a59ddc0d92e0a  units/textile/cloth_fell_contact.toml
+//   776b00d95a270cd538ccbb33c56fd307af850ed7a7e75f0928f7a9fa2200474d  units/textile/cloth_fell_contact.toml
 //
 // Beat-up of a reed by an elastic shaft
 //
 // Half of a symmetric shaft is driven through a spring by an imposed angle; the reed hangs
-// on it by another spring and presses the cloth fell, here always in contact. The study
-// asks for contact stiffnesses of 0, 0.5 C1 and C1.
+// on it by another spring and is held by the cloth fell, which pushes and pulls here;
+// `reed_beat_up_one_sided` has one that only pushes. The study's figures take contact
+// stiffnesses of 0.5 C1 and C1, its equations none.
 //
 // Source:
 //   Reed study, in its consistent reading.
@@ -31,8 +32,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     /// Beat-up of a reed by an elastic shaft
     ///
     /// Half of a symmetric shaft is driven through a spring by an imposed angle; the reed hangs
-    /// on it by another spring and presses the cloth fell, here always in contact. The study
-    /// asks for contact stiffnesses of 0, 0.5 C1 and C1.
+    /// on it by another spring and is held by the cloth fell, which pushes and pulls here;
+    /// \`reed_beat_up_one_sided\` has one that only pushes. The study's figures take contact
+    /// stiffnesses of 0.5 C1 and C1, its equations none.
     ///
     /// Source: Reed study, in its consistent reading.
     ReedBeatUp: "reed_beat_up", "Beat-up of a reed by an elastic shaft";

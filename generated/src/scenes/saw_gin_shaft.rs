@@ -6,7 +6,7 @@
 //   c05e661672a85f721c7ece6303c333bdc921b9eca35ffc8d5fc5daa164c743a4  scenes/saw_gin_shaft.toml
 //   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
 //   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
-//   2ea0011149ba70fb0247487cb2f6534a92968e34078bd2983235a41e4777837c  units/textile/saw_shaft.toml
+//   16b7cf760b8e18f3e1589ac221d8b58e53dac1ea43e7a282dec58104274273de  units/textile/saw_shaft.toml
 //
 // Saw gin with a distributed shaft
 //

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   044e0f4a1f2bab23afeb6e3d262a47321342ed9c5c3cc52995c00ca78c21b7a4  scenes/winder_holder_drop.toml
+//   2c622173c78d55597b22cc9230d61806ab36c57718b453abf3ae06e219db3de5  scenes/winder_holder_drop.toml
 //   b4594591158f68ce8c9070674fa9b2138edb31e0a5645bf03c9d1c4965420587  units/planar_body.toml
 //   f16080366c1876ed3761f64515d9615b15b3dbd6017cdb3eb0cba34abb073dd2  units/spring_damper.toml
 //   975244d90bcd2ad5b18417df1a2902dfe173a10f5b4b8538d5616fd2a4d99061  units/one_sided_contact.toml
@@ -12,20 +12,21 @@
 //
 // The holder of `winder_linkage` with package and post lifted: it falls until the bobbin meets
 // the drum and the post its stop, bounces, and settles at work. Drum and stop only push: both
-// contacts are springs and dampers that open and close by events. The drum stands still.
+// contacts are springs and dampers that open and close by events. The drum stands still; with a
+// `grip` it drags the bobbin, P = N f.
 //
 // Source:
-//   Study of a winding mechanism; dimensions are ours.
+//   Winder study, figures 2 and 3 and its table of links and pairs; every dimension, mass and stiffness is ours.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 14, first-order states 2, states 30, parameters 5, outputs 7, events 4,
+// Shapes: coordinates 14, first-order states 2, states 30, parameters 7, outputs 7, events 4,
 //     constraints 12.
 // Nonzeros: mass_matrix 14 of 14 by 14, rate_jacobian 294 of 30 by 30,
-//     parameter_jacobian 56 of 30 by 5, constraint_matrix 37 of 12 by 14.
-// Operations: initial_state 1, rate 722, forcing 78, rate_jacobian 4144, parameter_jacobian 57,
-//     outputs 52, energy 78, power_balance 109, guards 31, guard_rates 59, constraint_values 49,
-//     constraint_rates 63, constraint_matrix 30, prepare 1, prepared_rate 722,
-//     prepared_rate_jacobian 4143, prepared_parameter_jacobian 57, motion 746.
+//     parameter_jacobian 70 of 30 by 7, constraint_matrix 37 of 12 by 14.
+// Operations: initial_state 1, rate 744, forcing 88, rate_jacobian 4547, parameter_jacobian 86,
+//     outputs 52, energy 78, power_balance 124, guards 31, guard_rates 57, constraint_values 49,
+//     constraint_rates 63, constraint_matrix 30, prepare 2, prepared_rate 744,
+//     prepared_rate_jacobian 4545, prepared_parameter_jacobian 86, motion 768.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitute}};
 
@@ -34,9 +35,10 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
     ///
     /// The holder of \`winder_linkage\` with package and post lifted: it falls until the bobbin meets
     /// the drum and the post its stop, bounces, and settles at work. Drum and stop only push: both
-    /// contacts are springs and dampers that open and close by events. The drum stands still.
+    /// contacts are springs and dampers that open and close by events. The drum stands still; with a
+    /// \`grip\` it drags the bobbin, P = N f.
     ///
-    /// Source: Study of a winding mechanism; dimensions are ours.
+    /// Source: Winder study, figures 2 and 3 and its table of links and pairs; every dimension, mass and stiffness is ours.
     WinderHolderDrop: "winder_holder_drop", "Four-link bobbin holder, let go";
     run from 0.0, until 1.0, points 1001, rtol 1e-7, method "auto";
     quadratures 0, discontinuities 0;
@@ -45,6 +47,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
 
 ::machinist_contract::parameters! {
     lift: 0.03, "rad", "lift", "angle of the post over its stop at the start";
+    plate_angle: 1.95, "rad", "plate_angle", "angle of the plate at the start";
+    grip: 0.0, "1", "grip", "P/N at K: f where the drum turns under the bobbin and drags it to the left, k/R where the bobbin rolls on a drum at rest; below zero to the right";
     spring_stiffness: 2000.0, "N/m", "spring.stiffness", "spring";
     spring_damping: 400.0, "N s/m", "spring.damping", "damper";
     contact_stiffness: 1_000_000.0, "N/m", "contact.stiffness", "spring of the contact";
@@ -138,31 +142,32 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
         26 [2 5 6 7 8 9 10 11 12 13 16 19 20 21 22 23 24 25 26 27]
         27 [2 5 6 7 8 9 10 11 12 13 16 19 20 21 22 23 24 25 26 27] }
     /// Nonzeros of dy'/dp.
-    PARAMETER_JACOBIAN_PATTERN: 30 by 5 { 14 [1 2 3 4] 15 [1 2 3 4] 16 [1 2 3 4] 17 [1 2 3 4]
-        18 [1 2 3 4] 19 [1 2 3 4] 20 [1 2 3 4] 21 [1 2 3 4] 22 [1 2 3 4] 23 [1 2 3 4] 24 [1 2 3 4]
-        25 [1 2 3 4] 26 [1 2 3 4] 27 [1 2 3 4] }
+    PARAMETER_JACOBIAN_PATTERN: 30 by 7 { 14 [2 3 4 5 6] 15 [2 3 4 5 6] 16 [2 3 4 5 6]
+        17 [2 3 4 5 6] 18 [2 3 4 5 6] 19 [2 3 4 5 6] 20 [2 3 4 5 6] 21 [2 3 4 5 6] 22 [2 3 4 5 6]
+        23 [2 3 4 5 6] 24 [2 3 4 5 6] 25 [2 3 4 5 6] 26 [2 3 4 5 6] 27 [2 3 4 5 6] }
     /// Nonzeros of G = dg'/dq'.
     CONSTRAINT_MATRIX_PATTERN: 12 by 14 { 0 [0 2] 1 [1 2] 2 [0 2 3 5] 3 [1 2 4 5] 4 [3 5 6 8]
         5 [4 5 7 8] 6 [8 11] 7 [6 7 8 9 10] 8 [9 11] 9 [10 11] 10 [3 5 12] 11 [4 5 13] }
 }
 
 ::machinist_contract::constants! {
-    t0
+    t0, grip_times_contact_damping
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 1 operation.
+/// What `rate` and its Jacobians need of the parameters, once a run. 2 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t0 = R::literal(2.0) * p.contact_damping;
-    Constants { t0 }
+    let grip_times_contact_damping = p.grip * p.contact_damping;
+    Constants { t0, grip_times_contact_damping }
 }
 
 /// What several functions need of the motion; `motion` says what each is.
 #[allow(missing_docs, reason = "`motion` says what each is")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion<R> {
-    pub factors: [R; 70],
+    pub factors: [R; 73],
     pub cos_post_phi: R,
     pub sin_post_phi: R,
     pub cos_plate_phi: R,
@@ -181,101 +186,103 @@ pub struct Motion<R> {
     pub t12: R,
     pub slide_rate: R,
     pub t13: R,
-    pub t14: R,
-    pub t38: R,
+    pub t15: R,
+    pub t16: R,
     pub t40: R,
-    pub t41: R,
-    pub t50: R,
-    pub t51: R,
+    pub t42: R,
+    pub t43: R,
     pub t52: R,
-    pub t55: R,
+    pub t53: R,
+    pub t54: R,
     pub t57: R,
-    pub t58: R,
     pub t59: R,
-    pub t60: R,
-    pub t65: R,
-    pub t68: R,
-    pub t72: R,
-    pub t73: R,
-    pub t74: R,
-    pub t77: R,
+    pub t61: R,
+    pub t62: R,
+    pub t67: R,
+    pub t70: R,
+    pub t75: R,
+    pub t76: R,
     pub t79: R,
-    pub t80: R,
-    pub t85: R,
+    pub t81: R,
+    pub t82: R,
     pub t87: R,
     pub t89: R,
-    pub t95: R,
+    pub t91: R,
     pub t97: R,
-    pub t101: R,
-    pub t106: R,
+    pub t99: R,
+    pub t103: R,
     pub t108: R,
-    pub t113: R,
-    pub t114: R,
-    pub t121: R,
-    pub t122: R,
-    pub t126: R,
-    pub t133: R,
+    pub t110: R,
+    pub t115: R,
+    pub t116: R,
+    pub t123: R,
+    pub t124: R,
+    pub t128: R,
     pub t135: R,
-    pub t136: R,
-    pub t139: R,
+    pub t137: R,
+    pub t138: R,
     pub t141: R,
-    pub t144: R,
+    pub t143: R,
     pub t146: R,
-    pub t147: R,
-    pub t151: R,
-    pub t152: R,
-    pub t162: R,
-    pub t167: R,
-    pub t169: R,
+    pub t148: R,
+    pub t149: R,
+    pub t153: R,
+    pub t154: R,
+    pub t164: R,
+    pub t170: R,
     pub t172: R,
     pub t175: R,
-    pub t176: R,
-    pub t177: R,
     pub t178: R,
     pub t179: R,
+    pub t180: R,
     pub t181: R,
     pub t182: R,
+    pub t183: R,
     pub t184: R,
     pub t185: R,
     pub t187: R,
     pub t188: R,
-    pub t210: R,
-    pub t211: R,
-    pub t213: R,
-    pub t214: R,
-    pub t215: R,
-    pub t216: R,
-    pub t217: R,
+    pub t190: R,
+    pub t191: R,
+    pub t193: R,
+    pub t194: R,
+    pub t218: R,
     pub t219: R,
-    pub t220: R,
+    pub t221: R,
+    pub t222: R,
     pub t223: R,
     pub t224: R,
-    pub t226: R,
+    pub t225: R,
     pub t227: R,
-    pub t229: R,
-    pub t230: R,
+    pub t228: R,
     pub t231: R,
-    pub t233: R,
+    pub t232: R,
     pub t234: R,
+    pub t235: R,
+    pub t237: R,
+    pub t238: R,
+    pub t239: R,
+    pub t241: R,
+    pub t242: R,
     pub bobbin_v_y_dot: R,
     pub bobbin_v_x_dot: R,
     pub rod_omega_dot: R,
-    pub t235: R,
+    pub t243: R,
     pub rod_v_x_dot: R,
     pub cylinder_omega_dot: R,
     pub cylinder_v_y_dot: R,
     pub cylinder_v_x_dot: R,
     pub plate_omega_dot: R,
-    pub t236: R,
-    pub t237: R,
-    pub t238: R,
+    pub t244: R,
+    pub t245: R,
+    pub t246: R,
     pub post_omega_dot: R,
-    pub t239: R,
-    pub t240: R,
+    pub t247: R,
+    pub t248: R,
 }
 
 /// Accelerations, factors of the linear equations they solve, and whatever else several functions
-/// need. 746 operations.
+/// need. 768 operations.
 #[must_use]
 pub fn motion<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         _c: &Constants<R>) -> Motion<R> {
@@ -313,317 +320,327 @@ pub fn motion<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t13 = (R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi);
-    let t14 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
-    let t15 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t16 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t17 = -t16;
-    let t18 = R::literal(24.0) * sin_plate_phi;
-    let t19 = R::literal(24.0) * cos_plate_phi;
-    let t20 = -t19;
-    let t21 = t13 * R::literal(400.0);
+    let t13 = contact_stiffness_times_contact_gap + contact_damping_times_contact_rate;
+    let t14 = p.grip * t13;
+    let t15 = (R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi);
+    let t16 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
+    let t17 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t18 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t19 = -t18;
+    let t20 = R::literal(24.0) * sin_plate_phi;
+    let t21 = R::literal(24.0) * cos_plate_phi;
     let t22 = -t21;
-    let t23 = t14 * R::literal(400.0);
-    let t24 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t25 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t26 = -t25;
-    let t27 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t28 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t29 = -t28;
-    let t30 = slide * R::literal(2_777.777_777_777_778);
+    let t23 = t15 * R::literal(400.0);
+    let t24 = -t23;
+    let t25 = t16 * R::literal(400.0);
+    let t26 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t27 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t28 = -t27;
+    let t29 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t30 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
     let t31 = -t30;
-    let t32 = sin_cylinder_phi * R::literal(5.0);
+    let t32 = slide * R::literal(2_777.777_777_777_778);
     let t33 = -t32;
-    let t34 = cos_cylinder_phi * R::literal(5.0);
-    let t35 = R::literal(250.0) * sin_rod_phi;
-    let t36 = -t35;
-    let t37 = R::literal(250.0) * cos_rod_phi;
-    let t38 = t15 * t1;
-    let t39 = R::literal(1.25) + t38;
-    let t40 = R::literal(1.0) / t39;
-    let t41 = t16 * t1;
-    let t42 = t41 * t40;
-    let t43 = -t42;
-    let t44 = R::literal(1.25) - t38;
-    let t45 = t44 * t40;
-    let t46 = -t45;
-    let t47 = t16 * t0;
-    let t48 = R::literal(1.25) + t47;
-    let t49 = t42 * t41;
-    let t50 = R::literal(1.0) / (t49 - t48);
-    let t51 = t15 * t0;
-    let t52 = t45 * t41;
-    let t53 = t51 + t52;
-    let t54 = t53 * t50;
-    let t55 = R::literal(1.25) - t47 + t49;
-    let t56 = t55 * t50;
-    let t57 = t18 * t3;
-    let t58 = R::literal(1.0) / (-(t39 + R::literal(0.833_333_333_333_333_4) + t57))
-        .add_product(t45, t44).sub_product(t54, t53);
-    let t59 = t19 * t3;
-    let t60 = (t41 + t59).add_product(t42, t44).sub_product(t56, t53);
-    let t61 = t60 * t58;
-    let t62 = R::literal(0.833_333_333_333_333_4) - t57;
-    let t63 = t62 * t58;
-    let t64 = t59 * t58;
-    let t65 = t21 * t3;
-    let t66 = R::literal(0.833_333_333_333_333_4) + t65;
-    let t67 = t66 * t58;
-    let t68 = t23 * t3;
-    let t69 = t68 * t58;
-    let t70 = -t69;
-    let t71 = t19 * t2;
-    let t72 = R::literal(1.0) / (t49 - (t48 + R::literal(0.833_333_333_333_333_4) + t71))
-        .sub_product(t56, t55).sub_product(t61, t60);
-    let t73 = t18 * t2;
-    let t74 = t63 * t60;
-    let t75 = t73 - t74;
-    let t76 = t75 * t72;
-    let t77 = (R::literal(0.833_333_333_333_333_4) - t71).sub_product(t64, t60);
-    let t78 = t77 * t72;
-    let t79 = t21 * t2;
-    let t80 = t67 * t60;
-    let t81 = t79 + t80;
-    let t82 = t81 * t72;
-    let t83 = -t82;
-    let t84 = t23 * t2;
-    let t85 = (R::literal(0.833_333_333_333_333_4) + t84).add_product(t69, t60);
-    let t86 = t85 * t72;
-    let t87 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t57
-        + R::literal(3.333_333_333_333_333_5)).add_product(t27, t5).add_product(t63, t62)
-        .add_product(t76, t75);
-    let t88 = -t87;
-    let t89 = t59.add_product(t28, t5).sub_product(t64, t62).sub_product(t78, t75);
-    let t90 = t89 * t87;
-    let t91 = -t90;
-    let t92 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t93 = t92 * t87;
-    let t94 = (-t24).add_product(t30, t5);
-    let t95 = t94 * t87;
-    let t96 = -t95;
-    let t97 = (t65 - R::literal(0.833_333_333_333_333_4)).sub_product(t67, t62).add_product(t82,
-        t75);
-    let t98 = t97 * t87;
-    let t99 = -t98;
-    let t100 = (-t68).add_product(t69, t62).sub_product(t86, t75);
-    let t101 = t100 * t87;
-    let t102 = -t101;
-    let t103 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t71
-        + R::literal(3.333_333_333_333_333_5)).add_product(t28, t4).add_product(t64, t59)
-        .add_product(t78, t77)).add_product(t90, t89);
-    let t104 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi).sub_product(t93, t89);
-    let t105 = t104 * t103;
-    let t106 = t25.sub_product(t30, t4).add_product(t95, t89);
-    let t107 = t106 * t103;
-    let t108 = (-t79.add_product(t67, t59)).add_product(t82, t77).add_product(t98, t89);
-    let t109 = t108 * t103;
-    let t110 = (t84 - R::literal(0.833_333_333_333_333_4)).add_product(t69, t59).sub_product(t86,
-        t77).add_product(t101, t89);
-    let t111 = t110 * t103;
-    let t112 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t93, t92)
-        .sub_product(t105, t104);
-    let t113 = t30.add_product(t95, t92);
-    let t114 = t107 * t104;
-    let t115 = t113 + t114;
-    let t116 = t115 * t112;
-    let t117 = -t116;
-    let t118 = t35 * t112;
-    let t119 = t37 * t112;
-    let t120 = -t119;
-    let t121 = t98 * t92;
-    let t122 = t109 * t104;
-    let t123 = t121 + t122;
-    let t124 = t123 * t112;
-    let t125 = -t124;
-    let t126 = (t101 * t92).add_product(t111, t104);
-    let t127 = t126 * t112;
-    let t128 = -t127;
-    let t129 = R::literal(1.0) / (-(t24 * sin_cylinder_phi).add_product(t25, cos_cylinder_phi)
-        .add_product(t30, slide).add_product(t32, sin_cylinder_phi).add_product(t34,
-        cos_cylinder_phi)).add_product(t95, t94).sub_product(t107, t106).sub_product(t116, t115);
-    let t130 = t32.add_product(t118, t115);
-    let t131 = t130 * t129;
-    let t132 = t34.add_product(t119, t115);
-    let t133 = t132 * t129;
-    let t134 = -t133;
-    let t135 = (t98 * t94).sub_product(t109, t106);
-    let t136 = t124 * t115;
-    let t137 = t135 - t136;
-    let t138 = t137 * t129;
-    let t139 = (t101 * t94).sub_product(t111, t106).sub_product(t127, t115);
-    let t140 = t139 * t129;
-    let t141 = R::literal(1.0) / R::literal(5.0).add_product(t35, t6).add_product(t118, t35)
-        .add_product(t131, t130);
-    let t142 = -t141;
-    let t143 = (t37 * t6).add_product(t119, t35).add_product(t133, t130);
-    let t144 = t143 * t141;
-    let t145 = -t144;
-    let t146 = t124 * t35;
-    let t147 = t138 * t130;
-    let t148 = t146 - t147;
-    let t149 = t148 * t141;
-    let t150 = -t149;
-    let t151 = t127 * t35;
-    let t152 = t140 * t130;
-    let t153 = t151 - t152;
-    let t154 = t153 * t141;
-    let t155 = -t154;
-    let t156 = R::literal(1.0) / (-R::literal(5.0).add_product(t37, R::literal(0.06) * cos_rod_phi)
-        .add_product(t119, t37).add_product(t133, t132)).add_product(t144, t143);
-    let t157 = (-(t124 * t37)).add_product(t138, t132).add_product(t149, t143);
-    let t158 = t157 * t156;
-    let t159 = (-(t127 * t37)).add_product(t140, t132).add_product(t154, t143);
-    let t160 = t159 * t156;
-    let t161 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t21, t13)
-        + R::literal(1.428_571_428_571_428_6)).add_product(t67, t66).add_product(t82, t81))
-        .add_product(t98, t97).sub_product(t109, t108).sub_product(t124, t123).sub_product(t138,
-        t137).add_product(t149, t148).sub_product(t158, t157);
-    let t162 = (t23 * t13).add_product(t69, t66).add_product(t86, t81).add_product(t101, t97)
-        .sub_product(t111, t108).sub_product(t127, t123).sub_product(t140, t137).add_product(t154,
-        t148).sub_product(t160, t157);
-    let t163 = t162 * t161;
-    let t164 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t23, t14)
-        + R::literal(1.428_571_428_571_428_6)).add_product(t69, t68).add_product(t86, t85))
-        .add_product(t101, t100).sub_product(t111, t110).sub_product(t127, t126).sub_product(t140,
-        t139).add_product(t154, t153).sub_product(t160, t159).sub_product(t163, t162);
-    let t165 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
+    let t34 = sin_cylinder_phi * R::literal(5.0);
+    let t35 = -t34;
+    let t36 = cos_cylinder_phi * R::literal(5.0);
+    let t37 = R::literal(250.0) * sin_rod_phi;
+    let t38 = -t37;
+    let t39 = R::literal(250.0) * cos_rod_phi;
+    let t40 = t17 * t1;
+    let t41 = R::literal(1.25) + t40;
+    let t42 = R::literal(1.0) / t41;
+    let t43 = t18 * t1;
+    let t44 = t43 * t42;
+    let t45 = -t44;
+    let t46 = R::literal(1.25) - t40;
+    let t47 = t46 * t42;
+    let t48 = -t47;
+    let t49 = t18 * t0;
+    let t50 = R::literal(1.25) + t49;
+    let t51 = t44 * t43;
+    let t52 = R::literal(1.0) / (t51 - t50);
+    let t53 = t17 * t0;
+    let t54 = t47 * t43;
+    let t55 = t53 + t54;
+    let t56 = t55 * t52;
+    let t57 = R::literal(1.25) - t49 + t51;
+    let t58 = t57 * t52;
+    let t59 = t20 * t3;
+    let t60 = R::literal(1.0) / (-(t41 + R::literal(0.833_333_333_333_333_4) + t59))
+        .add_product(t47, t46).sub_product(t56, t55);
+    let t61 = t21 * t3;
+    let t62 = (t43 + t61).add_product(t44, t46).sub_product(t58, t55);
+    let t63 = t62 * t60;
+    let t64 = R::literal(0.833_333_333_333_333_4) - t59;
+    let t65 = t64 * t60;
+    let t66 = t61 * t60;
+    let t67 = t23 * t3;
+    let t68 = R::literal(0.833_333_333_333_333_4) + t67;
+    let t69 = t68 * t60;
+    let t70 = t25 * t3;
+    let t71 = t70 * t60;
+    let t72 = -t71;
+    let t73 = t21 * t2;
+    let t74 = R::literal(1.0) / (t51 - (t50 + R::literal(0.833_333_333_333_333_4) + t73))
+        .sub_product(t58, t57).sub_product(t63, t62);
+    let t75 = t20 * t2;
+    let t76 = t65 * t62;
+    let t77 = t75 - t76;
+    let t78 = t77 * t74;
+    let t79 = (R::literal(0.833_333_333_333_333_4) - t73).sub_product(t66, t62);
+    let t80 = t79 * t74;
+    let t81 = t23 * t2;
+    let t82 = t69 * t62;
+    let t83 = t81 + t82;
+    let t84 = t83 * t74;
+    let t85 = -t84;
+    let t86 = t25 * t2;
+    let t87 = (R::literal(0.833_333_333_333_333_4) + t86).add_product(t71, t62);
+    let t88 = t87 * t74;
+    let t89 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t59
+        + R::literal(3.333_333_333_333_333_5)).add_product(t29, t5).add_product(t65, t64)
+        .add_product(t78, t77);
+    let t90 = -t89;
+    let t91 = t61.add_product(t30, t5).sub_product(t66, t64).sub_product(t80, t77);
+    let t92 = t91 * t89;
+    let t93 = -t92;
+    let t94 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t95 = t94 * t89;
+    let t96 = (-t26).add_product(t32, t5);
+    let t97 = t96 * t89;
+    let t98 = -t97;
+    let t99 = (t67 - R::literal(0.833_333_333_333_333_4)).sub_product(t69, t64).add_product(t84,
+        t77);
+    let t100 = t99 * t89;
+    let t101 = -t100;
+    let t102 = (-t70).add_product(t71, t64).sub_product(t88, t77);
+    let t103 = t102 * t89;
+    let t104 = -t103;
+    let t105 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t73
+        + R::literal(3.333_333_333_333_333_5)).add_product(t30, t4).add_product(t66, t61)
+        .add_product(t80, t79)).add_product(t92, t91);
+    let t106 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi).sub_product(t95, t91);
+    let t107 = t106 * t105;
+    let t108 = t27.sub_product(t32, t4).add_product(t97, t91);
+    let t109 = t108 * t105;
+    let t110 = (-t81.add_product(t69, t61)).add_product(t84, t79).add_product(t100, t91);
+    let t111 = t110 * t105;
+    let t112 = (t86 - R::literal(0.833_333_333_333_333_4)).add_product(t71, t61).sub_product(t88,
+        t79).add_product(t103, t91);
+    let t113 = t112 * t105;
+    let t114 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t95, t94)
+        .sub_product(t107, t106);
+    let t115 = t32.add_product(t97, t94);
+    let t116 = t109 * t106;
+    let t117 = t115 + t116;
+    let t118 = t117 * t114;
+    let t119 = -t118;
+    let t120 = t37 * t114;
+    let t121 = t39 * t114;
+    let t122 = -t121;
+    let t123 = t100 * t94;
+    let t124 = t111 * t106;
+    let t125 = t123 + t124;
+    let t126 = t125 * t114;
+    let t127 = -t126;
+    let t128 = (t103 * t94).add_product(t113, t106);
+    let t129 = t128 * t114;
+    let t130 = -t129;
+    let t131 = R::literal(1.0) / (-(t26 * sin_cylinder_phi).add_product(t27, cos_cylinder_phi)
+        .add_product(t32, slide).add_product(t34, sin_cylinder_phi).add_product(t36,
+        cos_cylinder_phi)).add_product(t97, t96).sub_product(t109, t108).sub_product(t118, t117);
+    let t132 = t34.add_product(t120, t117);
+    let t133 = t132 * t131;
+    let t134 = t36.add_product(t121, t117);
+    let t135 = t134 * t131;
+    let t136 = -t135;
+    let t137 = (t100 * t96).sub_product(t111, t108);
+    let t138 = t126 * t117;
+    let t139 = t137 - t138;
+    let t140 = t139 * t131;
+    let t141 = (t103 * t96).sub_product(t113, t108).sub_product(t129, t117);
+    let t142 = t141 * t131;
+    let t143 = R::literal(1.0) / R::literal(5.0).add_product(t37, t6).add_product(t120, t37)
+        .add_product(t133, t132);
+    let t144 = -t143;
+    let t145 = (t39 * t6).add_product(t121, t37).add_product(t135, t132);
+    let t146 = t145 * t143;
+    let t147 = -t146;
+    let t148 = t126 * t37;
+    let t149 = t140 * t132;
+    let t150 = t148 - t149;
+    let t151 = t150 * t143;
+    let t152 = -t151;
+    let t153 = t129 * t37;
+    let t154 = t142 * t132;
+    let t155 = t153 - t154;
+    let t156 = t155 * t143;
+    let t157 = -t156;
+    let t158 = R::literal(1.0) / (-R::literal(5.0).add_product(t39, R::literal(0.06) * cos_rod_phi)
+        .add_product(t121, t39).add_product(t135, t134)).add_product(t146, t145);
+    let t159 = (-(t126 * t39)).add_product(t140, t134).add_product(t151, t145);
+    let t160 = t159 * t158;
+    let t161 = (-(t129 * t39)).add_product(t142, t134).add_product(t156, t145);
+    let t162 = t161 * t158;
+    let t163 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t23, t15)
+        + R::literal(1.428_571_428_571_428_6)).add_product(t69, t68).add_product(t84, t83))
+        .add_product(t100, t99).sub_product(t111, t110).sub_product(t126, t125).sub_product(t140,
+        t139).add_product(t151, t150).sub_product(t160, t159);
+    let t164 = (t25 * t15).add_product(t71, t68).add_product(t88, t83).add_product(t103, t99)
+        .sub_product(t113, t110).sub_product(t129, t125).sub_product(t142, t139).add_product(t156,
+        t150).sub_product(t162, t159);
+    let t165 = t164 * t163;
+    let t166 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t25, t16)
+        + R::literal(1.428_571_428_571_428_6)).add_product(t71, t70).add_product(t88, t87))
+        .add_product(t103, t102).sub_product(t113, t112).sub_product(t129, t128).sub_product(t142,
+        t141).add_product(t156, t155).sub_product(t162, t161).sub_product(t165, t164);
+    let t167 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
         -(R::literal(1_000_000.0) * stop_gap * t7).add_product(R::literal(1500.0) * stop_rate, t7));
-    let t166 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t167 = t166 * cos_cylinder_phi;
+    let t168 = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t14
+        * (between - R::literal(0.04)));
+    let t169 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t170 = t169 * cos_cylinder_phi;
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t168 = t167.add_product(spring_damping_times_slide_rate, cos_cylinder_phi);
-    let t169 = t166 * sin_cylinder_phi;
-    let t170 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t171 = t170 - (R::literal(2.943) - t169);
-    let t172 = t166 * t12;
-    let t173 = t172.add_product(spring_damping_times_slide_rate, t12);
-    let t174 = t170 + (R::literal(1.962) + t169);
-    let t175 = contact_stiffness_times_contact_gap * t8;
-    let t176 = t175 / between;
-    let t177 = contact_damping_times_contact_rate * t8;
-    let t178 = contact_stiffness_times_contact_gap * t10 / between;
-    let t179 = contact_damping_times_contact_rate * t10;
-    let t180 = R::literal(0.1) * (post_omega * post_omega);
-    let t181 = t180 * cos_post_phi;
-    let t182 = t180 * sin_post_phi;
+    let t171 = t170.add_product(spring_damping_times_slide_rate, cos_cylinder_phi);
+    let t172 = t169 * sin_cylinder_phi;
+    let t173 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t174 = t173 - (R::literal(2.943) - t172);
+    let t175 = t169 * t12;
+    let t176 = t175.add_product(spring_damping_times_slide_rate, t12);
+    let t177 = t173 + (R::literal(1.962) + t172);
+    let t178 = t14 * t10 / between;
+    let t179 = contact_stiffness_times_contact_gap * t8;
+    let t180 = t179 / between;
+    let t181 = contact_damping_times_contact_rate * t8;
+    let t182 = contact_stiffness_times_contact_gap * t10 / between;
+    let t183 = contact_damping_times_contact_rate * t10;
+    let t184 = t14 * t8;
+    let t185 = t184 / between;
+    let t186 = R::literal(0.1) * (post_omega * post_omega);
+    let t187 = t186 * cos_post_phi;
+    let t188 = t186 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t183 = R::literal(0.06) * plate_omega_squared;
-    let t184 = t183 * cos_plate_phi;
-    let t185 = t183 * sin_plate_phi;
+    let t189 = R::literal(0.06) * plate_omega_squared;
+    let t190 = t189 * cos_plate_phi;
+    let t191 = t189 * sin_plate_phi;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t186 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t187 = t186 * cos_rod_phi;
-    let t188 = t186 * sin_rod_phi;
-    let t189 = t15 * t165;
-    let t190 = t181 + t189;
-    let t191 = t16 * t165;
-    let t192 = t42 * t190;
-    let t193 = R::literal(9.81) - t182 + t191 - t192;
-    let t194 = (t184 + t181 + t189).add_product(t45, t190).add_product(t54, t193);
-    let t195 = (t191 - (t185 + t182 + R::literal(9.81)) + R::literal(9.81) - t192).sub_product(t56,
-        t193).add_product(t61, t194);
-    let t196 = R::literal(3.333_333_333_333_333_5) * t168;
-    let t197 = (-t196.add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
-        .add_product(cylinder_omega_squared, cos_cylinder_phi))).add_product(t27, t173)
-        .add_product(t63, t194).sub_product(t76, t195);
-    let t198 = R::literal(3.333_333_333_333_333_5) * t171;
-    let t199 = (-(R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
-        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t198)
-        .add_product(t28, t173)).add_product(t64, t194).sub_product(t78, t195).add_product(t90,
-        t197);
-    let t200 = (R::literal(-2_777.777_777_777_778) * t173).sub_product(t93, t197).sub_product(t105,
-        t199);
-    let t201 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+    let t192 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t193 = t192 * cos_rod_phi;
+    let t194 = t192 * sin_rod_phi;
+    let t195 = t17 * t167;
+    let t196 = t187 + t195;
+    let t197 = t18 * t167;
+    let t198 = t44 * t196;
+    let t199 = R::literal(9.81) - t188 + t197 - t198;
+    let t200 = t20 * t168;
+    let t201 = (t190 + t187 + t195 + t200).add_product(t47, t196).add_product(t56, t199);
+    let t202 = t21 * t168;
+    let t203 = (t197 - (t191 + t188 + R::literal(9.81)) + R::literal(9.81) + t202 - t198)
+        .sub_product(t58, t199).add_product(t63, t201);
+    let t204 = R::literal(3.333_333_333_333_333_5) * t171;
+    let t205 = (-(t200.add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
+        .add_product(cylinder_omega_squared, cos_cylinder_phi)) + t204)).add_product(t29, t176)
+        .add_product(t65, t201).sub_product(t78, t203);
+    let t206 = R::literal(3.333_333_333_333_333_5) * t174;
+    let t207 = (t202 - R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
+        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) - t206)
+        .sub_product(t30, t176).add_product(t66, t201).sub_product(t80, t203).add_product(t92,
+        t205);
+    let t208 = (R::literal(-2_777.777_777_777_778) * t176).sub_product(t95, t205).sub_product(t107,
+        t207);
+    let t209 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
         .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
         * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
         .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi).sub_product(R::literal(2.0)
         * cylinder_v_y, sin_cylinder_phi).sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t24, t168)
-        .add_product(t25, t171).sub_product(t30, t173).sub_product(t32, t168).add_product(t34, t174)
-        .add_product(t95, t197).sub_product(t107, t199);
-    let t202 = t201.add_product(t116, t200);
-    let t203 = R::literal(5.0) * t168;
-    let t204 = (t187 + t203).sub_product(t118, t200).sub_product(t131, t202);
-    let t205 = R::literal(5.0) * t174;
-    let t206 = (t188 + t205).add_product(t119, t200).add_product(t133, t202).add_product(t144,
-        t204);
-    let t207 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(t176 + t177 / between));
-    let t208 = (-t207).add_product(t14, plate_omega_squared).add_product(t67, t194)
-        .add_product(t82, t195).add_product(t98, t197).sub_product(t109, t199).add_product(t124,
-        t200).sub_product(t138, t202).add_product(t149, t204).sub_product(t158, t206);
-    let t209 = R::literal(1.428_571_428_571_428_6) * (R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(t179 / between)) - (R::literal(6.867)
-        + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t178)));
-    let t210 = (R::literal(-9.81).add_product(t13, plate_omega_squared) - t209).sub_product(t69,
-        t194).sub_product(t86, t195).add_product(t101, t197).sub_product(t111, t199)
-        .add_product(t127, t200).sub_product(t140, t202).add_product(t154, t204).sub_product(t160,
-        t206);
-    let t211 = t163 * t208;
-    let t212 = (t210 - t211) * t164;
-    let t213 = (t208 * t161).sub_product(t163, t212);
-    let t214 = (t206 * t156).sub_product(t158, t213).sub_product(t160, t212);
-    let t215 = (-(t204 * t141)).add_product(t144, t214);
-    let t216 = t149 * t213;
-    let t217 = t154 * t212;
-    let t218 = t215 + t216 + t217;
-    let t219 = (t202 * t129).sub_product(t131, t218).add_product(t133, t214).sub_product(t138,
-        t213);
-    let t220 = t140 * t212;
-    let t221 = t219 - t220;
-    let t222 = (t200 * t112).add_product(t116, t221).sub_product(t118, t218).add_product(t119, t214)
-        .add_product(t124, t213).add_product(t127, t212);
-    let t223 = (t199 * t103).sub_product(t105, t222).sub_product(t107, t221).sub_product(t109,
-        t213);
-    let t224 = t111 * t212;
-    let t225 = t223 - t224;
-    let t226 = (-(t197 * t87)).add_product(t90, t225).sub_product(t93, t222).add_product(t95, t221)
-        .add_product(t98, t213);
-    let t227 = t101 * t212;
-    let t228 = t226 + t227;
-    let t229 = (t195 * t72).sub_product(t76, t228).sub_product(t78, t225).add_product(t82, t213)
-        .sub_product(t86, t212);
-    let t230 = (t194 * t58).add_product(t61, t229).add_product(t63, t228).add_product(t64, t225)
-        .add_product(t67, t213);
-    let t231 = t69 * t212;
-    let t232 = t231 - t230;
-    let t233 = (t193 * t50).sub_product(t54, t232).sub_product(t56, t229);
-    let t234 = (t190 * t40).add_product(t42, t233).add_product(t45, t232).add_product(t42, t229);
-    let bobbin_v_y_dot = t209.sub_product(R::literal(1.428_571_428_571_428_6), t212);
-    let bobbin_v_x_dot = t207.sub_product(R::literal(1.428_571_428_571_428_6), t213);
-    let rod_omega_dot = (t35 * t218).sub_product(R::literal(4_166.666_666_666_667), t222)
-        .sub_product(t37, t214);
-    let t235 = t205.add_product(t34, t221).add_product(R::literal(5.0), t214);
-    let rod_v_x_dot = (-t203).add_product(t32, t221).sub_product(R::literal(5.0), t218);
-    let cylinder_omega_dot = (-(t173 * R::literal(2_777.777_777_777_778)).add_product(t27, t228))
-        .add_product(t28, t225).sub_product(R::literal(-2_777.777_777_777_778), t222)
-        .add_product(t30, t221);
-    let cylinder_v_y_dot = t198.sub_product(R::literal(3.333_333_333_333_333_5), t225)
-        .add_product(t25, t221);
-    let cylinder_v_x_dot = t196.sub_product(R::literal(3.333_333_333_333_333_5), t228)
-        .sub_product(t24, t221);
-    let plate_omega_dot = (t19 * t229).sub_product(t18, t232).sub_product(t18, t228)
-        .add_product(t19, t225).add_product(t21, t213).sub_product(t23, t212);
-    let t236 = R::literal(9.81).add_product(R::literal(0.833_333_333_333_333_4), t229)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t225);
-    let t237 = R::literal(-0.833_333_333_333_333_4) * t212;
-    let t238 = (R::literal(-0.833_333_333_333_333_4) * t228)
-        .add_product(R::literal(0.833_333_333_333_333_4), t232);
-    let post_omega_dot = (t165 * R::literal(370.370_370_370_370_3)).sub_product(t15, t234)
-        .add_product(t16, t233).sub_product(t15, t232).add_product(t16, t229);
-    let t239 = R::literal(9.81).add_product(R::literal(1.25), t233).add_product(R::literal(-1.25),
-        t229);
-    let t240 = (R::literal(-1.25) * t232).add_product(R::literal(1.25), t234);
+        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t26, t171)
+        .add_product(t27, t174).sub_product(t32, t176).sub_product(t34, t171).add_product(t36, t177)
+        .add_product(t97, t205).sub_product(t109, t207);
+    let t210 = t209.add_product(t118, t208);
+    let t211 = R::literal(5.0) * t171;
+    let t212 = (t193 + t211).sub_product(t120, t208).sub_product(t133, t210);
+    let t213 = R::literal(5.0) * t177;
+    let t214 = (t194 + t213).add_product(t121, t208).add_product(t135, t210).add_product(t146,
+        t212);
+    let t215 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t178 - t180 - t181 / between);
+    let t216 = ((t16 * plate_omega_squared).add_product(t23, t168) - t215).add_product(t69, t201)
+        .add_product(t84, t203).add_product(t100, t205).sub_product(t111, t207).add_product(t126,
+        t208).sub_product(t140, t210).add_product(t151, t212).sub_product(t160, t214);
+    let t217 = R::literal(1.428_571_428_571_428_6) * (R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(t185 + t183 / between)) - (R::literal(6.867)
+        + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t182)));
+    let t218 = (R::literal(-9.81).add_product(t15, plate_omega_squared).sub_product(t25, t168)
+        - t217).sub_product(t71, t201).sub_product(t88, t203).add_product(t103, t205)
+        .sub_product(t113, t207).add_product(t129, t208).sub_product(t142, t210).add_product(t156,
+        t212).sub_product(t162, t214);
+    let t219 = t165 * t216;
+    let t220 = (t218 - t219) * t166;
+    let t221 = (t216 * t163).sub_product(t165, t220);
+    let t222 = (t214 * t158).sub_product(t160, t221).sub_product(t162, t220);
+    let t223 = (-(t212 * t143)).add_product(t146, t222);
+    let t224 = t151 * t221;
+    let t225 = t156 * t220;
+    let t226 = t223 + t224 + t225;
+    let t227 = (t210 * t131).sub_product(t133, t226).add_product(t135, t222).sub_product(t140,
+        t221);
+    let t228 = t142 * t220;
+    let t229 = t227 - t228;
+    let t230 = (t208 * t114).add_product(t118, t229).sub_product(t120, t226).add_product(t121, t222)
+        .add_product(t126, t221).add_product(t129, t220);
+    let t231 = (t207 * t105).sub_product(t107, t230).sub_product(t109, t229).sub_product(t111,
+        t221);
+    let t232 = t113 * t220;
+    let t233 = t231 - t232;
+    let t234 = (-(t205 * t89)).add_product(t92, t233).sub_product(t95, t230).add_product(t97, t229)
+        .add_product(t100, t221);
+    let t235 = t103 * t220;
+    let t236 = t234 + t235;
+    let t237 = (t203 * t74).sub_product(t78, t236).sub_product(t80, t233).add_product(t84, t221)
+        .sub_product(t88, t220);
+    let t238 = (t201 * t60).add_product(t63, t237).add_product(t65, t236).add_product(t66, t233)
+        .add_product(t69, t221);
+    let t239 = t71 * t220;
+    let t240 = t239 - t238;
+    let t241 = (t199 * t52).sub_product(t56, t240).sub_product(t58, t237);
+    let t242 = (t196 * t42).add_product(t44, t241).add_product(t47, t240).add_product(t44, t237);
+    let bobbin_v_y_dot = t217.sub_product(R::literal(1.428_571_428_571_428_6), t220);
+    let bobbin_v_x_dot = t215.sub_product(R::literal(1.428_571_428_571_428_6), t221);
+    let rod_omega_dot = (t37 * t226).sub_product(R::literal(4_166.666_666_666_667), t230)
+        .sub_product(t39, t222);
+    let t243 = t213.add_product(t36, t229).add_product(R::literal(5.0), t222);
+    let rod_v_x_dot = (-t211).add_product(t34, t229).sub_product(R::literal(5.0), t226);
+    let cylinder_omega_dot = (-(t176 * R::literal(2_777.777_777_777_778)).add_product(t29, t236))
+        .add_product(t30, t233).sub_product(R::literal(-2_777.777_777_777_778), t230)
+        .add_product(t32, t229);
+    let cylinder_v_y_dot = t206.sub_product(R::literal(3.333_333_333_333_333_5), t233)
+        .add_product(t27, t229);
+    let cylinder_v_x_dot = t204.sub_product(R::literal(3.333_333_333_333_333_5), t236)
+        .sub_product(t26, t229);
+    let plate_omega_dot = (t168 * R::literal(400.0)).sub_product(t20, t240).add_product(t21, t237)
+        .sub_product(t20, t236).add_product(t21, t233).add_product(t23, t221).sub_product(t25,
+        t220);
+    let t244 = R::literal(9.81).add_product(R::literal(0.833_333_333_333_333_4), t237)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t233);
+    let t245 = R::literal(-0.833_333_333_333_333_4) * t220;
+    let t246 = (R::literal(-0.833_333_333_333_333_4) * t236)
+        .add_product(R::literal(0.833_333_333_333_333_4), t240);
+    let post_omega_dot = (t167 * R::literal(370.370_370_370_370_3)).sub_product(t17, t242)
+        .add_product(t18, t241).sub_product(t17, t240).add_product(t18, t237);
+    let t247 = R::literal(9.81).add_product(R::literal(1.25), t241).add_product(R::literal(-1.25),
+        t237);
+    let t248 = (R::literal(-1.25) * t240).add_product(R::literal(1.25), t242);
     Motion {
-        factors: [R::literal(3.333_333_333_333_333_5), t27, t29, t91,
-            R::literal(-2_777.777_777_777_778), t93, t105, t24, t26, t31, t33, t34, t96, t107,
-            t117, R::literal(5.0), t118, t131, t120, t134, t145,
-            R::literal(1.428_571_428_571_428_6), t99, t109, t125, t138, t150, t158, t102, t111,
-            t128, t140, t155, t160, t163, t164, t161, t156, t142, t129, t112, t103, t88, t76, t78,
-            t83, t86, t61, t63, t64, t67, t70, t54, t56, t43, t46,
-            R::literal(4_166.666_666_666_667), t36, t37, R::literal(2_777.777_777_777_778), t18,
-            t20, t22, t23, R::literal(0.833_333_333_333_333_4),
-            R::literal(-0.833_333_333_333_333_4), t15, t17, R::literal(1.25), R::literal(-1.25)],
+        factors: [t20, t22, t63, R::literal(3.333_333_333_333_333_5), t29, t65, t78, t31, t66, t80,
+            t93, R::literal(-2_777.777_777_777_778), t95, t107, t26, t28, t33, t35, t36, t98, t109,
+            t119, R::literal(5.0), t120, t133, t122, t136, t147, t24,
+            R::literal(1.428_571_428_571_428_6), t69, t85, t101, t111, t127, t140, t152, t160, t25,
+            t72, t88, t104, t113, t130, t142, t157, t162, t165, t166, t163, t158, t144, t131, t114,
+            t105, t90, t74, t60, t56, t58, t45, t48, R::literal(4_166.666_666_666_667), t38, t39,
+            R::literal(2_777.777_777_777_778), R::literal(400.0),
+            R::literal(0.833_333_333_333_333_4), R::literal(-0.833_333_333_333_333_4), t17, t19,
+            R::literal(1.25), R::literal(-1.25)],
         cos_post_phi,
         sin_post_phi,
         cos_plate_phi,
@@ -642,97 +659,99 @@ pub fn motion<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         t12,
         slide_rate,
         t13,
-        t14,
-        t38,
+        t15,
+        t16,
         t40,
-        t41,
-        t50,
-        t51,
+        t42,
+        t43,
         t52,
-        t55,
+        t53,
+        t54,
         t57,
-        t58,
         t59,
-        t60,
-        t65,
-        t68,
-        t72,
-        t73,
-        t74,
-        t77,
+        t61,
+        t62,
+        t67,
+        t70,
+        t75,
+        t76,
         t79,
-        t80,
-        t85,
+        t81,
+        t82,
         t87,
         t89,
-        t95,
+        t91,
         t97,
-        t101,
-        t106,
+        t99,
+        t103,
         t108,
-        t113,
-        t114,
-        t121,
-        t122,
-        t126,
-        t133,
+        t110,
+        t115,
+        t116,
+        t123,
+        t124,
+        t128,
         t135,
-        t136,
-        t139,
+        t137,
+        t138,
         t141,
-        t144,
+        t143,
         t146,
-        t147,
-        t151,
-        t152,
-        t162,
-        t167,
-        t169,
+        t148,
+        t149,
+        t153,
+        t154,
+        t164,
+        t170,
         t172,
         t175,
-        t176,
-        t177,
         t178,
         t179,
+        t180,
         t181,
         t182,
+        t183,
         t184,
         t185,
         t187,
         t188,
-        t210,
-        t211,
-        t213,
-        t214,
-        t215,
-        t216,
-        t217,
+        t190,
+        t191,
+        t193,
+        t194,
+        t218,
         t219,
-        t220,
+        t221,
+        t222,
         t223,
         t224,
-        t226,
+        t225,
         t227,
-        t229,
-        t230,
+        t228,
         t231,
-        t233,
+        t232,
         t234,
+        t235,
+        t237,
+        t238,
+        t239,
+        t241,
+        t242,
         bobbin_v_y_dot,
         bobbin_v_x_dot,
         rod_omega_dot,
-        t235,
+        t243,
         rod_v_x_dot,
         cylinder_omega_dot,
         cylinder_v_y_dot,
         cylinder_v_x_dot,
         plate_omega_dot,
-        t236,
-        t237,
-        t238,
+        t244,
+        t245,
+        t246,
         post_omega_dot,
-        t239,
-        t240,
+        t247,
+        t248,
     }
 }
 
@@ -740,12 +759,12 @@ pub fn motion<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
 #[must_use]
 pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
     [R::literal(0.096), R::literal(0.03), p.lift + R::literal(0.298_498_931_586_179_3),
-        R::literal(0.172), R::literal(0.116), R::literal(1.95), R::literal(0.103),
-        R::literal(0.207), R::literal(2.53), R::literal(0.049), R::literal(0.245),
-        R::literal(2.53), R::literal(0.269), R::literal(0.139), R::literal(0.0), R::literal(0.0),
+        R::literal(0.172), R::literal(0.116), p.plate_angle, R::literal(0.103), R::literal(0.207),
+        R::literal(2.53), R::literal(0.049), R::literal(0.245), R::literal(2.53),
+        R::literal(0.269), R::literal(0.139), R::literal(0.0), R::literal(0.0), R::literal(0.0),
         R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
         R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
-        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
+        R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
 /// Times of known jumps of the right-hand side \[s\], unsorted. No operations.
@@ -754,7 +773,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 722 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 744 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -791,248 +810,254 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t11 = (R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi);
-    let t12 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
-    let t13 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t14 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t15 = R::literal(24.0) * sin_plate_phi;
-    let t16 = R::literal(24.0) * cos_plate_phi;
-    let t17 = t11 * R::literal(400.0);
+    let t11 = p.grip * (contact_stiffness_times_contact_gap + contact_damping_times_contact_rate);
+    let t12 = (R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi);
+    let t13 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
+    let t14 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t15 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t16 = R::literal(24.0) * sin_plate_phi;
+    let t17 = R::literal(24.0) * cos_plate_phi;
     let t18 = t12 * R::literal(400.0);
-    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t23 = slide * R::literal(2_777.777_777_777_778);
-    let t24 = sin_cylinder_phi * R::literal(5.0);
-    let t25 = cos_cylinder_phi * R::literal(5.0);
-    let t26 = R::literal(250.0) * sin_rod_phi;
-    let t27 = R::literal(250.0) * cos_rod_phi;
-    let t28 = t13 * t1;
-    let t29 = R::literal(1.25) + t28;
-    let t30 = R::literal(1.0) / t29;
-    let t31 = t14 * t1;
-    let t32 = t31 * t30;
-    let t33 = R::literal(1.25) - t28;
-    let t34 = t33 * t30;
-    let t35 = t14 * t0;
-    let t36 = R::literal(1.25) + t35;
-    let t37 = t32 * t31;
-    let t38 = R::literal(1.0) / (t37 - t36);
-    let t39 = (t13 * t0).add_product(t34, t31);
-    let t40 = t39 * t38;
-    let t41 = R::literal(1.25) - t35 + t37;
-    let t42 = t41 * t38;
-    let t43 = t15 * t3;
-    let t44 = R::literal(1.0) / (-(t29 + R::literal(0.833_333_333_333_333_4) + t43))
-        .add_product(t34, t33).sub_product(t40, t39);
-    let t45 = t16 * t3;
-    let t46 = (t31 + t45).add_product(t32, t33).sub_product(t42, t39);
-    let t47 = t46 * t44;
-    let t48 = R::literal(0.833_333_333_333_333_4) - t43;
-    let t49 = t48 * t44;
-    let t50 = t45 * t44;
-    let t51 = t17 * t3;
-    let t52 = R::literal(0.833_333_333_333_333_4) + t51;
-    let t53 = t52 * t44;
-    let t54 = t18 * t3;
-    let t55 = t54 * t44;
-    let t56 = t16 * t2;
-    let t57 = R::literal(1.0) / (t37 - (t36 + R::literal(0.833_333_333_333_333_4) + t56))
-        .sub_product(t42, t41).sub_product(t47, t46);
-    let t58 = (t15 * t2).sub_product(t49, t46);
-    let t59 = t58 * t57;
-    let t60 = (R::literal(0.833_333_333_333_333_4) - t56).sub_product(t50, t46);
-    let t61 = t60 * t57;
-    let t62 = t17 * t2;
-    let t63 = t62.add_product(t53, t46);
-    let t64 = t63 * t57;
-    let t65 = t18 * t2;
-    let t66 = (R::literal(0.833_333_333_333_333_4) + t65).add_product(t55, t46);
-    let t67 = t66 * t57;
-    let t68 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t43
-        + R::literal(3.333_333_333_333_333_5)).add_product(t21, t5).add_product(t49, t48)
-        .add_product(t59, t58);
-    let t69 = t45.add_product(t22, t5).sub_product(t50, t48).sub_product(t61, t58);
-    let t70 = t69 * t68;
-    let t71 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t72 = t71 * t68;
-    let t73 = (-t19).add_product(t23, t5);
-    let t74 = t73 * t68;
-    let t75 = (t51 - R::literal(0.833_333_333_333_333_4)).sub_product(t53, t48).add_product(t64,
-        t58);
-    let t76 = t75 * t68;
-    let t77 = (-t54).add_product(t55, t48).sub_product(t67, t58);
-    let t78 = t77 * t68;
-    let t79 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t56
-        + R::literal(3.333_333_333_333_333_5)).add_product(t22, t4).add_product(t50, t45)
-        .add_product(t61, t60)).add_product(t70, t69);
-    let t80 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi).sub_product(t72, t69);
-    let t81 = t80 * t79;
-    let t82 = t20.sub_product(t23, t4).add_product(t74, t69);
-    let t83 = t82 * t79;
-    let t84 = (-t62.add_product(t53, t45)).add_product(t64, t60).add_product(t76, t69);
-    let t85 = t84 * t79;
-    let t86 = (t65 - R::literal(0.833_333_333_333_333_4)).add_product(t55, t45).sub_product(t67,
-        t60).add_product(t78, t69);
-    let t87 = t86 * t79;
-    let t88 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t72, t71)
-        .sub_product(t81, t80);
-    let t89 = t23.add_product(t74, t71).add_product(t83, t80);
-    let t90 = t89 * t88;
-    let t91 = t26 * t88;
-    let t92 = t27 * t88;
-    let t93 = (t76 * t71).add_product(t85, t80);
-    let t94 = t93 * t88;
-    let t95 = (t78 * t71).add_product(t87, t80);
-    let t96 = t95 * t88;
-    let t97 = R::literal(1.0) / (-(t19 * sin_cylinder_phi).add_product(t20, cos_cylinder_phi)
-        .add_product(t23, slide).add_product(t24, sin_cylinder_phi).add_product(t25,
-        cos_cylinder_phi)).add_product(t74, t73).sub_product(t83, t82).sub_product(t90, t89);
-    let t98 = t24.add_product(t91, t89);
-    let t99 = t98 * t97;
-    let t100 = t25.add_product(t92, t89);
-    let t101 = t100 * t97;
-    let t102 = (t76 * t73).sub_product(t85, t82).sub_product(t94, t89);
-    let t103 = t102 * t97;
-    let t104 = (t78 * t73).sub_product(t87, t82).sub_product(t96, t89);
-    let t105 = t104 * t97;
-    let t106 = R::literal(1.0) / R::literal(5.0).add_product(t26, t6).add_product(t91, t26)
-        .add_product(t99, t98);
-    let t107 = (t27 * t6).add_product(t92, t26).add_product(t101, t98);
-    let t108 = t107 * t106;
-    let t109 = (t94 * t26).sub_product(t103, t98);
-    let t110 = t109 * t106;
-    let t111 = (t96 * t26).sub_product(t105, t98);
-    let t112 = t111 * t106;
-    let t113 = R::literal(1.0) / (-R::literal(5.0).add_product(t27, R::literal(0.06) * cos_rod_phi)
-        .add_product(t92, t27).add_product(t101, t100)).add_product(t108, t107);
-    let t114 = (-(t94 * t27)).add_product(t103, t100).add_product(t110, t107);
-    let t115 = t114 * t113;
-    let t116 = (-(t96 * t27)).add_product(t105, t100).add_product(t112, t107);
-    let t117 = t116 * t113;
-    let t118 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t17, t11)
-        + R::literal(1.428_571_428_571_428_6)).add_product(t53, t52).add_product(t64, t63))
-        .add_product(t76, t75).sub_product(t85, t84).sub_product(t94, t93).sub_product(t103, t102)
-        .add_product(t110, t109).sub_product(t115, t114);
-    let t119 = (t18 * t11).add_product(t55, t52).add_product(t67, t63).add_product(t78, t75)
-        .sub_product(t87, t84).sub_product(t96, t93).sub_product(t105, t102).add_product(t112, t109)
-        .sub_product(t117, t114);
-    let t120 = t119 * t118;
-    let t121 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
+    let t19 = t13 * R::literal(400.0);
+    let t20 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t21 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t22 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t23 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t24 = slide * R::literal(2_777.777_777_777_778);
+    let t25 = sin_cylinder_phi * R::literal(5.0);
+    let t26 = cos_cylinder_phi * R::literal(5.0);
+    let t27 = R::literal(250.0) * sin_rod_phi;
+    let t28 = R::literal(250.0) * cos_rod_phi;
+    let t29 = t14 * t1;
+    let t30 = R::literal(1.25) + t29;
+    let t31 = R::literal(1.0) / t30;
+    let t32 = t15 * t1;
+    let t33 = t32 * t31;
+    let t34 = R::literal(1.25) - t29;
+    let t35 = t34 * t31;
+    let t36 = t15 * t0;
+    let t37 = R::literal(1.25) + t36;
+    let t38 = t33 * t32;
+    let t39 = R::literal(1.0) / (t38 - t37);
+    let t40 = (t14 * t0).add_product(t35, t32);
+    let t41 = t40 * t39;
+    let t42 = R::literal(1.25) - t36 + t38;
+    let t43 = t42 * t39;
+    let t44 = t16 * t3;
+    let t45 = R::literal(1.0) / (-(t30 + R::literal(0.833_333_333_333_333_4) + t44))
+        .add_product(t35, t34).sub_product(t41, t40);
+    let t46 = t17 * t3;
+    let t47 = (t32 + t46).add_product(t33, t34).sub_product(t43, t40);
+    let t48 = t47 * t45;
+    let t49 = R::literal(0.833_333_333_333_333_4) - t44;
+    let t50 = t49 * t45;
+    let t51 = t46 * t45;
+    let t52 = t18 * t3;
+    let t53 = R::literal(0.833_333_333_333_333_4) + t52;
+    let t54 = t53 * t45;
+    let t55 = t19 * t3;
+    let t56 = t55 * t45;
+    let t57 = t17 * t2;
+    let t58 = R::literal(1.0) / (t38 - (t37 + R::literal(0.833_333_333_333_333_4) + t57))
+        .sub_product(t43, t42).sub_product(t48, t47);
+    let t59 = (t16 * t2).sub_product(t50, t47);
+    let t60 = t59 * t58;
+    let t61 = (R::literal(0.833_333_333_333_333_4) - t57).sub_product(t51, t47);
+    let t62 = t61 * t58;
+    let t63 = t18 * t2;
+    let t64 = t63.add_product(t54, t47);
+    let t65 = t64 * t58;
+    let t66 = t19 * t2;
+    let t67 = (R::literal(0.833_333_333_333_333_4) + t66).add_product(t56, t47);
+    let t68 = t67 * t58;
+    let t69 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t44
+        + R::literal(3.333_333_333_333_333_5)).add_product(t22, t5).add_product(t50, t49)
+        .add_product(t60, t59);
+    let t70 = t46.add_product(t23, t5).sub_product(t51, t49).sub_product(t62, t59);
+    let t71 = t70 * t69;
+    let t72 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t73 = t72 * t69;
+    let t74 = (-t20).add_product(t24, t5);
+    let t75 = t74 * t69;
+    let t76 = (t52 - R::literal(0.833_333_333_333_333_4)).sub_product(t54, t49).add_product(t65,
+        t59);
+    let t77 = t76 * t69;
+    let t78 = (-t55).add_product(t56, t49).sub_product(t68, t59);
+    let t79 = t78 * t69;
+    let t80 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t57
+        + R::literal(3.333_333_333_333_333_5)).add_product(t23, t4).add_product(t51, t46)
+        .add_product(t62, t61)).add_product(t71, t70);
+    let t81 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi).sub_product(t73, t70);
+    let t82 = t81 * t80;
+    let t83 = t21.sub_product(t24, t4).add_product(t75, t70);
+    let t84 = t83 * t80;
+    let t85 = (-t63.add_product(t54, t46)).add_product(t65, t61).add_product(t77, t70);
+    let t86 = t85 * t80;
+    let t87 = (t66 - R::literal(0.833_333_333_333_333_4)).add_product(t56, t46).sub_product(t68,
+        t61).add_product(t79, t70);
+    let t88 = t87 * t80;
+    let t89 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t73, t72)
+        .sub_product(t82, t81);
+    let t90 = t24.add_product(t75, t72).add_product(t84, t81);
+    let t91 = t90 * t89;
+    let t92 = t27 * t89;
+    let t93 = t28 * t89;
+    let t94 = (t77 * t72).add_product(t86, t81);
+    let t95 = t94 * t89;
+    let t96 = (t79 * t72).add_product(t88, t81);
+    let t97 = t96 * t89;
+    let t98 = R::literal(1.0) / (-(t20 * sin_cylinder_phi).add_product(t21, cos_cylinder_phi)
+        .add_product(t24, slide).add_product(t25, sin_cylinder_phi).add_product(t26,
+        cos_cylinder_phi)).add_product(t75, t74).sub_product(t84, t83).sub_product(t91, t90);
+    let t99 = t25.add_product(t92, t90);
+    let t100 = t99 * t98;
+    let t101 = t26.add_product(t93, t90);
+    let t102 = t101 * t98;
+    let t103 = (t77 * t74).sub_product(t86, t83).sub_product(t95, t90);
+    let t104 = t103 * t98;
+    let t105 = (t79 * t74).sub_product(t88, t83).sub_product(t97, t90);
+    let t106 = t105 * t98;
+    let t107 = R::literal(1.0) / R::literal(5.0).add_product(t27, t6).add_product(t92, t27)
+        .add_product(t100, t99);
+    let t108 = (t28 * t6).add_product(t93, t27).add_product(t102, t99);
+    let t109 = t108 * t107;
+    let t110 = (t95 * t27).sub_product(t104, t99);
+    let t111 = t110 * t107;
+    let t112 = (t97 * t27).sub_product(t106, t99);
+    let t113 = t112 * t107;
+    let t114 = R::literal(1.0) / (-R::literal(5.0).add_product(t28, R::literal(0.06) * cos_rod_phi)
+        .add_product(t93, t28).add_product(t102, t101)).add_product(t109, t108);
+    let t115 = (-(t95 * t28)).add_product(t104, t101).add_product(t111, t108);
+    let t116 = t115 * t114;
+    let t117 = (-(t97 * t28)).add_product(t106, t101).add_product(t113, t108);
+    let t118 = t117 * t114;
+    let t119 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t18, t12)
+        + R::literal(1.428_571_428_571_428_6)).add_product(t54, t53).add_product(t65, t64))
+        .add_product(t77, t76).sub_product(t86, t85).sub_product(t95, t94).sub_product(t104, t103)
+        .add_product(t111, t110).sub_product(t116, t115);
+    let t120 = (t19 * t12).add_product(t56, t53).add_product(t68, t64).add_product(t79, t76)
+        .sub_product(t88, t85).sub_product(t97, t94).sub_product(t106, t103).add_product(t113, t110)
+        .sub_product(t118, t115);
+    let t121 = t120 * t119;
+    let t122 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t19, t13)
+        + R::literal(1.428_571_428_571_428_6)).add_product(t56, t55).add_product(t68, t67))
+        .add_product(t79, t78).sub_product(t88, t87).sub_product(t97, t96).sub_product(t106, t105)
+        .add_product(t113, t112).sub_product(t118, t117).sub_product(t121, t120);
+    let t123 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
         (R::literal(-1_000_000.0) * stop_gap * t7).sub_product(R::literal(1500.0) * stop_rate, t7));
-    let t122 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t124 = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t11
+        * (between - R::literal(0.04)));
+    let t125 = p.spring_stiffness * (slide - R::literal(0.116));
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t123 = (t122 * cos_cylinder_phi).add_product(spring_damping_times_slide_rate,
+    let t126 = (t125 * cos_cylinder_phi).add_product(spring_damping_times_slide_rate,
         cos_cylinder_phi);
-    let t124 = t122 * sin_cylinder_phi;
-    let t125 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t126 = t125 - (R::literal(2.943) - t124);
-    let t127 = (t122 * t10).add_product(spring_damping_times_slide_rate, t10);
-    let t128 = t125 + (R::literal(1.962) + t124);
-    let t129 = R::literal(0.1) * (post_omega * post_omega);
-    let t130 = t129 * cos_post_phi;
-    let t131 = t129 * sin_post_phi;
+    let t127 = t125 * sin_cylinder_phi;
+    let t128 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t129 = t128 - (R::literal(2.943) - t127);
+    let t130 = (t125 * t10).add_product(spring_damping_times_slide_rate, t10);
+    let t131 = t128 + (R::literal(1.962) + t127);
+    let t132 = R::literal(0.1) * (post_omega * post_omega);
+    let t133 = t132 * cos_post_phi;
+    let t134 = t132 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t132 = R::literal(0.06) * plate_omega_squared;
+    let t135 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t133 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t134 = t13 * t121;
-    let t135 = t130 + t134;
-    let t136 = t14 * t121;
-    let t137 = t32 * t135;
-    let t138 = R::literal(9.81) - t131 + t136 - t137;
-    let t139 = (t130.add_product(t132, cos_plate_phi) + t134).add_product(t34, t135)
-        .add_product(t40, t138);
-    let t140 = (t136 - (t131.add_product(t132, sin_plate_phi) + R::literal(9.81))
-        + R::literal(9.81) - t137).sub_product(t42, t138).add_product(t47, t139);
-    let t141 = R::literal(3.333_333_333_333_333_5) * t123;
-    let t142 = (-t141.add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
-        .add_product(cylinder_omega_squared, cos_cylinder_phi))).add_product(t21, t127)
-        .add_product(t49, t139).sub_product(t59, t140);
-    let t143 = R::literal(3.333_333_333_333_333_5) * t126;
-    let t144 = (-(R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
-        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t143)
-        .add_product(t22, t127)).add_product(t50, t139).sub_product(t61, t140).add_product(t70,
-        t142);
-    let t145 = (R::literal(-2_777.777_777_777_778) * t127).sub_product(t72, t142).sub_product(t81,
-        t144);
-    let t146 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+    let t136 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t137 = t14 * t123;
+    let t138 = t133 + t137;
+    let t139 = t15 * t123;
+    let t140 = t33 * t138;
+    let t141 = R::literal(9.81) - t134 + t139 - t140;
+    let t142 = t16 * t124;
+    let t143 = (t133.add_product(t135, cos_plate_phi) + t137 + t142).add_product(t35, t138)
+        .add_product(t41, t141);
+    let t144 = t17 * t124;
+    let t145 = (t139 - (t134.add_product(t135, sin_plate_phi) + R::literal(9.81))
+        + R::literal(9.81) + t144 - t140).sub_product(t43, t141).add_product(t48, t143);
+    let t146 = R::literal(3.333_333_333_333_333_5) * t126;
+    let t147 = (-(t142.add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
+        .add_product(cylinder_omega_squared, cos_cylinder_phi)) + t146)).add_product(t22, t130)
+        .add_product(t50, t143).sub_product(t60, t145);
+    let t148 = R::literal(3.333_333_333_333_333_5) * t129;
+    let t149 = (t144 - R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
+        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) - t148)
+        .sub_product(t23, t130).add_product(t51, t143).sub_product(t62, t145).add_product(t71,
+        t147);
+    let t150 = (R::literal(-2_777.777_777_777_778) * t130).sub_product(t73, t147).sub_product(t82,
+        t149);
+    let t151 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
         .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
         * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
         .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi).sub_product(R::literal(2.0)
         * cylinder_v_y, sin_cylinder_phi).sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t19, t123)
-        .add_product(t20, t126).sub_product(t23, t127).sub_product(t24, t123).add_product(t25, t128)
-        .add_product(t74, t142).sub_product(t83, t144);
-    let t147 = t146.add_product(t90, t145);
-    let t148 = R::literal(5.0) * t123;
-    let t149 = t148.add_product(t133, cos_rod_phi).sub_product(t91, t145).sub_product(t99, t147);
-    let t150 = R::literal(5.0) * t128;
-    let t151 = t150.add_product(t133, sin_rod_phi).add_product(t92, t145).add_product(t101, t147)
-        .add_product(t108, t149);
-    let t152 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(contact_stiffness_times_contact_gap * t8 / between
-        + contact_damping_times_contact_rate * t8 / between));
-    let t153 = (-t152).add_product(t12, plate_omega_squared).add_product(t53, t139)
-        .add_product(t64, t140).add_product(t76, t142).sub_product(t85, t144).add_product(t94, t145)
-        .sub_product(t103, t147).add_product(t110, t149).sub_product(t115, t151);
-    let t154 = R::literal(1.428_571_428_571_428_6) * (R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(contact_damping_times_contact_rate * t9 / between))
-        - (R::literal(6.867) + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
-        contact_stiffness_times_contact_gap * t9 / between)));
-    let t155 = (R::literal(-9.81).add_product(t11, plate_omega_squared) - t154).sub_product(t55,
-        t139).sub_product(t67, t140).add_product(t78, t142).sub_product(t87, t144).add_product(t96,
-        t145).sub_product(t105, t147).add_product(t112, t149).sub_product(t117, t151)
-        .sub_product(t120, t153) * (R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4)
-        .add_product(t18, t12) + R::literal(1.428_571_428_571_428_6)).add_product(t55, t54)
-        .add_product(t67, t66)).add_product(t78, t77).sub_product(t87, t86).sub_product(t96, t95)
-        .sub_product(t105, t104).add_product(t112, t111).sub_product(t117, t116).sub_product(t120,
-        t119));
-    let t156 = (t153 * t118).sub_product(t120, t155);
-    let t157 = (t151 * t113).sub_product(t115, t156).sub_product(t117, t155);
-    let t158 = (-(t149 * t106)).add_product(t108, t157).add_product(t110, t156).add_product(t112,
-        t155);
-    let t159 = (t147 * t97).sub_product(t99, t158).add_product(t101, t157).sub_product(t103, t156)
-        .sub_product(t105, t155);
-    let t160 = (t145 * t88).add_product(t90, t159).sub_product(t91, t158).add_product(t92, t157)
-        .add_product(t94, t156).add_product(t96, t155);
-    let t161 = (t144 * t79).sub_product(t81, t160).sub_product(t83, t159).sub_product(t85, t156)
-        .sub_product(t87, t155);
-    let t162 = (-(t142 * t68)).add_product(t70, t161).sub_product(t72, t160).add_product(t74, t159)
-        .add_product(t76, t156).add_product(t78, t155);
-    let t163 = (t140 * t57).sub_product(t59, t162).sub_product(t61, t161).add_product(t64, t156)
-        .sub_product(t67, t155);
-    let t164 = (-(t139 * t44).add_product(t47, t163).add_product(t49, t162).add_product(t50, t161)
-        .add_product(t53, t156)).add_product(t55, t155);
-    let t165 = (t138 * t38).sub_product(t40, t164).sub_product(t42, t163);
-    let t166 = (t135 * t30).add_product(t32, t165).add_product(t34, t164).add_product(t32, t163);
-    let bobbin_v_y_dot = t154.sub_product(R::literal(1.428_571_428_571_428_6), t155);
-    let bobbin_v_x_dot = t152.sub_product(R::literal(1.428_571_428_571_428_6), t156);
-    let rod_omega_dot = (t26 * t158).sub_product(R::literal(4_166.666_666_666_667), t160)
-        .sub_product(t27, t157);
-    let rod_v_y_dot = (-t150.add_product(t25, t159)).add_product(R::literal(-5.0), t157);
-    let rod_v_x_dot = (-t148).add_product(t24, t159).sub_product(R::literal(5.0), t158);
-    let cylinder_omega_dot = (-(t127 * R::literal(2_777.777_777_777_778)).add_product(t21, t162))
-        .add_product(t22, t161).sub_product(R::literal(-2_777.777_777_777_778), t160)
-        .add_product(t23, t159);
-    let cylinder_v_y_dot = t143.sub_product(R::literal(3.333_333_333_333_333_5), t161)
-        .add_product(t20, t159);
-    let cylinder_v_x_dot = t141.sub_product(R::literal(3.333_333_333_333_333_5), t162)
-        .sub_product(t19, t159);
-    let plate_omega_dot = (t16 * t163).sub_product(t15, t164).sub_product(t15, t162)
-        .add_product(t16, t161).add_product(t17, t156).sub_product(t18, t155);
-    let plate_v_y_dot = R::literal(-9.81).sub_product(R::literal(0.833_333_333_333_333_4), t163)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t161)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t155);
-    let plate_v_x_dot = (R::literal(0.833_333_333_333_333_4) * t162)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t164)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t156);
-    let post_omega_dot = (t121 * R::literal(370.370_370_370_370_3)).sub_product(t13, t166)
-        .add_product(t14, t165).sub_product(t13, t164).add_product(t14, t163);
-    let post_v_y_dot = R::literal(-9.81).sub_product(R::literal(1.25), t165)
-        .sub_product(R::literal(-1.25), t163);
-    let post_v_x_dot = (R::literal(1.25) * t164).add_product(R::literal(-1.25), t166);
+        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t20, t126)
+        .add_product(t21, t129).sub_product(t24, t130).sub_product(t25, t126).add_product(t26, t131)
+        .add_product(t75, t147).sub_product(t84, t149);
+    let t152 = t151.add_product(t91, t150);
+    let t153 = R::literal(5.0) * t126;
+    let t154 = t153.add_product(t136, cos_rod_phi).sub_product(t92, t150).sub_product(t100, t152);
+    let t155 = R::literal(5.0) * t131;
+    let t156 = t155.add_product(t136, sin_rod_phi).add_product(t93, t150).add_product(t102, t152)
+        .add_product(t109, t154);
+    let t157 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t11 * t9 / between - contact_stiffness_times_contact_gap
+        * t8 / between - contact_damping_times_contact_rate * t8 / between);
+    let t158 = ((t13 * plate_omega_squared).add_product(t18, t124) - t157).add_product(t54, t143)
+        .add_product(t65, t145).add_product(t77, t147).sub_product(t86, t149).add_product(t95, t150)
+        .sub_product(t104, t152).add_product(t111, t154).sub_product(t116, t156);
+    let t159 = R::literal(1.428_571_428_571_428_6) * (R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(t11 * t8 / between + contact_damping_times_contact_rate
+        * t9 / between)) - (R::literal(6.867) + R::select_less(contact_closed, R::literal(0.5),
+        R::literal(0.0), contact_stiffness_times_contact_gap * t9 / between)));
+    let t160 = (R::literal(-9.81).add_product(t12, plate_omega_squared).sub_product(t19, t124)
+        - t159).sub_product(t56, t143).sub_product(t68, t145).add_product(t79, t147)
+        .sub_product(t88, t149).add_product(t97, t150).sub_product(t106, t152).add_product(t113,
+        t154).sub_product(t118, t156).sub_product(t121, t158) * t122;
+    let t161 = (t158 * t119).sub_product(t121, t160);
+    let t162 = (t156 * t114).sub_product(t116, t161).sub_product(t118, t160);
+    let t163 = (-(t154 * t107)).add_product(t109, t162).add_product(t111, t161).add_product(t113,
+        t160);
+    let t164 = (t152 * t98).sub_product(t100, t163).add_product(t102, t162).sub_product(t104, t161)
+        .sub_product(t106, t160);
+    let t165 = (t150 * t89).add_product(t91, t164).sub_product(t92, t163).add_product(t93, t162)
+        .add_product(t95, t161).add_product(t97, t160);
+    let t166 = (t149 * t80).sub_product(t82, t165).sub_product(t84, t164).sub_product(t86, t161)
+        .sub_product(t88, t160);
+    let t167 = (-(t147 * t69)).add_product(t71, t166).sub_product(t73, t165).add_product(t75, t164)
+        .add_product(t77, t161).add_product(t79, t160);
+    let t168 = (t145 * t58).sub_product(t60, t167).sub_product(t62, t166).add_product(t65, t161)
+        .sub_product(t68, t160);
+    let t169 = (-(t143 * t45).add_product(t48, t168).add_product(t50, t167).add_product(t51, t166)
+        .add_product(t54, t161)).add_product(t56, t160);
+    let t170 = (t141 * t39).sub_product(t41, t169).sub_product(t43, t168);
+    let t171 = (t138 * t31).add_product(t33, t170).add_product(t35, t169).add_product(t33, t168);
+    let bobbin_v_y_dot = t159.sub_product(R::literal(1.428_571_428_571_428_6), t160);
+    let bobbin_v_x_dot = t157.sub_product(R::literal(1.428_571_428_571_428_6), t161);
+    let rod_omega_dot = (t27 * t163).sub_product(R::literal(4_166.666_666_666_667), t165)
+        .sub_product(t28, t162);
+    let rod_v_y_dot = (-t155.add_product(t26, t164)).add_product(R::literal(-5.0), t162);
+    let rod_v_x_dot = (-t153).add_product(t25, t164).sub_product(R::literal(5.0), t163);
+    let cylinder_omega_dot = (-(t130 * R::literal(2_777.777_777_777_778)).add_product(t22, t167))
+        .add_product(t23, t166).sub_product(R::literal(-2_777.777_777_777_778), t165)
+        .add_product(t24, t164);
+    let cylinder_v_y_dot = t148.sub_product(R::literal(3.333_333_333_333_333_5), t166)
+        .add_product(t21, t164);
+    let cylinder_v_x_dot = t146.sub_product(R::literal(3.333_333_333_333_333_5), t167)
+        .sub_product(t20, t164);
+    let plate_omega_dot = (t124 * R::literal(400.0)).sub_product(t16, t169).add_product(t17, t168)
+        .sub_product(t16, t167).add_product(t17, t166).add_product(t18, t161).sub_product(t19,
+        t160);
+    let plate_v_y_dot = R::literal(-9.81).sub_product(R::literal(0.833_333_333_333_333_4), t168)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t166)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t160);
+    let plate_v_x_dot = (R::literal(0.833_333_333_333_333_4) * t167)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t169)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t161);
+    let post_omega_dot = (t123 * R::literal(370.370_370_370_370_3)).sub_product(t14, t171)
+        .add_product(t15, t170).sub_product(t14, t169).add_product(t15, t168);
+    let post_v_y_dot = R::literal(-9.81).sub_product(R::literal(1.25), t170)
+        .sub_product(R::literal(-1.25), t168);
+    let post_v_x_dot = (R::literal(1.25) * t169).add_product(R::literal(-1.25), t171);
     [post_v_x, post_v_y, post_omega, plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y,
         cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, post_v_x_dot,
         post_v_y_dot, post_omega_dot, plate_v_x_dot, plate_v_y_dot, plate_omega_dot,
@@ -1048,7 +1073,7 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) 
         R::literal(0.2), R::literal(0.00024), R::literal(0.7), R::literal(0.7)]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 78 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 88 operations.
 #[must_use]
 pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [_, _, post_phi, _, _, _, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y, _, bobbin_x,
@@ -1074,31 +1099,34 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
+    let t4 = p.grip * (contact_stiffness_times_contact_gap + contact_damping_times_contact_rate);
     let post_phi_forcing = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
         (R::literal(-1_000_000.0) * stop_gap * t0).sub_product(R::literal(1500.0) * stop_rate, t0));
-    let t4 = p.spring_stiffness * (slide - R::literal(0.116));
+    let plate_phi_forcing = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t4
+        * (between - R::literal(0.04)));
+    let t5 = p.spring_stiffness * (slide - R::literal(0.116));
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let cylinder_x_forcing = (t4 * cos_cylinder_phi).add_product(spring_damping_times_slide_rate,
+    let cylinder_x_forcing = (t5 * cos_cylinder_phi).add_product(spring_damping_times_slide_rate,
         cos_cylinder_phi);
-    let t5 = t4 * sin_cylinder_phi;
-    let t6 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let cylinder_y_forcing = t6 - (R::literal(2.943) - t5);
-    let cylinder_phi_forcing = -(t4 * t3).add_product(spring_damping_times_slide_rate, t3);
+    let t6 = t5 * sin_cylinder_phi;
+    let t7 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let cylinder_y_forcing = t7 - (R::literal(2.943) - t6);
+    let cylinder_phi_forcing = -(t5 * t3).add_product(spring_damping_times_slide_rate, t3);
     let rod_x_forcing = -cylinder_x_forcing;
-    let rod_y_forcing = R::literal(-1.962) - t5 - t6;
-    let bobbin_x_forcing = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
-        -(contact_stiffness_times_contact_gap * t1 / between + contact_damping_times_contact_rate
-        * t1 / between));
+    let rod_y_forcing = R::literal(-1.962) - t6 - t7;
+    let bobbin_x_forcing = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t4 * t2
+        / between - contact_stiffness_times_contact_gap * t1 / between
+        - contact_damping_times_contact_rate * t1 / between);
     let bobbin_y_forcing = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
-        -(contact_damping_times_contact_rate * t2 / between)) - (R::literal(6.867)
-        + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
+        -(t4 * t1 / between + contact_damping_times_contact_rate * t2 / between))
+        - (R::literal(6.867) + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
         contact_stiffness_times_contact_gap * t2 / between));
     [R::literal(0.0), R::literal(-7.848), post_phi_forcing, R::literal(0.0), R::literal(-11.772),
-        R::literal(0.0), cylinder_x_forcing, cylinder_y_forcing, cylinder_phi_forcing,
+        plate_phi_forcing, cylinder_x_forcing, cylinder_y_forcing, cylinder_phi_forcing,
         rod_x_forcing, rod_y_forcing, R::literal(0.0), bobbin_x_forcing, bobbin_y_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 4143 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 4545 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 294] {
@@ -1119,1328 +1147,1432 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let t9 = bobbin_y - R::literal(0.058);
     let contact_gap = m.between - R::literal(0.1);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
-    let t10 = (R::literal(0.1) * m.sin_plate_phi).sub_product(R::literal(0.01), m.cos_plate_phi);
-    let t11 = R::literal(37.037_037_037_037_03) * m.cos_post_phi;
-    let t12 = R::literal(24.0) * m.cos_plate_phi;
-    let t13 = m.t13 * R::literal(400.0);
-    let t14 = m.cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t15 = R::literal(166.666_666_666_666_66) * m.cos_cylinder_phi;
-    let t16 = m.slide * R::literal(2_777.777_777_777_778);
-    let t17 = m.sin_cylinder_phi * R::literal(5.0);
-    let t18 = R::literal(250.0) * m.sin_rod_phi;
-    let t19 = m.t41 * m.t40;
-    let t20 = (R::literal(1.25) - m.t38) * m.t40;
-    let t21 = m.t68 * m.t58;
-    let t22 = (m.t79 + m.t80) * m.t72;
-    let t23 = m.t89 * m.t87;
-    let t24 = m.t97 * m.t87;
-    let t25 = (m.t113 + m.t114) * m.factors[40];
-    let t26 = m.factors[58] * m.factors[40];
-    let t27 = (m.t121 + m.t122) * m.factors[40];
-    let t28 = m.t126 * m.factors[40];
-    let t29 = (m.t146 - m.t147) * m.t141;
-    let t30 = (m.t151 - m.t152) * m.t141;
-    let t31 = p.spring_damping * m.slide_rate;
-    let t32 = t31 * m.cos_cylinder_phi;
-    let t33 = t31 * m.sin_cylinder_phi;
+    let t10 = p.grip * m.t13;
+    let t11 = (R::literal(0.1) * m.sin_plate_phi).sub_product(R::literal(0.01), m.cos_plate_phi);
+    let t12 = R::literal(37.037_037_037_037_03) * m.cos_post_phi;
+    let t13 = R::literal(24.0) * m.cos_plate_phi;
+    let t14 = m.t15 * R::literal(400.0);
+    let t15 = m.cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t16 = R::literal(166.666_666_666_666_66) * m.cos_cylinder_phi;
+    let t17 = m.slide * R::literal(2_777.777_777_777_778);
+    let t18 = m.sin_cylinder_phi * R::literal(5.0);
+    let t19 = R::literal(250.0) * m.sin_rod_phi;
+    let t20 = m.t43 * m.t42;
+    let t21 = (R::literal(1.25) - m.t40) * m.t42;
+    let t22 = m.t70 * m.factors[57];
+    let t23 = (m.t81 + m.t82) * m.factors[56];
+    let t24 = m.t91 * m.t89;
+    let t25 = m.t99 * m.t89;
+    let t26 = (m.t115 + m.t116) * m.factors[53];
+    let t27 = m.factors[64] * m.factors[53];
+    let t28 = (m.t123 + m.t124) * m.factors[53];
+    let t29 = m.t128 * m.factors[53];
+    let t30 = (m.t148 - m.t149) * m.t143;
+    let t31 = (m.t153 - m.t154) * m.t143;
+    let t32 = m.between - R::literal(0.04);
+    let t33 = p.spring_damping * m.slide_rate;
+    let t34 = t33 * m.cos_cylinder_phi;
+    let t35 = t33 * m.sin_cylinder_phi;
     let plate_omega_squared = plate_omega * plate_omega;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t34 = cylinder_omega_squared * m.sin_cylinder_phi;
-    let t35 = R::literal(2.0) * cylinder_v_x;
-    let t36 = R::literal(2.0) * cylinder_v_y;
-    let t37 = R::literal(2.0) * rod_v_x;
-    let t38 = R::literal(2.0) * rod_v_y;
-    let t39 = m.t219 - m.t220;
-    let t40 = m.t223 - m.t224;
-    let t41 = m.t226 + m.t227;
-    let t42 = m.t231 - m.t230;
-    let t43 = m.t7 * m.t7;
-    let t44 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), (R::literal(3000.0)
+    let t36 = cylinder_omega_squared * m.sin_cylinder_phi;
+    let t37 = R::literal(2.0) * cylinder_v_x;
+    let t38 = R::literal(2.0) * cylinder_v_y;
+    let t39 = R::literal(2.0) * rod_v_x;
+    let t40 = R::literal(2.0) * rod_v_y;
+    let t41 = m.t227 - m.t228;
+    let t42 = m.t231 - m.t232;
+    let t43 = m.t234 + m.t235;
+    let t44 = m.t239 - m.t238;
+    let t45 = m.t7 * m.t7;
+    let t46 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), (R::literal(3000.0)
         * m.stop_gap * stop_rate).add_product(R::literal(1_000_000.0), m.stop_gap * m.stop_gap)
-        .sub_product(R::literal(1_000_000.0), t43)).sub_product(t0, m.t234).sub_product(t1, m.t233)
-        .sub_product(t0, t42).sub_product(t1, m.t229);
-    let t45 = (-(t2 * t42).add_product(t3, m.t229).add_product(t2, t41).add_product(t3, t40)
-        .add_product(t10, m.t213)).add_product(m.t13, (m.t210 - m.t211) * m.factors[35]);
-    let t46 = p.spring_stiffness * m.cos_cylinder_phi;
+        .sub_product(R::literal(1_000_000.0), t45)).sub_product(t0, m.t242).sub_product(t1, m.t241)
+        .sub_product(t0, t44).sub_product(t1, m.t237);
+    let t47 = (-(t2 * t44).add_product(t3, m.t237).add_product(t2, t43).add_product(t3, t42)
+        .add_product(t11, m.t221)).add_product(m.t15, (m.t218 - m.t219) * m.factors[48]);
+    let t48 = p.spring_stiffness * m.cos_cylinder_phi;
     let spring_damping_times_cylinder_omega = p.spring_damping * cylinder_omega;
-    let t47 = spring_damping_times_cylinder_omega * m.sin_cylinder_phi;
-    let t48 = t47 - t46;
-    let t49 = t48 * m.cos_cylinder_phi;
-    let t50 = t48 * m.sin_cylinder_phi;
-    let t51 = spring_damping_times_cylinder_omega * m.t12;
-    let t52 = t51 * m.sin_cylinder_phi;
-    let t53 = p.spring_stiffness * m.t12;
-    let t54 = t53 * m.cos_cylinder_phi;
-    let t55 = t46 - t47;
+    let t49 = spring_damping_times_cylinder_omega * m.sin_cylinder_phi;
+    let t50 = t49 - t48;
+    let t51 = t50 * m.cos_cylinder_phi;
+    let t52 = t50 * m.sin_cylinder_phi;
+    let t53 = spring_damping_times_cylinder_omega * m.t12;
+    let t54 = t53 * m.sin_cylinder_phi;
+    let t55 = p.spring_stiffness * m.t12;
     let t56 = t55 * m.cos_cylinder_phi;
-    let t57 = t55 * m.sin_cylinder_phi;
-    let t58 = m.cos_cylinder_phi * t39;
-    let t59 = t54 - t52 - m.t169 - t33 - t58;
-    let t60 = m.cos_cylinder_phi * m.cylinder_omega_dot;
-    let t61 = (p.spring_stiffness * m.sin_cylinder_phi)
+    let t57 = t48 - t49;
+    let t58 = t57 * m.cos_cylinder_phi;
+    let t59 = t57 * m.sin_cylinder_phi;
+    let t60 = m.cos_cylinder_phi * t41;
+    let t61 = t56 - t54 - m.t172 - t35 - t60;
+    let t62 = m.cos_cylinder_phi * m.cylinder_omega_dot;
+    let t63 = (p.spring_stiffness * m.sin_cylinder_phi)
         .add_product(spring_damping_times_cylinder_omega, m.cos_cylinder_phi);
-    let t62 = t61 * m.cos_cylinder_phi;
-    let t63 = t61 * m.sin_cylinder_phi;
-    let t64 = t53 * m.sin_cylinder_phi;
-    let t65 = m.t167.add_product(t51, m.cos_cylinder_phi) + t64 + t32;
-    let t66 = m.sin_cylinder_phi * t39;
-    let t67 = t65 - t66;
-    let t68 = (m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(cylinder_omega_squared,
+    let t64 = t63 * m.cos_cylinder_phi;
+    let t65 = t63 * m.sin_cylinder_phi;
+    let t66 = t55 * m.sin_cylinder_phi;
+    let t67 = m.t170.add_product(t53, m.cos_cylinder_phi) + t66 + t34;
+    let t68 = m.sin_cylinder_phi * t41;
+    let t69 = t67 - t68;
+    let t70 = (m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(cylinder_omega_squared,
         m.cos_cylinder_phi);
-    let t69 = p.spring_damping * (-(cylinder_omega * m.slide)).add_product(rod_v_y - cylinder_v_y,
+    let t71 = p.spring_damping * (-(cylinder_omega * m.slide)).add_product(rod_v_y - cylinder_v_y,
         m.cos_cylinder_phi).sub_product(rod_v_x - cylinder_v_x, m.sin_cylinder_phi);
-    let t70 = t69 * m.cos_cylinder_phi;
-    let t71 = t32.add_product(t69, m.sin_cylinder_phi) + (m.t167 + t64);
-    let t72 = m.t12 * m.t12;
-    let t73 = R::literal(0.06) * cylinder_omega_squared;
-    let t74 = t54 + t70 - m.t169 - t33 - t58;
-    let t75 = t71 - t66;
-    let t76 = ((rod_x - cylinder_x) * m.sin_cylinder_phi).sub_product(rod_y - cylinder_y,
+    let t72 = t71 * m.cos_cylinder_phi;
+    let t73 = t34.add_product(t71, m.sin_cylinder_phi) + (m.t170 + t66);
+    let t74 = m.t12 * m.t12;
+    let t75 = R::literal(0.06) * cylinder_omega_squared;
+    let t76 = t56 + t72 - m.t172 - t35 - t60;
+    let t77 = t73 - t68;
+    let t78 = ((rod_x - cylinder_x) * m.sin_cylinder_phi).sub_product(rod_y - cylinder_y,
         m.cos_cylinder_phi);
-    let t77 = (p.spring_stiffness * m.slide * (m.slide - R::literal(0.116)))
-        .add_product(p.spring_damping * m.slide, m.slide_rate).sub_product(p.spring_stiffness, t72)
-        .sub_product(t69, m.t12).sub_product(t4, t41).sub_product(t5, t40).sub_product(t76, t39);
-    let t78 = m.t169 + t33 - t54 - t70 + t58;
-    let t79 = t66 - t71;
-    let t80 = t52 + m.t169 + t33 - t54 + t58;
-    let t81 = t66 - t65;
-    let t82 = (t7 * m.t214).add_product(t6, m.t215 + m.t216 + m.t217);
-    let t83 = m.between * m.between;
+    let t79 = (p.spring_stiffness * m.slide * (m.slide - R::literal(0.116)))
+        .add_product(p.spring_damping * m.slide, m.slide_rate).sub_product(p.spring_stiffness, t74)
+        .sub_product(t71, m.t12).sub_product(t4, t43).sub_product(t5, t42).sub_product(t78, t41);
+    let t80 = m.t172 + t35 - t56 - t72 + t60;
+    let t81 = t68 - t73;
+    let t82 = t54 + m.t172 + t35 - t56 + t60;
+    let t83 = t68 - t67;
+    let t84 = (t7 * m.t222).add_product(t6, m.t223 + m.t224 + m.t225);
     let contact_damping_times_bobbin_v_x = p.contact_damping * bobbin_v_x;
-    let t84 = contact_stiffness_times_contact_gap / m.between;
-    let t85 = p.contact_damping * m.contact_rate / m.between;
-    let t86 = t83 * m.between;
-    let t87 = c.t0 * m.contact_rate;
-    let t88 = t87 * t8 * t9 / t86;
-    let t89 = m.t175 * t9 / t86;
-    let t90 = p.contact_stiffness * t8 * t9 / t83;
+    let t85 = p.contact_stiffness * t8;
+    let t86 = m.between * m.between;
+    let t87 = m.t181 / t86 - contact_damping_times_bobbin_v_x / m.between - t85 / m.between;
+    let t88 = p.grip * t32;
+    let t89 = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), m.t185
+        .sub_product(t88, t87));
+    let t90 = p.grip * t9;
+    let t91 = contact_stiffness_times_contact_gap / m.between;
+    let t92 = p.contact_damping * m.contact_rate / m.between;
+    let t93 = t86 * m.between;
+    let t94 = c.t0 * m.contact_rate;
+    let t95 = m.t184 * t9 / t93;
+    let t96 = t94 * t8 * t9 / t93;
+    let t97 = t10 / m.between;
+    let t98 = p.grip * t8;
+    let t99 = m.t179 * t9 / t93;
+    let t100 = t85 * t9 / t86;
     let contact_damping_times_bobbin_v_y = p.contact_damping * bobbin_v_y;
-    let t91 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), R::literal(-1500.0)
-        * t43);
-    let t92 = R::literal(0.2) * post_omega;
-    let t93 = R::literal(0.12) * plate_omega;
-    let t94 = t93 * m.cos_plate_phi;
-    let t95 = t93 * m.sin_plate_phi;
-    let t96 = p.spring_damping * (m.cos_cylinder_phi * m.cos_cylinder_phi);
-    let t97 = p.spring_damping * m.sin_cylinder_phi * m.cos_cylinder_phi;
-    let t98 = p.spring_damping * m.t12;
-    let t99 = t98 * m.cos_cylinder_phi;
-    let t100 = R::literal(2.0) * cylinder_omega;
-    let t101 = t100 * m.cos_cylinder_phi;
-    let t102 = p.spring_damping * (m.sin_cylinder_phi * m.sin_cylinder_phi);
-    let t103 = t98 * m.sin_cylinder_phi;
-    let t104 = t100 * m.sin_cylinder_phi;
-    let t105 = p.spring_damping * t72;
-    let t106 = R::literal(0.12) * cylinder_omega;
-    let t107 = R::literal(0.12) * rod_omega;
-    let t108 = t107 * m.cos_rod_phi;
-    let t109 = m.t182.sub_product(t0, m.post_omega_dot).sub_product(m.factors[66], t44);
-    let t110 = (-m.t181.add_product(t1, m.post_omega_dot)).add_product(t11, t44).add_product(t19,
-        t109);
-    let t111 = t109.add_product(t20, t109).sub_product(m.factors[52], t110);
-    let t112 = t110.sub_product(m.factors[53], t110).sub_product(m.factors[47], t111);
-    let t113 = (m.factors[48] * t111).add_product(m.factors[43], t112);
-    let t114 = (m.factors[49] * t111).add_product(m.factors[44], t112).add_product(t23, t113);
-    let t115 = (m.factors[5] * t113).add_product(m.factors[6], t114);
-    let t116 = (-(m.t95 * t113)).add_product(m.factors[13], t114).add_product(t25, t115);
-    let t117 = (m.factors[16] * t115).add_product(m.factors[17], t116);
-    let t118 = (t26 * t115).add_product(m.t133, t116).sub_product(m.t144, t117);
-    let t119 = (-(m.factors[50] * t111)).add_product(t22, t112).sub_product(t24, t113)
-        .add_product(m.factors[23], t114).add_product(t27, t115).sub_product(m.factors[25], t116)
-        .sub_product(t29, t117).sub_product(m.factors[27], t118);
-    let t120 = (t21 * t111).sub_product(m.factors[46], t112).sub_product(m.t101, t113)
-        .add_product(m.factors[29], t114).add_product(t28, t115).sub_product(m.factors[31], t116)
-        .sub_product(t30, t117).sub_product(m.factors[33], t118).sub_product(m.factors[34], t119)
-        * m.factors[35];
-    let t121 = (t119 * m.factors[36]).sub_product(m.factors[34], t120);
-    let t122 = (t118 * m.factors[37]).sub_product(m.factors[27], t121).sub_product(m.factors[33],
-        t120);
-    let t123 = (t117 * m.t141).add_product(m.t144, t122).add_product(t29, t121).add_product(t30,
-        t120);
-    let t124 = (t116 * m.factors[39]).sub_product(m.factors[17], t123).add_product(m.t133, t122)
-        .sub_product(m.factors[25], t121).sub_product(m.factors[31], t120);
-    let t125 = (t115 * m.factors[40]).add_product(t25, t124).sub_product(m.factors[16], t123)
-        .add_product(t26, t122).add_product(t27, t121).add_product(t28, t120);
-    let t126 = (t114 * m.factors[41]).add_product(m.factors[6], t125).add_product(m.factors[13],
-        t124).add_product(m.factors[23], t121).add_product(m.factors[29], t120);
-    let t127 = (t113 * m.t87).sub_product(t23, t126).sub_product(m.factors[5], t125)
-        .add_product(m.t95, t124).add_product(t24, t121).add_product(m.t101, t120);
-    let t128 = (t112 * m.t72).sub_product(m.factors[43], t127).add_product(m.factors[44], t126)
-        .add_product(t22, t121).sub_product(m.factors[46], t120);
-    let t129 = (t111 * m.t58).sub_product(m.factors[47], t128).sub_product(m.factors[48], t127)
-        .add_product(m.factors[49], t126).sub_product(m.factors[50], t121).add_product(t21, t120);
-    let t130 = (t110 * m.t50).sub_product(m.factors[52], t129).sub_product(m.factors[53], t128);
-    let t131 = (-(t109 * m.t40)).add_product(t19, t130).add_product(t20, t129).add_product(t19,
-        t128);
-    let bobbin_v_y_dot_by_post_phi = R::literal(-1.428_571_428_571_428_6) * t120;
-    let bobbin_v_x_dot_by_post_phi = R::literal(-1.428_571_428_571_428_6) * t121;
-    let rod_omega_dot_by_post_phi = (t18 * t123).sub_product(R::literal(4_166.666_666_666_667),
-        t125).sub_product(m.factors[58], t122);
-    let rod_v_y_dot_by_post_phi = (R::literal(-5.0) * t122).sub_product(m.factors[11], t124);
-    let rod_v_x_dot_by_post_phi = (R::literal(-5.0) * t123).add_product(t17, t124);
-    let cylinder_omega_dot_by_post_phi = (-(t15 * t126).add_product(m.factors[1], t127)
-        .add_product(R::literal(-2_777.777_777_777_778), t125)).add_product(t16, t124);
-    let cylinder_v_y_dot_by_post_phi = (t14 * t124)
-        .add_product(R::literal(3.333_333_333_333_333_5), t126);
-    let cylinder_v_x_dot_by_post_phi = (-(m.factors[7] * t124))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t127);
-    let plate_omega_dot_by_post_phi = (t12 * t128).sub_product(m.factors[60], t129)
-        .sub_product(m.factors[60], t127).sub_product(t12, t126).add_product(t13, t121)
-        .sub_product(m.factors[63], t120);
-    let plate_v_y_dot_by_post_phi = (R::literal(-0.833_333_333_333_333_4) * t126)
-        .sub_product(R::literal(0.833_333_333_333_333_4), t128)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t120);
-    let plate_v_x_dot_by_post_phi = (R::literal(0.833_333_333_333_333_4) * t127)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t129)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t121);
-    let post_omega_dot_by_post_phi = (t44 * R::literal(370.370_370_370_370_3))
-        .sub_product(m.factors[66], t131).add_product(t11, t130).sub_product(m.factors[66], t129)
-        .add_product(t11, t128);
-    let post_v_y_dot_by_post_phi = (R::literal(1.25) * t128).add_product(R::literal(-1.25), t130);
-    let post_v_x_dot_by_post_phi = (R::literal(1.25) * t129).add_product(R::literal(-1.25), t131);
-    let t132 = m.t185.sub_product(t2, m.plate_omega_dot).sub_product(m.factors[60], t45);
-    let t133 = (-m.t184.add_product(t3, m.plate_omega_dot)).add_product(t12, t45);
-    let t134 = t133.sub_product(m.factors[47], t132);
-    let t135 = t132.sub_product(m.factors[48], t132).sub_product(m.factors[43], t134);
-    let t136 = t133.sub_product(m.factors[49], t132).sub_product(m.factors[44], t134)
-        .add_product(t23, t135);
-    let t137 = (m.factors[5] * t135).add_product(m.factors[6], t136);
-    let t138 = (m.t95 * t135).sub_product(m.factors[13], t136).sub_product(t25, t137);
-    let t139 = (m.factors[16] * t137).sub_product(m.factors[17], t138);
-    let t140 = (-(t26 * t137)).add_product(m.t133, t138).add_product(m.t144, t139);
-    let t141 = (-(m.t13 * plate_omega_squared).add_product(t10, m.plate_omega_dot))
-        .add_product(t13, t45).sub_product(m.factors[50], t132).add_product(t22, t134)
-        .add_product(t24, t135).sub_product(m.factors[23], t136).sub_product(t27, t137)
-        .sub_product(m.factors[25], t138).add_product(t29, t139).sub_product(m.factors[27], t140);
-    let t142 = (m.t13 * m.plate_omega_dot).add_product(m.t14, plate_omega_squared)
-        .sub_product(m.factors[63], t45).add_product(t21, t132).sub_product(m.factors[46], t134)
-        .add_product(m.t101, t135).sub_product(m.factors[29], t136).sub_product(t28, t137)
-        .sub_product(m.factors[31], t138).add_product(t30, t139).sub_product(m.factors[33], t140)
-        .sub_product(m.factors[34], t141) * m.factors[35];
-    let t143 = (t141 * m.factors[36]).sub_product(m.factors[34], t142);
-    let t144 = (t140 * m.factors[37]).sub_product(m.factors[27], t143).sub_product(m.factors[33],
-        t142);
-    let t145 = (-(t139 * m.t141)).add_product(m.t144, t144).add_product(t29, t143).add_product(t30,
-        t142);
-    let t146 = (t138 * m.factors[39]).sub_product(m.factors[17], t145).add_product(m.t133, t144)
-        .sub_product(m.factors[25], t143).sub_product(m.factors[31], t142);
-    let t147 = (-(t137 * m.factors[40])).add_product(t25, t146).sub_product(m.factors[16], t145)
-        .add_product(t26, t144).add_product(t27, t143).add_product(t28, t142);
-    let t148 = (t136 * m.factors[41]).sub_product(m.factors[6], t147).sub_product(m.factors[13],
-        t146).sub_product(m.factors[23], t143).sub_product(m.factors[29], t142);
-    let t149 = (-(t135 * m.t87)).add_product(t23, t148).sub_product(m.factors[5], t147)
-        .add_product(m.t95, t146).add_product(t24, t143).add_product(m.t101, t142);
-    let t150 = (t134 * m.t72).sub_product(m.factors[43], t149).sub_product(m.factors[44], t148)
-        .add_product(t22, t143).sub_product(m.factors[46], t142);
-    let t151 = (t132 * m.t58).sub_product(m.factors[47], t150).sub_product(m.factors[48], t149)
-        .sub_product(m.factors[49], t148).sub_product(m.factors[50], t143).add_product(t21, t142);
-    let t152 = (m.factors[53] * t150).add_product(m.factors[52], t151);
-    let t153 = (t20 * t151).sub_product(t19, t152).add_product(t19, t150);
-    let bobbin_v_y_dot_by_plate_phi = R::literal(-1.428_571_428_571_428_6) * t142;
-    let bobbin_v_x_dot_by_plate_phi = R::literal(-1.428_571_428_571_428_6) * t143;
-    let rod_omega_dot_by_plate_phi = (t18 * t145).sub_product(R::literal(4_166.666_666_666_667),
-        t147).sub_product(m.factors[58], t144);
-    let rod_v_y_dot_by_plate_phi = (R::literal(-5.0) * t144).sub_product(m.factors[11], t146);
-    let rod_v_x_dot_by_plate_phi = (R::literal(-5.0) * t145).add_product(t17, t146);
-    let cylinder_omega_dot_by_plate_phi = (t15 * t148).sub_product(m.factors[1], t149)
-        .sub_product(R::literal(-2_777.777_777_777_778), t147).add_product(t16, t146);
-    let cylinder_v_y_dot_by_plate_phi = (t14 * t146)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t148);
-    let cylinder_v_x_dot_by_plate_phi = (-(m.factors[7] * t146))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t149);
-    let plate_omega_dot_by_plate_phi = (t45 * R::literal(400.0)).sub_product(m.factors[60], t151)
-        .add_product(t12, t150).sub_product(m.factors[60], t149).add_product(t12, t148)
-        .add_product(t13, t143).sub_product(m.factors[63], t142);
-    let plate_v_y_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t148)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t150)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t142);
-    let plate_v_x_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t149)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t151)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t143);
-    let post_omega_dot_by_plate_phi = (-(t11 * t152).add_product(m.factors[66], t153)
-        .add_product(m.factors[66], t151)).add_product(t11, t150);
-    let post_v_y_dot_by_plate_phi = (R::literal(1.25) * t150).add_product(R::literal(1.25), t152);
-    let post_v_x_dot_by_plate_phi = (R::literal(1.25) * t151).add_product(R::literal(-1.25), t153);
-    let t154 = R::literal(3.333_333_333_333_333_5) * t49;
-    let t155 = t154.add_product(m.factors[1], t59);
-    let t156 = R::literal(3.333_333_333_333_333_5) * t50;
-    let t157 = (-t156).add_product(t15, t59).sub_product(t23, t155);
-    let t158 = (R::literal(2_777.777_777_777_778) * t59).add_product(m.factors[5], t155)
-        .sub_product(m.factors[6], t157);
-    let t159 = (t34 - t60).sub_product(m.factors[7], t49).add_product(t14, t50).add_product(t16,
-        t59).add_product(t17, t56).sub_product(m.factors[11], t57).sub_product(m.t95, t155)
-        .sub_product(m.factors[13], t157).add_product(t25, t158);
-    let t160 = R::literal(5.0) * t56;
-    let t161 = t160.add_product(m.factors[16], t158).add_product(m.factors[17], t159);
-    let t162 = R::literal(5.0) * t57;
-    let t163 = (-t162).add_product(t26, t158).add_product(m.t133, t159).sub_product(m.t144, t161);
-    let t164 = (-(t24 * t155).add_product(m.factors[23], t157)).add_product(t27, t158)
-        .sub_product(m.factors[25], t159).sub_product(t29, t161).sub_product(m.factors[27], t163);
-    let t165 = (-(m.t101 * t155).add_product(m.factors[29], t157)).add_product(t28, t158)
-        .sub_product(m.factors[31], t159).sub_product(t30, t161).sub_product(m.factors[33], t163)
-        .sub_product(m.factors[34], t164) * m.factors[35];
-    let t166 = (t164 * m.factors[36]).sub_product(m.factors[34], t165);
-    let t167 = (t163 * m.factors[37]).sub_product(m.factors[27], t166).sub_product(m.factors[33],
-        t165);
-    let t168 = (t161 * m.t141).add_product(m.t144, t167).add_product(t29, t166).add_product(t30,
-        t165);
-    let t169 = (t159 * m.factors[39]).sub_product(m.factors[17], t168).add_product(m.t133, t167)
-        .sub_product(m.factors[25], t166).sub_product(m.factors[31], t165);
-    let t170 = (t158 * m.factors[40]).add_product(t25, t169).sub_product(m.factors[16], t168)
-        .add_product(t26, t167).add_product(t27, t166).add_product(t28, t165);
-    let t171 = (t157 * m.factors[41]).sub_product(m.factors[6], t170).sub_product(m.factors[13],
-        t169).sub_product(m.factors[23], t166).sub_product(m.factors[29], t165);
-    let t172 = (t155 * m.t87).add_product(t23, t171).sub_product(m.factors[5], t170)
-        .add_product(m.t95, t169).add_product(t24, t166).add_product(m.t101, t165);
-    let t173 = (-(m.factors[44] * t171).add_product(m.factors[43], t172)).add_product(t22, t166)
-        .sub_product(m.factors[46], t165);
-    let t174 = (-(m.factors[48] * t172).add_product(m.factors[47], t173).add_product(m.factors[49],
-        t171).add_product(m.factors[50], t166)).add_product(t21, t165);
-    let t175 = (m.factors[53] * t173).add_product(m.factors[52], t174);
-    let t176 = (t20 * t174).sub_product(t19, t175).add_product(t19, t173);
-    let bobbin_v_y_dot_by_cylinder_x = R::literal(-1.428_571_428_571_428_6) * t165;
-    let bobbin_v_x_dot_by_cylinder_x = R::literal(-1.428_571_428_571_428_6) * t166;
-    let rod_omega_dot_by_cylinder_x = (t18 * t168).sub_product(R::literal(4_166.666_666_666_667),
-        t170).sub_product(m.factors[58], t167);
-    let rod_v_y_dot_by_cylinder_x = t162.sub_product(m.factors[11], t169)
-        .sub_product(R::literal(5.0), t167);
-    let rod_v_x_dot_by_cylinder_x = t160.add_product(t17, t169).sub_product(R::literal(5.0), t168);
-    let cylinder_omega_dot_by_cylinder_x = (t59 * R::literal(2_777.777_777_777_778))
-        .sub_product(m.factors[1], t172).add_product(t15, t171)
-        .sub_product(R::literal(-2_777.777_777_777_778), t170).add_product(t16, t169);
-    let cylinder_v_y_dot_by_cylinder_x = t156.sub_product(R::literal(3.333_333_333_333_333_5), t171)
-        .add_product(t14, t169);
-    let cylinder_v_x_dot_by_cylinder_x = t154.sub_product(R::literal(3.333_333_333_333_333_5), t172)
-        .sub_product(m.factors[7], t169);
-    let plate_omega_dot_by_cylinder_x = (t12 * t173).sub_product(m.factors[60], t174)
-        .sub_product(m.factors[60], t172).add_product(t12, t171).add_product(t13, t166)
-        .sub_product(m.factors[63], t165);
-    let plate_v_y_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t171)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t173)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t165);
-    let plate_v_x_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t172)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t174)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t166);
-    let post_omega_dot_by_cylinder_x = (-(t11 * t175).add_product(m.factors[66], t176)
-        .add_product(m.factors[66], t174)).add_product(t11, t173);
-    let post_v_y_dot_by_cylinder_x = (R::literal(1.25) * t173).add_product(R::literal(1.25), t175);
-    let post_v_x_dot_by_cylinder_x = (R::literal(1.25) * t174).add_product(R::literal(-1.25), t176);
-    let t177 = R::literal(3.333_333_333_333_333_5) * t62;
-    let t178 = t177.sub_product(m.factors[1], t67);
-    let t179 = R::literal(3.333_333_333_333_333_5) * t63;
-    let t180 = t179.add_product(t15, t67).add_product(t23, t178);
-    let t181 = (R::literal(-2_777.777_777_777_778) * t67).add_product(m.factors[5], t178)
-        .add_product(m.factors[6], t180);
-    let t182 = m.factors[7] * t62;
-    let t183 = t14 * t63;
-    let t184 = t17 * t62;
-    let t185 = m.factors[11] * t63;
-    let t186 = ((t182 - t68 - t183).add_product(t16, t67) + t184 - t185).add_product(m.t95, t178)
-        .sub_product(m.factors[13], t180).sub_product(t25, t181);
-    let t187 = R::literal(5.0) * t62;
-    let t188 = (-t187).add_product(m.factors[16], t181).sub_product(m.factors[17], t186);
-    let t189 = R::literal(5.0) * t63;
-    let t190 = (-t189.add_product(t26, t181)).add_product(m.t133, t186).add_product(m.t144, t188);
-    let t191 = (t24 * t178).sub_product(m.factors[23], t180).sub_product(t27, t181)
-        .sub_product(m.factors[25], t186).add_product(t29, t188).sub_product(m.factors[27], t190);
-    let t192 = (m.t101 * t178).sub_product(m.factors[29], t180).sub_product(t28, t181)
-        .sub_product(m.factors[31], t186).add_product(t30, t188).sub_product(m.factors[33], t190)
-        .sub_product(m.factors[34], t191) * m.factors[35];
-    let t193 = (t191 * m.factors[36]).sub_product(m.factors[34], t192);
-    let t194 = (t190 * m.factors[37]).sub_product(m.factors[27], t193).sub_product(m.factors[33],
-        t192);
-    let t195 = (-(t188 * m.t141)).add_product(m.t144, t194).add_product(t29, t193).add_product(t30,
-        t192);
-    let t196 = (t186 * m.factors[39]).sub_product(m.factors[17], t195).add_product(m.t133, t194)
-        .sub_product(m.factors[25], t193).sub_product(m.factors[31], t192);
-    let t197 = (-(t181 * m.factors[40])).add_product(t25, t196).sub_product(m.factors[16], t195)
-        .add_product(t26, t194).add_product(t27, t193).add_product(t28, t192);
-    let t198 = (t180 * m.factors[41]).sub_product(m.factors[6], t197).sub_product(m.factors[13],
-        t196).sub_product(m.factors[23], t193).sub_product(m.factors[29], t192);
-    let t199 = (-(t178 * m.t87)).add_product(t23, t198).sub_product(m.factors[5], t197)
-        .add_product(m.t95, t196).add_product(t24, t193).add_product(m.t101, t192);
-    let t200 = (-(m.factors[44] * t198).add_product(m.factors[43], t199)).add_product(t22, t193)
-        .sub_product(m.factors[46], t192);
-    let t201 = (-(m.factors[48] * t199).add_product(m.factors[47], t200).add_product(m.factors[49],
-        t198).add_product(m.factors[50], t193)).add_product(t21, t192);
-    let t202 = (m.factors[53] * t200).add_product(m.factors[52], t201);
-    let t203 = (t20 * t201).sub_product(t19, t202).add_product(t19, t200);
-    let bobbin_v_y_dot_by_cylinder_y = R::literal(-1.428_571_428_571_428_6) * t192;
-    let bobbin_v_x_dot_by_cylinder_y = R::literal(-1.428_571_428_571_428_6) * t193;
-    let rod_omega_dot_by_cylinder_y = (t18 * t195).sub_product(R::literal(4_166.666_666_666_667),
-        t197).sub_product(m.factors[58], t194);
-    let rod_v_y_dot_by_cylinder_y = t189.sub_product(m.factors[11], t196)
-        .sub_product(R::literal(5.0), t194);
-    let rod_v_x_dot_by_cylinder_y = t187.add_product(t17, t196).sub_product(R::literal(5.0), t195);
-    let cylinder_omega_dot_by_cylinder_y = (t67 * R::literal(2_777.777_777_777_778))
-        .sub_product(m.factors[1], t199).add_product(t15, t198)
-        .sub_product(R::literal(-2_777.777_777_777_778), t197).add_product(t16, t196);
-    let cylinder_v_y_dot_by_cylinder_y = (-t179.add_product(R::literal(3.333_333_333_333_333_5),
-        t198)).add_product(t14, t196);
-    let cylinder_v_x_dot_by_cylinder_y = (-t177).add_product(R::literal(-3.333_333_333_333_333_5),
-        t199).sub_product(m.factors[7], t196);
-    let plate_omega_dot_by_cylinder_y = (t12 * t200).sub_product(m.factors[60], t201)
-        .sub_product(m.factors[60], t199).add_product(t12, t198).add_product(t13, t193)
-        .sub_product(m.factors[63], t192);
-    let plate_v_y_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t198)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t200)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t192);
-    let plate_v_x_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t199)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t201)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t193);
-    let post_omega_dot_by_cylinder_y = (-(t11 * t202).add_product(m.factors[66], t203)
-        .add_product(m.factors[66], t201)).add_product(t11, t200);
-    let post_v_y_dot_by_cylinder_y = (R::literal(1.25) * t200).add_product(R::literal(1.25), t202);
-    let post_v_x_dot_by_cylinder_y = (R::literal(1.25) * t201).add_product(R::literal(-1.25), t203);
-    let t204 = R::literal(3.333_333_333_333_333_5) * t74;
-    let t205 = ((-(t4 * m.cylinder_omega_dot)).add_product(t73, m.sin_cylinder_phi) - t204)
-        .sub_product(m.factors[1], t77);
-    let t206 = R::literal(3.333_333_333_333_333_5) * t75;
-    let t207 = (-((t5 * m.cylinder_omega_dot).add_product(t73, m.cos_cylinder_phi) + t206))
-        .add_product(t15, t77).add_product(t23, t205);
-    let t208 = (R::literal(-2_777.777_777_777_778) * t77).add_product(m.factors[5], t205)
-        .add_product(m.factors[6], t207);
-    let t209 = (-(m.cos_cylinder_phi * m.cylinder_v_x_dot)).add_product(cylinder_omega,
-        (t35 * m.sin_cylinder_phi).add_product(t38, m.cos_cylinder_phi).add_product(cylinder_x
+    let t101 = m.t183 / t86 - contact_damping_times_bobbin_v_y / m.between - p.contact_stiffness
+        * t9 / m.between;
+    let t102 = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), m.t178
+        .sub_product(t88, t101));
+    let t103 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), R::literal(-1500.0)
+        * t45);
+    let t104 = R::literal(0.2) * post_omega;
+    let t105 = R::literal(0.12) * plate_omega;
+    let t106 = t105 * m.cos_plate_phi;
+    let t107 = t105 * m.sin_plate_phi;
+    let t108 = p.spring_damping * (m.cos_cylinder_phi * m.cos_cylinder_phi);
+    let t109 = p.spring_damping * m.sin_cylinder_phi * m.cos_cylinder_phi;
+    let t110 = p.spring_damping * m.t12;
+    let t111 = t110 * m.cos_cylinder_phi;
+    let t112 = R::literal(2.0) * cylinder_omega;
+    let t113 = t112 * m.cos_cylinder_phi;
+    let t114 = p.spring_damping * (m.sin_cylinder_phi * m.sin_cylinder_phi);
+    let t115 = t110 * m.sin_cylinder_phi;
+    let t116 = t112 * m.sin_cylinder_phi;
+    let t117 = p.spring_damping * t74;
+    let t118 = R::literal(0.12) * cylinder_omega;
+    let t119 = R::literal(0.12) * rod_omega;
+    let t120 = t119 * m.cos_rod_phi;
+    let t121 = c.grip_times_contact_damping * t8;
+    let t122 = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t121 * t32
+        / m.between);
+    let t123 = t121 * t9 / t86;
+    let t124 = p.contact_damping * t8 * t9 / t86;
+    let t125 = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
+        c.grip_times_contact_damping * t9 * t32 / m.between);
+    let t126 = m.t188.sub_product(t0, m.post_omega_dot).sub_product(m.factors[69], t46);
+    let t127 = (-m.t187.add_product(t1, m.post_omega_dot)).add_product(t12, t46).add_product(t20,
+        t126);
+    let t128 = t126.add_product(t21, t126).sub_product(m.factors[58], t127);
+    let t129 = t127.sub_product(m.factors[59], t127).sub_product(m.factors[2], t128);
+    let t130 = (m.factors[5] * t128).add_product(m.factors[6], t129);
+    let t131 = (m.factors[8] * t128).add_product(m.factors[9], t129).add_product(t24, t130);
+    let t132 = (m.factors[12] * t130).add_product(m.factors[13], t131);
+    let t133 = (-(m.t97 * t130)).add_product(m.factors[20], t131).add_product(t26, t132);
+    let t134 = (m.factors[23] * t132).add_product(m.factors[24], t133);
+    let t135 = (t27 * t132).add_product(m.t135, t133).sub_product(m.t146, t134);
+    let t136 = (-(m.factors[30] * t128)).add_product(t23, t129).sub_product(t25, t130)
+        .add_product(m.factors[33], t131).add_product(t28, t132).sub_product(m.factors[35], t133)
+        .sub_product(t30, t134).sub_product(m.factors[37], t135);
+    let t137 = (t22 * t128).sub_product(m.factors[40], t129).sub_product(m.t103, t130)
+        .add_product(m.factors[42], t131).add_product(t29, t132).sub_product(m.factors[44], t133)
+        .sub_product(t31, t134).sub_product(m.factors[46], t135).sub_product(m.factors[47], t136)
+        * m.factors[48];
+    let t138 = (t136 * m.factors[49]).sub_product(m.factors[47], t137);
+    let t139 = (t135 * m.factors[50]).sub_product(m.factors[37], t138).sub_product(m.factors[46],
+        t137);
+    let t140 = (t134 * m.t143).add_product(m.t146, t139).add_product(t30, t138).add_product(t31,
+        t137);
+    let t141 = (t133 * m.factors[52]).sub_product(m.factors[24], t140).add_product(m.t135, t139)
+        .sub_product(m.factors[35], t138).sub_product(m.factors[44], t137);
+    let t142 = (t132 * m.factors[53]).add_product(t26, t141).sub_product(m.factors[23], t140)
+        .add_product(t27, t139).add_product(t28, t138).add_product(t29, t137);
+    let t143 = (t131 * m.factors[54]).add_product(m.factors[13], t142).add_product(m.factors[20],
+        t141).add_product(m.factors[33], t138).add_product(m.factors[42], t137);
+    let t144 = (t130 * m.t89).sub_product(t24, t143).sub_product(m.factors[12], t142)
+        .add_product(m.t97, t141).add_product(t25, t138).add_product(m.t103, t137);
+    let t145 = (t129 * m.factors[56]).sub_product(m.factors[6], t144).add_product(m.factors[9],
+        t143).add_product(t23, t138).sub_product(m.factors[40], t137);
+    let t146 = (t128 * m.factors[57]).sub_product(m.factors[2], t145).sub_product(m.factors[5],
+        t144).add_product(m.factors[8], t143).sub_product(m.factors[30], t138).add_product(t22,
+        t137);
+    let t147 = (t127 * m.t52).sub_product(m.factors[58], t146).sub_product(m.factors[59], t145);
+    let t148 = (-(t126 * m.t42)).add_product(t20, t147).add_product(t21, t146).add_product(t20,
+        t145);
+    let bobbin_v_y_dot_by_post_phi = R::literal(-1.428_571_428_571_428_6) * t137;
+    let bobbin_v_x_dot_by_post_phi = R::literal(-1.428_571_428_571_428_6) * t138;
+    let rod_omega_dot_by_post_phi = (t19 * t140).sub_product(R::literal(4_166.666_666_666_667),
+        t142).sub_product(m.factors[64], t139);
+    let rod_v_y_dot_by_post_phi = (R::literal(-5.0) * t139).sub_product(m.factors[18], t141);
+    let rod_v_x_dot_by_post_phi = (R::literal(-5.0) * t140).add_product(t18, t141);
+    let cylinder_omega_dot_by_post_phi = (-(t16 * t143).add_product(m.factors[4], t144)
+        .add_product(R::literal(-2_777.777_777_777_778), t142)).add_product(t17, t141);
+    let cylinder_v_y_dot_by_post_phi = (t15 * t141)
+        .add_product(R::literal(3.333_333_333_333_333_5), t143);
+    let cylinder_v_x_dot_by_post_phi = (-(m.factors[14] * t141))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t144);
+    let plate_omega_dot_by_post_phi = (t13 * t145).sub_product(m.factors[0], t146)
+        .sub_product(m.factors[0], t144).sub_product(t13, t143).add_product(t14, t138)
+        .sub_product(m.factors[38], t137);
+    let plate_v_y_dot_by_post_phi = (R::literal(-0.833_333_333_333_333_4) * t143)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t145)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t137);
+    let plate_v_x_dot_by_post_phi = (R::literal(0.833_333_333_333_333_4) * t144)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t146)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t138);
+    let post_omega_dot_by_post_phi = (t46 * R::literal(370.370_370_370_370_3))
+        .sub_product(m.factors[69], t148).add_product(t12, t147).sub_product(m.factors[69], t146)
+        .add_product(t12, t145);
+    let post_v_y_dot_by_post_phi = (R::literal(1.25) * t145).add_product(R::literal(-1.25), t147);
+    let post_v_x_dot_by_post_phi = (R::literal(1.25) * t146).add_product(R::literal(-1.25), t148);
+    let t149 = m.t191.sub_product(t2, m.plate_omega_dot).sub_product(m.factors[0], t47);
+    let t150 = (-m.t190.add_product(t3, m.plate_omega_dot)).add_product(t13, t47);
+    let t151 = t150.sub_product(m.factors[2], t149);
+    let t152 = t149.sub_product(m.factors[5], t149).sub_product(m.factors[6], t151);
+    let t153 = t150.sub_product(m.factors[8], t149).sub_product(m.factors[9], t151)
+        .add_product(t24, t152);
+    let t154 = (m.factors[12] * t152).add_product(m.factors[13], t153);
+    let t155 = (m.t97 * t152).sub_product(m.factors[20], t153).sub_product(t26, t154);
+    let t156 = (m.factors[23] * t154).sub_product(m.factors[24], t155);
+    let t157 = (-(t27 * t154)).add_product(m.t135, t155).add_product(m.t146, t156);
+    let t158 = (-(m.t15 * plate_omega_squared).add_product(t11, m.plate_omega_dot))
+        .add_product(t14, t47).sub_product(m.factors[30], t149).add_product(t23, t151)
+        .add_product(t25, t152).sub_product(m.factors[33], t153).sub_product(t28, t154)
+        .sub_product(m.factors[35], t155).add_product(t30, t156).sub_product(m.factors[37], t157);
+    let t159 = (m.t15 * m.plate_omega_dot).add_product(m.t16, plate_omega_squared)
+        .sub_product(m.factors[38], t47).add_product(t22, t149).sub_product(m.factors[40], t151)
+        .add_product(m.t103, t152).sub_product(m.factors[42], t153).sub_product(t29, t154)
+        .sub_product(m.factors[44], t155).add_product(t31, t156).sub_product(m.factors[46], t157)
+        .sub_product(m.factors[47], t158) * m.factors[48];
+    let t160 = (t158 * m.factors[49]).sub_product(m.factors[47], t159);
+    let t161 = (t157 * m.factors[50]).sub_product(m.factors[37], t160).sub_product(m.factors[46],
+        t159);
+    let t162 = (-(t156 * m.t143)).add_product(m.t146, t161).add_product(t30, t160).add_product(t31,
+        t159);
+    let t163 = (t155 * m.factors[52]).sub_product(m.factors[24], t162).add_product(m.t135, t161)
+        .sub_product(m.factors[35], t160).sub_product(m.factors[44], t159);
+    let t164 = (-(t154 * m.factors[53])).add_product(t26, t163).sub_product(m.factors[23], t162)
+        .add_product(t27, t161).add_product(t28, t160).add_product(t29, t159);
+    let t165 = (t153 * m.factors[54]).sub_product(m.factors[13], t164).sub_product(m.factors[20],
+        t163).sub_product(m.factors[33], t160).sub_product(m.factors[42], t159);
+    let t166 = (-(t152 * m.t89)).add_product(t24, t165).sub_product(m.factors[12], t164)
+        .add_product(m.t97, t163).add_product(t25, t160).add_product(m.t103, t159);
+    let t167 = (t151 * m.factors[56]).sub_product(m.factors[6], t166).sub_product(m.factors[9],
+        t165).add_product(t23, t160).sub_product(m.factors[40], t159);
+    let t168 = (t149 * m.factors[57]).sub_product(m.factors[2], t167).sub_product(m.factors[5],
+        t166).sub_product(m.factors[8], t165).sub_product(m.factors[30], t160).add_product(t22,
+        t159);
+    let t169 = (m.factors[59] * t167).add_product(m.factors[58], t168);
+    let t170 = (t21 * t168).sub_product(t20, t169).add_product(t20, t167);
+    let bobbin_v_y_dot_by_plate_phi = R::literal(-1.428_571_428_571_428_6) * t159;
+    let bobbin_v_x_dot_by_plate_phi = R::literal(-1.428_571_428_571_428_6) * t160;
+    let rod_omega_dot_by_plate_phi = (t19 * t162).sub_product(R::literal(4_166.666_666_666_667),
+        t164).sub_product(m.factors[64], t161);
+    let rod_v_y_dot_by_plate_phi = (R::literal(-5.0) * t161).sub_product(m.factors[18], t163);
+    let rod_v_x_dot_by_plate_phi = (R::literal(-5.0) * t162).add_product(t18, t163);
+    let cylinder_omega_dot_by_plate_phi = (t16 * t165).sub_product(m.factors[4], t166)
+        .sub_product(R::literal(-2_777.777_777_777_778), t164).add_product(t17, t163);
+    let cylinder_v_y_dot_by_plate_phi = (t15 * t163)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t165);
+    let cylinder_v_x_dot_by_plate_phi = (-(m.factors[14] * t163))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t166);
+    let plate_omega_dot_by_plate_phi = (t47 * R::literal(400.0)).sub_product(m.factors[0], t168)
+        .add_product(t13, t167).sub_product(m.factors[0], t166).add_product(t13, t165)
+        .add_product(t14, t160).sub_product(m.factors[38], t159);
+    let plate_v_y_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t165)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t167)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t159);
+    let plate_v_x_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t166)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t168)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t160);
+    let post_omega_dot_by_plate_phi = (-(t12 * t169).add_product(m.factors[69], t170)
+        .add_product(m.factors[69], t168)).add_product(t12, t167);
+    let post_v_y_dot_by_plate_phi = (R::literal(1.25) * t167).add_product(R::literal(1.25), t169);
+    let post_v_x_dot_by_plate_phi = (R::literal(1.25) * t168).add_product(R::literal(-1.25), t170);
+    let t171 = R::literal(3.333_333_333_333_333_5) * t51;
+    let t172 = t171.add_product(m.factors[4], t61);
+    let t173 = R::literal(3.333_333_333_333_333_5) * t52;
+    let t174 = (-t173).add_product(t16, t61).sub_product(t24, t172);
+    let t175 = (R::literal(2_777.777_777_777_778) * t61).add_product(m.factors[12], t172)
+        .sub_product(m.factors[13], t174);
+    let t176 = (t36 - t62).sub_product(m.factors[14], t51).add_product(t15, t52).add_product(t17,
+        t61).add_product(t18, t58).sub_product(m.factors[18], t59).sub_product(m.t97, t172)
+        .sub_product(m.factors[20], t174).add_product(t26, t175);
+    let t177 = R::literal(5.0) * t58;
+    let t178 = t177.add_product(m.factors[23], t175).add_product(m.factors[24], t176);
+    let t179 = R::literal(5.0) * t59;
+    let t180 = (-t179).add_product(t27, t175).add_product(m.t135, t176).sub_product(m.t146, t178);
+    let t181 = (-(t25 * t172).add_product(m.factors[33], t174)).add_product(t28, t175)
+        .sub_product(m.factors[35], t176).sub_product(t30, t178).sub_product(m.factors[37], t180);
+    let t182 = (-(m.t103 * t172).add_product(m.factors[42], t174)).add_product(t29, t175)
+        .sub_product(m.factors[44], t176).sub_product(t31, t178).sub_product(m.factors[46], t180)
+        .sub_product(m.factors[47], t181) * m.factors[48];
+    let t183 = (t181 * m.factors[49]).sub_product(m.factors[47], t182);
+    let t184 = (t180 * m.factors[50]).sub_product(m.factors[37], t183).sub_product(m.factors[46],
+        t182);
+    let t185 = (t178 * m.t143).add_product(m.t146, t184).add_product(t30, t183).add_product(t31,
+        t182);
+    let t186 = (t176 * m.factors[52]).sub_product(m.factors[24], t185).add_product(m.t135, t184)
+        .sub_product(m.factors[35], t183).sub_product(m.factors[44], t182);
+    let t187 = (t175 * m.factors[53]).add_product(t26, t186).sub_product(m.factors[23], t185)
+        .add_product(t27, t184).add_product(t28, t183).add_product(t29, t182);
+    let t188 = (t174 * m.factors[54]).sub_product(m.factors[13], t187).sub_product(m.factors[20],
+        t186).sub_product(m.factors[33], t183).sub_product(m.factors[42], t182);
+    let t189 = (t172 * m.t89).add_product(t24, t188).sub_product(m.factors[12], t187)
+        .add_product(m.t97, t186).add_product(t25, t183).add_product(m.t103, t182);
+    let t190 = (-(m.factors[9] * t188).add_product(m.factors[6], t189)).add_product(t23, t183)
+        .sub_product(m.factors[40], t182);
+    let t191 = (-(m.factors[5] * t189).add_product(m.factors[2], t190).add_product(m.factors[8],
+        t188).add_product(m.factors[30], t183)).add_product(t22, t182);
+    let t192 = (m.factors[59] * t190).add_product(m.factors[58], t191);
+    let t193 = (t21 * t191).sub_product(t20, t192).add_product(t20, t190);
+    let bobbin_v_y_dot_by_cylinder_x = R::literal(-1.428_571_428_571_428_6) * t182;
+    let bobbin_v_x_dot_by_cylinder_x = R::literal(-1.428_571_428_571_428_6) * t183;
+    let rod_omega_dot_by_cylinder_x = (t19 * t185).sub_product(R::literal(4_166.666_666_666_667),
+        t187).sub_product(m.factors[64], t184);
+    let rod_v_y_dot_by_cylinder_x = t179.sub_product(m.factors[18], t186)
+        .sub_product(R::literal(5.0), t184);
+    let rod_v_x_dot_by_cylinder_x = t177.add_product(t18, t186).sub_product(R::literal(5.0), t185);
+    let cylinder_omega_dot_by_cylinder_x = (t61 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[4], t189).add_product(t16, t188)
+        .sub_product(R::literal(-2_777.777_777_777_778), t187).add_product(t17, t186);
+    let cylinder_v_y_dot_by_cylinder_x = t173.sub_product(R::literal(3.333_333_333_333_333_5), t188)
+        .add_product(t15, t186);
+    let cylinder_v_x_dot_by_cylinder_x = t171.sub_product(R::literal(3.333_333_333_333_333_5), t189)
+        .sub_product(m.factors[14], t186);
+    let plate_omega_dot_by_cylinder_x = (t13 * t190).sub_product(m.factors[0], t191)
+        .sub_product(m.factors[0], t189).add_product(t13, t188).add_product(t14, t183)
+        .sub_product(m.factors[38], t182);
+    let plate_v_y_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t188)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t190)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t182);
+    let plate_v_x_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t189)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t191)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t183);
+    let post_omega_dot_by_cylinder_x = (-(t12 * t192).add_product(m.factors[69], t193)
+        .add_product(m.factors[69], t191)).add_product(t12, t190);
+    let post_v_y_dot_by_cylinder_x = (R::literal(1.25) * t190).add_product(R::literal(1.25), t192);
+    let post_v_x_dot_by_cylinder_x = (R::literal(1.25) * t191).add_product(R::literal(-1.25), t193);
+    let t194 = R::literal(3.333_333_333_333_333_5) * t64;
+    let t195 = t194.sub_product(m.factors[4], t69);
+    let t196 = R::literal(3.333_333_333_333_333_5) * t65;
+    let t197 = t196.add_product(t16, t69).add_product(t24, t195);
+    let t198 = (R::literal(-2_777.777_777_777_778) * t69).add_product(m.factors[12], t195)
+        .add_product(m.factors[13], t197);
+    let t199 = m.factors[14] * t64;
+    let t200 = t15 * t65;
+    let t201 = t18 * t64;
+    let t202 = m.factors[18] * t65;
+    let t203 = ((t199 - t70 - t200).add_product(t17, t69) + t201 - t202).add_product(m.t97, t195)
+        .sub_product(m.factors[20], t197).sub_product(t26, t198);
+    let t204 = R::literal(5.0) * t64;
+    let t205 = (-t204).add_product(m.factors[23], t198).sub_product(m.factors[24], t203);
+    let t206 = R::literal(5.0) * t65;
+    let t207 = (-t206.add_product(t27, t198)).add_product(m.t135, t203).add_product(m.t146, t205);
+    let t208 = (t25 * t195).sub_product(m.factors[33], t197).sub_product(t28, t198)
+        .sub_product(m.factors[35], t203).add_product(t30, t205).sub_product(m.factors[37], t207);
+    let t209 = (m.t103 * t195).sub_product(m.factors[42], t197).sub_product(t29, t198)
+        .sub_product(m.factors[44], t203).add_product(t31, t205).sub_product(m.factors[46], t207)
+        .sub_product(m.factors[47], t208) * m.factors[48];
+    let t210 = (t208 * m.factors[49]).sub_product(m.factors[47], t209);
+    let t211 = (t207 * m.factors[50]).sub_product(m.factors[37], t210).sub_product(m.factors[46],
+        t209);
+    let t212 = (-(t205 * m.t143)).add_product(m.t146, t211).add_product(t30, t210).add_product(t31,
+        t209);
+    let t213 = (t203 * m.factors[52]).sub_product(m.factors[24], t212).add_product(m.t135, t211)
+        .sub_product(m.factors[35], t210).sub_product(m.factors[44], t209);
+    let t214 = (-(t198 * m.factors[53])).add_product(t26, t213).sub_product(m.factors[23], t212)
+        .add_product(t27, t211).add_product(t28, t210).add_product(t29, t209);
+    let t215 = (t197 * m.factors[54]).sub_product(m.factors[13], t214).sub_product(m.factors[20],
+        t213).sub_product(m.factors[33], t210).sub_product(m.factors[42], t209);
+    let t216 = (-(t195 * m.t89)).add_product(t24, t215).sub_product(m.factors[12], t214)
+        .add_product(m.t97, t213).add_product(t25, t210).add_product(m.t103, t209);
+    let t217 = (-(m.factors[9] * t215).add_product(m.factors[6], t216)).add_product(t23, t210)
+        .sub_product(m.factors[40], t209);
+    let t218 = (-(m.factors[5] * t216).add_product(m.factors[2], t217).add_product(m.factors[8],
+        t215).add_product(m.factors[30], t210)).add_product(t22, t209);
+    let t219 = (m.factors[59] * t217).add_product(m.factors[58], t218);
+    let t220 = (t21 * t218).sub_product(t20, t219).add_product(t20, t217);
+    let bobbin_v_y_dot_by_cylinder_y = R::literal(-1.428_571_428_571_428_6) * t209;
+    let bobbin_v_x_dot_by_cylinder_y = R::literal(-1.428_571_428_571_428_6) * t210;
+    let rod_omega_dot_by_cylinder_y = (t19 * t212).sub_product(R::literal(4_166.666_666_666_667),
+        t214).sub_product(m.factors[64], t211);
+    let rod_v_y_dot_by_cylinder_y = t206.sub_product(m.factors[18], t213)
+        .sub_product(R::literal(5.0), t211);
+    let rod_v_x_dot_by_cylinder_y = t204.add_product(t18, t213).sub_product(R::literal(5.0), t212);
+    let cylinder_omega_dot_by_cylinder_y = (t69 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[4], t216).add_product(t16, t215)
+        .sub_product(R::literal(-2_777.777_777_777_778), t214).add_product(t17, t213);
+    let cylinder_v_y_dot_by_cylinder_y = (-t196.add_product(R::literal(3.333_333_333_333_333_5),
+        t215)).add_product(t15, t213);
+    let cylinder_v_x_dot_by_cylinder_y = (-t194).add_product(R::literal(-3.333_333_333_333_333_5),
+        t216).sub_product(m.factors[14], t213);
+    let plate_omega_dot_by_cylinder_y = (t13 * t217).sub_product(m.factors[0], t218)
+        .sub_product(m.factors[0], t216).add_product(t13, t215).add_product(t14, t210)
+        .sub_product(m.factors[38], t209);
+    let plate_v_y_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t215)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t217)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t209);
+    let plate_v_x_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t216)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t218)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t210);
+    let post_omega_dot_by_cylinder_y = (-(t12 * t219).add_product(m.factors[69], t220)
+        .add_product(m.factors[69], t218)).add_product(t12, t217);
+    let post_v_y_dot_by_cylinder_y = (R::literal(1.25) * t217).add_product(R::literal(1.25), t219);
+    let post_v_x_dot_by_cylinder_y = (R::literal(1.25) * t218).add_product(R::literal(-1.25), t220);
+    let t221 = R::literal(3.333_333_333_333_333_5) * t76;
+    let t222 = ((-(t4 * m.cylinder_omega_dot)).add_product(t75, m.sin_cylinder_phi) - t221)
+        .sub_product(m.factors[4], t79);
+    let t223 = R::literal(3.333_333_333_333_333_5) * t77;
+    let t224 = (-((t5 * m.cylinder_omega_dot).add_product(t75, m.cos_cylinder_phi) + t223))
+        .add_product(t16, t79).add_product(t24, t222);
+    let t225 = (R::literal(-2_777.777_777_777_778) * t79).add_product(m.factors[12], t222)
+        .add_product(m.factors[13], t224);
+    let t226 = (-(m.cos_cylinder_phi * m.cylinder_v_x_dot)).add_product(cylinder_omega,
+        (t37 * m.sin_cylinder_phi).add_product(t40, m.cos_cylinder_phi).add_product(cylinder_x
         * cylinder_omega, m.cos_cylinder_phi).add_product(cylinder_y * cylinder_omega,
-        m.sin_cylinder_phi).sub_product(t36, m.cos_cylinder_phi).sub_product(t37,
+        m.sin_cylinder_phi).sub_product(t38, m.cos_cylinder_phi).sub_product(t39,
         m.sin_cylinder_phi).sub_product(rod_x * cylinder_omega, m.cos_cylinder_phi)
         .sub_product(rod_y * cylinder_omega, m.sin_cylinder_phi)).sub_product(m.sin_cylinder_phi,
-        m.cylinder_v_y_dot).sub_product(t76, m.cylinder_omega_dot).add_product(m.cos_cylinder_phi,
-        m.rod_v_x_dot).sub_product(m.sin_cylinder_phi, m.t235).sub_product(m.factors[7], t74)
-        .add_product(t14, t75).add_product(t16, t77).add_product(t17, t78)
-        .sub_product(m.factors[11], t79).add_product(m.t95, t205);
-    let t210 = t209.sub_product(m.factors[13], t207).sub_product(t25, t208);
-    let t211 = R::literal(5.0) * t78;
-    let t212 = (-t211).add_product(m.factors[16], t208).sub_product(m.factors[17], t210);
-    let t213 = R::literal(5.0) * t79;
-    let t214 = (-t213.add_product(t26, t208)).add_product(m.t133, t210).add_product(m.t144, t212);
-    let t215 = (t24 * t205).sub_product(m.factors[23], t207).sub_product(t27, t208)
-        .sub_product(m.factors[25], t210).add_product(t29, t212).sub_product(m.factors[27], t214);
-    let t216 = (m.t101 * t205).sub_product(m.factors[29], t207).sub_product(t28, t208)
-        .sub_product(m.factors[31], t210).add_product(t30, t212).sub_product(m.factors[33], t214)
-        .sub_product(m.factors[34], t215) * m.factors[35];
-    let t217 = (t215 * m.factors[36]).sub_product(m.factors[34], t216);
-    let t218 = (t214 * m.factors[37]).sub_product(m.factors[27], t217).sub_product(m.factors[33],
-        t216);
-    let t219 = (-(t212 * m.t141)).add_product(m.t144, t218).add_product(t29, t217).add_product(t30,
-        t216);
-    let t220 = (t210 * m.factors[39]).sub_product(m.factors[17], t219).add_product(m.t133, t218)
-        .sub_product(m.factors[25], t217).sub_product(m.factors[31], t216);
-    let t221 = (-(t208 * m.factors[40])).add_product(t25, t220).sub_product(m.factors[16], t219)
-        .add_product(t26, t218).add_product(t27, t217).add_product(t28, t216);
-    let t222 = (t207 * m.factors[41]).sub_product(m.factors[6], t221).sub_product(m.factors[13],
-        t220).sub_product(m.factors[23], t217).sub_product(m.factors[29], t216);
-    let t223 = (-(t205 * m.t87)).add_product(t23, t222).sub_product(m.factors[5], t221)
-        .add_product(m.t95, t220).add_product(t24, t217).add_product(m.t101, t216);
-    let t224 = (-(m.factors[44] * t222).add_product(m.factors[43], t223)).add_product(t22, t217)
-        .sub_product(m.factors[46], t216);
-    let t225 = (-(m.factors[48] * t223).add_product(m.factors[47], t224).add_product(m.factors[49],
-        t222).add_product(m.factors[50], t217)).add_product(t21, t216);
-    let t226 = (m.factors[53] * t224).add_product(m.factors[52], t225);
-    let t227 = (t20 * t225).sub_product(t19, t226).add_product(t19, t224);
-    let bobbin_v_y_dot_by_cylinder_phi = R::literal(-1.428_571_428_571_428_6) * t216;
-    let bobbin_v_x_dot_by_cylinder_phi = R::literal(-1.428_571_428_571_428_6) * t217;
-    let rod_omega_dot_by_cylinder_phi = (t18 * t219).sub_product(R::literal(4_166.666_666_666_667),
-        t221).sub_product(m.factors[58], t218);
-    let rod_v_y_dot_by_cylinder_phi = t213.sub_product(m.factors[11], t220)
-        .sub_product(R::literal(5.0), t218);
-    let rod_v_x_dot_by_cylinder_phi = t211.add_product(t17, t220).sub_product(R::literal(5.0),
-        t219);
-    let cylinder_omega_dot_by_cylinder_phi = (t77 * R::literal(2_777.777_777_777_778))
-        .sub_product(m.factors[1], t223).add_product(t15, t222)
-        .sub_product(R::literal(-2_777.777_777_777_778), t221).add_product(t16, t220);
-    let cylinder_v_y_dot_by_cylinder_phi = t206.sub_product(R::literal(3.333_333_333_333_333_5),
-        t222).add_product(t14, t220);
-    let cylinder_v_x_dot_by_cylinder_phi = t204.sub_product(R::literal(3.333_333_333_333_333_5),
-        t223).sub_product(m.factors[7], t220);
-    let plate_omega_dot_by_cylinder_phi = (t12 * t224).sub_product(m.factors[60], t225)
-        .sub_product(m.factors[60], t223).add_product(t12, t222).add_product(t13, t217)
-        .sub_product(m.factors[63], t216);
-    let plate_v_y_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t222)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t224)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t216);
-    let plate_v_x_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t223)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t225)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t217);
-    let post_omega_dot_by_cylinder_phi = (-(t11 * t226).add_product(m.factors[66], t227)
-        .add_product(m.factors[66], t225)).add_product(t11, t224);
-    let post_v_y_dot_by_cylinder_phi = (R::literal(1.25) * t224).add_product(R::literal(1.25),
-        t226);
-    let post_v_x_dot_by_cylinder_phi = (R::literal(1.25) * t225).add_product(R::literal(-1.25),
-        t227);
-    let t228 = R::literal(3.333_333_333_333_333_5) * t56;
-    let t229 = t228.add_product(m.factors[1], t80);
-    let t230 = R::literal(3.333_333_333_333_333_5) * t57;
-    let t231 = (-t230).add_product(t15, t80).sub_product(t23, t229);
-    let t232 = (R::literal(2_777.777_777_777_778) * t80).add_product(m.factors[5], t229)
-        .sub_product(m.factors[6], t231);
-    let t233 = (t60 - t34).sub_product(m.factors[7], t56).add_product(t14, t57).add_product(t16,
-        t80).add_product(t17, t49).sub_product(m.factors[11], t50).sub_product(m.t95, t229)
-        .sub_product(m.factors[13], t231).add_product(t25, t232);
-    let t234 = R::literal(5.0) * t49;
-    let t235 = t234.add_product(m.factors[16], t232).add_product(m.factors[17], t233);
-    let t236 = R::literal(5.0) * t50;
-    let t237 = (-t236).add_product(t26, t232).add_product(m.t133, t233).sub_product(m.t144, t235);
-    let t238 = (-(t24 * t229).add_product(m.factors[23], t231)).add_product(t27, t232)
-        .sub_product(m.factors[25], t233).sub_product(t29, t235).sub_product(m.factors[27], t237);
-    let t239 = (-(m.t101 * t229).add_product(m.factors[29], t231)).add_product(t28, t232)
-        .sub_product(m.factors[31], t233).sub_product(t30, t235).sub_product(m.factors[33], t237)
-        .sub_product(m.factors[34], t238) * m.factors[35];
-    let t240 = (t238 * m.factors[36]).sub_product(m.factors[34], t239);
-    let t241 = (t237 * m.factors[37]).sub_product(m.factors[27], t240).sub_product(m.factors[33],
-        t239);
-    let t242 = (t235 * m.t141).add_product(m.t144, t241).add_product(t29, t240).add_product(t30,
-        t239);
-    let t243 = (t233 * m.factors[39]).sub_product(m.factors[17], t242).add_product(m.t133, t241)
-        .sub_product(m.factors[25], t240).sub_product(m.factors[31], t239);
-    let t244 = (t232 * m.factors[40]).add_product(t25, t243).sub_product(m.factors[16], t242)
-        .add_product(t26, t241).add_product(t27, t240).add_product(t28, t239);
-    let t245 = (t231 * m.factors[41]).sub_product(m.factors[6], t244).sub_product(m.factors[13],
-        t243).sub_product(m.factors[23], t240).sub_product(m.factors[29], t239);
-    let t246 = (t229 * m.t87).add_product(t23, t245).sub_product(m.factors[5], t244)
-        .add_product(m.t95, t243).add_product(t24, t240).add_product(m.t101, t239);
-    let t247 = (-(m.factors[44] * t245).add_product(m.factors[43], t246)).add_product(t22, t240)
-        .sub_product(m.factors[46], t239);
-    let t248 = (-(m.factors[48] * t246).add_product(m.factors[47], t247).add_product(m.factors[49],
-        t245).add_product(m.factors[50], t240)).add_product(t21, t239);
-    let t249 = (m.factors[53] * t247).add_product(m.factors[52], t248);
-    let t250 = (t20 * t248).sub_product(t19, t249).add_product(t19, t247);
-    let bobbin_v_y_dot_by_rod_x = R::literal(-1.428_571_428_571_428_6) * t239;
-    let bobbin_v_x_dot_by_rod_x = R::literal(-1.428_571_428_571_428_6) * t240;
-    let rod_omega_dot_by_rod_x = (t18 * t242).sub_product(R::literal(4_166.666_666_666_667), t244)
-        .sub_product(m.factors[58], t241);
-    let rod_v_y_dot_by_rod_x = t236.sub_product(m.factors[11], t243).sub_product(R::literal(5.0),
-        t241);
-    let rod_v_x_dot_by_rod_x = t234.add_product(t17, t243).sub_product(R::literal(5.0), t242);
-    let cylinder_omega_dot_by_rod_x = (t80 * R::literal(2_777.777_777_777_778))
-        .sub_product(m.factors[1], t246).add_product(t15, t245)
-        .sub_product(R::literal(-2_777.777_777_777_778), t244).add_product(t16, t243);
-    let cylinder_v_y_dot_by_rod_x = t230.sub_product(R::literal(3.333_333_333_333_333_5), t245)
-        .add_product(t14, t243);
-    let cylinder_v_x_dot_by_rod_x = t228.sub_product(R::literal(3.333_333_333_333_333_5), t246)
-        .sub_product(m.factors[7], t243);
-    let plate_omega_dot_by_rod_x = (t12 * t247).sub_product(m.factors[60], t248)
-        .sub_product(m.factors[60], t246).add_product(t12, t245).add_product(t13, t240)
-        .sub_product(m.factors[63], t239);
-    let plate_v_y_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t245)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t247)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t239);
-    let plate_v_x_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t246)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t248)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t240);
-    let post_omega_dot_by_rod_x = (-(t11 * t249).add_product(m.factors[66], t250)
-        .add_product(m.factors[66], t248)).add_product(t11, t247);
-    let post_v_y_dot_by_rod_x = (R::literal(1.25) * t247).add_product(R::literal(1.25), t249);
-    let post_v_x_dot_by_rod_x = (R::literal(1.25) * t248).add_product(R::literal(-1.25), t250);
-    let t251 = t177.add_product(m.factors[1], t81);
-    let t252 = (-t179).add_product(t15, t81).sub_product(t23, t251);
-    let t253 = (R::literal(2_777.777_777_777_778) * t81).add_product(m.factors[5], t251)
-        .sub_product(m.factors[6], t252);
-    let t254 = ((t68 - t182 + t183).add_product(t16, t81) - t184 + t185).sub_product(m.t95, t251)
-        .sub_product(m.factors[13], t252).add_product(t25, t253);
-    let t255 = t187.sub_product(m.factors[16], t253).sub_product(m.factors[17], t254);
-    let t256 = t189.add_product(t26, t253).add_product(m.t133, t254).add_product(m.t144, t255);
-    let t257 = (-(t24 * t251).add_product(m.factors[23], t252)).add_product(t27, t253)
-        .sub_product(m.factors[25], t254).add_product(t29, t255).sub_product(m.factors[27], t256);
-    let t258 = (-(m.t101 * t251).add_product(m.factors[29], t252)).add_product(t28, t253)
-        .sub_product(m.factors[31], t254).add_product(t30, t255).sub_product(m.factors[33], t256)
-        .sub_product(m.factors[34], t257) * m.factors[35];
-    let t259 = (t257 * m.factors[36]).sub_product(m.factors[34], t258);
-    let t260 = (t256 * m.factors[37]).sub_product(m.factors[27], t259).sub_product(m.factors[33],
+        m.cylinder_v_y_dot).sub_product(t78, m.cylinder_omega_dot).add_product(m.cos_cylinder_phi,
+        m.rod_v_x_dot).sub_product(m.sin_cylinder_phi, m.t243).sub_product(m.factors[14], t76)
+        .add_product(t15, t77).add_product(t17, t79).add_product(t18, t80)
+        .sub_product(m.factors[18], t81).add_product(m.t97, t222);
+    let t227 = t226.sub_product(m.factors[20], t224).sub_product(t26, t225);
+    let t228 = R::literal(5.0) * t80;
+    let t229 = (-t228).add_product(m.factors[23], t225).sub_product(m.factors[24], t227);
+    let t230 = R::literal(5.0) * t81;
+    let t231 = (-t230.add_product(t27, t225)).add_product(m.t135, t227).add_product(m.t146, t229);
+    let t232 = (t25 * t222).sub_product(m.factors[33], t224).sub_product(t28, t225)
+        .sub_product(m.factors[35], t227).add_product(t30, t229).sub_product(m.factors[37], t231);
+    let t233 = (m.t103 * t222).sub_product(m.factors[42], t224).sub_product(t29, t225)
+        .sub_product(m.factors[44], t227).add_product(t31, t229).sub_product(m.factors[46], t231)
+        .sub_product(m.factors[47], t232) * m.factors[48];
+    let t234 = (t232 * m.factors[49]).sub_product(m.factors[47], t233);
+    let t235 = (t231 * m.factors[50]).sub_product(m.factors[37], t234).sub_product(m.factors[46],
+        t233);
+    let t236 = (-(t229 * m.t143)).add_product(m.t146, t235).add_product(t30, t234).add_product(t31,
+        t233);
+    let t237 = (t227 * m.factors[52]).sub_product(m.factors[24], t236).add_product(m.t135, t235)
+        .sub_product(m.factors[35], t234).sub_product(m.factors[44], t233);
+    let t238 = (-(t225 * m.factors[53])).add_product(t26, t237).sub_product(m.factors[23], t236)
+        .add_product(t27, t235).add_product(t28, t234).add_product(t29, t233);
+    let t239 = (t224 * m.factors[54]).sub_product(m.factors[13], t238).sub_product(m.factors[20],
+        t237).sub_product(m.factors[33], t234).sub_product(m.factors[42], t233);
+    let t240 = (-(t222 * m.t89)).add_product(t24, t239).sub_product(m.factors[12], t238)
+        .add_product(m.t97, t237).add_product(t25, t234).add_product(m.t103, t233);
+    let t241 = (-(m.factors[9] * t239).add_product(m.factors[6], t240)).add_product(t23, t234)
+        .sub_product(m.factors[40], t233);
+    let t242 = (-(m.factors[5] * t240).add_product(m.factors[2], t241).add_product(m.factors[8],
+        t239).add_product(m.factors[30], t234)).add_product(t22, t233);
+    let t243 = (m.factors[59] * t241).add_product(m.factors[58], t242);
+    let t244 = (t21 * t242).sub_product(t20, t243).add_product(t20, t241);
+    let bobbin_v_y_dot_by_cylinder_phi = R::literal(-1.428_571_428_571_428_6) * t233;
+    let bobbin_v_x_dot_by_cylinder_phi = R::literal(-1.428_571_428_571_428_6) * t234;
+    let rod_omega_dot_by_cylinder_phi = (t19 * t236).sub_product(R::literal(4_166.666_666_666_667),
+        t238).sub_product(m.factors[64], t235);
+    let rod_v_y_dot_by_cylinder_phi = t230.sub_product(m.factors[18], t237)
+        .sub_product(R::literal(5.0), t235);
+    let rod_v_x_dot_by_cylinder_phi = t228.add_product(t18, t237).sub_product(R::literal(5.0),
+        t236);
+    let cylinder_omega_dot_by_cylinder_phi = (t79 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[4], t240).add_product(t16, t239)
+        .sub_product(R::literal(-2_777.777_777_777_778), t238).add_product(t17, t237);
+    let cylinder_v_y_dot_by_cylinder_phi = t223.sub_product(R::literal(3.333_333_333_333_333_5),
+        t239).add_product(t15, t237);
+    let cylinder_v_x_dot_by_cylinder_phi = t221.sub_product(R::literal(3.333_333_333_333_333_5),
+        t240).sub_product(m.factors[14], t237);
+    let plate_omega_dot_by_cylinder_phi = (t13 * t241).sub_product(m.factors[0], t242)
+        .sub_product(m.factors[0], t240).add_product(t13, t239).add_product(t14, t234)
+        .sub_product(m.factors[38], t233);
+    let plate_v_y_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t239)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t241)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t233);
+    let plate_v_x_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t240)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t242)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t234);
+    let post_omega_dot_by_cylinder_phi = (-(t12 * t243).add_product(m.factors[69], t244)
+        .add_product(m.factors[69], t242)).add_product(t12, t241);
+    let post_v_y_dot_by_cylinder_phi = (R::literal(1.25) * t241).add_product(R::literal(1.25),
+        t243);
+    let post_v_x_dot_by_cylinder_phi = (R::literal(1.25) * t242).add_product(R::literal(-1.25),
+        t244);
+    let t245 = R::literal(3.333_333_333_333_333_5) * t58;
+    let t246 = t245.add_product(m.factors[4], t82);
+    let t247 = R::literal(3.333_333_333_333_333_5) * t59;
+    let t248 = (-t247).add_product(t16, t82).sub_product(t24, t246);
+    let t249 = (R::literal(2_777.777_777_777_778) * t82).add_product(m.factors[12], t246)
+        .sub_product(m.factors[13], t248);
+    let t250 = (t62 - t36).sub_product(m.factors[14], t58).add_product(t15, t59).add_product(t17,
+        t82).add_product(t18, t51).sub_product(m.factors[18], t52).sub_product(m.t97, t246)
+        .sub_product(m.factors[20], t248).add_product(t26, t249);
+    let t251 = R::literal(5.0) * t51;
+    let t252 = t251.add_product(m.factors[23], t249).add_product(m.factors[24], t250);
+    let t253 = R::literal(5.0) * t52;
+    let t254 = (-t253).add_product(t27, t249).add_product(m.t135, t250).sub_product(m.t146, t252);
+    let t255 = (-(t25 * t246).add_product(m.factors[33], t248)).add_product(t28, t249)
+        .sub_product(m.factors[35], t250).sub_product(t30, t252).sub_product(m.factors[37], t254);
+    let t256 = (-(m.t103 * t246).add_product(m.factors[42], t248)).add_product(t29, t249)
+        .sub_product(m.factors[44], t250).sub_product(t31, t252).sub_product(m.factors[46], t254)
+        .sub_product(m.factors[47], t255) * m.factors[48];
+    let t257 = (t255 * m.factors[49]).sub_product(m.factors[47], t256);
+    let t258 = (t254 * m.factors[50]).sub_product(m.factors[37], t257).sub_product(m.factors[46],
+        t256);
+    let t259 = (t252 * m.t143).add_product(m.t146, t258).add_product(t30, t257).add_product(t31,
+        t256);
+    let t260 = (t250 * m.factors[52]).sub_product(m.factors[24], t259).add_product(m.t135, t258)
+        .sub_product(m.factors[35], t257).sub_product(m.factors[44], t256);
+    let t261 = (t249 * m.factors[53]).add_product(t26, t260).sub_product(m.factors[23], t259)
+        .add_product(t27, t258).add_product(t28, t257).add_product(t29, t256);
+    let t262 = (t248 * m.factors[54]).sub_product(m.factors[13], t261).sub_product(m.factors[20],
+        t260).sub_product(m.factors[33], t257).sub_product(m.factors[42], t256);
+    let t263 = (t246 * m.t89).add_product(t24, t262).sub_product(m.factors[12], t261)
+        .add_product(m.t97, t260).add_product(t25, t257).add_product(m.t103, t256);
+    let t264 = (-(m.factors[9] * t262).add_product(m.factors[6], t263)).add_product(t23, t257)
+        .sub_product(m.factors[40], t256);
+    let t265 = (-(m.factors[5] * t263).add_product(m.factors[2], t264).add_product(m.factors[8],
+        t262).add_product(m.factors[30], t257)).add_product(t22, t256);
+    let t266 = (m.factors[59] * t264).add_product(m.factors[58], t265);
+    let t267 = (t21 * t265).sub_product(t20, t266).add_product(t20, t264);
+    let bobbin_v_y_dot_by_rod_x = R::literal(-1.428_571_428_571_428_6) * t256;
+    let bobbin_v_x_dot_by_rod_x = R::literal(-1.428_571_428_571_428_6) * t257;
+    let rod_omega_dot_by_rod_x = (t19 * t259).sub_product(R::literal(4_166.666_666_666_667), t261)
+        .sub_product(m.factors[64], t258);
+    let rod_v_y_dot_by_rod_x = t253.sub_product(m.factors[18], t260).sub_product(R::literal(5.0),
         t258);
-    let t261 = (-(t255 * m.t141)).add_product(m.t144, t260).add_product(t29, t259).add_product(t30,
-        t258);
-    let t262 = (t254 * m.factors[39]).sub_product(m.factors[17], t261).add_product(m.t133, t260)
-        .sub_product(m.factors[25], t259).sub_product(m.factors[31], t258);
-    let t263 = (t253 * m.factors[40]).add_product(t25, t262).sub_product(m.factors[16], t261)
-        .add_product(t26, t260).add_product(t27, t259).add_product(t28, t258);
-    let t264 = (t252 * m.factors[41]).sub_product(m.factors[6], t263).sub_product(m.factors[13],
-        t262).sub_product(m.factors[23], t259).sub_product(m.factors[29], t258);
-    let t265 = (t251 * m.t87).add_product(t23, t264).sub_product(m.factors[5], t263)
-        .add_product(m.t95, t262).add_product(t24, t259).add_product(m.t101, t258);
-    let t266 = (-(m.factors[44] * t264).add_product(m.factors[43], t265)).add_product(t22, t259)
-        .sub_product(m.factors[46], t258);
-    let t267 = (-(m.factors[48] * t265).add_product(m.factors[47], t266).add_product(m.factors[49],
-        t264).add_product(m.factors[50], t259)).add_product(t21, t258);
-    let t268 = (m.factors[53] * t266).add_product(m.factors[52], t267);
-    let t269 = (t20 * t267).sub_product(t19, t268).add_product(t19, t266);
-    let bobbin_v_y_dot_by_rod_y = R::literal(-1.428_571_428_571_428_6) * t258;
-    let bobbin_v_x_dot_by_rod_y = R::literal(-1.428_571_428_571_428_6) * t259;
-    let rod_omega_dot_by_rod_y = (t18 * t261).sub_product(R::literal(4_166.666_666_666_667), t263)
-        .sub_product(m.factors[58], t260);
-    let rod_v_y_dot_by_rod_y = (-t189.add_product(m.factors[11], t262))
-        .add_product(R::literal(-5.0), t260);
-    let rod_v_x_dot_by_rod_y = (-t187).add_product(t17, t262).sub_product(R::literal(5.0), t261);
-    let cylinder_omega_dot_by_rod_y = (t81 * R::literal(2_777.777_777_777_778))
-        .sub_product(m.factors[1], t265).add_product(t15, t264)
-        .sub_product(R::literal(-2_777.777_777_777_778), t263).add_product(t16, t262);
-    let cylinder_v_y_dot_by_rod_y = t179.sub_product(R::literal(3.333_333_333_333_333_5), t264)
-        .add_product(t14, t262);
-    let cylinder_v_x_dot_by_rod_y = t177.sub_product(R::literal(3.333_333_333_333_333_5), t265)
-        .sub_product(m.factors[7], t262);
-    let plate_omega_dot_by_rod_y = (t12 * t266).sub_product(m.factors[60], t267)
-        .sub_product(m.factors[60], t265).add_product(t12, t264).add_product(t13, t259)
-        .sub_product(m.factors[63], t258);
-    let plate_v_y_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t264)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t266)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t258);
-    let plate_v_x_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t265)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t267)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t259);
-    let post_omega_dot_by_rod_y = (-(t11 * t268).add_product(m.factors[66], t269)
-        .add_product(m.factors[66], t267)).add_product(t11, t266);
-    let post_v_y_dot_by_rod_y = (R::literal(1.25) * t266).add_product(R::literal(1.25), t268);
-    let post_v_x_dot_by_rod_y = (R::literal(1.25) * t267).add_product(R::literal(-1.25), t269);
-    let t270 = R::literal(4_166.666_666_666_667) * t82;
-    let t271 = t25 * t270;
-    let t272 = (-m.t188).add_product(t6, m.rod_omega_dot).add_product(t18, t82)
-        .add_product(m.factors[16], t270).add_product(m.factors[17], t271);
-    let t273 = m.t187.add_product(t7, m.rod_omega_dot).sub_product(m.factors[58], t82)
-        .sub_product(t26, t270).sub_product(m.t133, t271).add_product(m.t144, t272);
-    let t274 = (-(t27 * t270)).add_product(m.factors[25], t271).add_product(t29, t272)
-        .sub_product(m.factors[27], t273);
-    let t275 = (-(t28 * t270)).add_product(m.factors[31], t271).add_product(t30, t272)
-        .sub_product(m.factors[33], t273).sub_product(m.factors[34], t274) * m.factors[35];
-    let t276 = (t274 * m.factors[36]).sub_product(m.factors[34], t275);
-    let t277 = (t273 * m.factors[37]).sub_product(m.factors[27], t276).sub_product(m.factors[33],
+    let rod_v_x_dot_by_rod_x = t251.add_product(t18, t260).sub_product(R::literal(5.0), t259);
+    let cylinder_omega_dot_by_rod_x = (t82 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[4], t263).add_product(t16, t262)
+        .sub_product(R::literal(-2_777.777_777_777_778), t261).add_product(t17, t260);
+    let cylinder_v_y_dot_by_rod_x = t247.sub_product(R::literal(3.333_333_333_333_333_5), t262)
+        .add_product(t15, t260);
+    let cylinder_v_x_dot_by_rod_x = t245.sub_product(R::literal(3.333_333_333_333_333_5), t263)
+        .sub_product(m.factors[14], t260);
+    let plate_omega_dot_by_rod_x = (t13 * t264).sub_product(m.factors[0], t265)
+        .sub_product(m.factors[0], t263).add_product(t13, t262).add_product(t14, t257)
+        .sub_product(m.factors[38], t256);
+    let plate_v_y_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t262)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t264)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t256);
+    let plate_v_x_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t263)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t265)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t257);
+    let post_omega_dot_by_rod_x = (-(t12 * t266).add_product(m.factors[69], t267)
+        .add_product(m.factors[69], t265)).add_product(t12, t264);
+    let post_v_y_dot_by_rod_x = (R::literal(1.25) * t264).add_product(R::literal(1.25), t266);
+    let post_v_x_dot_by_rod_x = (R::literal(1.25) * t265).add_product(R::literal(-1.25), t267);
+    let t268 = t194.add_product(m.factors[4], t83);
+    let t269 = (-t196).add_product(t16, t83).sub_product(t24, t268);
+    let t270 = (R::literal(2_777.777_777_777_778) * t83).add_product(m.factors[12], t268)
+        .sub_product(m.factors[13], t269);
+    let t271 = ((t70 - t199 + t200).add_product(t17, t83) - t201 + t202).sub_product(m.t97, t268)
+        .sub_product(m.factors[20], t269).add_product(t26, t270);
+    let t272 = t204.sub_product(m.factors[23], t270).sub_product(m.factors[24], t271);
+    let t273 = t206.add_product(t27, t270).add_product(m.t135, t271).add_product(m.t146, t272);
+    let t274 = (-(t25 * t268).add_product(m.factors[33], t269)).add_product(t28, t270)
+        .sub_product(m.factors[35], t271).add_product(t30, t272).sub_product(m.factors[37], t273);
+    let t275 = (-(m.t103 * t268).add_product(m.factors[42], t269)).add_product(t29, t270)
+        .sub_product(m.factors[44], t271).add_product(t31, t272).sub_product(m.factors[46], t273)
+        .sub_product(m.factors[47], t274) * m.factors[48];
+    let t276 = (t274 * m.factors[49]).sub_product(m.factors[47], t275);
+    let t277 = (t273 * m.factors[50]).sub_product(m.factors[37], t276).sub_product(m.factors[46],
         t275);
-    let t278 = (-(t272 * m.t141)).add_product(m.t144, t277).add_product(t29, t276).add_product(t30,
+    let t278 = (-(t272 * m.t143)).add_product(m.t146, t277).add_product(t30, t276).add_product(t31,
         t275);
-    let t279 = (-(t271 * m.factors[39]).add_product(m.factors[17], t278)).add_product(m.t133, t277)
-        .sub_product(m.factors[25], t276).sub_product(m.factors[31], t275);
-    let t280 = (-(t270 * m.factors[40])).add_product(t25, t279).sub_product(m.factors[16], t278)
-        .add_product(t26, t277).add_product(t27, t276).add_product(t28, t275);
-    let t281 = (m.factors[13] * t279).add_product(m.factors[6], t280).add_product(m.factors[23],
-        t276).add_product(m.factors[29], t275);
-    let t282 = (-(m.factors[5] * t280).add_product(t23, t281)).add_product(m.t95, t279)
-        .add_product(t24, t276).add_product(m.t101, t275);
-    let t283 = (m.factors[44] * t281).sub_product(m.factors[43], t282).add_product(t22, t276)
-        .sub_product(m.factors[46], t275);
-    let t284 = (-(m.factors[48] * t282).add_product(m.factors[47], t283))
-        .add_product(m.factors[49], t281).sub_product(m.factors[50], t276).add_product(t21, t275);
-    let t285 = (m.factors[53] * t283).add_product(m.factors[52], t284);
-    let t286 = (t20 * t284).sub_product(t19, t285).add_product(t19, t283);
-    let bobbin_v_y_dot_by_rod_phi = R::literal(-1.428_571_428_571_428_6) * t275;
-    let bobbin_v_x_dot_by_rod_phi = R::literal(-1.428_571_428_571_428_6) * t276;
-    let rod_omega_dot_by_rod_phi = t270.sub_product(R::literal(4_166.666_666_666_667), t280)
-        .add_product(t18, t278).sub_product(m.factors[58], t277);
-    let rod_v_y_dot_by_rod_phi = (R::literal(-5.0) * t277).sub_product(m.factors[11], t279);
-    let rod_v_x_dot_by_rod_phi = (R::literal(-5.0) * t278).add_product(t17, t279);
-    let cylinder_omega_dot_by_rod_phi = (-(t15 * t281).add_product(m.factors[1], t282)
-        .add_product(R::literal(-2_777.777_777_777_778), t280)).add_product(t16, t279);
-    let cylinder_v_y_dot_by_rod_phi = (t14 * t279).add_product(R::literal(3.333_333_333_333_333_5),
-        t281);
-    let cylinder_v_x_dot_by_rod_phi = (-(m.factors[7] * t279))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t282);
-    let plate_omega_dot_by_rod_phi = (t12 * t283).sub_product(m.factors[60], t284)
-        .sub_product(m.factors[60], t282).sub_product(t12, t281).add_product(t13, t276)
-        .sub_product(m.factors[63], t275);
-    let plate_v_y_dot_by_rod_phi = (R::literal(-0.833_333_333_333_333_4) * t281)
-        .sub_product(R::literal(0.833_333_333_333_333_4), t283)
+    let t279 = (t271 * m.factors[52]).sub_product(m.factors[24], t278).add_product(m.t135, t277)
+        .sub_product(m.factors[35], t276).sub_product(m.factors[44], t275);
+    let t280 = (t270 * m.factors[53]).add_product(t26, t279).sub_product(m.factors[23], t278)
+        .add_product(t27, t277).add_product(t28, t276).add_product(t29, t275);
+    let t281 = (t269 * m.factors[54]).sub_product(m.factors[13], t280).sub_product(m.factors[20],
+        t279).sub_product(m.factors[33], t276).sub_product(m.factors[42], t275);
+    let t282 = (t268 * m.t89).add_product(t24, t281).sub_product(m.factors[12], t280)
+        .add_product(m.t97, t279).add_product(t25, t276).add_product(m.t103, t275);
+    let t283 = (-(m.factors[9] * t281).add_product(m.factors[6], t282)).add_product(t23, t276)
+        .sub_product(m.factors[40], t275);
+    let t284 = (-(m.factors[5] * t282).add_product(m.factors[2], t283).add_product(m.factors[8],
+        t281).add_product(m.factors[30], t276)).add_product(t22, t275);
+    let t285 = (m.factors[59] * t283).add_product(m.factors[58], t284);
+    let t286 = (t21 * t284).sub_product(t20, t285).add_product(t20, t283);
+    let bobbin_v_y_dot_by_rod_y = R::literal(-1.428_571_428_571_428_6) * t275;
+    let bobbin_v_x_dot_by_rod_y = R::literal(-1.428_571_428_571_428_6) * t276;
+    let rod_omega_dot_by_rod_y = (t19 * t278).sub_product(R::literal(4_166.666_666_666_667), t280)
+        .sub_product(m.factors[64], t277);
+    let rod_v_y_dot_by_rod_y = (-t206.add_product(m.factors[18], t279))
+        .add_product(R::literal(-5.0), t277);
+    let rod_v_x_dot_by_rod_y = (-t204).add_product(t18, t279).sub_product(R::literal(5.0), t278);
+    let cylinder_omega_dot_by_rod_y = (t83 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[4], t282).add_product(t16, t281)
+        .sub_product(R::literal(-2_777.777_777_777_778), t280).add_product(t17, t279);
+    let cylinder_v_y_dot_by_rod_y = t196.sub_product(R::literal(3.333_333_333_333_333_5), t281)
+        .add_product(t15, t279);
+    let cylinder_v_x_dot_by_rod_y = t194.sub_product(R::literal(3.333_333_333_333_333_5), t282)
+        .sub_product(m.factors[14], t279);
+    let plate_omega_dot_by_rod_y = (t13 * t283).sub_product(m.factors[0], t284)
+        .sub_product(m.factors[0], t282).add_product(t13, t281).add_product(t14, t276)
+        .sub_product(m.factors[38], t275);
+    let plate_v_y_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t281)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t283)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t275);
-    let plate_v_x_dot_by_rod_phi = (R::literal(0.833_333_333_333_333_4) * t282)
+    let plate_v_x_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t282)
         .add_product(R::literal(-0.833_333_333_333_333_4), t284)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t276);
-    let post_omega_dot_by_rod_phi = (-(t11 * t285).add_product(m.factors[66], t286)
-        .add_product(m.factors[66], t284)).add_product(t11, t283);
-    let post_v_y_dot_by_rod_phi = (R::literal(1.25) * t283).add_product(R::literal(1.25), t285);
-    let post_v_x_dot_by_rod_phi = (R::literal(1.25) * t284).add_product(R::literal(-1.25), t286);
-    let t287 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), t87 * m.t9 / t86 + contact_stiffness_times_contact_gap
-        * m.t9 / t86 - contact_damping_times_bobbin_v_x * t8 / t83 - t84 - p.contact_stiffness
-        * m.t9 / t83 - t85);
-    let t288 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), t88 - contact_damping_times_bobbin_v_x * t9 / t83
-        - (t90 - t89));
-    let t289 = (-t288).add_product(m.factors[34], t287) * m.factors[35];
-    let t290 = (t287 * m.factors[36]).add_product(m.factors[34], t289);
-    let t291 = (-(m.factors[33] * t289)).add_product(m.factors[27], t290);
-    let t292 = (-(t29 * t290)).add_product(m.t144, t291).add_product(t30, t289);
-    let t293 = (m.t133 * t291).sub_product(m.factors[17], t292).add_product(m.factors[25], t290)
-        .sub_product(m.factors[31], t289);
-    let t294 = (-(m.factors[16] * t292)).add_product(t25, t293).add_product(t26, t291)
-        .sub_product(t27, t290).add_product(t28, t289);
-    let t295 = (-(m.factors[13] * t293).add_product(m.factors[6], t294)).add_product(m.factors[23],
-        t290).sub_product(m.factors[29], t289);
-    let t296 = (-(m.factors[5] * t294)).add_product(t23, t295).add_product(m.t95, t293)
-        .sub_product(t24, t290).add_product(m.t101, t289);
-    let t297 = (m.factors[44] * t295).add_product(m.factors[43], t296).add_product(t22, t290)
-        .add_product(m.factors[46], t289);
-    let t298 = (-(m.factors[48] * t296)).add_product(m.factors[47], t297)
-        .sub_product(m.factors[49], t295).add_product(m.factors[50], t290).add_product(t21, t289);
-    let t299 = (m.factors[53] * t297).sub_product(m.factors[52], t298);
-    let t300 = (t20 * t298).add_product(t19, t299).sub_product(t19, t297);
-    let bobbin_v_y_dot_by_bobbin_x = t288.sub_product(R::literal(1.428_571_428_571_428_6), t289);
-    let bobbin_v_x_dot_by_bobbin_x = t287.add_product(R::literal(1.428_571_428_571_428_6), t290);
-    let rod_omega_dot_by_bobbin_x = (t18 * t292).sub_product(R::literal(4_166.666_666_666_667),
-        t294).sub_product(m.factors[58], t291);
-    let rod_v_y_dot_by_bobbin_x = (R::literal(-5.0) * t291).sub_product(m.factors[11], t293);
-    let rod_v_x_dot_by_bobbin_x = (R::literal(-5.0) * t292).add_product(t17, t293);
-    let cylinder_omega_dot_by_bobbin_x = (t15 * t295).sub_product(m.factors[1], t296)
-        .sub_product(R::literal(-2_777.777_777_777_778), t294).add_product(t16, t293);
-    let cylinder_v_y_dot_by_bobbin_x = (t14 * t293)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t295);
-    let cylinder_v_x_dot_by_bobbin_x = (-(m.factors[7] * t293))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t296);
-    let plate_omega_dot_by_bobbin_x = (-(t12 * t297).add_product(m.factors[60], t298)
-        .add_product(m.factors[60], t296)).add_product(t12, t295).sub_product(t13, t290)
-        .sub_product(m.factors[63], t289);
-    let plate_v_y_dot_by_bobbin_x = (R::literal(0.833_333_333_333_333_4) * t295)
-        .add_product(R::literal(0.833_333_333_333_333_4), t297)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t289);
-    let plate_v_x_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t296)
-        .add_product(R::literal(0.833_333_333_333_333_4), t298))
-        .add_product(R::literal(-0.833_333_333_333_333_4), t290);
-    let post_omega_dot_by_bobbin_x = (t11 * t299).sub_product(m.factors[66], t300)
-        .sub_product(m.factors[66], t298).sub_product(t11, t297);
-    let post_v_y_dot_by_bobbin_x = (R::literal(-1.25) * t297).sub_product(R::literal(1.25), t299);
-    let post_v_x_dot_by_bobbin_x = (R::literal(1.25) * t298).add_product(R::literal(-1.25), t300);
-    let t301 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), t88 + t89 - contact_damping_times_bobbin_v_y * t8 / t83
-        - t90);
-    let t302 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), t87 * m.t11 / t86 - contact_damping_times_bobbin_v_y * t9
-        / t83 - t85 - (t84 + p.contact_stiffness * m.t11 / t83
-        - contact_stiffness_times_contact_gap * m.t11 / t86));
-    let t303 = (-t302).add_product(m.factors[34], t301) * m.factors[35];
-    let t304 = (t301 * m.factors[36]).add_product(m.factors[34], t303);
-    let t305 = (-(m.factors[33] * t303)).add_product(m.factors[27], t304);
-    let t306 = (-(t29 * t304)).add_product(m.t144, t305).add_product(t30, t303);
-    let t307 = (m.t133 * t305).sub_product(m.factors[17], t306).add_product(m.factors[25], t304)
-        .sub_product(m.factors[31], t303);
-    let t308 = (-(m.factors[16] * t306)).add_product(t25, t307).add_product(t26, t305)
-        .sub_product(t27, t304).add_product(t28, t303);
-    let t309 = (-(m.factors[13] * t307).add_product(m.factors[6], t308)).add_product(m.factors[23],
-        t304).sub_product(m.factors[29], t303);
-    let t310 = (-(m.factors[5] * t308)).add_product(t23, t309).add_product(m.t95, t307)
-        .sub_product(t24, t304).add_product(m.t101, t303);
-    let t311 = (m.factors[44] * t309).add_product(m.factors[43], t310).add_product(t22, t304)
-        .add_product(m.factors[46], t303);
-    let t312 = (-(m.factors[48] * t310)).add_product(m.factors[47], t311)
-        .sub_product(m.factors[49], t309).add_product(m.factors[50], t304).add_product(t21, t303);
-    let t313 = (m.factors[53] * t311).sub_product(m.factors[52], t312);
-    let t314 = (t20 * t312).add_product(t19, t313).sub_product(t19, t311);
-    let bobbin_v_y_dot_by_bobbin_y = t302.sub_product(R::literal(1.428_571_428_571_428_6), t303);
-    let bobbin_v_x_dot_by_bobbin_y = t301.add_product(R::literal(1.428_571_428_571_428_6), t304);
-    let rod_omega_dot_by_bobbin_y = (t18 * t306).sub_product(R::literal(4_166.666_666_666_667),
-        t308).sub_product(m.factors[58], t305);
-    let rod_v_y_dot_by_bobbin_y = (R::literal(-5.0) * t305).sub_product(m.factors[11], t307);
-    let rod_v_x_dot_by_bobbin_y = (R::literal(-5.0) * t306).add_product(t17, t307);
-    let cylinder_omega_dot_by_bobbin_y = (t15 * t309).sub_product(m.factors[1], t310)
-        .sub_product(R::literal(-2_777.777_777_777_778), t308).add_product(t16, t307);
-    let cylinder_v_y_dot_by_bobbin_y = (t14 * t307)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t309);
-    let cylinder_v_x_dot_by_bobbin_y = (-(m.factors[7] * t307))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t310);
-    let plate_omega_dot_by_bobbin_y = (-(t12 * t311).add_product(m.factors[60], t312)
-        .add_product(m.factors[60], t310)).add_product(t12, t309).sub_product(t13, t304)
-        .sub_product(m.factors[63], t303);
-    let plate_v_y_dot_by_bobbin_y = (R::literal(0.833_333_333_333_333_4) * t309)
-        .add_product(R::literal(0.833_333_333_333_333_4), t311)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t303);
-    let plate_v_x_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t310)
-        .add_product(R::literal(0.833_333_333_333_333_4), t312))
-        .add_product(R::literal(-0.833_333_333_333_333_4), t304);
-    let post_omega_dot_by_bobbin_y = (t11 * t313).sub_product(m.factors[66], t314)
-        .sub_product(m.factors[66], t312).sub_product(t11, t311);
-    let post_v_y_dot_by_bobbin_y = (R::literal(-1.25) * t311).sub_product(R::literal(1.25), t313);
-    let post_v_x_dot_by_bobbin_y = (R::literal(1.25) * t312).add_product(R::literal(-1.25), t314);
-    let t315 = (t92 * m.cos_post_phi).add_product(m.factors[66], t91);
-    let t316 = (-(t92 * m.sin_post_phi)).add_product(t11, t91).sub_product(t19, t315);
-    let t317 = t315.add_product(t20, t315).add_product(m.factors[52], t316);
-    let t318 = t316.sub_product(m.factors[53], t316).add_product(m.factors[47], t317);
-    let t319 = (m.factors[48] * t317).sub_product(m.factors[43], t318);
-    let t320 = (m.factors[49] * t317).sub_product(m.factors[44], t318).add_product(t23, t319);
-    let t321 = (m.factors[5] * t319).add_product(m.factors[6], t320);
-    let t322 = (m.t95 * t319).sub_product(m.factors[13], t320).sub_product(t25, t321);
-    let t323 = (m.factors[16] * t321).sub_product(m.factors[17], t322);
-    let t324 = (-(t26 * t321)).add_product(m.t133, t322).add_product(m.t144, t323);
-    let t325 = (m.factors[50] * t317).add_product(t22, t318).add_product(t24, t319)
-        .sub_product(m.factors[23], t320).sub_product(t27, t321).sub_product(m.factors[25], t322)
-        .add_product(t29, t323).sub_product(m.factors[27], t324);
-    let t326 = (-(t21 * t317).add_product(m.factors[46], t318)).add_product(m.t101, t319)
-        .sub_product(m.factors[29], t320).sub_product(t28, t321).sub_product(m.factors[31], t322)
-        .add_product(t30, t323).sub_product(m.factors[33], t324).sub_product(m.factors[34], t325)
-        * m.factors[35];
-    let t327 = (t325 * m.factors[36]).sub_product(m.factors[34], t326);
-    let t328 = (t324 * m.factors[37]).sub_product(m.factors[27], t327).sub_product(m.factors[33],
-        t326);
-    let t329 = (-(t323 * m.t141)).add_product(m.t144, t328).add_product(t29, t327).add_product(t30,
-        t326);
-    let t330 = (t322 * m.factors[39]).sub_product(m.factors[17], t329).add_product(m.t133, t328)
-        .sub_product(m.factors[25], t327).sub_product(m.factors[31], t326);
-    let t331 = (-(t321 * m.factors[40])).add_product(t25, t330).sub_product(m.factors[16], t329)
-        .add_product(t26, t328).add_product(t27, t327).add_product(t28, t326);
-    let t332 = (t320 * m.factors[41]).sub_product(m.factors[6], t331).sub_product(m.factors[13],
-        t330).sub_product(m.factors[23], t327).sub_product(m.factors[29], t326);
-    let t333 = (-(t319 * m.t87)).add_product(t23, t332).sub_product(m.factors[5], t331)
-        .add_product(m.t95, t330).add_product(t24, t327).add_product(m.t101, t326);
-    let t334 = (t318 * m.t72).sub_product(m.factors[43], t333).sub_product(m.factors[44], t332)
-        .add_product(t22, t327).sub_product(m.factors[46], t326);
-    let t335 = (-(t317 * m.t58).add_product(m.factors[47], t334).add_product(m.factors[48], t333)
-        .add_product(m.factors[49], t332).add_product(m.factors[50], t327)).add_product(t21, t326);
-    let t336 = (t316 * m.t50).sub_product(m.factors[52], t335).sub_product(m.factors[53], t334);
-    let t337 = (t315 * m.t40).add_product(t19, t336).add_product(t20, t335).add_product(t19, t334);
-    let bobbin_v_y_dot_by_post_omega = R::literal(-1.428_571_428_571_428_6) * t326;
-    let bobbin_v_x_dot_by_post_omega = R::literal(-1.428_571_428_571_428_6) * t327;
-    let rod_omega_dot_by_post_omega = (t18 * t329).sub_product(R::literal(4_166.666_666_666_667),
-        t331).sub_product(m.factors[58], t328);
-    let rod_v_y_dot_by_post_omega = (R::literal(-5.0) * t328).sub_product(m.factors[11], t330);
-    let rod_v_x_dot_by_post_omega = (R::literal(-5.0) * t329).add_product(t17, t330);
-    let cylinder_omega_dot_by_post_omega = (t15 * t332).sub_product(m.factors[1], t333)
-        .sub_product(R::literal(-2_777.777_777_777_778), t331).add_product(t16, t330);
-    let cylinder_v_y_dot_by_post_omega = (t14 * t330)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t332);
-    let cylinder_v_x_dot_by_post_omega = (-(m.factors[7] * t330))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t333);
-    let plate_omega_dot_by_post_omega = (t12 * t334).sub_product(m.factors[60], t335)
-        .sub_product(m.factors[60], t333).add_product(t12, t332).add_product(t13, t327)
-        .sub_product(m.factors[63], t326);
-    let plate_v_y_dot_by_post_omega = (R::literal(0.833_333_333_333_333_4) * t332)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t334)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t326);
-    let plate_v_x_dot_by_post_omega = (R::literal(0.833_333_333_333_333_4) * t333)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t335)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t327);
-    let post_omega_dot_by_post_omega = (t91 * R::literal(370.370_370_370_370_3))
-        .sub_product(m.factors[66], t337).add_product(t11, t336).sub_product(m.factors[66], t335)
-        .add_product(t11, t334);
-    let post_v_y_dot_by_post_omega = (R::literal(1.25) * t334).add_product(R::literal(-1.25), t336);
-    let post_v_x_dot_by_post_omega = (R::literal(1.25) * t335).add_product(R::literal(-1.25), t337);
-    let t338 = (-t95).add_product(m.factors[47], t94);
-    let t339 = (-t94).add_product(m.factors[48], t94).sub_product(m.factors[43], t338);
-    let t340 = (-t95).add_product(m.factors[49], t94).sub_product(m.factors[44], t338)
-        .add_product(t23, t339);
-    let t341 = (m.factors[5] * t339).add_product(m.factors[6], t340);
-    let t342 = (m.t95 * t339).sub_product(m.factors[13], t340).sub_product(t25, t341);
-    let t343 = (m.factors[16] * t341).sub_product(m.factors[17], t342);
-    let t344 = (-(t26 * t341)).add_product(m.t133, t342).add_product(m.t144, t343);
-    let t345 = (plate_omega * (R::literal(0.02) * m.cos_plate_phi).sub_product(R::literal(0.2),
-        m.sin_plate_phi)).add_product(m.factors[50], t94).add_product(t22, t338).add_product(t24,
-        t339).sub_product(m.factors[23], t340).sub_product(t27, t341).sub_product(m.factors[25],
-        t342).add_product(t29, t343).sub_product(m.factors[27], t344);
-    let t346 = (plate_omega * (R::literal(0.02) * m.sin_plate_phi).add_product(R::literal(0.2),
-        m.cos_plate_phi)).sub_product(t21, t94).sub_product(m.factors[46], t338)
-        .add_product(m.t101, t339).sub_product(m.factors[29], t340).sub_product(t28, t341)
-        .sub_product(m.factors[31], t342).add_product(t30, t343).sub_product(m.factors[33], t344)
-        .sub_product(m.factors[34], t345) * m.factors[35];
-    let t347 = (t345 * m.factors[36]).sub_product(m.factors[34], t346);
-    let t348 = (t344 * m.factors[37]).sub_product(m.factors[27], t347).sub_product(m.factors[33],
-        t346);
-    let t349 = (-(t343 * m.t141)).add_product(m.t144, t348).add_product(t29, t347).add_product(t30,
-        t346);
-    let t350 = (t342 * m.factors[39]).sub_product(m.factors[17], t349).add_product(m.t133, t348)
-        .sub_product(m.factors[25], t347).sub_product(m.factors[31], t346);
-    let t351 = (-(t341 * m.factors[40])).add_product(t25, t350).sub_product(m.factors[16], t349)
-        .add_product(t26, t348).add_product(t27, t347).add_product(t28, t346);
-    let t352 = (t340 * m.factors[41]).sub_product(m.factors[6], t351).sub_product(m.factors[13],
-        t350).sub_product(m.factors[23], t347).sub_product(m.factors[29], t346);
-    let t353 = (-(t339 * m.t87)).add_product(t23, t352).sub_product(m.factors[5], t351)
-        .add_product(m.t95, t350).add_product(t24, t347).add_product(m.t101, t346);
-    let t354 = (t338 * m.t72).sub_product(m.factors[43], t353).sub_product(m.factors[44], t352)
-        .add_product(t22, t347).sub_product(m.factors[46], t346);
-    let t355 = (-(t94 * m.t58).add_product(m.factors[47], t354).add_product(m.factors[48], t353)
-        .add_product(m.factors[49], t352).add_product(m.factors[50], t347)).add_product(t21, t346);
-    let t356 = (m.factors[53] * t354).add_product(m.factors[52], t355);
-    let t357 = (t20 * t355).sub_product(t19, t356).add_product(t19, t354);
-    let bobbin_v_y_dot_by_plate_omega = R::literal(-1.428_571_428_571_428_6) * t346;
-    let bobbin_v_x_dot_by_plate_omega = R::literal(-1.428_571_428_571_428_6) * t347;
-    let rod_omega_dot_by_plate_omega = (t18 * t349).sub_product(R::literal(4_166.666_666_666_667),
-        t351).sub_product(m.factors[58], t348);
-    let rod_v_y_dot_by_plate_omega = (R::literal(-5.0) * t348).sub_product(m.factors[11], t350);
-    let rod_v_x_dot_by_plate_omega = (R::literal(-5.0) * t349).add_product(t17, t350);
-    let cylinder_omega_dot_by_plate_omega = (t15 * t352).sub_product(m.factors[1], t353)
-        .sub_product(R::literal(-2_777.777_777_777_778), t351).add_product(t16, t350);
-    let cylinder_v_y_dot_by_plate_omega = (t14 * t350)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t352);
-    let cylinder_v_x_dot_by_plate_omega = (-(m.factors[7] * t350))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t353);
-    let plate_omega_dot_by_plate_omega = (t12 * t354).sub_product(m.factors[60], t355)
-        .sub_product(m.factors[60], t353).add_product(t12, t352).add_product(t13, t347)
-        .sub_product(m.factors[63], t346);
-    let plate_v_y_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t352)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t354)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t346);
-    let plate_v_x_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t353)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t355)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t347);
-    let post_omega_dot_by_plate_omega = (-(t11 * t356).add_product(m.factors[66], t357)
-        .add_product(m.factors[66], t355)).add_product(t11, t354);
-    let post_v_y_dot_by_plate_omega = (R::literal(1.25) * t354).add_product(R::literal(1.25), t356);
-    let post_v_x_dot_by_plate_omega = (R::literal(1.25) * t355).add_product(R::literal(-1.25),
-        t357);
-    let t358 = R::literal(3.333_333_333_333_333_5) * t96;
-    let t359 = m.factors[1] * t99;
-    let t360 = t358 - t359;
-    let t361 = R::literal(3.333_333_333_333_333_5) * t97;
-    let t362 = t361.add_product(t15, t99);
-    let t363 = t362.add_product(t23, t360);
-    let t364 = R::literal(-2_777.777_777_777_778) * t99;
-    let t365 = t364.add_product(m.factors[5], t360).add_product(m.factors[6], t363);
-    let t366 = m.factors[7] * t96;
-    let t367 = t14 * t97;
-    let t368 = t16 * t99;
-    let t369 = t17 * t96;
-    let t370 = m.factors[11] * t97;
-    let t371 = (t366 - t101 - t367 + t368 + t369 - t370).add_product(m.t95, t360)
-        .sub_product(m.factors[13], t363).sub_product(t25, t365);
-    let t372 = R::literal(5.0) * t96;
-    let t373 = (-t372).add_product(m.factors[16], t365).sub_product(m.factors[17], t371);
-    let t374 = R::literal(5.0) * t97;
-    let t375 = (-t374.add_product(t26, t365)).add_product(m.t133, t371).add_product(m.t144, t373);
-    let t376 = (t24 * t360).sub_product(m.factors[23], t363).sub_product(t27, t365)
-        .sub_product(m.factors[25], t371).add_product(t29, t373).sub_product(m.factors[27], t375);
-    let t377 = (m.t101 * t360).sub_product(m.factors[29], t363).sub_product(t28, t365)
-        .sub_product(m.factors[31], t371).add_product(t30, t373).sub_product(m.factors[33], t375)
-        .sub_product(m.factors[34], t376) * m.factors[35];
-    let t378 = (t376 * m.factors[36]).sub_product(m.factors[34], t377);
-    let t379 = (t375 * m.factors[37]).sub_product(m.factors[27], t378).sub_product(m.factors[33],
-        t377);
-    let t380 = (-(t373 * m.t141)).add_product(m.t144, t379).add_product(t29, t378).add_product(t30,
-        t377);
-    let t381 = (t371 * m.factors[39]).sub_product(m.factors[17], t380).add_product(m.t133, t379)
-        .sub_product(m.factors[25], t378).sub_product(m.factors[31], t377);
-    let t382 = (-(t365 * m.factors[40])).add_product(t25, t381).sub_product(m.factors[16], t380)
-        .add_product(t26, t379).add_product(t27, t378).add_product(t28, t377);
-    let t383 = (t363 * m.factors[41]).sub_product(m.factors[6], t382).sub_product(m.factors[13],
-        t381).sub_product(m.factors[23], t378).sub_product(m.factors[29], t377);
-    let t384 = (-(t360 * m.t87)).add_product(t23, t383).sub_product(m.factors[5], t382)
-        .add_product(m.t95, t381).add_product(t24, t378).add_product(m.t101, t377);
-    let t385 = (-(m.factors[44] * t383).add_product(m.factors[43], t384)).add_product(t22, t378)
-        .sub_product(m.factors[46], t377);
-    let t386 = (-(m.factors[48] * t384).add_product(m.factors[47], t385).add_product(m.factors[49],
-        t383).add_product(m.factors[50], t378)).add_product(t21, t377);
-    let t387 = (m.factors[53] * t385).add_product(m.factors[52], t386);
-    let t388 = (t20 * t386).sub_product(t19, t387).add_product(t19, t385);
-    let bobbin_v_y_dot_by_cylinder_v_x = R::literal(-1.428_571_428_571_428_6) * t377;
-    let bobbin_v_x_dot_by_cylinder_v_x = R::literal(-1.428_571_428_571_428_6) * t378;
-    let rod_omega_dot_by_cylinder_v_x = (t18 * t380).sub_product(R::literal(4_166.666_666_666_667),
-        t382).sub_product(m.factors[58], t379);
-    let rod_v_y_dot_by_cylinder_v_x = t374.sub_product(m.factors[11], t381)
-        .sub_product(R::literal(5.0), t379);
-    let rod_v_x_dot_by_cylinder_v_x = t372.add_product(t17, t381).sub_product(R::literal(5.0),
-        t380);
-    let t389 = t99 * R::literal(2_777.777_777_777_778);
-    let cylinder_omega_dot_by_cylinder_v_x = t389.sub_product(m.factors[1], t384).add_product(t15,
-        t383).sub_product(R::literal(-2_777.777_777_777_778), t382).add_product(t16, t381);
-    let cylinder_v_y_dot_by_cylinder_v_x = (-t361.add_product(R::literal(3.333_333_333_333_333_5),
-        t383)).add_product(t14, t381);
-    let cylinder_v_x_dot_by_cylinder_v_x = (-t358)
-        .add_product(R::literal(-3.333_333_333_333_333_5), t384).sub_product(m.factors[7], t381);
-    let plate_omega_dot_by_cylinder_v_x = (t12 * t385).sub_product(m.factors[60], t386)
-        .sub_product(m.factors[60], t384).add_product(t12, t383).add_product(t13, t378)
-        .sub_product(m.factors[63], t377);
-    let plate_v_y_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t383)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t385)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t377);
-    let plate_v_x_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t384)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t386)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t378);
-    let post_omega_dot_by_cylinder_v_x = (-(t11 * t387).add_product(m.factors[66], t388)
-        .add_product(m.factors[66], t386)).add_product(t11, t385);
-    let post_v_y_dot_by_cylinder_v_x = (R::literal(1.25) * t385).add_product(R::literal(1.25),
-        t387);
-    let post_v_x_dot_by_cylinder_v_x = (R::literal(1.25) * t386).add_product(R::literal(-1.25),
-        t388);
-    let t390 = m.factors[1] * t103;
-    let t391 = t361 - t390;
-    let t392 = R::literal(3.333_333_333_333_333_5) * t102;
-    let t393 = t392.add_product(t15, t103);
-    let t394 = t393.add_product(t23, t391);
-    let t395 = R::literal(-2_777.777_777_777_778) * t103;
-    let t396 = t395.add_product(m.factors[5], t391).add_product(m.factors[6], t394);
-    let t397 = m.factors[7] * t97;
-    let t398 = t14 * t102;
-    let t399 = t16 * t103;
-    let t400 = t17 * t97;
-    let t401 = m.factors[11] * t102;
-    let t402 = (t397 - t104 - t398 + t399 + t400 - t401).add_product(m.t95, t391)
-        .sub_product(m.factors[13], t394).sub_product(t25, t396);
-    let t403 = (-t374).add_product(m.factors[16], t396).sub_product(m.factors[17], t402);
-    let t404 = R::literal(5.0) * t102;
-    let t405 = (-t404.add_product(t26, t396)).add_product(m.t133, t402).add_product(m.t144, t403);
-    let t406 = (t24 * t391).sub_product(m.factors[23], t394).sub_product(t27, t396)
-        .sub_product(m.factors[25], t402).add_product(t29, t403).sub_product(m.factors[27], t405);
-    let t407 = (m.t101 * t391).sub_product(m.factors[29], t394).sub_product(t28, t396)
-        .sub_product(m.factors[31], t402).add_product(t30, t403).sub_product(m.factors[33], t405)
-        .sub_product(m.factors[34], t406) * m.factors[35];
-    let t408 = (t406 * m.factors[36]).sub_product(m.factors[34], t407);
-    let t409 = (t405 * m.factors[37]).sub_product(m.factors[27], t408).sub_product(m.factors[33],
-        t407);
-    let t410 = (-(t403 * m.t141)).add_product(m.t144, t409).add_product(t29, t408).add_product(t30,
-        t407);
-    let t411 = (t402 * m.factors[39]).sub_product(m.factors[17], t410).add_product(m.t133, t409)
-        .sub_product(m.factors[25], t408).sub_product(m.factors[31], t407);
-    let t412 = (-(t396 * m.factors[40])).add_product(t25, t411).sub_product(m.factors[16], t410)
-        .add_product(t26, t409).add_product(t27, t408).add_product(t28, t407);
-    let t413 = (t394 * m.factors[41]).sub_product(m.factors[6], t412).sub_product(m.factors[13],
-        t411).sub_product(m.factors[23], t408).sub_product(m.factors[29], t407);
-    let t414 = (-(t391 * m.t87)).add_product(t23, t413).sub_product(m.factors[5], t412)
-        .add_product(m.t95, t411).add_product(t24, t408).add_product(m.t101, t407);
-    let t415 = (-(m.factors[44] * t413).add_product(m.factors[43], t414)).add_product(t22, t408)
-        .sub_product(m.factors[46], t407);
-    let t416 = (-(m.factors[48] * t414).add_product(m.factors[47], t415).add_product(m.factors[49],
-        t413).add_product(m.factors[50], t408)).add_product(t21, t407);
-    let t417 = (m.factors[53] * t415).add_product(m.factors[52], t416);
-    let t418 = (t20 * t416).sub_product(t19, t417).add_product(t19, t415);
-    let bobbin_v_y_dot_by_cylinder_v_y = R::literal(-1.428_571_428_571_428_6) * t407;
-    let bobbin_v_x_dot_by_cylinder_v_y = R::literal(-1.428_571_428_571_428_6) * t408;
-    let rod_omega_dot_by_cylinder_v_y = (t18 * t410).sub_product(R::literal(4_166.666_666_666_667),
-        t412).sub_product(m.factors[58], t409);
-    let rod_v_y_dot_by_cylinder_v_y = t404.sub_product(m.factors[11], t411)
-        .sub_product(R::literal(5.0), t409);
-    let rod_v_x_dot_by_cylinder_v_y = t374.add_product(t17, t411).sub_product(R::literal(5.0),
-        t410);
-    let t419 = t103 * R::literal(2_777.777_777_777_778);
-    let cylinder_omega_dot_by_cylinder_v_y = t419.sub_product(m.factors[1], t414).add_product(t15,
-        t413).sub_product(R::literal(-2_777.777_777_777_778), t412).add_product(t16, t411);
-    let cylinder_v_y_dot_by_cylinder_v_y = (-t392.add_product(R::literal(3.333_333_333_333_333_5),
-        t413)).add_product(t14, t411);
-    let cylinder_v_x_dot_by_cylinder_v_y = (-t361)
-        .add_product(R::literal(-3.333_333_333_333_333_5), t414).sub_product(m.factors[7], t411);
-    let plate_omega_dot_by_cylinder_v_y = (t12 * t415).sub_product(m.factors[60], t416)
-        .sub_product(m.factors[60], t414).add_product(t12, t413).add_product(t13, t408)
-        .sub_product(m.factors[63], t407);
-    let plate_v_y_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t413)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t415)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t407);
-    let plate_v_x_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t414)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t416)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t408);
-    let post_omega_dot_by_cylinder_v_y = (-(t11 * t417).add_product(m.factors[66], t418)
-        .add_product(m.factors[66], t416)).add_product(t11, t415);
-    let post_v_y_dot_by_cylinder_v_y = (R::literal(1.25) * t415).add_product(R::literal(1.25),
+    let post_omega_dot_by_rod_y = (-(t12 * t285).add_product(m.factors[69], t286)
+        .add_product(m.factors[69], t284)).add_product(t12, t283);
+    let post_v_y_dot_by_rod_y = (R::literal(1.25) * t283).add_product(R::literal(1.25), t285);
+    let post_v_x_dot_by_rod_y = (R::literal(1.25) * t284).add_product(R::literal(-1.25), t286);
+    let t287 = R::literal(4_166.666_666_666_667) * t84;
+    let t288 = t26 * t287;
+    let t289 = (-m.t194).add_product(t6, m.rod_omega_dot).add_product(t19, t84)
+        .add_product(m.factors[23], t287).add_product(m.factors[24], t288);
+    let t290 = m.t193.add_product(t7, m.rod_omega_dot).sub_product(m.factors[64], t84)
+        .sub_product(t27, t287).sub_product(m.t135, t288).add_product(m.t146, t289);
+    let t291 = (-(t28 * t287)).add_product(m.factors[35], t288).add_product(t30, t289)
+        .sub_product(m.factors[37], t290);
+    let t292 = (-(t29 * t287)).add_product(m.factors[44], t288).add_product(t31, t289)
+        .sub_product(m.factors[46], t290).sub_product(m.factors[47], t291) * m.factors[48];
+    let t293 = (t291 * m.factors[49]).sub_product(m.factors[47], t292);
+    let t294 = (t290 * m.factors[50]).sub_product(m.factors[37], t293).sub_product(m.factors[46],
+        t292);
+    let t295 = (-(t289 * m.t143)).add_product(m.t146, t294).add_product(t30, t293).add_product(t31,
+        t292);
+    let t296 = (-(t288 * m.factors[52]).add_product(m.factors[24], t295)).add_product(m.t135, t294)
+        .sub_product(m.factors[35], t293).sub_product(m.factors[44], t292);
+    let t297 = (-(t287 * m.factors[53])).add_product(t26, t296).sub_product(m.factors[23], t295)
+        .add_product(t27, t294).add_product(t28, t293).add_product(t29, t292);
+    let t298 = (m.factors[20] * t296).add_product(m.factors[13], t297).add_product(m.factors[33],
+        t293).add_product(m.factors[42], t292);
+    let t299 = (-(m.factors[12] * t297).add_product(t24, t298)).add_product(m.t97, t296)
+        .add_product(t25, t293).add_product(m.t103, t292);
+    let t300 = (m.factors[9] * t298).sub_product(m.factors[6], t299).add_product(t23, t293)
+        .sub_product(m.factors[40], t292);
+    let t301 = (-(m.factors[5] * t299).add_product(m.factors[2], t300)).add_product(m.factors[8],
+        t298).sub_product(m.factors[30], t293).add_product(t22, t292);
+    let t302 = (m.factors[59] * t300).add_product(m.factors[58], t301);
+    let t303 = (t21 * t301).sub_product(t20, t302).add_product(t20, t300);
+    let bobbin_v_y_dot_by_rod_phi = R::literal(-1.428_571_428_571_428_6) * t292;
+    let bobbin_v_x_dot_by_rod_phi = R::literal(-1.428_571_428_571_428_6) * t293;
+    let rod_omega_dot_by_rod_phi = t287.sub_product(R::literal(4_166.666_666_666_667), t297)
+        .add_product(t19, t295).sub_product(m.factors[64], t294);
+    let rod_v_y_dot_by_rod_phi = (R::literal(-5.0) * t294).sub_product(m.factors[18], t296);
+    let rod_v_x_dot_by_rod_phi = (R::literal(-5.0) * t295).add_product(t18, t296);
+    let cylinder_omega_dot_by_rod_phi = (-(t16 * t298).add_product(m.factors[4], t299)
+        .add_product(R::literal(-2_777.777_777_777_778), t297)).add_product(t17, t296);
+    let cylinder_v_y_dot_by_rod_phi = (t15 * t296).add_product(R::literal(3.333_333_333_333_333_5),
+        t298);
+    let cylinder_v_x_dot_by_rod_phi = (-(m.factors[14] * t296))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t299);
+    let plate_omega_dot_by_rod_phi = (t13 * t300).sub_product(m.factors[0], t301)
+        .sub_product(m.factors[0], t299).sub_product(t13, t298).add_product(t14, t293)
+        .sub_product(m.factors[38], t292);
+    let plate_v_y_dot_by_rod_phi = (R::literal(-0.833_333_333_333_333_4) * t298)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t300)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t292);
+    let plate_v_x_dot_by_rod_phi = (R::literal(0.833_333_333_333_333_4) * t299)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t301)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t293);
+    let post_omega_dot_by_rod_phi = (-(t12 * t302).add_product(m.factors[69], t303)
+        .add_product(m.factors[69], t301)).add_product(t12, t300);
+    let post_v_y_dot_by_rod_phi = (R::literal(1.25) * t300).add_product(R::literal(1.25), t302);
+    let post_v_x_dot_by_rod_phi = (R::literal(1.25) * t301).add_product(R::literal(-1.25), t303);
+    let t304 = m.factors[0] * t89;
+    let t305 = t13 * t89;
+    let t306 = t305.add_product(m.factors[2], t304);
+    let t307 = (-t304).add_product(m.factors[5], t304).sub_product(m.factors[6], t306);
+    let t308 = t305.add_product(m.factors[8], t304).sub_product(m.factors[9], t306)
+        .add_product(t24, t307);
+    let t309 = (m.factors[12] * t307).add_product(m.factors[13], t308);
+    let t310 = (m.t97 * t307).sub_product(m.factors[20], t308).sub_product(t26, t309);
+    let t311 = (m.factors[23] * t309).sub_product(m.factors[24], t310);
+    let t312 = (-(t27 * t309)).add_product(m.t135, t310).add_product(m.t146, t311);
+    let t313 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t94 * m.t9 / t93 - t95
+        + contact_stiffness_times_contact_gap * m.t9 / t93 - contact_damping_times_bobbin_v_x * t8
+        / t86 - t90 * t87 / m.between - t91 - p.contact_stiffness * m.t9 / t86 - t92);
+    let t314 = (-t313).add_product(t14, t89).add_product(m.factors[30], t304).add_product(t23, t306)
+        .add_product(t25, t307).sub_product(m.factors[33], t308).sub_product(t28, t309)
+        .sub_product(m.factors[35], t310).add_product(t30, t311).sub_product(m.factors[37], t312);
+    let t315 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t96 - t97 + t98 * t87 / m.between
+        - contact_damping_times_bobbin_v_x * t9 / t86 + t10 * m.t9 / t93 - (t100 - t99));
+    let t316 = (-t315.add_product(m.factors[38], t89).add_product(t22, t304)
+        .add_product(m.factors[40], t306)).add_product(m.t103, t307).sub_product(m.factors[42],
+        t308).sub_product(t29, t309).sub_product(m.factors[44], t310).add_product(t31, t311)
+        .sub_product(m.factors[46], t312).sub_product(m.factors[47], t314) * m.factors[48];
+    let t317 = (t314 * m.factors[49]).sub_product(m.factors[47], t316);
+    let t318 = (t312 * m.factors[50]).sub_product(m.factors[37], t317).sub_product(m.factors[46],
+        t316);
+    let t319 = (-(t311 * m.t143)).add_product(m.t146, t318).add_product(t30, t317).add_product(t31,
+        t316);
+    let t320 = (t310 * m.factors[52]).sub_product(m.factors[24], t319).add_product(m.t135, t318)
+        .sub_product(m.factors[35], t317).sub_product(m.factors[44], t316);
+    let t321 = (-(t309 * m.factors[53])).add_product(t26, t320).sub_product(m.factors[23], t319)
+        .add_product(t27, t318).add_product(t28, t317).add_product(t29, t316);
+    let t322 = (t308 * m.factors[54]).sub_product(m.factors[13], t321).sub_product(m.factors[20],
+        t320).sub_product(m.factors[33], t317).sub_product(m.factors[42], t316);
+    let t323 = (-(t307 * m.t89)).add_product(t24, t322).sub_product(m.factors[12], t321)
+        .add_product(m.t97, t320).add_product(t25, t317).add_product(m.t103, t316);
+    let t324 = (t306 * m.factors[56]).sub_product(m.factors[6], t323).sub_product(m.factors[9],
+        t322).add_product(t23, t317).sub_product(m.factors[40], t316);
+    let t325 = (-(t304 * m.factors[57]).add_product(m.factors[2], t324).add_product(m.factors[5],
+        t323).add_product(m.factors[8], t322).add_product(m.factors[30], t317)).add_product(t22,
+        t316);
+    let t326 = (m.factors[59] * t324).add_product(m.factors[58], t325);
+    let t327 = (t21 * t325).sub_product(t20, t326).add_product(t20, t324);
+    let bobbin_v_y_dot_by_bobbin_x = t315.sub_product(R::literal(1.428_571_428_571_428_6), t316);
+    let bobbin_v_x_dot_by_bobbin_x = t313.sub_product(R::literal(1.428_571_428_571_428_6), t317);
+    let rod_omega_dot_by_bobbin_x = (t19 * t319).sub_product(R::literal(4_166.666_666_666_667),
+        t321).sub_product(m.factors[64], t318);
+    let rod_v_y_dot_by_bobbin_x = (R::literal(-5.0) * t318).sub_product(m.factors[18], t320);
+    let rod_v_x_dot_by_bobbin_x = (R::literal(-5.0) * t319).add_product(t18, t320);
+    let cylinder_omega_dot_by_bobbin_x = (t16 * t322).sub_product(m.factors[4], t323)
+        .sub_product(R::literal(-2_777.777_777_777_778), t321).add_product(t17, t320);
+    let cylinder_v_y_dot_by_bobbin_x = (t15 * t320)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t322);
+    let cylinder_v_x_dot_by_bobbin_x = (-(m.factors[14] * t320))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t323);
+    let plate_omega_dot_by_bobbin_x = (t89 * R::literal(400.0)).sub_product(m.factors[0], t325)
+        .add_product(t13, t324).sub_product(m.factors[0], t323).add_product(t13, t322)
+        .add_product(t14, t317).sub_product(m.factors[38], t316);
+    let plate_v_y_dot_by_bobbin_x = (R::literal(0.833_333_333_333_333_4) * t322)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t324)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t316);
+    let plate_v_x_dot_by_bobbin_x = (R::literal(0.833_333_333_333_333_4) * t323)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t325)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t317);
+    let post_omega_dot_by_bobbin_x = (-(t12 * t326).add_product(m.factors[69], t327)
+        .add_product(m.factors[69], t325)).add_product(t12, t324);
+    let post_v_y_dot_by_bobbin_x = (R::literal(1.25) * t324).add_product(R::literal(1.25), t326);
+    let post_v_x_dot_by_bobbin_x = (R::literal(1.25) * t325).add_product(R::literal(-1.25), t327);
+    let t328 = m.factors[0] * t102;
+    let t329 = t13 * t102;
+    let t330 = t329.add_product(m.factors[2], t328);
+    let t331 = (-t328).add_product(m.factors[5], t328).sub_product(m.factors[6], t330);
+    let t332 = t329.add_product(m.factors[8], t328).sub_product(m.factors[9], t330)
+        .add_product(t24, t331);
+    let t333 = (m.factors[12] * t331).add_product(m.factors[13], t332);
+    let t334 = (m.t97 * t331).sub_product(m.factors[20], t332).sub_product(t26, t333);
+    let t335 = (m.factors[23] * t333).sub_product(m.factors[24], t334);
+    let t336 = (-(t27 * t333)).add_product(m.t135, t334).add_product(m.t146, t335);
+    let t337 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t96 - t10 * m.t11 / t93 + t99
+        - contact_damping_times_bobbin_v_y * t8 / t86 + t97 - t90 * t101 / m.between - t100);
+    let t338 = (-t337).add_product(t14, t102).add_product(m.factors[30], t328).add_product(t23,
+        t330).add_product(t25, t331).sub_product(m.factors[33], t332).sub_product(t28, t333)
+        .sub_product(m.factors[35], t334).add_product(t30, t335).sub_product(m.factors[37], t336);
+    let t339 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t94 * m.t11 / t93 + t98 * t101 / m.between
+        - contact_damping_times_bobbin_v_y * t9 / t86 + t95 - t92 - (t91 + p.contact_stiffness
+        * m.t11 / t86 - contact_stiffness_times_contact_gap * m.t11 / t93));
+    let t340 = (-t339.add_product(m.factors[38], t102).add_product(t22, t328)
+        .add_product(m.factors[40], t330)).add_product(m.t103, t331).sub_product(m.factors[42],
+        t332).sub_product(t29, t333).sub_product(m.factors[44], t334).add_product(t31, t335)
+        .sub_product(m.factors[46], t336).sub_product(m.factors[47], t338) * m.factors[48];
+    let t341 = (t338 * m.factors[49]).sub_product(m.factors[47], t340);
+    let t342 = (t336 * m.factors[50]).sub_product(m.factors[37], t341).sub_product(m.factors[46],
+        t340);
+    let t343 = (-(t335 * m.t143)).add_product(m.t146, t342).add_product(t30, t341).add_product(t31,
+        t340);
+    let t344 = (t334 * m.factors[52]).sub_product(m.factors[24], t343).add_product(m.t135, t342)
+        .sub_product(m.factors[35], t341).sub_product(m.factors[44], t340);
+    let t345 = (-(t333 * m.factors[53])).add_product(t26, t344).sub_product(m.factors[23], t343)
+        .add_product(t27, t342).add_product(t28, t341).add_product(t29, t340);
+    let t346 = (t332 * m.factors[54]).sub_product(m.factors[13], t345).sub_product(m.factors[20],
+        t344).sub_product(m.factors[33], t341).sub_product(m.factors[42], t340);
+    let t347 = (-(t331 * m.t89)).add_product(t24, t346).sub_product(m.factors[12], t345)
+        .add_product(m.t97, t344).add_product(t25, t341).add_product(m.t103, t340);
+    let t348 = (t330 * m.factors[56]).sub_product(m.factors[6], t347).sub_product(m.factors[9],
+        t346).add_product(t23, t341).sub_product(m.factors[40], t340);
+    let t349 = (-(t328 * m.factors[57]).add_product(m.factors[2], t348).add_product(m.factors[5],
+        t347).add_product(m.factors[8], t346).add_product(m.factors[30], t341)).add_product(t22,
+        t340);
+    let t350 = (m.factors[59] * t348).add_product(m.factors[58], t349);
+    let t351 = (t21 * t349).sub_product(t20, t350).add_product(t20, t348);
+    let bobbin_v_y_dot_by_bobbin_y = t339.sub_product(R::literal(1.428_571_428_571_428_6), t340);
+    let bobbin_v_x_dot_by_bobbin_y = t337.sub_product(R::literal(1.428_571_428_571_428_6), t341);
+    let rod_omega_dot_by_bobbin_y = (t19 * t343).sub_product(R::literal(4_166.666_666_666_667),
+        t345).sub_product(m.factors[64], t342);
+    let rod_v_y_dot_by_bobbin_y = (R::literal(-5.0) * t342).sub_product(m.factors[18], t344);
+    let rod_v_x_dot_by_bobbin_y = (R::literal(-5.0) * t343).add_product(t18, t344);
+    let cylinder_omega_dot_by_bobbin_y = (t16 * t346).sub_product(m.factors[4], t347)
+        .sub_product(R::literal(-2_777.777_777_777_778), t345).add_product(t17, t344);
+    let cylinder_v_y_dot_by_bobbin_y = (t15 * t344)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t346);
+    let cylinder_v_x_dot_by_bobbin_y = (-(m.factors[14] * t344))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t347);
+    let plate_omega_dot_by_bobbin_y = (t102 * R::literal(400.0)).sub_product(m.factors[0], t349)
+        .add_product(t13, t348).sub_product(m.factors[0], t347).add_product(t13, t346)
+        .add_product(t14, t341).sub_product(m.factors[38], t340);
+    let plate_v_y_dot_by_bobbin_y = (R::literal(0.833_333_333_333_333_4) * t346)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t348)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t340);
+    let plate_v_x_dot_by_bobbin_y = (R::literal(0.833_333_333_333_333_4) * t347)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t349)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t341);
+    let post_omega_dot_by_bobbin_y = (-(t12 * t350).add_product(m.factors[69], t351)
+        .add_product(m.factors[69], t349)).add_product(t12, t348);
+    let post_v_y_dot_by_bobbin_y = (R::literal(1.25) * t348).add_product(R::literal(1.25), t350);
+    let post_v_x_dot_by_bobbin_y = (R::literal(1.25) * t349).add_product(R::literal(-1.25), t351);
+    let t352 = (t104 * m.cos_post_phi).add_product(m.factors[69], t103);
+    let t353 = (-(t104 * m.sin_post_phi)).add_product(t12, t103).sub_product(t20, t352);
+    let t354 = t352.add_product(t21, t352).add_product(m.factors[58], t353);
+    let t355 = t353.sub_product(m.factors[59], t353).add_product(m.factors[2], t354);
+    let t356 = (m.factors[5] * t354).sub_product(m.factors[6], t355);
+    let t357 = (m.factors[8] * t354).sub_product(m.factors[9], t355).add_product(t24, t356);
+    let t358 = (m.factors[12] * t356).add_product(m.factors[13], t357);
+    let t359 = (m.t97 * t356).sub_product(m.factors[20], t357).sub_product(t26, t358);
+    let t360 = (m.factors[23] * t358).sub_product(m.factors[24], t359);
+    let t361 = (-(t27 * t358)).add_product(m.t135, t359).add_product(m.t146, t360);
+    let t362 = (m.factors[30] * t354).add_product(t23, t355).add_product(t25, t356)
+        .sub_product(m.factors[33], t357).sub_product(t28, t358).sub_product(m.factors[35], t359)
+        .add_product(t30, t360).sub_product(m.factors[37], t361);
+    let t363 = (-(t22 * t354).add_product(m.factors[40], t355)).add_product(m.t103, t356)
+        .sub_product(m.factors[42], t357).sub_product(t29, t358).sub_product(m.factors[44], t359)
+        .add_product(t31, t360).sub_product(m.factors[46], t361).sub_product(m.factors[47], t362)
+        * m.factors[48];
+    let t364 = (t362 * m.factors[49]).sub_product(m.factors[47], t363);
+    let t365 = (t361 * m.factors[50]).sub_product(m.factors[37], t364).sub_product(m.factors[46],
+        t363);
+    let t366 = (-(t360 * m.t143)).add_product(m.t146, t365).add_product(t30, t364).add_product(t31,
+        t363);
+    let t367 = (t359 * m.factors[52]).sub_product(m.factors[24], t366).add_product(m.t135, t365)
+        .sub_product(m.factors[35], t364).sub_product(m.factors[44], t363);
+    let t368 = (-(t358 * m.factors[53])).add_product(t26, t367).sub_product(m.factors[23], t366)
+        .add_product(t27, t365).add_product(t28, t364).add_product(t29, t363);
+    let t369 = (t357 * m.factors[54]).sub_product(m.factors[13], t368).sub_product(m.factors[20],
+        t367).sub_product(m.factors[33], t364).sub_product(m.factors[42], t363);
+    let t370 = (-(t356 * m.t89)).add_product(t24, t369).sub_product(m.factors[12], t368)
+        .add_product(m.t97, t367).add_product(t25, t364).add_product(m.t103, t363);
+    let t371 = (t355 * m.factors[56]).sub_product(m.factors[6], t370).sub_product(m.factors[9],
+        t369).add_product(t23, t364).sub_product(m.factors[40], t363);
+    let t372 = (-(t354 * m.factors[57]).add_product(m.factors[2], t371).add_product(m.factors[5],
+        t370).add_product(m.factors[8], t369).add_product(m.factors[30], t364)).add_product(t22,
+        t363);
+    let t373 = (t353 * m.t52).sub_product(m.factors[58], t372).sub_product(m.factors[59], t371);
+    let t374 = (t352 * m.t42).add_product(t20, t373).add_product(t21, t372).add_product(t20, t371);
+    let bobbin_v_y_dot_by_post_omega = R::literal(-1.428_571_428_571_428_6) * t363;
+    let bobbin_v_x_dot_by_post_omega = R::literal(-1.428_571_428_571_428_6) * t364;
+    let rod_omega_dot_by_post_omega = (t19 * t366).sub_product(R::literal(4_166.666_666_666_667),
+        t368).sub_product(m.factors[64], t365);
+    let rod_v_y_dot_by_post_omega = (R::literal(-5.0) * t365).sub_product(m.factors[18], t367);
+    let rod_v_x_dot_by_post_omega = (R::literal(-5.0) * t366).add_product(t18, t367);
+    let cylinder_omega_dot_by_post_omega = (t16 * t369).sub_product(m.factors[4], t370)
+        .sub_product(R::literal(-2_777.777_777_777_778), t368).add_product(t17, t367);
+    let cylinder_v_y_dot_by_post_omega = (t15 * t367)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t369);
+    let cylinder_v_x_dot_by_post_omega = (-(m.factors[14] * t367))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t370);
+    let plate_omega_dot_by_post_omega = (t13 * t371).sub_product(m.factors[0], t372)
+        .sub_product(m.factors[0], t370).add_product(t13, t369).add_product(t14, t364)
+        .sub_product(m.factors[38], t363);
+    let plate_v_y_dot_by_post_omega = (R::literal(0.833_333_333_333_333_4) * t369)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t371)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t363);
+    let plate_v_x_dot_by_post_omega = (R::literal(0.833_333_333_333_333_4) * t370)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t372)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t364);
+    let post_omega_dot_by_post_omega = (t103 * R::literal(370.370_370_370_370_3))
+        .sub_product(m.factors[69], t374).add_product(t12, t373).sub_product(m.factors[69], t372)
+        .add_product(t12, t371);
+    let post_v_y_dot_by_post_omega = (R::literal(1.25) * t371).add_product(R::literal(-1.25), t373);
+    let post_v_x_dot_by_post_omega = (R::literal(1.25) * t372).add_product(R::literal(-1.25), t374);
+    let t375 = (-t107).add_product(m.factors[2], t106);
+    let t376 = (-t106).add_product(m.factors[5], t106).sub_product(m.factors[6], t375);
+    let t377 = (-t107).add_product(m.factors[8], t106).sub_product(m.factors[9], t375)
+        .add_product(t24, t376);
+    let t378 = (m.factors[12] * t376).add_product(m.factors[13], t377);
+    let t379 = (m.t97 * t376).sub_product(m.factors[20], t377).sub_product(t26, t378);
+    let t380 = (m.factors[23] * t378).sub_product(m.factors[24], t379);
+    let t381 = (-(t27 * t378)).add_product(m.t135, t379).add_product(m.t146, t380);
+    let t382 = (plate_omega * (R::literal(0.02) * m.cos_plate_phi).sub_product(R::literal(0.2),
+        m.sin_plate_phi)).add_product(m.factors[30], t106).add_product(t23, t375).add_product(t25,
+        t376).sub_product(m.factors[33], t377).sub_product(t28, t378).sub_product(m.factors[35],
+        t379).add_product(t30, t380).sub_product(m.factors[37], t381);
+    let t383 = (plate_omega * (R::literal(0.02) * m.sin_plate_phi).add_product(R::literal(0.2),
+        m.cos_plate_phi)).sub_product(t22, t106).sub_product(m.factors[40], t375)
+        .add_product(m.t103, t376).sub_product(m.factors[42], t377).sub_product(t29, t378)
+        .sub_product(m.factors[44], t379).add_product(t31, t380).sub_product(m.factors[46], t381)
+        .sub_product(m.factors[47], t382) * m.factors[48];
+    let t384 = (t382 * m.factors[49]).sub_product(m.factors[47], t383);
+    let t385 = (t381 * m.factors[50]).sub_product(m.factors[37], t384).sub_product(m.factors[46],
+        t383);
+    let t386 = (-(t380 * m.t143)).add_product(m.t146, t385).add_product(t30, t384).add_product(t31,
+        t383);
+    let t387 = (t379 * m.factors[52]).sub_product(m.factors[24], t386).add_product(m.t135, t385)
+        .sub_product(m.factors[35], t384).sub_product(m.factors[44], t383);
+    let t388 = (-(t378 * m.factors[53])).add_product(t26, t387).sub_product(m.factors[23], t386)
+        .add_product(t27, t385).add_product(t28, t384).add_product(t29, t383);
+    let t389 = (t377 * m.factors[54]).sub_product(m.factors[13], t388).sub_product(m.factors[20],
+        t387).sub_product(m.factors[33], t384).sub_product(m.factors[42], t383);
+    let t390 = (-(t376 * m.t89)).add_product(t24, t389).sub_product(m.factors[12], t388)
+        .add_product(m.t97, t387).add_product(t25, t384).add_product(m.t103, t383);
+    let t391 = (t375 * m.factors[56]).sub_product(m.factors[6], t390).sub_product(m.factors[9],
+        t389).add_product(t23, t384).sub_product(m.factors[40], t383);
+    let t392 = (-(t106 * m.factors[57]).add_product(m.factors[2], t391).add_product(m.factors[5],
+        t390).add_product(m.factors[8], t389).add_product(m.factors[30], t384)).add_product(t22,
+        t383);
+    let t393 = (m.factors[59] * t391).add_product(m.factors[58], t392);
+    let t394 = (t21 * t392).sub_product(t20, t393).add_product(t20, t391);
+    let bobbin_v_y_dot_by_plate_omega = R::literal(-1.428_571_428_571_428_6) * t383;
+    let bobbin_v_x_dot_by_plate_omega = R::literal(-1.428_571_428_571_428_6) * t384;
+    let rod_omega_dot_by_plate_omega = (t19 * t386).sub_product(R::literal(4_166.666_666_666_667),
+        t388).sub_product(m.factors[64], t385);
+    let rod_v_y_dot_by_plate_omega = (R::literal(-5.0) * t385).sub_product(m.factors[18], t387);
+    let rod_v_x_dot_by_plate_omega = (R::literal(-5.0) * t386).add_product(t18, t387);
+    let cylinder_omega_dot_by_plate_omega = (t16 * t389).sub_product(m.factors[4], t390)
+        .sub_product(R::literal(-2_777.777_777_777_778), t388).add_product(t17, t387);
+    let cylinder_v_y_dot_by_plate_omega = (t15 * t387)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t389);
+    let cylinder_v_x_dot_by_plate_omega = (-(m.factors[14] * t387))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t390);
+    let plate_omega_dot_by_plate_omega = (t13 * t391).sub_product(m.factors[0], t392)
+        .sub_product(m.factors[0], t390).add_product(t13, t389).add_product(t14, t384)
+        .sub_product(m.factors[38], t383);
+    let plate_v_y_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t389)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t391)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t383);
+    let plate_v_x_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t390)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t392)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t384);
+    let post_omega_dot_by_plate_omega = (-(t12 * t393).add_product(m.factors[69], t394)
+        .add_product(m.factors[69], t392)).add_product(t12, t391);
+    let post_v_y_dot_by_plate_omega = (R::literal(1.25) * t391).add_product(R::literal(1.25), t393);
+    let post_v_x_dot_by_plate_omega = (R::literal(1.25) * t392).add_product(R::literal(-1.25),
+        t394);
+    let t395 = R::literal(3.333_333_333_333_333_5) * t108;
+    let t396 = m.factors[4] * t111;
+    let t397 = t395 - t396;
+    let t398 = R::literal(3.333_333_333_333_333_5) * t109;
+    let t399 = t398.add_product(t16, t111);
+    let t400 = t399.add_product(t24, t397);
+    let t401 = R::literal(-2_777.777_777_777_778) * t111;
+    let t402 = t401.add_product(m.factors[12], t397).add_product(m.factors[13], t400);
+    let t403 = m.factors[14] * t108;
+    let t404 = t15 * t109;
+    let t405 = t17 * t111;
+    let t406 = t18 * t108;
+    let t407 = m.factors[18] * t109;
+    let t408 = (t403 - t113 - t404 + t405 + t406 - t407).add_product(m.t97, t397)
+        .sub_product(m.factors[20], t400).sub_product(t26, t402);
+    let t409 = R::literal(5.0) * t108;
+    let t410 = (-t409).add_product(m.factors[23], t402).sub_product(m.factors[24], t408);
+    let t411 = R::literal(5.0) * t109;
+    let t412 = (-t411.add_product(t27, t402)).add_product(m.t135, t408).add_product(m.t146, t410);
+    let t413 = (t25 * t397).sub_product(m.factors[33], t400).sub_product(t28, t402)
+        .sub_product(m.factors[35], t408).add_product(t30, t410).sub_product(m.factors[37], t412);
+    let t414 = (m.t103 * t397).sub_product(m.factors[42], t400).sub_product(t29, t402)
+        .sub_product(m.factors[44], t408).add_product(t31, t410).sub_product(m.factors[46], t412)
+        .sub_product(m.factors[47], t413) * m.factors[48];
+    let t415 = (t413 * m.factors[49]).sub_product(m.factors[47], t414);
+    let t416 = (t412 * m.factors[50]).sub_product(m.factors[37], t415).sub_product(m.factors[46],
+        t414);
+    let t417 = (-(t410 * m.t143)).add_product(m.t146, t416).add_product(t30, t415).add_product(t31,
+        t414);
+    let t418 = (t408 * m.factors[52]).sub_product(m.factors[24], t417).add_product(m.t135, t416)
+        .sub_product(m.factors[35], t415).sub_product(m.factors[44], t414);
+    let t419 = (-(t402 * m.factors[53])).add_product(t26, t418).sub_product(m.factors[23], t417)
+        .add_product(t27, t416).add_product(t28, t415).add_product(t29, t414);
+    let t420 = (t400 * m.factors[54]).sub_product(m.factors[13], t419).sub_product(m.factors[20],
+        t418).sub_product(m.factors[33], t415).sub_product(m.factors[42], t414);
+    let t421 = (-(t397 * m.t89)).add_product(t24, t420).sub_product(m.factors[12], t419)
+        .add_product(m.t97, t418).add_product(t25, t415).add_product(m.t103, t414);
+    let t422 = (-(m.factors[9] * t420).add_product(m.factors[6], t421)).add_product(t23, t415)
+        .sub_product(m.factors[40], t414);
+    let t423 = (-(m.factors[5] * t421).add_product(m.factors[2], t422).add_product(m.factors[8],
+        t420).add_product(m.factors[30], t415)).add_product(t22, t414);
+    let t424 = (m.factors[59] * t422).add_product(m.factors[58], t423);
+    let t425 = (t21 * t423).sub_product(t20, t424).add_product(t20, t422);
+    let bobbin_v_y_dot_by_cylinder_v_x = R::literal(-1.428_571_428_571_428_6) * t414;
+    let bobbin_v_x_dot_by_cylinder_v_x = R::literal(-1.428_571_428_571_428_6) * t415;
+    let rod_omega_dot_by_cylinder_v_x = (t19 * t417).sub_product(R::literal(4_166.666_666_666_667),
+        t419).sub_product(m.factors[64], t416);
+    let rod_v_y_dot_by_cylinder_v_x = t411.sub_product(m.factors[18], t418)
+        .sub_product(R::literal(5.0), t416);
+    let rod_v_x_dot_by_cylinder_v_x = t409.add_product(t18, t418).sub_product(R::literal(5.0),
         t417);
-    let post_v_x_dot_by_cylinder_v_y = (R::literal(1.25) * t416).add_product(R::literal(-1.25),
-        t418);
-    let t420 = R::literal(3.333_333_333_333_333_5) * t99;
-    let t421 = (-t420.add_product(t106, m.cos_cylinder_phi)).add_product(m.factors[1], t105);
-    let t422 = R::literal(3.333_333_333_333_333_5) * t103;
-    let t423 = (-t422.add_product(t106, m.sin_cylinder_phi).add_product(t15, t105))
-        .add_product(t23, t421);
-    let t424 = (R::literal(-2_777.777_777_777_778) * t105).sub_product(m.factors[5], t421)
-        .sub_product(m.factors[6], t423);
-    let t425 = (R::literal(2.0) * cylinder_x * cylinder_omega * m.sin_cylinder_phi)
-        .add_product(R::literal(2.0) * rod_y * cylinder_omega, m.cos_cylinder_phi).add_product(t37,
-        m.cos_cylinder_phi).add_product(t38, m.sin_cylinder_phi).sub_product(R::literal(2.0)
+    let t426 = t111 * R::literal(2_777.777_777_777_778);
+    let cylinder_omega_dot_by_cylinder_v_x = t426.sub_product(m.factors[4], t421).add_product(t16,
+        t420).sub_product(R::literal(-2_777.777_777_777_778), t419).add_product(t17, t418);
+    let cylinder_v_y_dot_by_cylinder_v_x = (-t398.add_product(R::literal(3.333_333_333_333_333_5),
+        t420)).add_product(t15, t418);
+    let cylinder_v_x_dot_by_cylinder_v_x = (-t395)
+        .add_product(R::literal(-3.333_333_333_333_333_5), t421).sub_product(m.factors[14], t418);
+    let plate_omega_dot_by_cylinder_v_x = (t13 * t422).sub_product(m.factors[0], t423)
+        .sub_product(m.factors[0], t421).add_product(t13, t420).add_product(t14, t415)
+        .sub_product(m.factors[38], t414);
+    let plate_v_y_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t420)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t422)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t414);
+    let plate_v_x_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t421)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t423)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t415);
+    let post_omega_dot_by_cylinder_v_x = (-(t12 * t424).add_product(m.factors[69], t425)
+        .add_product(m.factors[69], t423)).add_product(t12, t422);
+    let post_v_y_dot_by_cylinder_v_x = (R::literal(1.25) * t422).add_product(R::literal(1.25),
+        t424);
+    let post_v_x_dot_by_cylinder_v_x = (R::literal(1.25) * t423).add_product(R::literal(-1.25),
+        t425);
+    let t427 = m.factors[4] * t115;
+    let t428 = t398 - t427;
+    let t429 = R::literal(3.333_333_333_333_333_5) * t114;
+    let t430 = t429.add_product(t16, t115);
+    let t431 = t430.add_product(t24, t428);
+    let t432 = R::literal(-2_777.777_777_777_778) * t115;
+    let t433 = t432.add_product(m.factors[12], t428).add_product(m.factors[13], t431);
+    let t434 = m.factors[14] * t109;
+    let t435 = t15 * t114;
+    let t436 = t17 * t115;
+    let t437 = t18 * t109;
+    let t438 = m.factors[18] * t114;
+    let t439 = (t434 - t116 - t435 + t436 + t437 - t438).add_product(m.t97, t428)
+        .sub_product(m.factors[20], t431).sub_product(t26, t433);
+    let t440 = (-t411).add_product(m.factors[23], t433).sub_product(m.factors[24], t439);
+    let t441 = R::literal(5.0) * t114;
+    let t442 = (-t441.add_product(t27, t433)).add_product(m.t135, t439).add_product(m.t146, t440);
+    let t443 = (t25 * t428).sub_product(m.factors[33], t431).sub_product(t28, t433)
+        .sub_product(m.factors[35], t439).add_product(t30, t440).sub_product(m.factors[37], t442);
+    let t444 = (m.t103 * t428).sub_product(m.factors[42], t431).sub_product(t29, t433)
+        .sub_product(m.factors[44], t439).add_product(t31, t440).sub_product(m.factors[46], t442)
+        .sub_product(m.factors[47], t443) * m.factors[48];
+    let t445 = (t443 * m.factors[49]).sub_product(m.factors[47], t444);
+    let t446 = (t442 * m.factors[50]).sub_product(m.factors[37], t445).sub_product(m.factors[46],
+        t444);
+    let t447 = (-(t440 * m.t143)).add_product(m.t146, t446).add_product(t30, t445).add_product(t31,
+        t444);
+    let t448 = (t439 * m.factors[52]).sub_product(m.factors[24], t447).add_product(m.t135, t446)
+        .sub_product(m.factors[35], t445).sub_product(m.factors[44], t444);
+    let t449 = (-(t433 * m.factors[53])).add_product(t26, t448).sub_product(m.factors[23], t447)
+        .add_product(t27, t446).add_product(t28, t445).add_product(t29, t444);
+    let t450 = (t431 * m.factors[54]).sub_product(m.factors[13], t449).sub_product(m.factors[20],
+        t448).sub_product(m.factors[33], t445).sub_product(m.factors[42], t444);
+    let t451 = (-(t428 * m.t89)).add_product(t24, t450).sub_product(m.factors[12], t449)
+        .add_product(m.t97, t448).add_product(t25, t445).add_product(m.t103, t444);
+    let t452 = (-(m.factors[9] * t450).add_product(m.factors[6], t451)).add_product(t23, t445)
+        .sub_product(m.factors[40], t444);
+    let t453 = (-(m.factors[5] * t451).add_product(m.factors[2], t452).add_product(m.factors[8],
+        t450).add_product(m.factors[30], t445)).add_product(t22, t444);
+    let t454 = (m.factors[59] * t452).add_product(m.factors[58], t453);
+    let t455 = (t21 * t453).sub_product(t20, t454).add_product(t20, t452);
+    let bobbin_v_y_dot_by_cylinder_v_y = R::literal(-1.428_571_428_571_428_6) * t444;
+    let bobbin_v_x_dot_by_cylinder_v_y = R::literal(-1.428_571_428_571_428_6) * t445;
+    let rod_omega_dot_by_cylinder_v_y = (t19 * t447).sub_product(R::literal(4_166.666_666_666_667),
+        t449).sub_product(m.factors[64], t446);
+    let rod_v_y_dot_by_cylinder_v_y = t441.sub_product(m.factors[18], t448)
+        .sub_product(R::literal(5.0), t446);
+    let rod_v_x_dot_by_cylinder_v_y = t411.add_product(t18, t448).sub_product(R::literal(5.0),
+        t447);
+    let t456 = t115 * R::literal(2_777.777_777_777_778);
+    let cylinder_omega_dot_by_cylinder_v_y = t456.sub_product(m.factors[4], t451).add_product(t16,
+        t450).sub_product(R::literal(-2_777.777_777_777_778), t449).add_product(t17, t448);
+    let cylinder_v_y_dot_by_cylinder_v_y = (-t429.add_product(R::literal(3.333_333_333_333_333_5),
+        t450)).add_product(t15, t448);
+    let cylinder_v_x_dot_by_cylinder_v_y = (-t398)
+        .add_product(R::literal(-3.333_333_333_333_333_5), t451).sub_product(m.factors[14], t448);
+    let plate_omega_dot_by_cylinder_v_y = (t13 * t452).sub_product(m.factors[0], t453)
+        .sub_product(m.factors[0], t451).add_product(t13, t450).add_product(t14, t445)
+        .sub_product(m.factors[38], t444);
+    let plate_v_y_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t450)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t452)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t444);
+    let plate_v_x_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t451)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t453)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t445);
+    let post_omega_dot_by_cylinder_v_y = (-(t12 * t454).add_product(m.factors[69], t455)
+        .add_product(m.factors[69], t453)).add_product(t12, t452);
+    let post_v_y_dot_by_cylinder_v_y = (R::literal(1.25) * t452).add_product(R::literal(1.25),
+        t454);
+    let post_v_x_dot_by_cylinder_v_y = (R::literal(1.25) * t453).add_product(R::literal(-1.25),
+        t455);
+    let t457 = R::literal(3.333_333_333_333_333_5) * t111;
+    let t458 = (-t457.add_product(t118, m.cos_cylinder_phi)).add_product(m.factors[4], t117);
+    let t459 = R::literal(3.333_333_333_333_333_5) * t115;
+    let t460 = (-t459.add_product(t118, m.sin_cylinder_phi).add_product(t16, t117))
+        .add_product(t24, t458);
+    let t461 = (R::literal(-2_777.777_777_777_778) * t117).sub_product(m.factors[12], t458)
+        .sub_product(m.factors[13], t460);
+    let t462 = (R::literal(2.0) * cylinder_x * cylinder_omega * m.sin_cylinder_phi)
+        .add_product(R::literal(2.0) * rod_y * cylinder_omega, m.cos_cylinder_phi).add_product(t39,
+        m.cos_cylinder_phi).add_product(t40, m.sin_cylinder_phi).sub_product(R::literal(2.0)
         * cylinder_y * cylinder_omega, m.cos_cylinder_phi).sub_product(R::literal(2.0) * rod_x
-        * cylinder_omega, m.sin_cylinder_phi).sub_product(t35, m.cos_cylinder_phi).sub_product(t36,
-        m.sin_cylinder_phi).sub_product(m.factors[7], t99).add_product(t14, t103).sub_product(t16,
-        t105).sub_product(t17, t99).add_product(m.factors[11], t103).add_product(m.t95, t421)
-        .sub_product(m.factors[13], t423).add_product(t25, t424);
-    let t426 = R::literal(5.0) * t99;
-    let t427 = t426.sub_product(m.factors[16], t424).sub_product(m.factors[17], t425);
-    let t428 = R::literal(5.0) * t103;
-    let t429 = t428.add_product(t26, t424).add_product(m.t133, t425).add_product(m.t144, t427);
-    let t430 = (t24 * t421).sub_product(m.factors[23], t423).add_product(t27, t424)
-        .sub_product(m.factors[25], t425).add_product(t29, t427).sub_product(m.factors[27], t429);
-    let t431 = (m.t101 * t421).sub_product(m.factors[29], t423).add_product(t28, t424)
-        .sub_product(m.factors[31], t425).add_product(t30, t427).sub_product(m.factors[33], t429)
-        .sub_product(m.factors[34], t430) * m.factors[35];
-    let t432 = (t430 * m.factors[36]).sub_product(m.factors[34], t431);
-    let t433 = (t429 * m.factors[37]).sub_product(m.factors[27], t432).sub_product(m.factors[33],
-        t431);
-    let t434 = (-(t427 * m.t141)).add_product(m.t144, t433).add_product(t29, t432).add_product(t30,
-        t431);
-    let t435 = (t425 * m.factors[39]).sub_product(m.factors[17], t434).add_product(m.t133, t433)
-        .sub_product(m.factors[25], t432).sub_product(m.factors[31], t431);
-    let t436 = (t424 * m.factors[40]).add_product(t25, t435).sub_product(m.factors[16], t434)
-        .add_product(t26, t433).add_product(t27, t432).add_product(t28, t431);
-    let t437 = (t423 * m.factors[41]).sub_product(m.factors[6], t436).sub_product(m.factors[13],
-        t435).sub_product(m.factors[23], t432).sub_product(m.factors[29], t431);
-    let t438 = (-(t421 * m.t87)).add_product(t23, t437).sub_product(m.factors[5], t436)
-        .add_product(m.t95, t435).add_product(t24, t432).add_product(m.t101, t431);
-    let t439 = (-(m.factors[44] * t437).add_product(m.factors[43], t438)).add_product(t22, t432)
-        .sub_product(m.factors[46], t431);
-    let t440 = (-(m.factors[48] * t438).add_product(m.factors[47], t439).add_product(m.factors[49],
-        t437).add_product(m.factors[50], t432)).add_product(t21, t431);
-    let t441 = (m.factors[53] * t439).add_product(m.factors[52], t440);
-    let t442 = (t20 * t440).sub_product(t19, t441).add_product(t19, t439);
-    let bobbin_v_y_dot_by_cylinder_omega = R::literal(-1.428_571_428_571_428_6) * t431;
-    let bobbin_v_x_dot_by_cylinder_omega = R::literal(-1.428_571_428_571_428_6) * t432;
-    let rod_omega_dot_by_cylinder_omega = (t18 * t434)
-        .sub_product(R::literal(4_166.666_666_666_667), t436).sub_product(m.factors[58], t433);
-    let rod_v_y_dot_by_cylinder_omega = (-t428.add_product(m.factors[11], t435))
-        .add_product(R::literal(-5.0), t433);
-    let rod_v_x_dot_by_cylinder_omega = (-t426).add_product(t17, t435).sub_product(R::literal(5.0),
-        t434);
-    let cylinder_omega_dot_by_cylinder_omega = (-(t105 * R::literal(2_777.777_777_777_778))
-        .add_product(m.factors[1], t438)).add_product(t15, t437)
-        .sub_product(R::literal(-2_777.777_777_777_778), t436).add_product(t16, t435);
-    let cylinder_v_y_dot_by_cylinder_omega = t422.sub_product(R::literal(3.333_333_333_333_333_5),
-        t437).add_product(t14, t435);
-    let cylinder_v_x_dot_by_cylinder_omega = t420.sub_product(R::literal(3.333_333_333_333_333_5),
-        t438).sub_product(m.factors[7], t435);
-    let plate_omega_dot_by_cylinder_omega = (t12 * t439).sub_product(m.factors[60], t440)
-        .sub_product(m.factors[60], t438).add_product(t12, t437).add_product(t13, t432)
-        .sub_product(m.factors[63], t431);
-    let plate_v_y_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t437)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t439)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t431);
-    let plate_v_x_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t438)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t440)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t432);
-    let post_omega_dot_by_cylinder_omega = (-(t11 * t441).add_product(m.factors[66], t442)
-        .add_product(m.factors[66], t440)).add_product(t11, t439);
-    let post_v_y_dot_by_cylinder_omega = (R::literal(1.25) * t439).add_product(R::literal(1.25),
-        t441);
-    let post_v_x_dot_by_cylinder_omega = (R::literal(1.25) * t440).add_product(R::literal(-1.25),
-        t442);
-    let t443 = t359 - t358;
-    let t444 = (-t362).add_product(t23, t443);
-    let t445 = t364.sub_product(m.factors[5], t443).sub_product(m.factors[6], t444);
-    let t446 = (t101 - t366 + t367 - t368 - t369 + t370).add_product(m.t95, t443)
-        .sub_product(m.factors[13], t444).add_product(t25, t445);
-    let t447 = t372.sub_product(m.factors[16], t445).sub_product(m.factors[17], t446);
-    let t448 = t374.add_product(t26, t445).add_product(m.t133, t446).add_product(m.t144, t447);
-    let t449 = (t24 * t443).sub_product(m.factors[23], t444).add_product(t27, t445)
-        .sub_product(m.factors[25], t446).add_product(t29, t447).sub_product(m.factors[27], t448);
-    let t450 = (m.t101 * t443).sub_product(m.factors[29], t444).add_product(t28, t445)
-        .sub_product(m.factors[31], t446).add_product(t30, t447).sub_product(m.factors[33], t448)
-        .sub_product(m.factors[34], t449) * m.factors[35];
-    let t451 = (t449 * m.factors[36]).sub_product(m.factors[34], t450);
-    let t452 = (t448 * m.factors[37]).sub_product(m.factors[27], t451).sub_product(m.factors[33],
-        t450);
-    let t453 = (-(t447 * m.t141)).add_product(m.t144, t452).add_product(t29, t451).add_product(t30,
-        t450);
-    let t454 = (t446 * m.factors[39]).sub_product(m.factors[17], t453).add_product(m.t133, t452)
-        .sub_product(m.factors[25], t451).sub_product(m.factors[31], t450);
-    let t455 = (t445 * m.factors[40]).add_product(t25, t454).sub_product(m.factors[16], t453)
-        .add_product(t26, t452).add_product(t27, t451).add_product(t28, t450);
-    let t456 = (t444 * m.factors[41]).sub_product(m.factors[6], t455).sub_product(m.factors[13],
-        t454).sub_product(m.factors[23], t451).sub_product(m.factors[29], t450);
-    let t457 = (-(t443 * m.t87)).add_product(t23, t456).sub_product(m.factors[5], t455)
-        .add_product(m.t95, t454).add_product(t24, t451).add_product(m.t101, t450);
-    let t458 = (-(m.factors[44] * t456).add_product(m.factors[43], t457)).add_product(t22, t451)
-        .sub_product(m.factors[46], t450);
-    let t459 = (-(m.factors[48] * t457).add_product(m.factors[47], t458).add_product(m.factors[49],
-        t456).add_product(m.factors[50], t451)).add_product(t21, t450);
-    let t460 = (m.factors[53] * t458).add_product(m.factors[52], t459);
-    let t461 = (t20 * t459).sub_product(t19, t460).add_product(t19, t458);
-    let bobbin_v_y_dot_by_rod_v_x = R::literal(-1.428_571_428_571_428_6) * t450;
-    let bobbin_v_x_dot_by_rod_v_x = R::literal(-1.428_571_428_571_428_6) * t451;
-    let rod_omega_dot_by_rod_v_x = (t18 * t453).sub_product(R::literal(4_166.666_666_666_667), t455)
-        .sub_product(m.factors[58], t452);
-    let rod_v_y_dot_by_rod_v_x = (-t374.add_product(m.factors[11], t454))
-        .add_product(R::literal(-5.0), t452);
-    let rod_v_x_dot_by_rod_v_x = (-t372).add_product(t17, t454).sub_product(R::literal(5.0), t453);
-    let cylinder_omega_dot_by_rod_v_x = (-t389.add_product(m.factors[1], t457)).add_product(t15,
-        t456).sub_product(R::literal(-2_777.777_777_777_778), t455).add_product(t16, t454);
-    let cylinder_v_y_dot_by_rod_v_x = t361.sub_product(R::literal(3.333_333_333_333_333_5), t456)
-        .add_product(t14, t454);
-    let cylinder_v_x_dot_by_rod_v_x = t358.sub_product(R::literal(3.333_333_333_333_333_5), t457)
-        .sub_product(m.factors[7], t454);
-    let plate_omega_dot_by_rod_v_x = (t12 * t458).sub_product(m.factors[60], t459)
-        .sub_product(m.factors[60], t457).add_product(t12, t456).add_product(t13, t451)
-        .sub_product(m.factors[63], t450);
-    let plate_v_y_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t456)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t458)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t450);
-    let plate_v_x_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t457)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t459)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t451);
-    let post_omega_dot_by_rod_v_x = (-(t11 * t460).add_product(m.factors[66], t461)
-        .add_product(m.factors[66], t459)).add_product(t11, t458);
-    let post_v_y_dot_by_rod_v_x = (R::literal(1.25) * t458).add_product(R::literal(1.25), t460);
-    let post_v_x_dot_by_rod_v_x = (R::literal(1.25) * t459).add_product(R::literal(-1.25), t461);
-    let t462 = t390 - t361;
-    let t463 = (-t393).add_product(t23, t462);
-    let t464 = t395.sub_product(m.factors[5], t462).sub_product(m.factors[6], t463);
-    let t465 = (t104 - t397 + t398 - t399 - t400 + t401).add_product(m.t95, t462)
-        .sub_product(m.factors[13], t463).add_product(t25, t464);
-    let t466 = t374.sub_product(m.factors[16], t464).sub_product(m.factors[17], t465);
-    let t467 = t404.add_product(t26, t464).add_product(m.t133, t465).add_product(m.t144, t466);
-    let t468 = (t24 * t462).sub_product(m.factors[23], t463).add_product(t27, t464)
-        .sub_product(m.factors[25], t465).add_product(t29, t466).sub_product(m.factors[27], t467);
-    let t469 = (m.t101 * t462).sub_product(m.factors[29], t463).add_product(t28, t464)
-        .sub_product(m.factors[31], t465).add_product(t30, t466).sub_product(m.factors[33], t467)
-        .sub_product(m.factors[34], t468) * m.factors[35];
-    let t470 = (t468 * m.factors[36]).sub_product(m.factors[34], t469);
-    let t471 = (t467 * m.factors[37]).sub_product(m.factors[27], t470).sub_product(m.factors[33],
-        t469);
-    let t472 = (-(t466 * m.t141)).add_product(m.t144, t471).add_product(t29, t470).add_product(t30,
-        t469);
-    let t473 = (t465 * m.factors[39]).sub_product(m.factors[17], t472).add_product(m.t133, t471)
-        .sub_product(m.factors[25], t470).sub_product(m.factors[31], t469);
-    let t474 = (t464 * m.factors[40]).add_product(t25, t473).sub_product(m.factors[16], t472)
-        .add_product(t26, t471).add_product(t27, t470).add_product(t28, t469);
-    let t475 = (t463 * m.factors[41]).sub_product(m.factors[6], t474).sub_product(m.factors[13],
-        t473).sub_product(m.factors[23], t470).sub_product(m.factors[29], t469);
-    let t476 = (-(t462 * m.t87)).add_product(t23, t475).sub_product(m.factors[5], t474)
-        .add_product(m.t95, t473).add_product(t24, t470).add_product(m.t101, t469);
-    let t477 = (-(m.factors[44] * t475).add_product(m.factors[43], t476)).add_product(t22, t470)
-        .sub_product(m.factors[46], t469);
-    let t478 = (-(m.factors[48] * t476).add_product(m.factors[47], t477).add_product(m.factors[49],
-        t475).add_product(m.factors[50], t470)).add_product(t21, t469);
-    let t479 = (m.factors[53] * t477).add_product(m.factors[52], t478);
-    let t480 = (t20 * t478).sub_product(t19, t479).add_product(t19, t477);
-    let bobbin_v_y_dot_by_rod_v_y = R::literal(-1.428_571_428_571_428_6) * t469;
-    let bobbin_v_x_dot_by_rod_v_y = R::literal(-1.428_571_428_571_428_6) * t470;
-    let rod_omega_dot_by_rod_v_y = (t18 * t472).sub_product(R::literal(4_166.666_666_666_667), t474)
-        .sub_product(m.factors[58], t471);
-    let rod_v_y_dot_by_rod_v_y = (-t404.add_product(m.factors[11], t473))
-        .add_product(R::literal(-5.0), t471);
-    let rod_v_x_dot_by_rod_v_y = (-t374).add_product(t17, t473).sub_product(R::literal(5.0), t472);
-    let cylinder_omega_dot_by_rod_v_y = (-t419.add_product(m.factors[1], t476)).add_product(t15,
-        t475).sub_product(R::literal(-2_777.777_777_777_778), t474).add_product(t16, t473);
-    let cylinder_v_y_dot_by_rod_v_y = t392.sub_product(R::literal(3.333_333_333_333_333_5), t475)
-        .add_product(t14, t473);
-    let cylinder_v_x_dot_by_rod_v_y = t361.sub_product(R::literal(3.333_333_333_333_333_5), t476)
-        .sub_product(m.factors[7], t473);
-    let plate_omega_dot_by_rod_v_y = (t12 * t477).sub_product(m.factors[60], t478)
-        .sub_product(m.factors[60], t476).add_product(t12, t475).add_product(t13, t470)
-        .sub_product(m.factors[63], t469);
-    let plate_v_y_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t475)
+        * cylinder_omega, m.sin_cylinder_phi).sub_product(t37, m.cos_cylinder_phi).sub_product(t38,
+        m.sin_cylinder_phi).sub_product(m.factors[14], t111).add_product(t15, t115)
+        .sub_product(t17, t117).sub_product(t18, t111).add_product(m.factors[18], t115)
+        .add_product(m.t97, t458).sub_product(m.factors[20], t460).add_product(t26, t461);
+    let t463 = R::literal(5.0) * t111;
+    let t464 = t463.sub_product(m.factors[23], t461).sub_product(m.factors[24], t462);
+    let t465 = R::literal(5.0) * t115;
+    let t466 = t465.add_product(t27, t461).add_product(m.t135, t462).add_product(m.t146, t464);
+    let t467 = (t25 * t458).sub_product(m.factors[33], t460).add_product(t28, t461)
+        .sub_product(m.factors[35], t462).add_product(t30, t464).sub_product(m.factors[37], t466);
+    let t468 = (m.t103 * t458).sub_product(m.factors[42], t460).add_product(t29, t461)
+        .sub_product(m.factors[44], t462).add_product(t31, t464).sub_product(m.factors[46], t466)
+        .sub_product(m.factors[47], t467) * m.factors[48];
+    let t469 = (t467 * m.factors[49]).sub_product(m.factors[47], t468);
+    let t470 = (t466 * m.factors[50]).sub_product(m.factors[37], t469).sub_product(m.factors[46],
+        t468);
+    let t471 = (-(t464 * m.t143)).add_product(m.t146, t470).add_product(t30, t469).add_product(t31,
+        t468);
+    let t472 = (t462 * m.factors[52]).sub_product(m.factors[24], t471).add_product(m.t135, t470)
+        .sub_product(m.factors[35], t469).sub_product(m.factors[44], t468);
+    let t473 = (t461 * m.factors[53]).add_product(t26, t472).sub_product(m.factors[23], t471)
+        .add_product(t27, t470).add_product(t28, t469).add_product(t29, t468);
+    let t474 = (t460 * m.factors[54]).sub_product(m.factors[13], t473).sub_product(m.factors[20],
+        t472).sub_product(m.factors[33], t469).sub_product(m.factors[42], t468);
+    let t475 = (-(t458 * m.t89)).add_product(t24, t474).sub_product(m.factors[12], t473)
+        .add_product(m.t97, t472).add_product(t25, t469).add_product(m.t103, t468);
+    let t476 = (-(m.factors[9] * t474).add_product(m.factors[6], t475)).add_product(t23, t469)
+        .sub_product(m.factors[40], t468);
+    let t477 = (-(m.factors[5] * t475).add_product(m.factors[2], t476).add_product(m.factors[8],
+        t474).add_product(m.factors[30], t469)).add_product(t22, t468);
+    let t478 = (m.factors[59] * t476).add_product(m.factors[58], t477);
+    let t479 = (t21 * t477).sub_product(t20, t478).add_product(t20, t476);
+    let bobbin_v_y_dot_by_cylinder_omega = R::literal(-1.428_571_428_571_428_6) * t468;
+    let bobbin_v_x_dot_by_cylinder_omega = R::literal(-1.428_571_428_571_428_6) * t469;
+    let rod_omega_dot_by_cylinder_omega = (t19 * t471)
+        .sub_product(R::literal(4_166.666_666_666_667), t473).sub_product(m.factors[64], t470);
+    let rod_v_y_dot_by_cylinder_omega = (-t465.add_product(m.factors[18], t472))
+        .add_product(R::literal(-5.0), t470);
+    let rod_v_x_dot_by_cylinder_omega = (-t463).add_product(t18, t472).sub_product(R::literal(5.0),
+        t471);
+    let cylinder_omega_dot_by_cylinder_omega = (-(t117 * R::literal(2_777.777_777_777_778))
+        .add_product(m.factors[4], t475)).add_product(t16, t474)
+        .sub_product(R::literal(-2_777.777_777_777_778), t473).add_product(t17, t472);
+    let cylinder_v_y_dot_by_cylinder_omega = t459.sub_product(R::literal(3.333_333_333_333_333_5),
+        t474).add_product(t15, t472);
+    let cylinder_v_x_dot_by_cylinder_omega = t457.sub_product(R::literal(3.333_333_333_333_333_5),
+        t475).sub_product(m.factors[14], t472);
+    let plate_omega_dot_by_cylinder_omega = (t13 * t476).sub_product(m.factors[0], t477)
+        .sub_product(m.factors[0], t475).add_product(t13, t474).add_product(t14, t469)
+        .sub_product(m.factors[38], t468);
+    let plate_v_y_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t474)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t476)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t468);
+    let plate_v_x_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t475)
         .add_product(R::literal(-0.833_333_333_333_333_4), t477)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t469);
-    let plate_v_x_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t476)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t478)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t470);
-    let post_omega_dot_by_rod_v_y = (-(t11 * t479).add_product(m.factors[66], t480)
-        .add_product(m.factors[66], t478)).add_product(t11, t477);
-    let post_v_y_dot_by_rod_v_y = (R::literal(1.25) * t477).add_product(R::literal(1.25), t479);
-    let post_v_x_dot_by_rod_v_y = (R::literal(1.25) * t478).add_product(R::literal(-1.25), t480);
-    let t481 = (t107 * m.sin_rod_phi).add_product(m.t144, t108);
-    let t482 = (t29 * t108).sub_product(m.factors[27], t481);
-    let t483 = (t30 * t108).sub_product(m.factors[33], t481).sub_product(m.factors[34], t482)
-        * m.factors[35];
-    let t484 = (t482 * m.factors[36]).sub_product(m.factors[34], t483);
-    let t485 = (t481 * m.factors[37]).sub_product(m.factors[27], t484).sub_product(m.factors[33],
-        t483);
-    let t486 = (-(t108 * m.t141)).add_product(m.t144, t485).add_product(t29, t484).add_product(t30,
-        t483);
-    let t487 = (m.t133 * t485).sub_product(m.factors[17], t486).sub_product(m.factors[25], t484)
-        .sub_product(m.factors[31], t483);
-    let t488 = (-(m.factors[16] * t486)).add_product(t25, t487).add_product(t26, t485)
-        .add_product(t27, t484).add_product(t28, t483);
-    let t489 = (m.factors[13] * t487).add_product(m.factors[6], t488).add_product(m.factors[23],
-        t484).add_product(m.factors[29], t483);
-    let t490 = (-(m.factors[5] * t488).add_product(t23, t489)).add_product(m.t95, t487)
-        .add_product(t24, t484).add_product(m.t101, t483);
-    let t491 = (m.factors[44] * t489).sub_product(m.factors[43], t490).add_product(t22, t484)
-        .sub_product(m.factors[46], t483);
-    let t492 = (-(m.factors[48] * t490).add_product(m.factors[47], t491))
-        .add_product(m.factors[49], t489).sub_product(m.factors[50], t484).add_product(t21, t483);
-    let t493 = (m.factors[53] * t491).add_product(m.factors[52], t492);
-    let t494 = (t20 * t492).sub_product(t19, t493).add_product(t19, t491);
-    let bobbin_v_y_dot_by_rod_omega = R::literal(-1.428_571_428_571_428_6) * t483;
-    let bobbin_v_x_dot_by_rod_omega = R::literal(-1.428_571_428_571_428_6) * t484;
-    let rod_omega_dot_by_rod_omega = (t18 * t486).sub_product(R::literal(4_166.666_666_666_667),
-        t488).sub_product(m.factors[58], t485);
-    let rod_v_y_dot_by_rod_omega = (R::literal(-5.0) * t485).sub_product(m.factors[11], t487);
-    let rod_v_x_dot_by_rod_omega = (R::literal(-5.0) * t486).add_product(t17, t487);
-    let cylinder_omega_dot_by_rod_omega = (-(t15 * t489).add_product(m.factors[1], t490)
-        .add_product(R::literal(-2_777.777_777_777_778), t488)).add_product(t16, t487);
-    let cylinder_v_y_dot_by_rod_omega = (t14 * t487)
-        .add_product(R::literal(3.333_333_333_333_333_5), t489);
-    let cylinder_v_x_dot_by_rod_omega = (-(m.factors[7] * t487))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t490);
-    let plate_omega_dot_by_rod_omega = (t12 * t491).sub_product(m.factors[60], t492)
-        .sub_product(m.factors[60], t490).sub_product(t12, t489).add_product(t13, t484)
-        .sub_product(m.factors[63], t483);
-    let plate_v_y_dot_by_rod_omega = (R::literal(-0.833_333_333_333_333_4) * t489)
-        .sub_product(R::literal(0.833_333_333_333_333_4), t491)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t483);
-    let plate_v_x_dot_by_rod_omega = (R::literal(0.833_333_333_333_333_4) * t490)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t492)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t484);
-    let post_omega_dot_by_rod_omega = (-(t11 * t493).add_product(m.factors[66], t494)
-        .add_product(m.factors[66], t492)).add_product(t11, t491);
-    let post_v_y_dot_by_rod_omega = (R::literal(1.25) * t491).add_product(R::literal(1.25), t493);
-    let post_v_x_dot_by_rod_omega = (R::literal(1.25) * t492).add_product(R::literal(-1.25), t494);
-    let t495 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(p.contact_damping * m.t9 / t83));
-    let t496 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(p.contact_damping * t8 * t9 / t83));
-    let t497 = (-t496).add_product(m.factors[34], t495) * m.factors[35];
-    let t498 = (t495 * m.factors[36]).add_product(m.factors[34], t497);
-    let t499 = (-(m.factors[33] * t497)).add_product(m.factors[27], t498);
-    let t500 = (-(t29 * t498)).add_product(m.t144, t499).add_product(t30, t497);
-    let t501 = (m.t133 * t499).sub_product(m.factors[17], t500).add_product(m.factors[25], t498)
-        .sub_product(m.factors[31], t497);
-    let t502 = (-(m.factors[16] * t500)).add_product(t25, t501).add_product(t26, t499)
-        .sub_product(t27, t498).add_product(t28, t497);
-    let t503 = (-(m.factors[13] * t501).add_product(m.factors[6], t502)).add_product(m.factors[23],
-        t498).sub_product(m.factors[29], t497);
-    let t504 = (-(m.factors[5] * t502)).add_product(t23, t503).add_product(m.t95, t501)
-        .sub_product(t24, t498).add_product(m.t101, t497);
-    let t505 = (m.factors[44] * t503).add_product(m.factors[43], t504).add_product(t22, t498)
-        .add_product(m.factors[46], t497);
-    let t506 = (-(m.factors[48] * t504)).add_product(m.factors[47], t505)
-        .sub_product(m.factors[49], t503).add_product(m.factors[50], t498).add_product(t21, t497);
-    let t507 = (m.factors[53] * t505).sub_product(m.factors[52], t506);
-    let t508 = (t20 * t506).add_product(t19, t507).sub_product(t19, t505);
-    let bobbin_v_y_dot_by_bobbin_v_x = t496.sub_product(R::literal(1.428_571_428_571_428_6), t497);
-    let bobbin_v_x_dot_by_bobbin_v_x = t495.add_product(R::literal(1.428_571_428_571_428_6), t498);
-    let rod_omega_dot_by_bobbin_v_x = (t18 * t500).sub_product(R::literal(4_166.666_666_666_667),
-        t502).sub_product(m.factors[58], t499);
-    let rod_v_y_dot_by_bobbin_v_x = (R::literal(-5.0) * t499).sub_product(m.factors[11], t501);
-    let rod_v_x_dot_by_bobbin_v_x = (R::literal(-5.0) * t500).add_product(t17, t501);
-    let cylinder_omega_dot_by_bobbin_v_x = (t15 * t503).sub_product(m.factors[1], t504)
-        .sub_product(R::literal(-2_777.777_777_777_778), t502).add_product(t16, t501);
-    let cylinder_v_y_dot_by_bobbin_v_x = (t14 * t501)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t503);
-    let cylinder_v_x_dot_by_bobbin_v_x = (-(m.factors[7] * t501))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t504);
-    let plate_omega_dot_by_bobbin_v_x = (-(t12 * t505).add_product(m.factors[60], t506)
-        .add_product(m.factors[60], t504)).add_product(t12, t503).sub_product(t13, t498)
-        .sub_product(m.factors[63], t497);
-    let plate_v_y_dot_by_bobbin_v_x = (R::literal(0.833_333_333_333_333_4) * t503)
-        .add_product(R::literal(0.833_333_333_333_333_4), t505)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t497);
-    let plate_v_x_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t504)
-        .add_product(R::literal(0.833_333_333_333_333_4), t506))
-        .add_product(R::literal(-0.833_333_333_333_333_4), t498);
-    let post_omega_dot_by_bobbin_v_x = (t11 * t507).sub_product(m.factors[66], t508)
-        .sub_product(m.factors[66], t506).sub_product(t11, t505);
-    let post_v_y_dot_by_bobbin_v_x = (R::literal(-1.25) * t505).sub_product(R::literal(1.25), t507);
-    let post_v_x_dot_by_bobbin_v_x = (R::literal(1.25) * t506).add_product(R::literal(-1.25), t508);
-    let t509 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(p.contact_damping * m.t11 / t83));
-    let t510 = (-t509).add_product(m.factors[34], t496) * m.factors[35];
-    let t511 = (t496 * m.factors[36]).add_product(m.factors[34], t510);
-    let t512 = (-(m.factors[33] * t510)).add_product(m.factors[27], t511);
-    let t513 = (-(t29 * t511)).add_product(m.t144, t512).add_product(t30, t510);
-    let t514 = (m.t133 * t512).sub_product(m.factors[17], t513).add_product(m.factors[25], t511)
-        .sub_product(m.factors[31], t510);
-    let t515 = (-(m.factors[16] * t513)).add_product(t25, t514).add_product(t26, t512)
-        .sub_product(t27, t511).add_product(t28, t510);
-    let t516 = (-(m.factors[13] * t514).add_product(m.factors[6], t515)).add_product(m.factors[23],
-        t511).sub_product(m.factors[29], t510);
-    let t517 = (-(m.factors[5] * t515)).add_product(t23, t516).add_product(m.t95, t514)
-        .sub_product(t24, t511).add_product(m.t101, t510);
-    let t518 = (m.factors[44] * t516).add_product(m.factors[43], t517).add_product(t22, t511)
-        .add_product(m.factors[46], t510);
-    let t519 = (-(m.factors[48] * t517)).add_product(m.factors[47], t518)
-        .sub_product(m.factors[49], t516).add_product(m.factors[50], t511).add_product(t21, t510);
-    let t520 = (m.factors[53] * t518).sub_product(m.factors[52], t519);
-    let t521 = (t20 * t519).add_product(t19, t520).sub_product(t19, t518);
-    let bobbin_v_y_dot_by_bobbin_v_y = t509.sub_product(R::literal(1.428_571_428_571_428_6), t510);
-    let bobbin_v_x_dot_by_bobbin_v_y = t496.add_product(R::literal(1.428_571_428_571_428_6), t511);
-    let rod_omega_dot_by_bobbin_v_y = (t18 * t513).sub_product(R::literal(4_166.666_666_666_667),
-        t515).sub_product(m.factors[58], t512);
-    let rod_v_y_dot_by_bobbin_v_y = (R::literal(-5.0) * t512).sub_product(m.factors[11], t514);
-    let rod_v_x_dot_by_bobbin_v_y = (R::literal(-5.0) * t513).add_product(t17, t514);
-    let cylinder_omega_dot_by_bobbin_v_y = (t15 * t516).sub_product(m.factors[1], t517)
-        .sub_product(R::literal(-2_777.777_777_777_778), t515).add_product(t16, t514);
-    let cylinder_v_y_dot_by_bobbin_v_y = (t14 * t514)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t516);
-    let cylinder_v_x_dot_by_bobbin_v_y = (-(m.factors[7] * t514))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t517);
-    let plate_omega_dot_by_bobbin_v_y = (-(t12 * t518).add_product(m.factors[60], t519)
-        .add_product(m.factors[60], t517)).add_product(t12, t516).sub_product(t13, t511)
-        .sub_product(m.factors[63], t510);
-    let plate_v_y_dot_by_bobbin_v_y = (R::literal(0.833_333_333_333_333_4) * t516)
-        .add_product(R::literal(0.833_333_333_333_333_4), t518)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t510);
-    let plate_v_x_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t517)
-        .add_product(R::literal(0.833_333_333_333_333_4), t519))
-        .add_product(R::literal(-0.833_333_333_333_333_4), t511);
-    let post_omega_dot_by_bobbin_v_y = (t11 * t520).sub_product(m.factors[66], t521)
-        .sub_product(m.factors[66], t519).sub_product(t11, t518);
-    let post_v_y_dot_by_bobbin_v_y = (R::literal(-1.25) * t518).sub_product(R::literal(1.25), t520);
-    let post_v_x_dot_by_bobbin_v_y = (R::literal(1.25) * t519).add_product(R::literal(-1.25), t521);
+    let post_omega_dot_by_cylinder_omega = (-(t12 * t478).add_product(m.factors[69], t479)
+        .add_product(m.factors[69], t477)).add_product(t12, t476);
+    let post_v_y_dot_by_cylinder_omega = (R::literal(1.25) * t476).add_product(R::literal(1.25),
+        t478);
+    let post_v_x_dot_by_cylinder_omega = (R::literal(1.25) * t477).add_product(R::literal(-1.25),
+        t479);
+    let t480 = t396 - t395;
+    let t481 = (-t399).add_product(t24, t480);
+    let t482 = t401.sub_product(m.factors[12], t480).sub_product(m.factors[13], t481);
+    let t483 = (t113 - t403 + t404 - t405 - t406 + t407).add_product(m.t97, t480)
+        .sub_product(m.factors[20], t481).add_product(t26, t482);
+    let t484 = t409.sub_product(m.factors[23], t482).sub_product(m.factors[24], t483);
+    let t485 = t411.add_product(t27, t482).add_product(m.t135, t483).add_product(m.t146, t484);
+    let t486 = (t25 * t480).sub_product(m.factors[33], t481).add_product(t28, t482)
+        .sub_product(m.factors[35], t483).add_product(t30, t484).sub_product(m.factors[37], t485);
+    let t487 = (m.t103 * t480).sub_product(m.factors[42], t481).add_product(t29, t482)
+        .sub_product(m.factors[44], t483).add_product(t31, t484).sub_product(m.factors[46], t485)
+        .sub_product(m.factors[47], t486) * m.factors[48];
+    let t488 = (t486 * m.factors[49]).sub_product(m.factors[47], t487);
+    let t489 = (t485 * m.factors[50]).sub_product(m.factors[37], t488).sub_product(m.factors[46],
+        t487);
+    let t490 = (-(t484 * m.t143)).add_product(m.t146, t489).add_product(t30, t488).add_product(t31,
+        t487);
+    let t491 = (t483 * m.factors[52]).sub_product(m.factors[24], t490).add_product(m.t135, t489)
+        .sub_product(m.factors[35], t488).sub_product(m.factors[44], t487);
+    let t492 = (t482 * m.factors[53]).add_product(t26, t491).sub_product(m.factors[23], t490)
+        .add_product(t27, t489).add_product(t28, t488).add_product(t29, t487);
+    let t493 = (t481 * m.factors[54]).sub_product(m.factors[13], t492).sub_product(m.factors[20],
+        t491).sub_product(m.factors[33], t488).sub_product(m.factors[42], t487);
+    let t494 = (-(t480 * m.t89)).add_product(t24, t493).sub_product(m.factors[12], t492)
+        .add_product(m.t97, t491).add_product(t25, t488).add_product(m.t103, t487);
+    let t495 = (-(m.factors[9] * t493).add_product(m.factors[6], t494)).add_product(t23, t488)
+        .sub_product(m.factors[40], t487);
+    let t496 = (-(m.factors[5] * t494).add_product(m.factors[2], t495).add_product(m.factors[8],
+        t493).add_product(m.factors[30], t488)).add_product(t22, t487);
+    let t497 = (m.factors[59] * t495).add_product(m.factors[58], t496);
+    let t498 = (t21 * t496).sub_product(t20, t497).add_product(t20, t495);
+    let bobbin_v_y_dot_by_rod_v_x = R::literal(-1.428_571_428_571_428_6) * t487;
+    let bobbin_v_x_dot_by_rod_v_x = R::literal(-1.428_571_428_571_428_6) * t488;
+    let rod_omega_dot_by_rod_v_x = (t19 * t490).sub_product(R::literal(4_166.666_666_666_667), t492)
+        .sub_product(m.factors[64], t489);
+    let rod_v_y_dot_by_rod_v_x = (-t411.add_product(m.factors[18], t491))
+        .add_product(R::literal(-5.0), t489);
+    let rod_v_x_dot_by_rod_v_x = (-t409).add_product(t18, t491).sub_product(R::literal(5.0), t490);
+    let cylinder_omega_dot_by_rod_v_x = (-t426.add_product(m.factors[4], t494)).add_product(t16,
+        t493).sub_product(R::literal(-2_777.777_777_777_778), t492).add_product(t17, t491);
+    let cylinder_v_y_dot_by_rod_v_x = t398.sub_product(R::literal(3.333_333_333_333_333_5), t493)
+        .add_product(t15, t491);
+    let cylinder_v_x_dot_by_rod_v_x = t395.sub_product(R::literal(3.333_333_333_333_333_5), t494)
+        .sub_product(m.factors[14], t491);
+    let plate_omega_dot_by_rod_v_x = (t13 * t495).sub_product(m.factors[0], t496)
+        .sub_product(m.factors[0], t494).add_product(t13, t493).add_product(t14, t488)
+        .sub_product(m.factors[38], t487);
+    let plate_v_y_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t493)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t495)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t487);
+    let plate_v_x_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t494)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t496)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t488);
+    let post_omega_dot_by_rod_v_x = (-(t12 * t497).add_product(m.factors[69], t498)
+        .add_product(m.factors[69], t496)).add_product(t12, t495);
+    let post_v_y_dot_by_rod_v_x = (R::literal(1.25) * t495).add_product(R::literal(1.25), t497);
+    let post_v_x_dot_by_rod_v_x = (R::literal(1.25) * t496).add_product(R::literal(-1.25), t498);
+    let t499 = t427 - t398;
+    let t500 = (-t430).add_product(t24, t499);
+    let t501 = t432.sub_product(m.factors[12], t499).sub_product(m.factors[13], t500);
+    let t502 = (t116 - t434 + t435 - t436 - t437 + t438).add_product(m.t97, t499)
+        .sub_product(m.factors[20], t500).add_product(t26, t501);
+    let t503 = t411.sub_product(m.factors[23], t501).sub_product(m.factors[24], t502);
+    let t504 = t441.add_product(t27, t501).add_product(m.t135, t502).add_product(m.t146, t503);
+    let t505 = (t25 * t499).sub_product(m.factors[33], t500).add_product(t28, t501)
+        .sub_product(m.factors[35], t502).add_product(t30, t503).sub_product(m.factors[37], t504);
+    let t506 = (m.t103 * t499).sub_product(m.factors[42], t500).add_product(t29, t501)
+        .sub_product(m.factors[44], t502).add_product(t31, t503).sub_product(m.factors[46], t504)
+        .sub_product(m.factors[47], t505) * m.factors[48];
+    let t507 = (t505 * m.factors[49]).sub_product(m.factors[47], t506);
+    let t508 = (t504 * m.factors[50]).sub_product(m.factors[37], t507).sub_product(m.factors[46],
+        t506);
+    let t509 = (-(t503 * m.t143)).add_product(m.t146, t508).add_product(t30, t507).add_product(t31,
+        t506);
+    let t510 = (t502 * m.factors[52]).sub_product(m.factors[24], t509).add_product(m.t135, t508)
+        .sub_product(m.factors[35], t507).sub_product(m.factors[44], t506);
+    let t511 = (t501 * m.factors[53]).add_product(t26, t510).sub_product(m.factors[23], t509)
+        .add_product(t27, t508).add_product(t28, t507).add_product(t29, t506);
+    let t512 = (t500 * m.factors[54]).sub_product(m.factors[13], t511).sub_product(m.factors[20],
+        t510).sub_product(m.factors[33], t507).sub_product(m.factors[42], t506);
+    let t513 = (-(t499 * m.t89)).add_product(t24, t512).sub_product(m.factors[12], t511)
+        .add_product(m.t97, t510).add_product(t25, t507).add_product(m.t103, t506);
+    let t514 = (-(m.factors[9] * t512).add_product(m.factors[6], t513)).add_product(t23, t507)
+        .sub_product(m.factors[40], t506);
+    let t515 = (-(m.factors[5] * t513).add_product(m.factors[2], t514).add_product(m.factors[8],
+        t512).add_product(m.factors[30], t507)).add_product(t22, t506);
+    let t516 = (m.factors[59] * t514).add_product(m.factors[58], t515);
+    let t517 = (t21 * t515).sub_product(t20, t516).add_product(t20, t514);
+    let bobbin_v_y_dot_by_rod_v_y = R::literal(-1.428_571_428_571_428_6) * t506;
+    let bobbin_v_x_dot_by_rod_v_y = R::literal(-1.428_571_428_571_428_6) * t507;
+    let rod_omega_dot_by_rod_v_y = (t19 * t509).sub_product(R::literal(4_166.666_666_666_667), t511)
+        .sub_product(m.factors[64], t508);
+    let rod_v_y_dot_by_rod_v_y = (-t441.add_product(m.factors[18], t510))
+        .add_product(R::literal(-5.0), t508);
+    let rod_v_x_dot_by_rod_v_y = (-t411).add_product(t18, t510).sub_product(R::literal(5.0), t509);
+    let cylinder_omega_dot_by_rod_v_y = (-t456.add_product(m.factors[4], t513)).add_product(t16,
+        t512).sub_product(R::literal(-2_777.777_777_777_778), t511).add_product(t17, t510);
+    let cylinder_v_y_dot_by_rod_v_y = t429.sub_product(R::literal(3.333_333_333_333_333_5), t512)
+        .add_product(t15, t510);
+    let cylinder_v_x_dot_by_rod_v_y = t398.sub_product(R::literal(3.333_333_333_333_333_5), t513)
+        .sub_product(m.factors[14], t510);
+    let plate_omega_dot_by_rod_v_y = (t13 * t514).sub_product(m.factors[0], t515)
+        .sub_product(m.factors[0], t513).add_product(t13, t512).add_product(t14, t507)
+        .sub_product(m.factors[38], t506);
+    let plate_v_y_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t512)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t514)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t506);
+    let plate_v_x_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t513)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t515)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t507);
+    let post_omega_dot_by_rod_v_y = (-(t12 * t516).add_product(m.factors[69], t517)
+        .add_product(m.factors[69], t515)).add_product(t12, t514);
+    let post_v_y_dot_by_rod_v_y = (R::literal(1.25) * t514).add_product(R::literal(1.25), t516);
+    let post_v_x_dot_by_rod_v_y = (R::literal(1.25) * t515).add_product(R::literal(-1.25), t517);
+    let t518 = (t119 * m.sin_rod_phi).add_product(m.t146, t120);
+    let t519 = (t30 * t120).sub_product(m.factors[37], t518);
+    let t520 = (t31 * t120).sub_product(m.factors[46], t518).sub_product(m.factors[47], t519)
+        * m.factors[48];
+    let t521 = (t519 * m.factors[49]).sub_product(m.factors[47], t520);
+    let t522 = (t518 * m.factors[50]).sub_product(m.factors[37], t521).sub_product(m.factors[46],
+        t520);
+    let t523 = (-(t120 * m.t143)).add_product(m.t146, t522).add_product(t30, t521).add_product(t31,
+        t520);
+    let t524 = (m.t135 * t522).sub_product(m.factors[24], t523).sub_product(m.factors[35], t521)
+        .sub_product(m.factors[44], t520);
+    let t525 = (-(m.factors[23] * t523)).add_product(t26, t524).add_product(t27, t522)
+        .add_product(t28, t521).add_product(t29, t520);
+    let t526 = (m.factors[20] * t524).add_product(m.factors[13], t525).add_product(m.factors[33],
+        t521).add_product(m.factors[42], t520);
+    let t527 = (-(m.factors[12] * t525).add_product(t24, t526)).add_product(m.t97, t524)
+        .add_product(t25, t521).add_product(m.t103, t520);
+    let t528 = (m.factors[9] * t526).sub_product(m.factors[6], t527).add_product(t23, t521)
+        .sub_product(m.factors[40], t520);
+    let t529 = (-(m.factors[5] * t527).add_product(m.factors[2], t528)).add_product(m.factors[8],
+        t526).sub_product(m.factors[30], t521).add_product(t22, t520);
+    let t530 = (m.factors[59] * t528).add_product(m.factors[58], t529);
+    let t531 = (t21 * t529).sub_product(t20, t530).add_product(t20, t528);
+    let bobbin_v_y_dot_by_rod_omega = R::literal(-1.428_571_428_571_428_6) * t520;
+    let bobbin_v_x_dot_by_rod_omega = R::literal(-1.428_571_428_571_428_6) * t521;
+    let rod_omega_dot_by_rod_omega = (t19 * t523).sub_product(R::literal(4_166.666_666_666_667),
+        t525).sub_product(m.factors[64], t522);
+    let rod_v_y_dot_by_rod_omega = (R::literal(-5.0) * t522).sub_product(m.factors[18], t524);
+    let rod_v_x_dot_by_rod_omega = (R::literal(-5.0) * t523).add_product(t18, t524);
+    let cylinder_omega_dot_by_rod_omega = (-(t16 * t526).add_product(m.factors[4], t527)
+        .add_product(R::literal(-2_777.777_777_777_778), t525)).add_product(t17, t524);
+    let cylinder_v_y_dot_by_rod_omega = (t15 * t524)
+        .add_product(R::literal(3.333_333_333_333_333_5), t526);
+    let cylinder_v_x_dot_by_rod_omega = (-(m.factors[14] * t524))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t527);
+    let plate_omega_dot_by_rod_omega = (t13 * t528).sub_product(m.factors[0], t529)
+        .sub_product(m.factors[0], t527).sub_product(t13, t526).add_product(t14, t521)
+        .sub_product(m.factors[38], t520);
+    let plate_v_y_dot_by_rod_omega = (R::literal(-0.833_333_333_333_333_4) * t526)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t528)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t520);
+    let plate_v_x_dot_by_rod_omega = (R::literal(0.833_333_333_333_333_4) * t527)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t529)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t521);
+    let post_omega_dot_by_rod_omega = (-(t12 * t530).add_product(m.factors[69], t531)
+        .add_product(m.factors[69], t529)).add_product(t12, t528);
+    let post_v_y_dot_by_rod_omega = (R::literal(1.25) * t528).add_product(R::literal(1.25), t530);
+    let post_v_x_dot_by_rod_omega = (R::literal(1.25) * t529).add_product(R::literal(-1.25), t531);
+    let t532 = m.factors[0] * t122;
+    let t533 = t13 * t122;
+    let t534 = t533.add_product(m.factors[2], t532);
+    let t535 = (-t532).add_product(m.factors[5], t532).sub_product(m.factors[6], t534);
+    let t536 = t533.add_product(m.factors[8], t532).sub_product(m.factors[9], t534)
+        .add_product(t24, t535);
+    let t537 = (m.factors[12] * t535).add_product(m.factors[13], t536);
+    let t538 = (m.t97 * t535).sub_product(m.factors[20], t536).sub_product(t26, t537);
+    let t539 = (m.factors[23] * t537).sub_product(m.factors[24], t538);
+    let t540 = (-(t27 * t537)).add_product(m.t135, t538).add_product(m.t146, t539);
+    let t541 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t123 - p.contact_damping * m.t9 / t86);
+    let t542 = (-t541).add_product(t14, t122).add_product(m.factors[30], t532).add_product(t23,
+        t534).add_product(t25, t535).sub_product(m.factors[33], t536).sub_product(t28, t537)
+        .sub_product(m.factors[35], t538).add_product(t30, t539).sub_product(m.factors[37], t540);
+    let t543 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(c.grip_times_contact_damping * m.t9 / t86 + t124));
+    let t544 = (-t543.add_product(m.factors[38], t122).add_product(t22, t532)
+        .add_product(m.factors[40], t534)).add_product(m.t103, t535).sub_product(m.factors[42],
+        t536).sub_product(t29, t537).sub_product(m.factors[44], t538).add_product(t31, t539)
+        .sub_product(m.factors[46], t540).sub_product(m.factors[47], t542) * m.factors[48];
+    let t545 = (t542 * m.factors[49]).sub_product(m.factors[47], t544);
+    let t546 = (t540 * m.factors[50]).sub_product(m.factors[37], t545).sub_product(m.factors[46],
+        t544);
+    let t547 = (-(t539 * m.t143)).add_product(m.t146, t546).add_product(t30, t545).add_product(t31,
+        t544);
+    let t548 = (t538 * m.factors[52]).sub_product(m.factors[24], t547).add_product(m.t135, t546)
+        .sub_product(m.factors[35], t545).sub_product(m.factors[44], t544);
+    let t549 = (-(t537 * m.factors[53])).add_product(t26, t548).sub_product(m.factors[23], t547)
+        .add_product(t27, t546).add_product(t28, t545).add_product(t29, t544);
+    let t550 = (t536 * m.factors[54]).sub_product(m.factors[13], t549).sub_product(m.factors[20],
+        t548).sub_product(m.factors[33], t545).sub_product(m.factors[42], t544);
+    let t551 = (-(t535 * m.t89)).add_product(t24, t550).sub_product(m.factors[12], t549)
+        .add_product(m.t97, t548).add_product(t25, t545).add_product(m.t103, t544);
+    let t552 = (t534 * m.factors[56]).sub_product(m.factors[6], t551).sub_product(m.factors[9],
+        t550).add_product(t23, t545).sub_product(m.factors[40], t544);
+    let t553 = (-(t532 * m.factors[57]).add_product(m.factors[2], t552).add_product(m.factors[5],
+        t551).add_product(m.factors[8], t550).add_product(m.factors[30], t545)).add_product(t22,
+        t544);
+    let t554 = (m.factors[59] * t552).add_product(m.factors[58], t553);
+    let t555 = (t21 * t553).sub_product(t20, t554).add_product(t20, t552);
+    let bobbin_v_y_dot_by_bobbin_v_x = t543.sub_product(R::literal(1.428_571_428_571_428_6), t544);
+    let bobbin_v_x_dot_by_bobbin_v_x = t541.sub_product(R::literal(1.428_571_428_571_428_6), t545);
+    let rod_omega_dot_by_bobbin_v_x = (t19 * t547).sub_product(R::literal(4_166.666_666_666_667),
+        t549).sub_product(m.factors[64], t546);
+    let rod_v_y_dot_by_bobbin_v_x = (R::literal(-5.0) * t546).sub_product(m.factors[18], t548);
+    let rod_v_x_dot_by_bobbin_v_x = (R::literal(-5.0) * t547).add_product(t18, t548);
+    let cylinder_omega_dot_by_bobbin_v_x = (t16 * t550).sub_product(m.factors[4], t551)
+        .sub_product(R::literal(-2_777.777_777_777_778), t549).add_product(t17, t548);
+    let cylinder_v_y_dot_by_bobbin_v_x = (t15 * t548)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t550);
+    let cylinder_v_x_dot_by_bobbin_v_x = (-(m.factors[14] * t548))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t551);
+    let plate_omega_dot_by_bobbin_v_x = (t122 * R::literal(400.0)).sub_product(m.factors[0], t553)
+        .add_product(t13, t552).sub_product(m.factors[0], t551).add_product(t13, t550)
+        .add_product(t14, t545).sub_product(m.factors[38], t544);
+    let plate_v_y_dot_by_bobbin_v_x = (R::literal(0.833_333_333_333_333_4) * t550)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t552)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t544);
+    let plate_v_x_dot_by_bobbin_v_x = (R::literal(0.833_333_333_333_333_4) * t551)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t553)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t545);
+    let post_omega_dot_by_bobbin_v_x = (-(t12 * t554).add_product(m.factors[69], t555)
+        .add_product(m.factors[69], t553)).add_product(t12, t552);
+    let post_v_y_dot_by_bobbin_v_x = (R::literal(1.25) * t552).add_product(R::literal(1.25), t554);
+    let post_v_x_dot_by_bobbin_v_x = (R::literal(1.25) * t553).add_product(R::literal(-1.25), t555);
+    let t556 = m.factors[0] * t125;
+    let t557 = t13 * t125;
+    let t558 = t557.add_product(m.factors[2], t556);
+    let t559 = (-t556).add_product(m.factors[5], t556).sub_product(m.factors[6], t558);
+    let t560 = t557.add_product(m.factors[8], t556).sub_product(m.factors[9], t558)
+        .add_product(t24, t559);
+    let t561 = (m.factors[12] * t559).add_product(m.factors[13], t560);
+    let t562 = (m.t97 * t559).sub_product(m.factors[20], t560).sub_product(t26, t561);
+    let t563 = (m.factors[23] * t561).sub_product(m.factors[24], t562);
+    let t564 = (-(t27 * t561)).add_product(m.t135, t562).add_product(m.t146, t563);
+    let t565 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), c.grip_times_contact_damping * m.t11 / t86 - t124);
+    let t566 = (-t565).add_product(t14, t125).add_product(m.factors[30], t556).add_product(t23,
+        t558).add_product(t25, t559).sub_product(m.factors[33], t560).sub_product(t28, t561)
+        .sub_product(m.factors[35], t562).add_product(t30, t563).sub_product(m.factors[37], t564);
+    let t567 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(t123 + p.contact_damping * m.t11 / t86));
+    let t568 = (-t567.add_product(m.factors[38], t125).add_product(t22, t556)
+        .add_product(m.factors[40], t558)).add_product(m.t103, t559).sub_product(m.factors[42],
+        t560).sub_product(t29, t561).sub_product(m.factors[44], t562).add_product(t31, t563)
+        .sub_product(m.factors[46], t564).sub_product(m.factors[47], t566) * m.factors[48];
+    let t569 = (t566 * m.factors[49]).sub_product(m.factors[47], t568);
+    let t570 = (t564 * m.factors[50]).sub_product(m.factors[37], t569).sub_product(m.factors[46],
+        t568);
+    let t571 = (-(t563 * m.t143)).add_product(m.t146, t570).add_product(t30, t569).add_product(t31,
+        t568);
+    let t572 = (t562 * m.factors[52]).sub_product(m.factors[24], t571).add_product(m.t135, t570)
+        .sub_product(m.factors[35], t569).sub_product(m.factors[44], t568);
+    let t573 = (-(t561 * m.factors[53])).add_product(t26, t572).sub_product(m.factors[23], t571)
+        .add_product(t27, t570).add_product(t28, t569).add_product(t29, t568);
+    let t574 = (t560 * m.factors[54]).sub_product(m.factors[13], t573).sub_product(m.factors[20],
+        t572).sub_product(m.factors[33], t569).sub_product(m.factors[42], t568);
+    let t575 = (-(t559 * m.t89)).add_product(t24, t574).sub_product(m.factors[12], t573)
+        .add_product(m.t97, t572).add_product(t25, t569).add_product(m.t103, t568);
+    let t576 = (t558 * m.factors[56]).sub_product(m.factors[6], t575).sub_product(m.factors[9],
+        t574).add_product(t23, t569).sub_product(m.factors[40], t568);
+    let t577 = (-(t556 * m.factors[57]).add_product(m.factors[2], t576).add_product(m.factors[5],
+        t575).add_product(m.factors[8], t574).add_product(m.factors[30], t569)).add_product(t22,
+        t568);
+    let t578 = (m.factors[59] * t576).add_product(m.factors[58], t577);
+    let t579 = (t21 * t577).sub_product(t20, t578).add_product(t20, t576);
+    let bobbin_v_y_dot_by_bobbin_v_y = t567.sub_product(R::literal(1.428_571_428_571_428_6), t568);
+    let bobbin_v_x_dot_by_bobbin_v_y = t565.sub_product(R::literal(1.428_571_428_571_428_6), t569);
+    let rod_omega_dot_by_bobbin_v_y = (t19 * t571).sub_product(R::literal(4_166.666_666_666_667),
+        t573).sub_product(m.factors[64], t570);
+    let rod_v_y_dot_by_bobbin_v_y = (R::literal(-5.0) * t570).sub_product(m.factors[18], t572);
+    let rod_v_x_dot_by_bobbin_v_y = (R::literal(-5.0) * t571).add_product(t18, t572);
+    let cylinder_omega_dot_by_bobbin_v_y = (t16 * t574).sub_product(m.factors[4], t575)
+        .sub_product(R::literal(-2_777.777_777_777_778), t573).add_product(t17, t572);
+    let cylinder_v_y_dot_by_bobbin_v_y = (t15 * t572)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t574);
+    let cylinder_v_x_dot_by_bobbin_v_y = (-(m.factors[14] * t572))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t575);
+    let plate_omega_dot_by_bobbin_v_y = (t125 * R::literal(400.0)).sub_product(m.factors[0], t577)
+        .add_product(t13, t576).sub_product(m.factors[0], t575).add_product(t13, t574)
+        .add_product(t14, t569).sub_product(m.factors[38], t568);
+    let plate_v_y_dot_by_bobbin_v_y = (R::literal(0.833_333_333_333_333_4) * t574)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t576)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t568);
+    let plate_v_x_dot_by_bobbin_v_y = (R::literal(0.833_333_333_333_333_4) * t575)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t577)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t569);
+    let post_omega_dot_by_bobbin_v_y = (-(t12 * t578).add_product(m.factors[69], t579)
+        .add_product(m.factors[69], t577)).add_product(t12, t576);
+    let post_v_y_dot_by_bobbin_v_y = (R::literal(1.25) * t576).add_product(R::literal(1.25), t578);
+    let post_v_x_dot_by_bobbin_v_y = (R::literal(1.25) * t577).add_product(R::literal(-1.25), t579);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
@@ -2548,10 +2680,10 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         bobbin_v_y_dot_by_rod_omega, bobbin_v_y_dot_by_bobbin_v_x, bobbin_v_y_dot_by_bobbin_v_y]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 57 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 86 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 56] {
+        c: &Constants<R>) -> [R; 70] {
     let [_, _, _, _, _, _, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y, _, bobbin_x,
         bobbin_y, _, _, _, _, _, _, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y,
         _, bobbin_v_x, bobbin_v_y, contact_closed, ..] = *state;
@@ -2570,61 +2702,77 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
         sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi).add_product(cylinder_omega, t2)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let t3 = slide - R::literal(0.116);
-    let t4 = t3 * cos_cylinder_phi;
-    let t5 = t3 * sin_cylinder_phi;
+    let t3 = (p.contact_stiffness * contact_gap).add_product(p.contact_damping, contact_rate);
+    let t4 = between - R::literal(0.04);
+    let t5 = slide - R::literal(0.116);
+    let t6 = t5 * cos_cylinder_phi;
+    let t7 = t5 * sin_cylinder_phi;
     let slide_rate_times_cos_cylinder_phi = slide_rate * cos_cylinder_phi;
     let slide_rate_times_sin_cylinder_phi = slide_rate * sin_cylinder_phi;
-    let mut x = [[R::literal(0.0); 4]; 26];
-    x[6][0] = t4;
-    x[7][0] = t5;
-    x[8][0] = -(t3 * t2);
-    x[9][0] = -t4;
-    x[10][0] = -t5;
-    x[6][1] = slide_rate_times_cos_cylinder_phi;
-    x[7][1] = slide_rate_times_sin_cylinder_phi;
-    x[8][1] = -(slide_rate * t2);
-    x[9][1] = -slide_rate_times_cos_cylinder_phi;
-    x[10][1] = -slide_rate_times_sin_cylinder_phi;
-    x[12][2] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), -(contact_gap * t0
-        / between));
-    x[13][2] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), -(contact_gap * t1
-        / between));
-    x[12][3] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), -(contact_rate * t0
-        / between));
-    x[13][3] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), -(contact_rate * t1
-        / between));
+    let grip_times_contact_gap = p.grip * contact_gap;
+    let grip_times_contact_rate = p.grip * contact_rate;
+    let mut x = [[R::literal(0.0); 8]; 26];
+    x[5][0] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t3 * t4);
+    x[12][0] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t3 * t1 / between);
+    x[13][0] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
+        -(t3 * t0 / between));
+    x[6][1] = t6;
+    x[7][1] = t7;
+    x[8][1] = -(t5 * t2);
+    x[9][1] = -t6;
+    x[10][1] = -t7;
+    x[6][2] = slide_rate_times_cos_cylinder_phi;
+    x[7][2] = slide_rate_times_sin_cylinder_phi;
+    x[8][2] = -(slide_rate * t2);
+    x[9][2] = -slide_rate_times_cos_cylinder_phi;
+    x[10][2] = -slide_rate_times_sin_cylinder_phi;
+    x[5][3] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
+        grip_times_contact_gap * t4);
+    x[12][3] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
+        grip_times_contact_gap * t1 / between - contact_gap * t0 / between);
+    x[13][3] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
+        -(grip_times_contact_gap * t0 / between + contact_gap * t1 / between));
+    x[5][4] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
+        grip_times_contact_rate * t4);
+    x[12][4] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
+        grip_times_contact_rate * t1 / between - contact_rate * t0 / between);
+    x[13][4] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
+        -(grip_times_contact_rate * t0 / between + contact_rate * t1 / between));
     substitute(PARAMETER_JACOBIAN_STEPS.iter().copied(), &m.factors, &mut x);
-    [x[0][0], x[0][1], x[0][2], x[0][3], x[1][0], x[1][1], x[1][2], x[1][3], x[2][0], x[2][1],
-        x[2][2], x[2][3], x[3][0], x[3][1], x[3][2], x[3][3], x[4][0], x[4][1], x[4][2], x[4][3],
-        x[5][0], x[5][1], x[5][2], x[5][3], x[6][0], x[6][1], x[6][2], x[6][3], x[7][0], x[7][1],
-        x[7][2], x[7][3], x[8][0], x[8][1], x[8][2], x[8][3], x[9][0], x[9][1], x[9][2], x[9][3],
-        x[10][0], x[10][1], x[10][2], x[10][3], x[11][0], x[11][1], x[11][2], x[11][3], x[12][0],
-        x[12][1], x[12][2], x[12][3], x[13][0], x[13][1], x[13][2], x[13][3]]
+    [x[0][0], x[0][1], x[0][2], x[0][3], x[0][4], x[1][0], x[1][1], x[1][2], x[1][3], x[1][4],
+        x[2][0], x[2][1], x[2][2], x[2][3], x[2][4], x[3][0], x[3][1], x[3][2], x[3][3], x[3][4],
+        x[4][0], x[4][1], x[4][2], x[4][3], x[4][4], x[5][0], x[5][1], x[5][2], x[5][3], x[5][4],
+        x[6][0], x[6][1], x[6][2], x[6][3], x[6][4], x[7][0], x[7][1], x[7][2], x[7][3], x[7][4],
+        x[8][0], x[8][1], x[8][2], x[8][3], x[8][4], x[9][0], x[9][1], x[9][2], x[9][3], x[9][4],
+        x[10][0], x[10][1], x[10][2], x[10][3], x[10][4], x[11][0], x[11][1], x[11][2], x[11][3],
+        x[11][4], x[12][0], x[12][1], x[12][2], x[12][3], x[12][4], x[13][0], x[13][1], x[13][2],
+        x[13][3], x[13][4]]
 }
 
-static PARAMETER_JACOBIAN_STEPS: &[Step<'static>] = &[Step::less(18, &[(0, 6), (1, 8)]),
-    Step::less(19, &[(0, 7), (2, 8), (3, 18)]), Step::less(20, &[(4, 8), (5, 18), (6, 19)]),
-    Step::less(21, &[(7, 6), (8, 7), (9, 8), (10, 9), (11, 10), (12, 18), (13, 19), (14, 20)]),
-    Step::less(22, &[(15, 9), (16, 20), (17, 21)]), Step::less(23, &[(15, 10), (18, 20), (19, 21),
-    (20, 22)]), Step::less(24, &[(21, 12), (22, 18), (23, 19), (24, 20), (25, 21), (26, 22),
-    (27, 23)]), Step::less(25, &[(21, 13), (28, 18), (29, 19), (30, 20), (31, 21), (32, 22),
-    (33, 23), (34, 24)]), Step::scaled(25, 35, &[]), Step::scaled(24, 36, &[(34, 25)]),
-    Step::scaled(23, 37, &[(27, 24), (33, 25)]), Step::scaled(22, 38, &[(20, 23), (26, 24),
-    (32, 25)]), Step::scaled(21, 39, &[(17, 22), (19, 23), (25, 24), (31, 25)]), Step::scaled(20,
-    40, &[(14, 21), (16, 22), (18, 23), (24, 24), (30, 25)]), Step::scaled(19, 41,
-    &[(6, 20), (13, 21), (23, 24), (29, 25)]), Step::scaled(18, 42, &[(3, 19), (5, 20), (12, 21),
-    (22, 24), (28, 25)]), Step::less(17, &[(43, 18), (44, 19), (45, 24), (46, 25)]), Step::less(16,
-    &[(47, 17), (48, 18), (49, 19), (50, 24), (51, 25)]), Step::less(15, &[(52, 16), (53, 17)]),
-    Step::less(14, &[(54, 15), (55, 16), (54, 17)]), Step::scaled(13, 21, &[(21, 25)]),
-    Step::scaled(12, 21, &[(21, 24)]), Step::less(11, &[(56, 20), (57, 22), (58, 23)]),
-    Step::scaled(10, 15, &[(11, 21), (15, 23)]), Step::scaled(9, 15, &[(10, 21), (15, 22)]),
-    Step::scaled(8, 59, &[(1, 18), (2, 19), (4, 20), (9, 21)]), Step::scaled(7, 0,
-    &[(0, 19), (8, 21)]), Step::scaled(6, 0, &[(0, 18), (7, 21)]), Step::less(5,
-    &[(60, 16), (61, 17), (60, 18), (61, 19), (62, 24), (63, 25)]), Step::less(4,
-    &[(64, 17), (65, 19), (65, 25)]), Step::less(3, &[(64, 16), (65, 18), (65, 24)]), Step::less(2,
-    &[(66, 14), (67, 15), (66, 16), (67, 17)]), Step::less(1, &[(68, 15), (69, 17)]), Step::less(0,
-    &[(68, 14), (69, 16)])];
+static PARAMETER_JACOBIAN_STEPS: &[Step<'static>] = &[Step::less(16, &[(0, 5)]), Step::less(17,
+    &[(1, 5), (2, 16)]), Step::less(18, &[(0, 5), (3, 6), (4, 8), (5, 16), (6, 17)]),
+    Step::less(19, &[(1, 5), (3, 7), (7, 8), (8, 16), (9, 17), (10, 18)]), Step::less(20,
+    &[(11, 8), (12, 18), (13, 19)]), Step::less(21, &[(14, 6), (15, 7), (16, 8), (17, 9), (18, 10),
+    (19, 18), (20, 19), (21, 20)]), Step::less(22, &[(22, 9), (23, 20), (24, 21)]), Step::less(23,
+    &[(22, 10), (25, 20), (26, 21), (27, 22)]), Step::less(24, &[(28, 5), (29, 12), (30, 16),
+    (31, 17), (32, 18), (33, 19), (34, 20), (35, 21), (36, 22), (37, 23)]), Step::less(25,
+    &[(38, 5), (29, 13), (39, 16), (40, 17), (41, 18), (42, 19), (43, 20), (44, 21), (45, 22),
+    (46, 23), (47, 24)]), Step::scaled(25, 48, &[]), Step::scaled(24, 49, &[(47, 25)]),
+    Step::scaled(23, 50, &[(37, 24), (46, 25)]), Step::scaled(22, 51, &[(27, 23), (36, 24),
+    (45, 25)]), Step::scaled(21, 52, &[(24, 22), (26, 23), (35, 24), (44, 25)]), Step::scaled(20,
+    53, &[(21, 21), (23, 22), (25, 23), (34, 24), (43, 25)]), Step::scaled(19, 54,
+    &[(13, 20), (20, 21), (33, 24), (42, 25)]), Step::scaled(18, 55, &[(10, 19), (12, 20),
+    (19, 21), (32, 24), (41, 25)]), Step::scaled(17, 56, &[(6, 18), (9, 19), (31, 24), (40, 25)]),
+    Step::scaled(16, 57, &[(2, 17), (5, 18), (8, 19), (30, 24), (39, 25)]), Step::less(15,
+    &[(58, 16), (59, 17)]), Step::less(14, &[(60, 15), (61, 16), (60, 17)]), Step::scaled(13, 29,
+    &[(29, 25)]), Step::scaled(12, 29, &[(29, 24)]), Step::less(11, &[(62, 20), (63, 22),
+    (64, 23)]), Step::scaled(10, 22, &[(18, 21), (22, 23)]), Step::scaled(9, 22,
+    &[(17, 21), (22, 22)]), Step::scaled(8, 65, &[(4, 18), (7, 19), (11, 20), (16, 21)]),
+    Step::scaled(7, 3, &[(3, 19), (15, 21)]), Step::scaled(6, 3, &[(3, 18), (14, 21)]),
+    Step::scaled(5, 66, &[(0, 16), (1, 17), (0, 18), (1, 19), (28, 24), (38, 25)]), Step::less(4,
+    &[(67, 17), (68, 19), (68, 25)]), Step::less(3, &[(67, 16), (68, 18), (68, 24)]), Step::less(2,
+    &[(69, 14), (70, 15), (69, 16), (70, 17)]), Step::less(1, &[(71, 15), (72, 17)]), Step::less(0,
+    &[(71, 14), (72, 16)])];
 /// Partial derivative of `y'` with respect to time. No operations.
 #[must_use]
 pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
@@ -2714,7 +2862,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 109 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 124 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [_, _, _, _, _, _, _, _, _, _, _, _, bobbin_x, bobbin_y, post_v_x, post_v_y, post_omega,
@@ -2722,39 +2870,42 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
         rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, contact_closed, stop_closed] = *state;
     let m = &motion(time, state, p, &prepare(p));
     let stop_rate = post_omega * m.t7;
-    let t0 = (R::literal(7.848) * post_v_y).add_product(R::select_less(stop_closed,
+    let t0 = bobbin_x - R::literal(0.328);
+    let t1 = bobbin_y - R::literal(0.058);
+    let t2 = (R::literal(7.848) * post_v_y).add_product(R::select_less(stop_closed,
         R::literal(0.5), R::literal(0.0), R::literal(1_000_000.0) * m.stop_gap * m.t7), post_omega)
-        .add_product(R::literal(11.772), plate_v_y).sub_product(m.t167, cylinder_v_x)
-        .add_product(R::literal(2.943) - m.t169, cylinder_v_y).add_product(m.t172, cylinder_omega)
-        .add_product(m.t167, rod_v_x).add_product(R::literal(1.962) + m.t169, rod_v_y)
-        .add_product(R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), m.t176),
+        .add_product(R::literal(11.772), plate_v_y).sub_product(m.t170, cylinder_v_x)
+        .add_product(R::literal(2.943) - m.t172, cylinder_v_y).add_product(m.t175, cylinder_omega)
+        .add_product(m.t170, rod_v_x).add_product(R::literal(1.962) + m.t172, rod_v_y)
+        .add_product(R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), m.t180),
         bobbin_v_x).add_product(R::literal(6.867) + R::select_less(contact_closed, R::literal(0.5),
-        R::literal(0.0), m.t178), bobbin_v_y).sub_product(R::literal(0.8) * post_v_x, m.t240)
-        .sub_product(R::literal(0.8) * post_v_y, m.t239).add_product(R::literal(0.0027)
+        R::literal(0.0), m.t182), bobbin_v_y).sub_product(R::literal(0.8) * post_v_x, m.t248)
+        .sub_product(R::literal(0.8) * post_v_y, m.t247).add_product(R::literal(0.0027)
         * post_omega, m.post_omega_dot);
-    let t1 = (p.spring_damping * cylinder_omega * m.slide_rate * m.t12)
+    let t3 = (p.spring_damping * cylinder_omega * m.slide_rate * m.t12)
         .add_product(p.spring_damping * rod_v_x * m.slide_rate, m.cos_cylinder_phi)
         .add_product(p.spring_damping * rod_v_y * m.slide_rate, m.sin_cylinder_phi)
         + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), p.contact_damping
-        * bobbin_v_x * m.contact_rate * (bobbin_x - R::literal(0.328)) / m.between
-        + p.contact_damping * bobbin_v_y * m.contact_rate * (bobbin_y - R::literal(0.058))
-        / m.between);
+        * bobbin_v_x * m.contact_rate * t0 / m.between + p.contact_damping * bobbin_v_y
+        * m.contact_rate * t1 / m.between) + R::select_less(stop_closed, R::literal(0.5),
+        R::literal(0.0), R::literal(1500.0) * (stop_rate * stop_rate));
     PowerBalance {
-        stored_rate: t0.sub_product(R::literal(1.2) * plate_v_x, m.t238
-            .add_product(R::literal(-0.833_333_333_333_333_4), m.t213)).sub_product(R::literal(1.2)
-            * plate_v_y, m.t236 + m.t237).add_product(R::literal(0.0025) * plate_omega,
+        stored_rate: t2.sub_product(R::literal(1.2) * plate_v_x, m.t246
+            .add_product(R::literal(-0.833_333_333_333_333_4), m.t221)).sub_product(R::literal(1.2)
+            * plate_v_y, m.t244 + m.t245).add_product(R::literal(0.0025) * plate_omega,
             m.plate_omega_dot).add_product(R::literal(0.3) * cylinder_v_x, m.cylinder_v_x_dot)
             .add_product(R::literal(0.3) * cylinder_v_y, m.cylinder_v_y_dot)
             .add_product(R::literal(0.00036) * cylinder_omega, m.cylinder_omega_dot)
             .add_product(R::literal(0.2) * rod_v_x, m.rod_v_x_dot).sub_product(R::literal(0.2)
-            * rod_v_y, m.t235).add_product(R::literal(0.00024) * rod_omega, m.rod_omega_dot)
+            * rod_v_y, m.t243).add_product(R::literal(0.00024) * rod_omega, m.rod_omega_dot)
             .add_product(R::literal(0.7) * bobbin_v_x, m.bobbin_v_x_dot)
             .add_product(R::literal(0.7) * bobbin_v_y, m.bobbin_v_y_dot),
-        supplied: R::literal(0.0),
-        dissipated: (t1 + R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
-            R::literal(1500.0) * (stop_rate * stop_rate))).sub_product(p.spring_damping
-            * cylinder_v_x * m.slide_rate, m.cos_cylinder_phi).sub_product(p.spring_damping
-            * cylinder_v_y * m.slide_rate, m.sin_cylinder_phi),
+        supplied: R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
+            (-(p.grip * bobbin_v_y * m.t13 * t0 / m.between)).add_product(p.grip * plate_omega
+            * m.t13, m.between - R::literal(0.04)) + p.grip * bobbin_v_x * m.t13 * t1 / m.between),
+        dissipated: t3.sub_product(p.spring_damping * cylinder_v_x * m.slide_rate,
+            m.cos_cylinder_phi).sub_product(p.spring_damping * cylinder_v_y * m.slide_rate,
+            m.sin_cylinder_phi),
     }
 }
 
@@ -2788,7 +2939,7 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [contact_contact, contact_contact, stop_contact, stop_contact]
 }
 
-/// `dg/dt` of the guards along the motion. 59 operations.
+/// `dg/dt` of the guards along the motion. 57 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let bobbin_x = state[12];
@@ -2804,16 +2955,14 @@ pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> 
     let t2 = R::literal(1_000_000.0) * m.stop_gap;
     let t3 = -t2;
     let stop_push = -t2.add_product(R::literal(1500.0), stop_rate);
-    let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
-    let t4 = -contact_stiffness_times_contact_gap;
-    let contact_push = -contact_stiffness_times_contact_gap.add_product(p.contact_damping,
-        m.contact_rate);
-    let t5 = m.between * m.between;
-    let t6 = p.contact_stiffness * t0 / m.between;
+    let t4 = -(p.contact_stiffness * contact_gap);
+    let contact_push = -m.t13;
+    let t5 = p.contact_stiffness * t0 / m.between;
+    let t6 = m.between * m.between;
     let t7 = p.contact_stiffness * t1 / m.between;
-    let t8 = (R::select_less(t4, contact_push, -t6, m.t177 / t5 - p.contact_damping * bobbin_v_x
-        / m.between - t6) * bobbin_v_x).add_product(R::select_less(t4, contact_push, -t7, m.t179
-        / t5 - p.contact_damping * bobbin_v_y / m.between - t7), bobbin_v_y)
+    let t8 = (R::select_less(t4, contact_push, -t5, m.t181 / t6 - p.contact_damping * bobbin_v_x
+        / m.between - t5) * bobbin_v_x).add_product(R::select_less(t4, contact_push, -t7, m.t183
+        / t6 - p.contact_damping * bobbin_v_y / m.between - t7), bobbin_v_y)
         .add_product(R::select_less(t4, contact_push, R::literal(0.0), -(p.contact_damping * t0
         / m.between)), m.bobbin_v_x_dot);
     let contact_touches_guard_rate = t8.add_product(R::select_less(t4, contact_push,

@@ -3,9 +3,9 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   85bbab16c14062910913050fe469c569b8b869411d97808ea71f6b4ca0d6f086  scenes/winder_linear.toml
-//   bb9704add23ab13bd17c52ac1d1c5e67137cd1bcc7ab7b5b2db4ef32be1427ab  units/textile/bobbin_holder.toml
-//   71c306121dd34fe7f6a6deac754ff0569e1ec5d27ed15df8584e2af62f038da6  units/textile/yarn_layer.toml
+//   715cb9c7592b694b09947fddf4567dc44c986cd1755cd1aa89a06720ba1162b7  scenes/winder_linear.toml
+//   8de1bbb3fa64bbae2cf672dee1c82fb8ef0ed3eb5d297699f2da7fef8911ea85  units/textile/bobbin_holder.toml
+//   87143029f001321748b22f512a5e76a6d27d20b7bc1f4ba603270e6c99a9ee50  units/textile/yarn_layer.toml
 //
 // Bobbin on a winding drum, linear layer
 //
@@ -13,13 +13,13 @@
 // turn by its shape. First stage of modelling: layer and holder are linear.
 //
 // Source:
-//   Winder study, first stage of modelling; mass, viscosity, stiffnesses and disturbances of its bench model M5. Arms, speed and radii are plausible ones.
+//   Winder study, first stage of modelling; every mass, stiffness, dimension, speed and disturbance is ours, for the study gives none.
 //
 // All quantities are in SI units.
 // Shapes: coordinates 1, states 2, parameters 22, outputs 5.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 20 of 2 by 22.
-// Operations: rate 47, mass_matrix 10, forcing 35, rate_jacobian 16, parameter_jacobian 198,
-//     time_derivative 59, outputs 42, energy 31, power_balance 57, prepare 75, prepared_rate 30,
+// Operations: rate 49, mass_matrix 12, forcing 35, rate_jacobian 18, parameter_jacobian 203,
+//     time_derivative 61, outputs 44, energy 33, power_balance 59, prepare 80, prepared_rate 30,
 //     prepared_jacobians 128.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
@@ -30,7 +30,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     /// The bobbin rests on a drum that shakes it once a turn by its unbalance and twice a
     /// turn by its shape. First stage of modelling: layer and holder are linear.
     ///
-    /// Source: Winder study, first stage of modelling; mass, viscosity, stiffnesses and disturbances of its bench model M5. Arms, speed and radii are plausible ones.
+    /// Source: Winder study, first stage of modelling; every mass, stiffness, dimension, speed and disturbance is ours, for the study gives none.
     WinderLinear: "winder_linear", "Bobbin on a winding drum, linear layer";
     run from 0.0, until 0.5, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
@@ -85,79 +85,81 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 }
 
 ::machinist_contract::constants! {
-    drum_speed, package_speed, t3, t5, eccentricity_times_drum_speed, inverse_holder_mass,
-    holder_v_dot_by_holder_x, holder_v_dot_by_holder_v, t7, t10, t11,
-    winding_speed_times_eccentricity, t12, drum_radius_times_force_amplitude, t13, t15, t16, t17,
-    t18, t19, t20, t21, t22, t23, t24, drum_speed_over_drum_radius_squared, t25, t26,
-    ovality_times_layer_stiffness, layer_viscosity_times_drum_speed, t27, t28, t29, t30, t31, t32,
+    drum_speed, package_speed, t0, t4, eccentricity_times_drum_speed, inverse_holder_mass,
+    holder_v_dot_by_holder_x, holder_v_dot_by_holder_v, t6, t9, t10,
+    winding_speed_times_eccentricity, t11, drum_radius_times_force_amplitude, t12, t14, t15, t16,
+    t17, t18, t19, t20, t21, t22, t23, drum_speed_over_drum_radius_squared, t24, t25,
+    ovality_times_layer_stiffness, layer_viscosity_times_drum_speed, t26, t28, t29, t30, t31, t32,
     t33, t34, t35, t36
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 75 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 80 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = (p.holder_package_radius * p.holder_package_radius)
+    let t0 = R::literal(2.0) * drum_speed;
+    let t1 = (p.holder_package_radius * p.holder_package_radius)
         .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
-    let t1 = R::literal(core::f64::consts::PI) * p.holder_package_width;
-    let t2 = p.holder_link_mass * p.holder_link_arm;
-    let holder_mass = p.holder_bobbin_mass.add_product(t1 * p.holder_yarn_density, t0) + t2
-        / p.holder_holder_arm;
-    let t3 = R::literal(2.0) * drum_speed;
-    let t4 = R::literal(2.0) * p.ovality;
-    let t5 = t4 * drum_speed;
+    let t2 = R::literal(core::f64::consts::PI) * p.holder_package_width;
+    let holder_link_arm_squared = p.holder_link_arm * p.holder_link_arm;
+    let holder_holder_arm_squared = p.holder_holder_arm * p.holder_holder_arm;
+    let holder_mass = p.holder_bobbin_mass.add_product(t2 * p.holder_yarn_density, t1)
+        + p.holder_link_mass * holder_link_arm_squared / holder_holder_arm_squared;
+    let t3 = R::literal(2.0) * p.ovality;
+    let t4 = t3 * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let holder_v_dot_by_holder_x = -((p.holder_stiffness + p.layer_stiffness)
         * inverse_holder_mass);
     let holder_v_dot_by_holder_v = -(p.layer_viscosity * inverse_holder_mass);
-    let t6 = R::literal(4.0) * p.winding_speed * p.ovality;
-    let t7 = t6 * p.holder_package_radius * p.layer_viscosity;
-    let t8 = R::literal(2.0) * p.drum_radius * p.ovality;
-    let t9 = t8 * p.holder_package_radius;
-    let t10 = t9 * p.layer_stiffness;
-    let t11 = t9 * p.layer_viscosity;
+    let t5 = R::literal(4.0) * p.winding_speed * p.ovality;
+    let t6 = t5 * p.holder_package_radius * p.layer_viscosity;
+    let t7 = R::literal(2.0) * p.drum_radius * p.ovality;
+    let t8 = t7 * p.holder_package_radius;
+    let t9 = t8 * p.layer_stiffness;
+    let t10 = t8 * p.layer_viscosity;
     let winding_speed_times_eccentricity = p.winding_speed * p.eccentricity;
-    let t12 = winding_speed_times_eccentricity * p.holder_package_radius * p.layer_viscosity;
+    let t11 = winding_speed_times_eccentricity * p.holder_package_radius * p.layer_viscosity;
     let drum_radius_times_force_amplitude = p.drum_radius * p.force_amplitude;
-    let t13 = drum_radius_times_force_amplitude * p.holder_package_radius;
+    let t12 = drum_radius_times_force_amplitude * p.holder_package_radius;
     let drum_radius_times_eccentricity = p.drum_radius * p.eccentricity;
-    let t14 = drum_radius_times_eccentricity * p.holder_package_radius;
-    let t15 = t14 * p.layer_stiffness;
+    let t13 = drum_radius_times_eccentricity * p.holder_package_radius;
+    let t14 = t13 * p.layer_stiffness;
     let drum_radius_squared = p.drum_radius * p.drum_radius;
-    let t16 = p.package_force * drum_radius_squared;
-    let t17 = t14 * p.layer_viscosity;
-    let t18 = R::literal(-1.0) / (drum_radius_squared * p.holder_package_radius);
-    let t19 = t8 * p.layer_stiffness;
-    let t20 = t8 * p.layer_viscosity;
-    let t21 = t6 * p.layer_viscosity;
-    let t22 = winding_speed_times_eccentricity * p.layer_viscosity;
-    let t23 = drum_radius_times_eccentricity * p.layer_stiffness;
-    let t24 = drum_radius_times_eccentricity * p.layer_viscosity;
+    let t15 = p.package_force * drum_radius_squared;
+    let t16 = t13 * p.layer_viscosity;
+    let t17 = R::literal(-1.0) / (drum_radius_squared * p.holder_package_radius);
+    let t18 = t7 * p.layer_stiffness;
+    let t19 = t7 * p.layer_viscosity;
+    let t20 = t5 * p.layer_viscosity;
+    let t21 = winding_speed_times_eccentricity * p.layer_viscosity;
+    let t22 = drum_radius_times_eccentricity * p.layer_stiffness;
+    let t23 = drum_radius_times_eccentricity * p.layer_viscosity;
     let drum_speed_over_drum_radius_squared = drum_speed / drum_radius_squared;
-    let t25 = R::literal(2.0) * p.layer_viscosity * drum_speed;
-    let t26 = t4 * p.layer_viscosity * drum_speed;
+    let t24 = R::literal(2.0) * p.layer_viscosity * drum_speed;
+    let t25 = t3 * p.layer_viscosity * drum_speed;
     let ovality_times_layer_stiffness = p.ovality * p.layer_stiffness;
     let layer_viscosity_times_drum_speed = p.layer_viscosity * drum_speed;
-    let t27 = p.holder_link_arm / p.holder_holder_arm;
-    let t28 = p.holder_link_mass / p.holder_holder_arm;
-    let t29 = t2 / (p.holder_holder_arm * p.holder_holder_arm);
+    let t26 = holder_link_arm_squared / holder_holder_arm_squared;
+    let t27 = R::literal(2.0) * p.holder_link_mass;
+    let t28 = t27 * p.holder_link_arm / holder_holder_arm_squared;
+    let t29 = t27 * holder_link_arm_squared / (holder_holder_arm_squared * p.holder_holder_arm);
     let t30 = p.package_force * package_speed / p.holder_package_radius;
     let t31 = R::literal(core::f64::consts::TAU) * p.holder_package_radius * p.holder_package_width
         * p.holder_yarn_density;
     let t32 = R::literal(core::f64::consts::TAU) * p.holder_bobbin_radius * p.holder_package_width
         * p.holder_yarn_density;
-    let t33 = R::literal(-3.141_592_653_589_793) * p.holder_yarn_density * t0;
-    let t34 = t1 * t0;
+    let t33 = R::literal(-3.141_592_653_589_793) * p.holder_yarn_density * t1;
+    let t34 = t2 * t1;
     let t35 = R::literal(2.0) * p.winding_speed * p.ovality;
     let t36 = R::literal(-1.0) / p.drum_radius;
-    Constants { drum_speed, package_speed, t3, t5, eccentricity_times_drum_speed,
-        inverse_holder_mass, holder_v_dot_by_holder_x, holder_v_dot_by_holder_v, t7, t10, t11,
-        winding_speed_times_eccentricity, t12, drum_radius_times_force_amplitude, t13, t15, t16,
-        t17, t18, t19, t20, t21, t22, t23, t24, drum_speed_over_drum_radius_squared, t25, t26,
-        ovality_times_layer_stiffness, layer_viscosity_times_drum_speed, t27, t28, t29, t30, t31,
+    Constants { drum_speed, package_speed, t0, t4, eccentricity_times_drum_speed,
+        inverse_holder_mass, holder_v_dot_by_holder_x, holder_v_dot_by_holder_v, t6, t9, t10,
+        winding_speed_times_eccentricity, t11, drum_radius_times_force_amplitude, t12, t14, t15,
+        t16, t17, t18, t19, t20, t21, t22, t23, drum_speed_over_drum_radius_squared, t24, t25,
+        ovality_times_layer_stiffness, layer_viscosity_times_drum_speed, t26, t28, t29, t30, t31,
         t32, t33, t34, t35, t36 }
 }
 
@@ -179,7 +181,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; STATES] {
     let [holder_x, holder_v] = *state;
-    let t0 = p.ovality_phase.add_product(c.t3, time);
+    let t0 = p.ovality_phase.add_product(c.t0, time);
     let drum_speed_times_time = c.drum_speed * time;
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3), (_, t4)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
@@ -188,18 +190,19 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
     let holder_v_dot = (force.sub_product(p.layer_viscosity, (c.eccentricity_times_drum_speed
-        * sin_drum_speed_times_time).add_product(c.t5, t1) + holder_v) - (p.holder_stiffness
+        * sin_drum_speed_times_time).add_product(c.t4, t1) + holder_v) - (p.holder_stiffness
         * holder_x).sub_product(p.layer_stiffness, layer_compression)) * c.inverse_holder_mass;
     [holder_v, holder_v_dot]
 }
 
-/// `M = d2L/dq'2`, values in the order of its pattern. 10 operations.
+/// `M = d2L/dq'2`, values in the order of its pattern. 12 operations.
 #[must_use]
 pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; 1] {
     let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
+        * p.holder_holder_arm);
     [holder_mass]
 }
 
@@ -237,7 +240,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
 pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 23] {
     let [holder_x, holder_v] = *state;
-    let t0 = p.ovality_phase.add_product(c.t3, time);
+    let t0 = p.ovality_phase.add_product(c.t0, time);
     let drum_speed_times_time = c.drum_speed * time;
     let t1 = p.force_phase + drum_speed_times_time;
     let t2 = p.package_phase.add_product(c.package_speed, time);
@@ -247,31 +250,31 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let force = (p.force_amplitude * t6).add_product(p.package_force, t8);
     let layer_compression = shape - holder_x;
     let holder_v_dot = (force.sub_product(p.layer_viscosity, (c.eccentricity_times_drum_speed
-        * sin_drum_speed_times_time).add_product(c.t5, t3) + holder_v) - (p.holder_stiffness
+        * sin_drum_speed_times_time).add_product(c.t4, t3) + holder_v) - (p.holder_stiffness
         * holder_x).sub_product(p.layer_stiffness, layer_compression)) * c.inverse_holder_mass;
-    let holder_v_dot_by_winding_speed = c.t18 * (c.t7 * time * t4).add_product(c.t10 * time, t3)
-        .add_product(c.t11, t3).add_product(c.t12 * time, cos_drum_speed_times_time)
-        .add_product(c.t13 * time, t5).add_product(c.t15 * time, sin_drum_speed_times_time)
-        .add_product(c.t16 * time, t7).add_product(c.t17, sin_drum_speed_times_time)
+    let holder_v_dot_by_winding_speed = c.t17 * (c.t6 * time * t4).add_product(c.t9 * time, t3)
+        .add_product(c.t10, t3).add_product(c.t11 * time, cos_drum_speed_times_time)
+        .add_product(c.t12 * time, t5).add_product(c.t14 * time, sin_drum_speed_times_time)
+        .add_product(c.t15 * time, t7).add_product(c.t16, sin_drum_speed_times_time)
         * c.inverse_holder_mass;
-    let holder_v_dot_by_drum_radius = c.drum_speed_over_drum_radius_squared * (c.t19 * time * t3)
-        .add_product(c.t20, t3).add_product(c.t21 * time, t4).add_product(c.t22 * time,
+    let holder_v_dot_by_drum_radius = c.drum_speed_over_drum_radius_squared * (c.t18 * time * t3)
+        .add_product(c.t19, t3).add_product(c.t20 * time, t4).add_product(c.t21 * time,
         cos_drum_speed_times_time).add_product(c.drum_radius_times_force_amplitude * time, t5)
-        .add_product(c.t23 * time, sin_drum_speed_times_time).add_product(c.t24,
+        .add_product(c.t22 * time, sin_drum_speed_times_time).add_product(c.t23,
         sin_drum_speed_times_time) * c.inverse_holder_mass;
     let holder_v_dot_by_force_amplitude = t6 * c.inverse_holder_mass;
     let holder_v_dot_by_force_phase = -(p.force_amplitude * t5 * c.inverse_holder_mass);
     let holder_v_dot_by_package_force = t8 * c.inverse_holder_mass;
     let holder_v_dot_by_package_phase = -(p.package_force * t7 * c.inverse_holder_mass);
-    let holder_v_dot_by_ovality = (p.layer_stiffness * t4).sub_product(c.t25, t3)
+    let holder_v_dot_by_ovality = (p.layer_stiffness * t4).sub_product(c.t24, t3)
         * c.inverse_holder_mass;
-    let holder_v_dot_by_ovality_phase = -((c.t26 * t4).add_product(c.ovality_times_layer_stiffness,
+    let holder_v_dot_by_ovality_phase = -((c.t25 * t4).add_product(c.ovality_times_layer_stiffness,
         t3) * c.inverse_holder_mass);
     let holder_v_dot_by_eccentricity = (p.layer_stiffness * cos_drum_speed_times_time)
         .sub_product(c.layer_viscosity_times_drum_speed, sin_drum_speed_times_time)
         * c.inverse_holder_mass;
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * c.inverse_holder_mass);
-    let holder_v_dot_by_holder_link_mass = -(c.t27 * holder_v_dot * c.inverse_holder_mass);
+    let holder_v_dot_by_holder_link_mass = -(c.t26 * holder_v_dot * c.inverse_holder_mass);
     let holder_v_dot_by_holder_link_arm = -(c.t28 * holder_v_dot * c.inverse_holder_mass);
     let holder_v_dot_by_holder_holder_arm = c.t29 * holder_v_dot * c.inverse_holder_mass;
     let holder_v_dot_by_holder_package_radius = (c.t30 * time * t7).sub_product(c.t31,
@@ -297,7 +300,7 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         holder_v_dot_by_layer_viscosity]
 }
 
-/// Partial derivative of `y'` with respect to time. 59 operations.
+/// Partial derivative of `y'` with respect to time. 61 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let drum_speed = p.winding_speed / p.drum_radius;
@@ -310,7 +313,8 @@ pub fn time_derivative<R: Real>(time: R, _state: &[R; STATES], p: &Parameters<R>
     let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
+        * p.holder_holder_arm);
     let t5 = (R::literal(-4.0) * p.winding_speed * p.ovality * p.holder_package_radius
         * p.layer_viscosity * t2).sub_product(R::literal(2.0) * p.drum_radius * p.ovality
         * p.holder_package_radius * p.layer_stiffness, t1).sub_product(p.winding_speed
@@ -324,7 +328,7 @@ pub fn time_derivative<R: Real>(time: R, _state: &[R; STATES], p: &Parameters<R>
     [R::literal(0.0), holder_v_dot_by_time]
 }
 
-/// Wanted outputs. 42 operations.
+/// Wanted outputs. 44 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [holder_x, holder_v] = *state;
@@ -335,11 +339,12 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3), (_, t4)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
         p.package_phase.add_product(package_speed, time)]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
+        * p.holder_holder_arm);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
     Outputs {
@@ -353,7 +358,7 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     }
 }
 
-/// T, V and the energy of first-order states \[J\]. 31 operations.
+/// T, V and the energy of first-order states \[J\]. 33 operations.
 #[must_use]
 pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [holder_x, holder_v] = *state;
@@ -361,11 +366,12 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     let [(_, t0), (_, cos_drum_speed_times_time)]
         = R::sin_cos_each([p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time),
         drum_speed * time]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
     let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
+        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
+        * p.holder_holder_arm);
     let layer_compression = shape - holder_x;
     Energy {
         kinetic: R::literal(0.5) * holder_mass * (holder_v * holder_v),
@@ -376,7 +382,7 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 57 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 59 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [holder_x, holder_v] = *state;
@@ -387,11 +393,12 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3), (_, t4)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
         p.package_phase.add_product(package_speed, time)]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
+        * p.holder_holder_arm);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
     let t5 = (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(R::literal(2.0)
@@ -415,7 +422,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 75 recurrences. No sums of products.
+/// 77 recurrences. No sums of products.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -424,61 +431,63 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = p.holder_bobbin_radius * p.holder_bobbin_radius;
-    let t1 = p.holder_package_radius * p.holder_package_radius;
-    let t2 = t1 - t0;
-    let t3 = R::literal(core::f64::consts::PI) * p.holder_package_width;
-    let t4 = t3 * p.holder_yarn_density;
-    let t5 = t4 * t2;
-    let t6 = p.holder_link_mass * p.holder_link_arm;
-    let t7 = t6 / p.holder_holder_arm;
-    let t8 = p.holder_bobbin_mass + t5;
-    let holder_mass = t8 + t7;
-    let t9 = R::literal(2.0) * drum_speed;
-    let t10 = time * t9;
-    let t11 = p.ovality_phase + t10;
-    let t12 = t11.sin();
-    let t13 = t11.cos();
-    let t14 = t13 * p.ovality;
-    let t15 = time * drum_speed;
-    let t16 = t15.sin();
-    let t17 = t15.cos();
-    let t18 = t17 * p.eccentricity;
-    let shape = t14 + t18;
-    let t19 = p.force_phase + t15;
-    let t20 = t19.sin();
-    let t21 = t19.cos();
-    let t22 = t21 * p.force_amplitude;
-    let t23 = time * package_speed;
-    let t24 = p.package_phase + t23;
-    let t25 = t24.sin();
-    let t26 = t24.cos();
-    let t27 = t26 * p.package_force;
-    let force = t22 + t27;
+    let t0 = R::literal(2.0) * drum_speed;
+    let t1 = time * t0;
+    let t2 = p.ovality_phase + t1;
+    let t3 = t2.sin();
+    let t4 = t2.cos();
+    let t5 = t4 * p.ovality;
+    let t6 = time * drum_speed;
+    let t7 = t6.sin();
+    let t8 = t6.cos();
+    let t9 = t8 * p.eccentricity;
+    let shape = t5 + t9;
+    let t10 = p.holder_bobbin_radius * p.holder_bobbin_radius;
+    let t11 = p.holder_package_radius * p.holder_package_radius;
+    let t12 = t11 - t10;
+    let t13 = R::literal(core::f64::consts::PI) * p.holder_package_width;
+    let t14 = t13 * p.holder_yarn_density;
+    let t15 = t14 * t12;
+    let t16 = p.holder_link_arm * p.holder_link_arm;
+    let t17 = p.holder_holder_arm * p.holder_holder_arm;
+    let t18 = p.holder_link_mass * t16;
+    let t19 = t18 / t17;
+    let t20 = p.holder_bobbin_mass + t15;
+    let holder_mass = t20 + t19;
+    let t21 = p.force_phase + t6;
+    let t22 = t21.sin();
+    let t23 = t21.cos();
+    let t24 = t23 * p.force_amplitude;
+    let t25 = time * package_speed;
+    let t26 = p.package_phase + t25;
+    let t27 = t26.sin();
+    let t28 = t26.cos();
+    let t29 = t28 * p.package_force;
+    let force = t24 + t29;
     let layer_compression = shape - holder_x;
-    let t28 = R::literal(2.0) * p.ovality;
-    let t29 = t28 * drum_speed;
-    let t30 = t12 * t29;
-    let t31 = p.eccentricity * drum_speed;
-    let t32 = t16 * t31;
-    let t33 = t30 + t32;
-    let t34 = t33 + holder_v;
-    let t35 = R::literal(1.0) / holder_mass;
-    let t36 = layer_compression * p.layer_stiffness;
-    let t37 = holder_x * p.holder_stiffness;
-    let t38 = t37 - t36;
-    let t39 = t34 * p.layer_viscosity;
-    let t40 = force - t39;
-    let t41 = t40 - t38;
-    let holder_v_dot = t41 * t35;
-    let mut t12_before = t12;
-    let mut t13_before = t13;
-    let mut t16_before = t16;
-    let mut t17_before = t17;
-    let mut t20_before = t20;
-    let mut t21_before = t21;
-    let mut t25_before = t25;
-    let mut t26_before = t26;
+    let t30 = R::literal(2.0) * p.ovality;
+    let t31 = t30 * drum_speed;
+    let t32 = t3 * t31;
+    let t33 = p.eccentricity * drum_speed;
+    let t34 = t7 * t33;
+    let t35 = t32 + t34;
+    let t36 = t35 + holder_v;
+    let t37 = R::literal(1.0) / holder_mass;
+    let t38 = layer_compression * p.layer_stiffness;
+    let t39 = holder_x * p.holder_stiffness;
+    let t40 = t39 - t38;
+    let t41 = t36 * p.layer_viscosity;
+    let t42 = force - t41;
+    let t43 = t42 - t40;
+    let holder_v_dot = t43 * t37;
+    let mut t3_before = t3;
+    let mut t4_before = t4;
+    let mut t7_before = t7;
+    let mut t8_before = t8;
+    let mut t22_before = t22;
+    let mut t23_before = t23;
+    let mut t27_before = t27;
+    let mut t28_before = t28;
     let mut rates = [holder_v, holder_v_dot];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
@@ -489,32 +498,32 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
             break;
         }
         let [holder_x_k, holder_v_k] = *state_k;
-        let t12_k = inverse * t9 * t13_before;
-        let t13_k = -inverse * t9 * t12_before;
-        let t16_k = inverse * drum_speed * t17_before;
-        let t17_k = -inverse * drum_speed * t16_before;
-        let shape_k = t17_k.mul_add(p.eccentricity, t13_k * p.ovality);
-        let t20_k = inverse * drum_speed * t21_before;
-        let t21_k = -inverse * drum_speed * t20_before;
-        let t25_k = inverse * package_speed * t26_before;
-        let t26_k = -inverse * package_speed * t25_before;
-        let force_k = t26_k.mul_add(p.package_force, t21_k * p.force_amplitude);
+        let t3_k = inverse * t0 * t4_before;
+        let t4_k = -inverse * t0 * t3_before;
+        let t7_k = inverse * drum_speed * t8_before;
+        let t8_k = -inverse * drum_speed * t7_before;
+        let shape_k = t8_k.mul_add(p.eccentricity, t4_k * p.ovality);
+        let t22_k = inverse * drum_speed * t23_before;
+        let t23_k = -inverse * drum_speed * t22_before;
+        let t27_k = inverse * package_speed * t28_before;
+        let t28_k = -inverse * package_speed * t27_before;
+        let force_k = t28_k.mul_add(p.package_force, t23_k * p.force_amplitude);
         let layer_compression_k = shape_k - holder_x_k;
-        let t33_k = t16_k.mul_add(t31, t12_k * t29);
-        let t34_k = t33_k + holder_v_k;
-        let t38_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
+        let t35_k = t7_k.mul_add(t33, t3_k * t31);
+        let t36_k = t35_k + holder_v_k;
+        let t40_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
             * p.holder_stiffness);
-        let t40_k = (-t34_k).mul_add(p.layer_viscosity, force_k);
-        let t41_k = t40_k - t38_k;
-        let holder_v_dot_k = t41_k * t35;
-        t12_before = t12_k;
-        t13_before = t13_k;
-        t16_before = t16_k;
-        t17_before = t17_k;
-        t20_before = t20_k;
-        t21_before = t21_k;
-        t25_before = t25_k;
-        t26_before = t26_k;
+        let t42_k = (-t36_k).mul_add(p.layer_viscosity, force_k);
+        let t43_k = t42_k - t40_k;
+        let holder_v_dot_k = t43_k * t37;
+        t3_before = t3_k;
+        t4_before = t4_k;
+        t7_before = t7_k;
+        t8_before = t8_k;
+        t22_before = t22_k;
+        t23_before = t23_k;
+        t27_before = t27_k;
+        t28_before = t28_k;
         rates = [holder_v_k, holder_v_dot_k];
     }
 }
@@ -525,7 +534,7 @@ pub const EXCITATION_TERMS: [(u32, u32); 3] = [(1, 0), (1, 0), (1, 0)];
 /// Times at which pieces of the excitation end.
 pub const SWITCHES: usize = 0;
 
-/// g, w, C and S of every term of the excitation, on the piece that holds `time`. 50 operations.
+/// g, w, C and S of every term of the excitation, on the piece that holds `time`. 52 operations.
 #[must_use]
 pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 12] {
     let [(sin_ovality_phase, cos_ovality_phase), (sin_force_phase, cos_force_phase),
@@ -536,7 +545,8 @@ pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 12] {
     let t1 = R::literal(1.0) / (p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm);
+        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
+        * p.holder_holder_arm));
     [R::literal(0.0), winding_speed_over_drum_radius, (p.eccentricity
         * p.layer_stiffness).add_product(cos_force_phase, p.force_amplitude) * t1,
         -((p.eccentricity * winding_speed_over_drum_radius * p.layer_viscosity)

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   15aae97806f290d2a0c9e068e0de20b91e65e5561e986616897e05eee65d1c2e  scenes/winder_linkage.toml
+//   e066b9f81bb9983109f8ee8862642683da5493e48442acf07d6da6879fe22a62  scenes/winder_linkage.toml
 //   b4594591158f68ce8c9070674fa9b2138edb31e0a5645bf03c9d1c4965420587  units/planar_body.toml
 //   f16080366c1876ed3761f64515d9615b15b3dbd6017cdb3eb0cba34abb073dd2  units/spring_damper.toml
 //
@@ -15,10 +15,10 @@
 // plane and held by fourteen constraints of pins and slide and by the two of the contacts,
 // whose forces are N and Q; the holder works steadily while both are above zero.
 //
-// The study gives no dimensions; these are plausible ones.
+// The study gives no dimensions, masses or stiffnesses; these are ours.
 //
 // Source:
-//   Study of a winding mechanism; dimensions are ours.
+//   Winder study, figures 2 and 3 and its table of links and pairs; every dimension, mass and stiffness is ours.
 //
 // All quantities are in SI units.
 // Shapes: coordinates 18, states 36, parameters 5, outputs 7, constraints 16.
@@ -39,9 +39,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
     /// plane and held by fourteen constraints of pins and slide and by the two of the contacts,
     /// whose forces are N and Q; the holder works steadily while both are above zero.
     ///
-    /// The study gives no dimensions; these are plausible ones.
+    /// The study gives no dimensions, masses or stiffnesses; these are ours.
     ///
-    /// Source: Study of a winding mechanism; dimensions are ours.
+    /// Source: Winder study, figures 2 and 3 and its table of links and pairs; every dimension, mass and stiffness is ours.
     WinderLinkage: "winder_linkage", "Four-link bobbin holder, at work";
     run from 0.0, until 1.0, points 101, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;

@@ -3,9 +3,9 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   b757a4987b5bc36fb55e84f5791e21321a7bf7f7a4af7e7b141f786efb5dc7bd  scenes/winder_nonlinear.toml
-//   bb9704add23ab13bd17c52ac1d1c5e67137cd1bcc7ab7b5b2db4ef32be1427ab  units/textile/bobbin_holder.toml
-//   bd2d39adccb12b96d727d4aa34d39034c63e51797801b2699c1eb4b360ad5998  units/textile/yarn_layer_cubic.toml
+//   9cdab8344cb78f428e7e2620ffdc2a6fba19feae968dae1bf768f70bfa92b00e  scenes/winder_nonlinear.toml
+//   8de1bbb3fa64bbae2cf672dee1c82fb8ef0ed3eb5d297699f2da7fef8911ea85  units/textile/bobbin_holder.toml
+//   f607d3f49689684641d206a5d617980eec53536e32f2cb2280a1ccab642d9dee  units/textile/yarn_layer_cubic.toml
 //
 // Bobbin on a winding drum, stiffening layer
 //
@@ -13,13 +13,13 @@
 // stage of modelling. Without disturbances and viscosity it is the Duffing oscillator.
 //
 // Source:
-//   Winder study, second stage of modelling; mass, viscosity, stiffnesses and disturbances of its bench model M5. Arms, speed and radii are plausible ones.
+//   Winder study, second stage of modelling; every mass, stiffness, dimension, speed and disturbance is ours, for the study gives none.
 //
 // All quantities are in SI units.
 // Shapes: coordinates 1, states 2, parameters 23, outputs 5.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 21 of 2 by 23.
-// Operations: rate 51, mass_matrix 10, forcing 39, rate_jacobian 31, parameter_jacobian 209,
-//     time_derivative 58, outputs 46, energy 35, power_balance 65, prepare 64, prepared_rate 34,
+// Operations: rate 53, mass_matrix 12, forcing 39, rate_jacobian 33, parameter_jacobian 214,
+//     time_derivative 60, outputs 48, energy 37, power_balance 67, prepare 69, prepared_rate 34,
 //     prepared_rate_jacobian 14, prepared_jacobians 151.
 
 use ::machinist_contract::{
@@ -32,7 +32,7 @@ use ::machinist_contract::{
     /// The bobbin of \`winder_linear\` on a layer that stiffens as it is compressed. Second
     /// stage of modelling. Without disturbances and viscosity it is the Duffing oscillator.
     ///
-    /// Source: Winder study, second stage of modelling; mass, viscosity, stiffnesses and disturbances of its bench model M5. Arms, speed and radii are plausible ones.
+    /// Source: Winder study, second stage of modelling; every mass, stiffness, dimension, speed and disturbance is ours, for the study gives none.
     WinderNonlinear: "winder_nonlinear", "Bobbin on a winding drum, stiffening layer";
     run from 0.0, until 0.5, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
@@ -89,67 +89,69 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    drum_speed, package_speed, t3, t5, eccentricity_times_drum_speed, inverse_holder_mass, t6, t7,
-    holder_v_dot_by_holder_v, force_amplitude_over_drum_radius, t8, t9,
-    eccentricity_over_drum_radius, t11, t12, t13, t14, t15, t16, t17, t18,
-    ovality_times_layer_stiffness, t19, layer_viscosity_times_drum_speed, t20, t21, t22, t23, t24,
+    drum_speed, package_speed, t0, t4, eccentricity_times_drum_speed, inverse_holder_mass, t5, t6,
+    holder_v_dot_by_holder_v, force_amplitude_over_drum_radius, t7, t8,
+    eccentricity_over_drum_radius, t10, t11, t12, t13, t14, t15, t16, t17,
+    ovality_times_layer_stiffness, t18, layer_viscosity_times_drum_speed, t19, t21, t22, t23, t24,
     t25, t26, t27, t28, winding_speed_times_eccentricity, t29
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 64 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 69 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = (p.holder_package_radius * p.holder_package_radius)
+    let t0 = R::literal(2.0) * drum_speed;
+    let t1 = (p.holder_package_radius * p.holder_package_radius)
         .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
-    let t1 = R::literal(core::f64::consts::PI) * p.holder_package_width;
-    let t2 = p.holder_link_mass * p.holder_link_arm;
-    let holder_mass = p.holder_bobbin_mass.add_product(t1 * p.holder_yarn_density, t0) + t2
-        / p.holder_holder_arm;
-    let t3 = R::literal(2.0) * drum_speed;
-    let t4 = R::literal(2.0) * p.ovality;
-    let t5 = t4 * drum_speed;
+    let t2 = R::literal(core::f64::consts::PI) * p.holder_package_width;
+    let holder_link_arm_squared = p.holder_link_arm * p.holder_link_arm;
+    let holder_holder_arm_squared = p.holder_holder_arm * p.holder_holder_arm;
+    let holder_mass = p.holder_bobbin_mass.add_product(t2 * p.holder_yarn_density, t1)
+        + p.holder_link_mass * holder_link_arm_squared / holder_holder_arm_squared;
+    let t3 = R::literal(2.0) * p.ovality;
+    let t4 = t3 * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
-    let t6 = R::literal(3.0) * p.layer_cubic_stiffness;
-    let t7 = p.holder_stiffness + p.layer_stiffness;
+    let t5 = R::literal(3.0) * p.layer_cubic_stiffness;
+    let t6 = p.holder_stiffness + p.layer_stiffness;
     let holder_v_dot_by_holder_v = -(p.layer_viscosity * inverse_holder_mass);
     let force_amplitude_over_drum_radius = p.force_amplitude / p.drum_radius;
-    let t8 = p.package_force / p.holder_package_radius;
-    let t9 = t4 / p.drum_radius;
+    let t7 = p.package_force / p.holder_package_radius;
+    let t8 = t3 / p.drum_radius;
     let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
-    let t10 = R::literal(4.0) * p.ovality;
-    let t11 = t10 * drum_speed / p.drum_radius;
-    let t12 = eccentricity_times_drum_speed / p.drum_radius;
-    let t13 = t5 / p.drum_radius;
-    let t14 = p.force_amplitude * drum_speed / p.drum_radius;
+    let t9 = R::literal(4.0) * p.ovality;
+    let t10 = t9 * drum_speed / p.drum_radius;
+    let t11 = eccentricity_times_drum_speed / p.drum_radius;
+    let t12 = t4 / p.drum_radius;
+    let t13 = p.force_amplitude * drum_speed / p.drum_radius;
     let drum_speed_squared = drum_speed * drum_speed;
-    let t15 = t10 * drum_speed_squared / p.drum_radius;
-    let t16 = p.eccentricity * drum_speed_squared / p.drum_radius;
-    let t17 = R::literal(2.0) * p.layer_viscosity * drum_speed;
-    let t18 = t4 * p.layer_viscosity * drum_speed;
+    let t14 = t9 * drum_speed_squared / p.drum_radius;
+    let t15 = p.eccentricity * drum_speed_squared / p.drum_radius;
+    let t16 = R::literal(2.0) * p.layer_viscosity * drum_speed;
+    let t17 = t3 * p.layer_viscosity * drum_speed;
     let ovality_times_layer_stiffness = p.ovality * p.layer_stiffness;
-    let t19 = R::literal(-3.0) * p.ovality * p.layer_cubic_stiffness;
+    let t18 = R::literal(-3.0) * p.ovality * p.layer_cubic_stiffness;
     let layer_viscosity_times_drum_speed = p.layer_viscosity * drum_speed;
-    let t20 = p.holder_link_arm / p.holder_holder_arm;
-    let t21 = p.holder_link_mass / p.holder_holder_arm;
-    let t22 = t2 / (p.holder_holder_arm * p.holder_holder_arm);
+    let t19 = holder_link_arm_squared / holder_holder_arm_squared;
+    let t20 = R::literal(2.0) * p.holder_link_mass;
+    let t21 = t20 * p.holder_link_arm / holder_holder_arm_squared;
+    let t22 = t20 * holder_link_arm_squared / (holder_holder_arm_squared * p.holder_holder_arm);
     let t23 = p.package_force * package_speed / p.holder_package_radius;
     let t24 = R::literal(core::f64::consts::TAU) * p.holder_package_radius * p.holder_package_width
         * p.holder_yarn_density;
     let t25 = R::literal(core::f64::consts::TAU) * p.holder_bobbin_radius * p.holder_package_width
         * p.holder_yarn_density;
-    let t26 = R::literal(-3.141_592_653_589_793) * p.holder_yarn_density * t0;
-    let t27 = t1 * t0;
+    let t26 = R::literal(-3.141_592_653_589_793) * p.holder_yarn_density * t1;
+    let t27 = t2 * t1;
     let t28 = R::literal(2.0) * p.winding_speed * p.ovality;
     let winding_speed_times_eccentricity = p.winding_speed * p.eccentricity;
     let t29 = R::literal(-1.0) / p.drum_radius;
-    Constants { drum_speed, package_speed, t3, t5, eccentricity_times_drum_speed,
-        inverse_holder_mass, t6, t7, holder_v_dot_by_holder_v, force_amplitude_over_drum_radius,
-        t8, t9, eccentricity_over_drum_radius, t11, t12, t13, t14, t15, t16, t17, t18,
-        ovality_times_layer_stiffness, t19, layer_viscosity_times_drum_speed, t20, t21, t22, t23,
+    Constants { drum_speed, package_speed, t0, t4, eccentricity_times_drum_speed,
+        inverse_holder_mass, t5, t6, holder_v_dot_by_holder_v, force_amplitude_over_drum_radius,
+        t7, t8, eccentricity_over_drum_radius, t10, t11, t12, t13, t14, t15, t16, t17,
+        ovality_times_layer_stiffness, t18, layer_viscosity_times_drum_speed, t19, t21, t22, t23,
         t24, t25, t26, t27, t28, winding_speed_times_eccentricity, t29 }
 }
 
@@ -171,7 +173,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; STATES] {
     let [holder_x, holder_v] = *state;
-    let t0 = p.ovality_phase.add_product(c.t3, time);
+    let t0 = p.ovality_phase.add_product(c.t0, time);
     let drum_speed_times_time = c.drum_speed * time;
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3), (_, t4)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
@@ -180,20 +182,21 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
     let holder_v_dot = (force.sub_product(p.layer_viscosity, (c.eccentricity_times_drum_speed
-        * sin_drum_speed_times_time).add_product(c.t5, t1) + holder_v) - (p.holder_stiffness
+        * sin_drum_speed_times_time).add_product(c.t4, t1) + holder_v) - (p.holder_stiffness
         * holder_x).sub_product(p.layer_stiffness, layer_compression)
         .sub_product(p.layer_cubic_stiffness, layer_compression * layer_compression
         * layer_compression)) * c.inverse_holder_mass;
     [holder_v, holder_v_dot]
 }
 
-/// `M = d2L/dq'2`, values in the order of its pattern. 10 operations.
+/// `M = d2L/dq'2`, values in the order of its pattern. 12 operations.
 #[must_use]
 pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; 1] {
     let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
+        * p.holder_holder_arm);
     [holder_mass]
 }
 
@@ -225,10 +228,10 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         c: &Constants<R>) -> [R; 3] {
     let [holder_x, ..] = *state;
     let [(_, t0), (_, cos_drum_speed_times_time)]
-        = R::sin_cos_each([p.ovality_phase.add_product(c.t3, time), c.drum_speed * time]);
+        = R::sin_cos_each([p.ovality_phase.add_product(c.t0, time), c.drum_speed * time]);
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
     let layer_compression = shape - holder_x;
-    let holder_v_dot_by_holder_x = -(c.t7.add_product(c.t6, layer_compression * layer_compression)
+    let holder_v_dot_by_holder_x = -(c.t6.add_product(c.t5, layer_compression * layer_compression)
         * c.inverse_holder_mass);
     [R::literal(1.0), holder_v_dot_by_holder_x, c.holder_v_dot_by_holder_v]
 }
@@ -239,7 +242,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
 pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 24] {
     let [holder_x, holder_v] = *state;
-    let t0 = p.ovality_phase.add_product(c.t3, time);
+    let t0 = p.ovality_phase.add_product(c.t0, time);
     let drum_speed_times_time = c.drum_speed * time;
     let t1 = p.force_phase + drum_speed_times_time;
     let t2 = p.package_phase.add_product(c.package_speed, time);
@@ -248,41 +251,41 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t4);
     let layer_compression = shape - holder_x;
     let layer_compression_squared = layer_compression * layer_compression;
-    let t9 = c.t6 * layer_compression_squared;
-    let holder_v_dot_by_holder_x = -((c.t7 + t9) * c.inverse_holder_mass);
+    let t9 = c.t5 * layer_compression_squared;
+    let holder_v_dot_by_holder_x = -((c.t6 + t9) * c.inverse_holder_mass);
     let force = (p.force_amplitude * t6).add_product(p.package_force, t8);
     let t10 = layer_compression_squared * layer_compression;
     let holder_v_dot = (force.sub_product(p.layer_viscosity, (c.eccentricity_times_drum_speed
-        * sin_drum_speed_times_time).add_product(c.t5, t3) + holder_v) - (p.holder_stiffness
+        * sin_drum_speed_times_time).add_product(c.t4, t3) + holder_v) - (p.holder_stiffness
         * holder_x).sub_product(p.layer_stiffness, layer_compression)
         .sub_product(p.layer_cubic_stiffness, t10)) * c.inverse_holder_mass;
-    let t11 = (c.eccentricity_over_drum_radius * time * sin_drum_speed_times_time).add_product(c.t9
+    let t11 = (c.eccentricity_over_drum_radius * time * sin_drum_speed_times_time).add_product(c.t8
         * time, t3);
-    let t12 = c.t12 * time;
+    let t12 = c.t11 * time;
     let holder_v_dot_by_winding_speed = -(((c.force_amplitude_over_drum_radius * time * t5)
-        .add_product(p.layer_viscosity, (c.t11 * time * t4).add_product(c.t9, t3).add_product(t12,
+        .add_product(p.layer_viscosity, (c.t10 * time * t4).add_product(c.t8, t3).add_product(t12,
         cos_drum_speed_times_time).add_product(c.eccentricity_over_drum_radius,
-        sin_drum_speed_times_time)).add_product(c.t8 * time, t7) + (p.layer_stiffness * t11)
-        .add_product(c.t6 * t11, layer_compression_squared)) * c.inverse_holder_mass);
-    let t13 = (t12 * sin_drum_speed_times_time).add_product(c.t13 * time, t3);
-    let holder_v_dot_by_drum_radius = ((c.t14 * time * t5).add_product(p.layer_viscosity,
-        (c.t13 * t3).add_product(c.t15 * time, t4).add_product(c.t16 * time,
-        cos_drum_speed_times_time).add_product(c.t12, sin_drum_speed_times_time))
-        + (p.layer_stiffness * t13).add_product(c.t6 * t13, layer_compression_squared))
+        sin_drum_speed_times_time)).add_product(c.t7 * time, t7) + (p.layer_stiffness * t11)
+        .add_product(c.t5 * t11, layer_compression_squared)) * c.inverse_holder_mass);
+    let t13 = (t12 * sin_drum_speed_times_time).add_product(c.t12 * time, t3);
+    let holder_v_dot_by_drum_radius = ((c.t13 * time * t5).add_product(p.layer_viscosity,
+        (c.t12 * t3).add_product(c.t14 * time, t4).add_product(c.t15 * time,
+        cos_drum_speed_times_time).add_product(c.t11, sin_drum_speed_times_time))
+        + (p.layer_stiffness * t13).add_product(c.t5 * t13, layer_compression_squared))
         * c.inverse_holder_mass;
     let holder_v_dot_by_force_amplitude = t6 * c.inverse_holder_mass;
     let holder_v_dot_by_force_phase = -(p.force_amplitude * t5 * c.inverse_holder_mass);
     let holder_v_dot_by_package_force = t8 * c.inverse_holder_mass;
     let holder_v_dot_by_package_phase = -(p.package_force * t7 * c.inverse_holder_mass);
-    let holder_v_dot_by_ovality = (p.layer_stiffness * t4).add_product(t9, t4).sub_product(c.t17,
+    let holder_v_dot_by_ovality = (p.layer_stiffness * t4).add_product(t9, t4).sub_product(c.t16,
         t3) * c.inverse_holder_mass;
-    let holder_v_dot_by_ovality_phase = (-(c.ovality_times_layer_stiffness * t3)).add_product(c.t19
-        * layer_compression_squared, t3).sub_product(c.t18, t4) * c.inverse_holder_mass;
+    let holder_v_dot_by_ovality_phase = (-(c.ovality_times_layer_stiffness * t3)).add_product(c.t18
+        * layer_compression_squared, t3).sub_product(c.t17, t4) * c.inverse_holder_mass;
     let holder_v_dot_by_eccentricity = (p.layer_stiffness * cos_drum_speed_times_time)
         .add_product(t9, cos_drum_speed_times_time).sub_product(c.layer_viscosity_times_drum_speed,
         sin_drum_speed_times_time) * c.inverse_holder_mass;
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * c.inverse_holder_mass);
-    let holder_v_dot_by_holder_link_mass = -(c.t20 * holder_v_dot * c.inverse_holder_mass);
+    let holder_v_dot_by_holder_link_mass = -(c.t19 * holder_v_dot * c.inverse_holder_mass);
     let holder_v_dot_by_holder_link_arm = -(c.t21 * holder_v_dot * c.inverse_holder_mass);
     let holder_v_dot_by_holder_holder_arm = c.t22 * holder_v_dot * c.inverse_holder_mass;
     let holder_v_dot_by_holder_package_radius = (c.t23 * time * t7).sub_product(c.t24,
@@ -309,7 +312,7 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         holder_v_dot_by_layer_cubic_stiffness, holder_v_dot_by_layer_viscosity]
 }
 
-/// Partial derivative of `y'` with respect to time. 58 operations.
+/// Partial derivative of `y'` with respect to time. 60 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [holder_x, ..] = *state;
@@ -320,11 +323,12 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (t3, _), (t4, _)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
         p.package_phase.add_product(package_speed, time)]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
+        * p.holder_holder_arm);
     let layer_compression = shape - holder_x;
     let t5 = (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(R::literal(2.0)
         * p.ovality * drum_speed, t1);
@@ -338,7 +342,7 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     [R::literal(0.0), holder_v_dot_by_time]
 }
 
-/// Wanted outputs. 46 operations.
+/// Wanted outputs. 48 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [holder_x, holder_v] = *state;
@@ -349,11 +353,12 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3), (_, t4)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
         p.package_phase.add_product(package_speed, time)]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
+        * p.holder_holder_arm);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
     Outputs {
@@ -369,7 +374,7 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     }
 }
 
-/// T, V and the energy of first-order states \[J\]. 35 operations.
+/// T, V and the energy of first-order states \[J\]. 37 operations.
 #[must_use]
 pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [holder_x, holder_v] = *state;
@@ -377,11 +382,12 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     let [(_, t0), (_, cos_drum_speed_times_time)]
         = R::sin_cos_each([p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time),
         drum_speed * time]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
     let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
+        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
+        * p.holder_holder_arm);
     let layer_compression = shape - holder_x;
     let layer_compression_squared = layer_compression * layer_compression;
     Energy {
@@ -394,7 +400,7 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 65 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 67 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [holder_x, holder_v] = *state;
@@ -405,11 +411,12 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3), (_, t4)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
         p.package_phase.add_product(package_speed, time)]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
+        * p.holder_holder_arm);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
     let t5 = (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(R::literal(2.0)
@@ -436,7 +443,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 80 recurrences. 2 sums of products an order.
+/// 82 recurrences. 2 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -446,65 +453,67 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = p.holder_bobbin_radius * p.holder_bobbin_radius;
-    let t1 = p.holder_package_radius * p.holder_package_radius;
-    let t2 = t1 - t0;
-    let t3 = R::literal(core::f64::consts::PI) * p.holder_package_width;
-    let t4 = t3 * p.holder_yarn_density;
-    let t5 = t4 * t2;
-    let t6 = p.holder_link_mass * p.holder_link_arm;
-    let t7 = t6 / p.holder_holder_arm;
-    let t8 = p.holder_bobbin_mass + t5;
-    let holder_mass = t8 + t7;
-    let t9 = R::literal(2.0) * drum_speed;
-    let t10 = time * t9;
-    let t11 = p.ovality_phase + t10;
-    let t12 = t11.sin();
-    let t13 = t11.cos();
-    let t14 = t13 * p.ovality;
-    let t15 = time * drum_speed;
-    let t16 = t15.sin();
-    let t17 = t15.cos();
-    let t18 = t17 * p.eccentricity;
-    let shape = t14 + t18;
-    let t19 = p.force_phase + t15;
-    let t20 = t19.sin();
-    let t21 = t19.cos();
-    let t22 = t21 * p.force_amplitude;
-    let t23 = time * package_speed;
-    let t24 = p.package_phase + t23;
-    let t25 = t24.sin();
-    let t26 = t24.cos();
-    let t27 = t26 * p.package_force;
-    let force = t22 + t27;
+    let t0 = R::literal(2.0) * drum_speed;
+    let t1 = time * t0;
+    let t2 = p.ovality_phase + t1;
+    let t3 = t2.sin();
+    let t4 = t2.cos();
+    let t5 = t4 * p.ovality;
+    let t6 = time * drum_speed;
+    let t7 = t6.sin();
+    let t8 = t6.cos();
+    let t9 = t8 * p.eccentricity;
+    let shape = t5 + t9;
+    let t10 = p.holder_bobbin_radius * p.holder_bobbin_radius;
+    let t11 = p.holder_package_radius * p.holder_package_radius;
+    let t12 = t11 - t10;
+    let t13 = R::literal(core::f64::consts::PI) * p.holder_package_width;
+    let t14 = t13 * p.holder_yarn_density;
+    let t15 = t14 * t12;
+    let t16 = p.holder_link_arm * p.holder_link_arm;
+    let t17 = p.holder_holder_arm * p.holder_holder_arm;
+    let t18 = p.holder_link_mass * t16;
+    let t19 = t18 / t17;
+    let t20 = p.holder_bobbin_mass + t15;
+    let holder_mass = t20 + t19;
+    let t21 = p.force_phase + t6;
+    let t22 = t21.sin();
+    let t23 = t21.cos();
+    let t24 = t23 * p.force_amplitude;
+    let t25 = time * package_speed;
+    let t26 = p.package_phase + t25;
+    let t27 = t26.sin();
+    let t28 = t26.cos();
+    let t29 = t28 * p.package_force;
+    let force = t24 + t29;
     let layer_compression = shape - holder_x;
-    let t28 = R::literal(2.0) * p.ovality;
-    let t29 = t28 * drum_speed;
-    let t30 = t12 * t29;
-    let t31 = p.eccentricity * drum_speed;
-    let t32 = t16 * t31;
-    let t33 = t30 + t32;
-    let t34 = t33 + holder_v;
-    let t35 = R::literal(1.0) / holder_mass;
-    let t36 = layer_compression * p.layer_stiffness;
-    let t37 = layer_compression * layer_compression;
-    let t38 = t37 * layer_compression;
-    let t39 = t38 * p.layer_cubic_stiffness;
-    let t40 = holder_x * p.holder_stiffness;
-    let t41 = t40 - t36;
-    let t42 = t41 - t39;
-    let t43 = t34 * p.layer_viscosity;
-    let t44 = force - t43;
-    let t45 = t44 - t42;
-    let holder_v_dot = t45 * t35;
-    let mut t12_before = t12;
-    let mut t13_before = t13;
-    let mut t16_before = t16;
-    let mut t17_before = t17;
-    let mut t20_before = t20;
-    let mut t21_before = t21;
-    let mut t25_before = t25;
-    let mut t26_before = t26;
+    let t30 = R::literal(2.0) * p.ovality;
+    let t31 = t30 * drum_speed;
+    let t32 = t3 * t31;
+    let t33 = p.eccentricity * drum_speed;
+    let t34 = t7 * t33;
+    let t35 = t32 + t34;
+    let t36 = t35 + holder_v;
+    let t37 = R::literal(1.0) / holder_mass;
+    let t38 = layer_compression * p.layer_stiffness;
+    let t39 = layer_compression * layer_compression;
+    let t40 = t39 * layer_compression;
+    let t41 = t40 * p.layer_cubic_stiffness;
+    let t42 = holder_x * p.holder_stiffness;
+    let t43 = t42 - t38;
+    let t44 = t43 - t41;
+    let t45 = t36 * p.layer_viscosity;
+    let t46 = force - t45;
+    let t47 = t46 - t44;
+    let holder_v_dot = t47 * t37;
+    let mut t3_before = t3;
+    let mut t4_before = t4;
+    let mut t7_before = t7;
+    let mut t8_before = t8;
+    let mut t22_before = t22;
+    let mut t23_before = t23;
+    let mut t27_before = t27;
+    let mut t28_before = t28;
     let mut rates = [holder_v, holder_v_dot];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
@@ -516,36 +525,36 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         }
         let [holder_x_k, holder_v_k] = *state_k;
         let sums = lanes.sums(order);
-        let t12_k = inverse * t9 * t13_before;
-        let t13_k = -inverse * t9 * t12_before;
-        let t16_k = inverse * drum_speed * t17_before;
-        let t17_k = -inverse * drum_speed * t16_before;
-        let shape_k = t17_k.mul_add(p.eccentricity, t13_k * p.ovality);
-        let t20_k = inverse * drum_speed * t21_before;
-        let t21_k = -inverse * drum_speed * t20_before;
-        let t25_k = inverse * package_speed * t26_before;
-        let t26_k = -inverse * package_speed * t25_before;
-        let force_k = t26_k.mul_add(p.package_force, t21_k * p.force_amplitude);
+        let t3_k = inverse * t0 * t4_before;
+        let t4_k = -inverse * t0 * t3_before;
+        let t7_k = inverse * drum_speed * t8_before;
+        let t8_k = -inverse * drum_speed * t7_before;
+        let shape_k = t8_k.mul_add(p.eccentricity, t4_k * p.ovality);
+        let t22_k = inverse * drum_speed * t23_before;
+        let t23_k = -inverse * drum_speed * t22_before;
+        let t27_k = inverse * package_speed * t28_before;
+        let t28_k = -inverse * package_speed * t27_before;
+        let force_k = t28_k.mul_add(p.package_force, t23_k * p.force_amplitude);
         let layer_compression_k = shape_k - holder_x_k;
-        let t33_k = t16_k.mul_add(t31, t12_k * t29);
-        let t34_k = t33_k + holder_v_k;
-        let t37_k = (layer_compression + layer_compression).mul_add(layer_compression_k, sums[0]);
-        let t38_k = layer_compression.mul_add(t37_k, t37.mul_add(layer_compression_k, sums[1]));
-        let t41_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
+        let t35_k = t7_k.mul_add(t33, t3_k * t31);
+        let t36_k = t35_k + holder_v_k;
+        let t39_k = (layer_compression + layer_compression).mul_add(layer_compression_k, sums[0]);
+        let t40_k = layer_compression.mul_add(t39_k, t39.mul_add(layer_compression_k, sums[1]));
+        let t43_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
             * p.holder_stiffness);
-        let t42_k = (-t38_k).mul_add(p.layer_cubic_stiffness, t41_k);
-        let t44_k = (-t34_k).mul_add(p.layer_viscosity, force_k);
-        let t45_k = t44_k - t42_k;
-        let holder_v_dot_k = t45_k * t35;
-        lanes.set(order, [layer_compression_k, layer_compression_k], [layer_compression_k, t37_k]);
-        t12_before = t12_k;
-        t13_before = t13_k;
-        t16_before = t16_k;
-        t17_before = t17_k;
-        t20_before = t20_k;
-        t21_before = t21_k;
-        t25_before = t25_k;
-        t26_before = t26_k;
+        let t44_k = (-t40_k).mul_add(p.layer_cubic_stiffness, t43_k);
+        let t46_k = (-t36_k).mul_add(p.layer_viscosity, force_k);
+        let t47_k = t46_k - t44_k;
+        let holder_v_dot_k = t47_k * t37;
+        lanes.set(order, [layer_compression_k, layer_compression_k], [layer_compression_k, t39_k]);
+        t3_before = t3_k;
+        t4_before = t4_k;
+        t7_before = t7_k;
+        t8_before = t8_k;
+        t22_before = t22_k;
+        t23_before = t23_k;
+        t27_before = t27_k;
+        t28_before = t28_k;
         rates = [holder_v_k, holder_v_dot_k];
     }
 }

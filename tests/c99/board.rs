@@ -41,17 +41,27 @@ pub struct Ran {
     pub instructions: [u64; 2],
 }
 
-/// Whether a compiler for these processors and QEMU are here; says so if not.
+/// Whether a compiler for these processors with its C library and QEMU are here; says so if not.
 pub fn are_here() -> bool {
     let is_here = |name: &&str| {
         let quiet = Command::new(name).arg("--version").stdout(Stdio::null()).status();
         quiet.is_ok_and(|status| status.success())
     };
-    let missing = [GCC, QEMU].into_iter().find(|name| !is_here(name));
+    let missing = [GCC, "arm-none-eabi-size", QEMU].into_iter().find(|name| !is_here(name));
+    let missing = missing.or_else(|| (!has_library()).then_some("C library for arm-none-eabi"));
     if let Some(missing) = missing {
         eprintln!("skipped: there is no {missing} to run emitted C on a microcontroller");
     }
     missing.is_none()
+}
+
+/// Whether the compiler has a C library, which Debian packs apart.
+fn has_library() -> bool {
+    let mut command = Command::new(GCC);
+    command.args(["-print-file-name=nosys.specs"]).stderr(Stdio::null());
+    // A file that is not there is answered by its bare name.
+    let found = command.output().map(|output| output.stdout).unwrap_or_default();
+    Path::new(String::from_utf8_lossy(&found).trim()).is_absolute()
 }
 
 /// SysTick counts at 25 MHz, and QEMU takes a nanosecond for an instruction.

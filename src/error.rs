@@ -318,6 +318,12 @@ pub enum StopCause {
         /// The limit \[s\].
         seconds: f64,
     },
+    /// The kinetic energy jumps with time where sensitivities are carried.
+    #[error(
+        "the kinetic energy jumps, so that velocities do, and sensitivities are not carried \
+         through that. Hint: let the inertia change smoothly"
+    )]
+    InertiaJumps,
     /// The rate of a state jumps to and fro across a value that it is driven to from
     /// either side.
     #[error(

@@ -91,6 +91,9 @@ pub struct FieldSimulator<'a, R> {
     /// Field of every own node.
     field_of: Vec<u32>,
     border: Vec<u32>,
+    /// Events of the machine: entries of the whole state with the modes in which they are watched for,
+    /// and entries that they set.
+    events: Vec<EventPlaces>,
     rate_jacobian: Vec<(u32, u32)>,
     /// Where the machine's entries of the Jacobian are.
     machine_entries: Vec<u32>,
@@ -111,6 +114,12 @@ pub struct FieldSimulator<'a, R> {
     machine_parameter_jacobian: Vec<(u32, u32)>,
     work: Mutex<Work<R>>,
     on_duals: Option<OnDuals<'a>>,
+}
+
+/// Where an event of the machine is watched for, and what it sets, in the whole state.
+struct EventPlaces {
+    when: Vec<(u32, f64)>,
+    sets: Vec<u32>,
 }
 
 /// The scene on dual numbers, cut once derivatives are asked for.
@@ -282,6 +291,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             names: [Vec::new(), Vec::new()],
             field_of: Vec::new(),
             border: Vec::new(),
+            events: Vec::new(),
             rate_jacobian: Vec::new(),
             machine_entries: Vec::new(),
             laws: Vec::new(),
@@ -303,6 +313,14 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         };
         simulator.name_nodes();
         simulator.border = (0..machine.states()).map(|index| simulator.entry(index)).collect();
+        let place = |entry: &u32| simulator.border[*entry as usize];
+        let events = (0..simulator.scene().events()).map(|index| simulator.scene().event(index));
+        simulator.events = events
+            .map(|event| EventPlaces {
+                when: event.when.iter().map(|(entry, mode)| (place(entry), *mode)).collect(),
+                sets: event.sets.iter().map(place).collect(),
+            })
+            .collect();
         simulator.lay_out_rate_jacobian();
         simulator.lay_out_ports();
         simulator.lay_out_others();

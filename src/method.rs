@@ -292,6 +292,9 @@ impl Problem<'_> {
     fn jump(&self, (from, until): (f64, f64), state: &mut [f64]) -> Result<(), Stopped> {
         let before = state.to_vec();
         let (front, behind) = (from.next_down(), just_behind(from, until));
+        if from > self.from {
+            self.system.keep_momentum((from - (behind - from), behind), state)?;
+        }
         let has_moved = self.system.take_up((front, behind), (self.rtol, &self.atol), state)?;
         match self.system.tangents() {
             Some(tangents) if from > self.from || has_moved => {

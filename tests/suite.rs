@@ -57,6 +57,7 @@ mod simulate;
 mod slow_beside_fast;
 mod small_states;
 mod sparsity;
+mod stages;
 mod sweep;
 mod taylor;
 mod turning;

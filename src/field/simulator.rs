@@ -3,12 +3,12 @@
 use machinist_contract::field::FieldPlace;
 use machinist_contract::linear::LinearEquations;
 use machinist_contract::{
-    Derivatives, Describe, Dual, Energy, PowerBalance, Quantity, Real, Refusal, RunDefaults, Shape,
-    Simulator, SparsityPattern, StateKind,
+    Constraint, Derivatives, Describe, Dual, Energy, Event, PowerBalance, Quantity, Real,
+    RunDefaults, Shape, Simulator, SparsityPattern, StateKind,
 };
 
 use super::mesh::Owner;
-use super::{FieldSimulator, Work, find};
+use super::{EventPlaces, FieldSimulator, Work, find};
 
 impl FieldSimulator<'_, f64> {
     /// It as any other simulator, its code compiled with this crate and as this crate is: one
@@ -113,12 +113,37 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
     fn starts_in_equilibrium(&self) -> bool {
         self.scene().starts_in_equilibrium()
     }
-    fn refusal(&self, parameters: &[f64]) -> Option<Refusal<'_>> {
-        self.scene().refusal(parameters)
+    fn events(&self) -> usize {
+        self.events.len()
     }
-    fn is_unused(&self, parameter: &str) -> bool {
-        self.scene().is_unused(parameter)
+    fn event(&self, index: usize) -> Event<'_> {
+        let EventPlaces { when, sets } = &self.events[index];
+        Event { when, sets, ..shorter_event(self.scene().event(index), self) }
     }
+    fn is_mode(&self, index: usize) -> bool {
+        let own = index.checked_sub(2 * self.coordinates());
+        own.is_some_and(|own| self.scene().is_mode(own + 2 * self.machine.coordinates))
+    }
+    fn constraints(&self) -> usize {
+        self.scene().constraints()
+    }
+    fn constraint(&self, index: usize) -> Constraint<'_> {
+        self.scene().constraint(index)
+    }
+    fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
+        // The machine's coordinates come first.
+        let columns = self.coordinates();
+        SparsityPattern { columns, ..self.scene().constraint_matrix_pattern() }
+    }
+    fn is_given(&self, index: usize) -> bool {
+        let place = self.border.iter().position(|entry| *entry as usize == index);
+        place.is_none_or(|place| self.scene().is_given(place))
+    }
+}
+
+/// An event for as long as the simulator lives.
+fn shorter_event<'s, R>(event: Event<'s>, _: &'s FieldSimulator<'_, R>) -> Event<'s> {
+    event
 }
 
 /// A quantity for as long as the simulator lives.
@@ -389,6 +414,42 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         for (node, place) in self.own() {
             own[place] = work.force[node];
         }
+    }
+
+    fn guards(&self, time: R, state: &[R], parameters: &[R], guards: &mut [R]) {
+        let work = &mut *self.work();
+        self.load_once(time, state, parameters, work);
+        self.scene().guards(time, &work.state, &work.p, guards);
+    }
+
+    fn guard_rates(&self, time: R, state: &[R], parameters: &[R], rates: &mut [R]) {
+        let work = &mut *self.work();
+        self.load_once(time, state, parameters, work);
+        self.scene().guard_rates(time, &work.state, &work.p, rates);
+    }
+
+    fn resets(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let work = &mut *self.work();
+        self.load_once(time, state, parameters, work);
+        self.scene().resets(time, &work.state, &work.p, values);
+    }
+
+    fn constraint_values(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let work = &mut *self.work();
+        self.load_once(time, state, parameters, work);
+        self.scene().constraint_values(time, &work.state, &work.p, values);
+    }
+
+    fn constraint_rates(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let work = &mut *self.work();
+        self.load_once(time, state, parameters, work);
+        self.scene().constraint_rates(time, &work.state, &work.p, values);
+    }
+
+    fn constraint_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let work = &mut *self.work();
+        self.load_once(time, state, parameters, work);
+        self.scene().constraint_matrix(time, &work.state, &work.p, values);
     }
 
     fn outputs(&self, time: R, state: &[R], parameters: &[R], outputs: &mut [R]) {

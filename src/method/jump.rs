@@ -10,6 +10,8 @@
 //! corner, over which the machine goes by itself, it takes energy, which is told. What
 //! holds in some modes only, such as friction that sticks, has not any force, and stops the run.
 
+use nalgebra::{DMatrix, DVector};
+
 use super::{Stopped, Stretch, System};
 use crate::constraints::Level;
 use crate::error::StopCause;
@@ -99,5 +101,80 @@ impl Stretch<'_> {
     ) -> Result<bool, Stopped> {
         let times = (self.within(front), self.within(behind));
         self.system.take_up(times, (self.rtol, self.atol), state)
+    }
+}
+
+impl System<'_> {
+    /// Lets velocities go on with their momentum where the kinetic energy jumps between two times:
+    ///
+    /// ```text
+    /// dT/dv (v+, behind) + G^T nu = dT/dv (v-, front)
+    /// ```
+    ///
+    /// whether they have moved. What the energy changes by is supplied.
+    ///
+    /// # Errors
+    /// [`StopCause::InertiaJumps`] if sensitivities are carried.
+    pub(crate) fn keep_momentum(
+        &self,
+        (front, behind): (f64, f64),
+        state: &mut [f64],
+    ) -> Result<bool, Stopped> {
+        /// Momenta that differ by rounding do not jump.
+        const ROUNDINGS: f64 = 1e3;
+        let (simulator, states) = (self.simulator(), self.states());
+        let shape = simulator.shape();
+        let n = shape.coordinates;
+        let before = self.momentum(front, &state[..states]);
+        let after = self.momentum(behind, &state[..states]);
+        let size = before.iter().chain(&after).fold(0.0, |most: f64, p| most.max(p.abs()));
+        let left: Vec<f64> = before.iter().zip(&after).map(|(a, b)| a - b).collect();
+        if left.iter().all(|left| left.abs() <= ROUNDINGS * f64::EPSILON * size) {
+            return Ok(false);
+        }
+        if self.tangents().is_some() {
+            return Err(Stopped { time: behind, cause: StopCause::InertiaJumps });
+        }
+        let energy =
+            |time: f64, state: &[f64]| simulator.energy(time, state, self.parameters()).total();
+        let earlier = energy(front, &state[..states]);
+        let pattern = simulator.mass_matrix_pattern().entries;
+        let mut values = vec![0.0; pattern.len()];
+        simulator.mass_matrix(behind, &state[..states], self.parameters(), &mut values);
+        let mut mass = DMatrix::zeros(n, n);
+        for ((row, column), value) in pattern.iter().zip(&values) {
+            mass[(*row as usize, *column as usize)] = *value;
+        }
+        let Some(moved) = mass.lu().solve(&DVector::from_vec(left)) else { return Ok(false) };
+        for (index, moved) in moved.iter().enumerate() {
+            state[shape.positions + index] += moved;
+        }
+        self.constrain(behind, state)?;
+        let gained = energy(behind, &state[..states]) - earlier;
+        if state.len() > states {
+            state[states] += gained;
+            state[states + 2] += gained.abs();
+        }
+        Ok(true)
+    }
+
+    /// dT/dv, one for each coordinate: T is of second degree in velocities, of which central
+    /// differences are exact.
+    fn momentum(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        let shape = self.simulator().shape();
+        let mut shifted = state.to_vec();
+        (0..shape.coordinates)
+            .map(|coordinate| {
+                let entry = shape.positions + coordinate;
+                let by = self.simulator().state_scale(entry).max(state[entry].abs());
+                let mut kinetic = |by: f64| {
+                    shifted[entry] = state[entry] + by;
+                    let energy = self.simulator().energy(time, &shifted, self.parameters());
+                    shifted[entry] = state[entry];
+                    energy.kinetic
+                };
+                (kinetic(by) - kinetic(-by)) / (2.0 * by)
+            })
+            .collect()
     }
 }

@@ -182,12 +182,15 @@ pub(super) fn drive<M: OneStep>(
         let End { now, tried, arrives } = end_of_step(time, step, stretch.until);
         let arrives = arrives > 0.0;
         method.is_last(arrives);
+        // Every pass, whatever it leads to.
+        stretch.require_uninterrupted(time)?;
         let trial = attempt(method, stretch, samples, (tried, now));
         let pace = method.pace();
         let is_good = trial.is_good();
         let passing = passing(method, stretch, now, is_good);
         if is_good && let Some(share) = stretch.watch.and_then(Watch::share_that_is_told) {
             stretch.system.count(|work| work.rejected += 1);
+            stretch.require_fewer_passes(time)?;
             (step, rejected) = (share * tried, true);
             continue;
         }
@@ -205,12 +208,13 @@ pub(super) fn drive<M: OneStep>(
                             return Ok(None);
                         }
                         // There may be no end of a step but at kinks.
-                        stretch.require_uninterrupted(behind)?;
+                        stretch.require_fewer_passes(behind)?;
                         continue;
                     }
                     Ending::NotReached => {}
                 }
                 stretch.system.count(|work| work.rejected += 1);
+                stretch.require_fewer_passes(time)?;
                 step = 0.5 * (passing - time);
                 rejected = true;
                 if is_too_small(step, time) {
@@ -257,6 +261,7 @@ pub(super) fn drive<M: OneStep>(
             }
         } else {
             stretch.system.count(|work| work.rejected += 1);
+            stretch.require_fewer_passes(time)?;
             step = tried * shrink(trial, pace);
             rejected = true;
             if is_too_small(step, time) {

@@ -210,6 +210,16 @@ impl<'a> Stretch<'a> {
         self.system.interruption().map_or(Ok(()), |cause| Err(Stopped { time, cause }))
     }
 
+    /// Refuses to go on once all steps are taken, those that were rejected among them.
+    pub(super) fn require_fewer_passes(&self, time: f64) -> Result<(), Stopped> {
+        let work = self.system.work();
+        let limit = self.max_steps;
+        if work.steps + work.rejected > 2 * limit as u64 {
+            return Err(Stopped { time, cause: StopCause::TooManySteps { limit } });
+        }
+        Ok(())
+    }
+
     /// As [`Stretch::require_uninterrupted`], after a step that ends in a state.
     pub(super) fn require_wanted(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
         self.require_uninterrupted(time)?;

@@ -374,10 +374,22 @@ impl<'a> Watch<'a> {
         let near = 64.0 * f64::EPSILON * time.abs().max(inner.time.abs());
         let mut happening = Vec::new();
         for (index, outcome) in inner.outcomes.iter().enumerate() {
-            let (guard, _) = inner.parts.at(self.system, time, end, index);
+            let (guard, rate) = inner.parts.at(self.system, time, end, index);
             match *outcome {
-                Outcome::Passes { time: passing, from, .. } => {
-                    if passing <= first + near || guard * from < 0.0 {
+                Outcome::Passes { time: passing, .. } if passing <= first + near => {
+                    happening.push(index);
+                }
+                Outcome::Passes { from, .. } if inner.sides[index] == Side::Known(-from) => {
+                    // It has passed in the direction in which nothing happens, or passes now.
+                    let zero = inner.parts.rounding(index).max(near * rate.abs());
+                    inner.sides[index] = if guard.abs() > zero {
+                        Side::Known(guard.signum())
+                    } else {
+                        Side::Fresh { passed: true, residual: guard.abs() }
+                    };
+                }
+                Outcome::Passes { from, .. } => {
+                    if guard * from < 0.0 {
                         happening.push(index);
                     } else {
                         inner.sides[index] = Side::Known(from);

@@ -67,6 +67,10 @@ fn constraints(file: &SpecSource, system: &LagrangianSystem) -> Result<String, F
     if system.constraints.is_empty() {
         return Ok(String::new());
     }
+    if !system.handed.is_empty() {
+        // How many ways of moving fields leave depends on how they are cut.
+        return Ok(format!(", {} constraints", system.constraints.len()));
+    }
     let model = deriving::model(file, Keep::All)?;
     let simulator = ModelSimulator::new(model);
     let parameters: Vec<f64> = system.parameters.iter().map(|parameter| parameter.value).collect();

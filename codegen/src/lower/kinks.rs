@@ -263,7 +263,8 @@ impl Search<'_> {
             _ => vec![],
         };
         let arguments = arguments.into_iter().filter(|a| self.by[a] == By::Time);
-        arguments.filter_map(|argument| narrow(graph, self.polynomials[&argument]?, span)).collect()
+        // However wide: a machine that coasts takes steps of any length.
+        arguments.filter_map(|argument| turn(graph, self.polynomials[&argument]?)).collect()
     }
 }
 

@@ -42,6 +42,9 @@ pub enum ModalError {
     /// Constraints hold coordinates together, which modes would not.
     #[error("the machine has constraints, which a sum of its modes would not keep")]
     Constrained,
+    /// Events would have to be told of states that a sum of modes does not keep.
+    #[error("the machine has events, which a sum of its modes would not see")]
+    Events,
     /// M and K have no modes.
     #[error("the mass matrix is not positive definite, or the stiffness not finite")]
     NoModes,
@@ -84,6 +87,9 @@ impl<'a> ModalSimulator<'a> {
         }
         if simulator.constraints() > 0 {
             return Err(ModalError::Constrained);
+        }
+        if simulator.events() > 0 {
+            return Err(ModalError::Events);
         }
         if !(1..=n).contains(&modes) {
             return Err(ModalError::Modes { most: n, found: modes });

@@ -221,7 +221,7 @@ fn a_machine_that_does_not_depend_on_speed_is_met_by_orders_at_its_frequency_ove
     );
     // w^4 - (k/m + (k + s)/l) w^2 + k s/(m l) = 0
     let (k, s, m, l) = (1200.0, 7.0, 2.0, 3.0);
-    let (half, product) = ((k / m + (k + s) / l) / 2.0_f64, k * s / (m * l));
+    let (half, product) = (f64::midpoint(k / m, (k + s) / l), k * s / (m * l));
     let fast = half + (half * half - product).sqrt();
     let exact = [(product / fast).sqrt(), fast.sqrt()];
     let speeds: Vec<f64> = (0..=20).map(f64::from).collect();

@@ -20,6 +20,7 @@ pub struct Mobility {
 
 /// A constraint that follows from others.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "independent answers about one constraint")]
 pub struct Redundant {
     /// Its name.
     pub constraint: String,

@@ -381,9 +381,9 @@ fn equations(simulator: &dyn Simulator<f64>, place: &Point) -> Option<Vec<DVecto
             })
         })
         .collect();
-    for kind in 0..3 {
+    rows.extend((0..3).map(|kind| {
         let of = |index: usize| gradients[index][kind];
-        rows.push(row(&of, &|column| of(n + column)));
-    }
+        row(&of, &|column| of(n + column))
+    }));
     rows.iter().all(|row| row.iter().all(|entry| entry.is_finite())).then_some(rows)
 }

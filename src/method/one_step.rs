@@ -189,8 +189,7 @@ pub(super) fn drive<M: OneStep>(
         let is_good = trial.is_good();
         let passing = passing(method, stretch, now, is_good);
         if is_good && let Some(share) = stretch.watch.and_then(Watch::share_that_is_told) {
-            stretch.system.count(|work| work.rejected += 1);
-            stretch.require_fewer_passes(time)?;
+            stretch.count_rejected(time)?;
             (step, rejected) = (share * tried, true);
             continue;
         }
@@ -213,8 +212,7 @@ pub(super) fn drive<M: OneStep>(
                     }
                     Ending::NotReached => {}
                 }
-                stretch.system.count(|work| work.rejected += 1);
-                stretch.require_fewer_passes(time)?;
+                stretch.count_rejected(time)?;
                 step = 0.5 * (passing - time);
                 rejected = true;
                 if is_too_small(step, time) {
@@ -260,8 +258,7 @@ pub(super) fn drive<M: OneStep>(
                 return Err(Stopped { time, cause });
             }
         } else {
-            stretch.system.count(|work| work.rejected += 1);
-            stretch.require_fewer_passes(time)?;
+            stretch.count_rejected(time)?;
             step = tried * shrink(trial, pace);
             rejected = true;
             if is_too_small(step, time) {

@@ -210,6 +210,12 @@ impl<'a> Stretch<'a> {
         self.system.interruption().map_or(Ok(()), |cause| Err(Stopped { time, cause }))
     }
 
+    /// Counts a rejected step, and refuses to go on as [`Stretch::require_fewer_passes`] does.
+    pub(super) fn count_rejected(&self, time: f64) -> Result<(), Stopped> {
+        self.system.count(|work| work.rejected += 1);
+        self.require_fewer_passes(time)
+    }
+
     /// Refuses to go on once all steps are taken, those that were rejected among them.
     pub(super) fn require_fewer_passes(&self, time: f64) -> Result<(), Stopped> {
         let work = self.system.work();

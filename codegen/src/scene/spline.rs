@@ -183,7 +183,7 @@ mod tests {
             let found = step_within(width).expect("an overshoot");
             let beyond = (found.reached - 1.0).max(-found.reached);
             assert!(beyond > before, "{width}: {found:?}");
-            assert_eq!(found.range, [0.0, 1.0]);
+            assert_eq!(found.range.map(f64::to_bits), [0.0_f64, 1.0].map(f64::to_bits));
             assert!(found.row == 2 || found.row == 4, "beside the step: {found:?}");
             // A step of slope 1/width between chords of slope 0: the spline leaves the data by
             // a share of slope times the neighbour's length.

@@ -95,7 +95,7 @@ pub struct Diagnostic {
     /// Column of the mistake in characters, from 1; 0 likewise.
     pub column: usize,
     /// What stands at the span.
-    pub label: String,
+    pub label: Box<str>,
     /// How to mend it.
     pub help: Option<String>,
     /// Whether the spec may stay as it is.
@@ -113,7 +113,7 @@ impl Diagnostic {
             file: file.to_owned(),
             line: 0,
             column: 0,
-            label: String::new(),
+            label: Box::default(),
             help: (!help.is_empty()).then_some(help),
             is_warning: false,
             source: None,
@@ -138,7 +138,7 @@ impl Diagnostic {
             file: label.to_owned(),
             line: before.matches('\n').count() + 1,
             column: before[line_start..].chars().count() + 1,
-            label: mistake.label.clone(),
+            label: mistake.label.as_str().into(),
             help: (!mistake.help.is_empty()).then(|| mistake.help.clone()),
             is_warning: false,
             source: Some(Box::new(Excerpt::new(label, text, start..end))),
@@ -260,7 +260,7 @@ impl miette::Diagnostic for Diagnostic {
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         let range = self.source.as_ref()?.range.clone();
-        let label = LabeledSpan::new_primary_with_span(Some(self.label.clone()), range);
+        let label = LabeledSpan::new_primary_with_span(Some(self.label.to_string()), range);
         Some(Box::new(std::iter::once(label)))
     }
 }

@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn long_statements_are_broken_between_words() {
-        let text = vec!["abcdefghi"; 12].join(" ");
+        let text = ["abcdefghi"; 12].join(" ");
         let lines = statement(&text, 4);
         assert!(lines.lines().all(|line| line.len() <= 100), "{lines}");
         assert_eq!(lines.split_whitespace().collect::<Vec<_>>().join(" "), text);

@@ -72,7 +72,8 @@ fn two_events_on_one_guard_each_happen_at_their_own_crossing() {
             let run = run.parameter("u.at", at).expect("a parameter").run().expect("it runs");
             let passes = if at < highest { 1.0 } else { 0.0 };
             let counts = [last(&run, "u.up"), last(&run, "u.down")];
-            assert_eq!(counts, [passes; 2], "{method} at {at} m");
+            let passed_once = counts.iter().all(|count| (count - passes).abs() < 0.5);
+            assert!(passed_once, "{method} at {at} m: {counts:?}");
         }
     }
 }

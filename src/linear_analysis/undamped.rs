@@ -124,7 +124,8 @@ mod tests {
     /// det [[k + s - w^2, -k], [-k, k - w^2]] = w^4 - (2 k + s) w^2 + k s.
     #[test]
     fn a_slow_motion_beside_a_fast_one_has_all_its_digits() {
-        for exponent in 0..50 {
+        // Beyond, forces of the soft spring are below 16 roundings of the stiff one's.
+        for exponent in 0..48 {
             let (k, s) = (f64::from(2_u32).powi(exponent), 3.0);
             let half = k + s / 2.0;
             let fast = half + (half * half - k * s).sqrt();

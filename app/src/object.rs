@@ -58,7 +58,9 @@ pub fn object(model: &Model) -> Result<Vec<u8>, ObjectError> {
 /// The contract crate with the scene in it, and a name that keeps its functions in.
 fn write_crate(folder: &Path, scene: &str, text: &str) -> io::Result<()> {
     for (file, text) in SOURCES {
-        fs::write(folder.join(file), text)?;
+        let file = folder.join(file);
+        file.parent().map_or(Ok(()), fs::create_dir_all)?;
+        fs::write(file, text)?;
     }
     fs::write(folder.join("machine.rs"), text)?;
     // The scene asks for the contract by name, which here is the crate itself.

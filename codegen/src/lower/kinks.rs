@@ -263,8 +263,7 @@ impl Search<'_> {
             _ => vec![],
         };
         let arguments = arguments.into_iter().filter(|a| self.by[a] == By::Time);
-        // However wide: a machine that coasts takes steps of any length.
-        arguments.filter_map(|argument| turn(graph, self.polynomials[&argument]?)).collect()
+        arguments.filter_map(|argument| narrow(graph, self.polynomials[&argument]?, span)).collect()
     }
 }
 

@@ -220,7 +220,7 @@ impl<'a> Stretch<'a> {
     pub(super) fn require_fewer_passes(&self, time: f64) -> Result<(), Stopped> {
         let work = self.system.work();
         let limit = self.max_steps;
-        if work.steps + work.rejected > 2 * limit as u64 {
+        if work.rejected.max(work.steps) > limit as u64 {
             return Err(Stopped { time, cause: StopCause::TooManySteps { limit } });
         }
         Ok(())

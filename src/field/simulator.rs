@@ -3,7 +3,7 @@
 use machinist_contract::field::FieldPlace;
 use machinist_contract::linear::LinearEquations;
 use machinist_contract::{
-    Constraint, Derivatives, Describe, Dual, Energy, Event, PowerBalance, Quantity, Real,
+    Constraint, Derivatives, Describe, Dual, Energy, Event, PowerBalance, Quantity, Real, Refusal,
     RunDefaults, Shape, Simulator, SparsityPattern, StateKind,
 };
 
@@ -112,6 +112,12 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
     }
     fn starts_in_equilibrium(&self) -> bool {
         self.scene().starts_in_equilibrium()
+    }
+    fn refusal(&self, parameters: &[f64]) -> Option<Refusal<'_>> {
+        self.scene().refusal(parameters)
+    }
+    fn is_unused(&self, parameter: &str) -> bool {
+        self.scene().is_unused(parameter)
     }
     fn events(&self) -> usize {
         self.events.len()

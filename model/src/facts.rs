@@ -1,7 +1,7 @@
 //! What the tapes of a model say whatever its state: values that parameters alone decide.
 
-use crate::evaluate::{Evaluator, Inputs};
-use crate::{Function, Model, Op, Requirement, Tape, What};
+use crate::evaluate::{Evaluator, Inputs, call};
+use crate::{Model, Op, Requirement, Tape, What};
 
 impl Model {
     /// The first requirement that some values of the parameters do not fulfil, with the value.
@@ -80,29 +80,10 @@ fn known(tape: &Tape, parameters: &[f64]) -> Vec<Option<f64>> {
     known
 }
 
-fn call(function: Function, x: f64) -> f64 {
-    match function {
-        Function::Sqrt => x.sqrt(),
-        Function::Abs => x.abs(),
-        Function::Floor => x.floor(),
-        Function::Exp => x.exp(),
-        Function::Ln => x.ln(),
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Tan => x.tan(),
-        Function::Asin => x.asin(),
-        Function::Acos => x.acos(),
-        Function::Atan => x.atan(),
-        Function::Sinh => x.sinh(),
-        Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Bound, Node, NodeId};
+    use crate::{Bound, Function, Node, NodeId};
 
     fn tape(ops: &[Op], results: &[u32]) -> Tape {
         let nodes = ops.iter().map(|op| Node { op: *op, name: None }).collect();

@@ -10,10 +10,11 @@
 //! corner, over which the machine goes by itself, it takes energy, which is told. What
 //! holds in some modes only, such as friction that sticks, has not any force, and stops the run.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::{Stopped, Stretch, System};
 use crate::constraints::Level;
+use crate::dense::dense;
 use crate::error::StopCause;
 
 /// What moves by a smaller share of the tolerances does not jump.
@@ -124,7 +125,6 @@ impl System<'_> {
         const ROUNDINGS: f64 = 1e3;
         let (simulator, states) = (self.simulator(), self.states());
         let shape = simulator.shape();
-        let n = shape.coordinates;
         let before = self.momentum(front, &state[..states]);
         let after = self.momentum(behind, &state[..states]);
         let size = before.iter().chain(&after).fold(0.0, |most: f64, p| most.max(p.abs()));
@@ -138,13 +138,10 @@ impl System<'_> {
         let energy =
             |time: f64, state: &[f64]| simulator.energy(time, state, self.parameters()).total();
         let earlier = energy(front, &state[..states]);
-        let pattern = simulator.mass_matrix_pattern().entries;
-        let mut values = vec![0.0; pattern.len()];
+        let pattern = simulator.mass_matrix_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
         simulator.mass_matrix(behind, &state[..states], self.parameters(), &mut values);
-        let mut mass = DMatrix::zeros(n, n);
-        for ((row, column), value) in pattern.iter().zip(&values) {
-            mass[(*row as usize, *column as usize)] = *value;
-        }
+        let mass = dense(pattern, &values);
         let Some(moved) = mass.lu().solve(&DVector::from_vec(left)) else { return Ok(false) };
         for (index, moved) in moved.iter().enumerate() {
             state[shape.positions + index] += moved;

@@ -9,6 +9,7 @@ use std::collections::HashSet;
 
 use rustc_hash::FxHashMap;
 
+use crate::functions::FunctionId;
 use crate::{
     Dependence, Model, Node, NodeId, Op, OpKey, Tape, needed_nodes, operations, reachable,
 };
@@ -50,6 +51,17 @@ impl Hoisted {
         };
         let constants = constants.shared.tape;
         Self { constants, rate, rate_jacobian, parameter_jacobian, jacobians, motion }
+    }
+
+    /// The tape of a function: without what is computed once a run, if that is done for it.
+    #[must_use]
+    pub fn tape<'a>(&'a self, model: &'a Model, id: FunctionId) -> &'a Tape {
+        match id {
+            FunctionId::Rate => &self.rate,
+            FunctionId::RateJacobian => &self.rate_jacobian,
+            FunctionId::ParameterJacobian => &self.parameter_jacobian,
+            id => model.tape(id),
+        }
     }
 
     /// Operations done once a run.

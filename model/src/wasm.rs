@@ -180,13 +180,7 @@ fn programs(
         });
     }
     for row in model.functions().filter(|row| wanted.contains(&row.id)) {
-        let tape = match row.id {
-            FunctionId::Rate => &hoisted.rate,
-            FunctionId::RateJacobian => &hoisted.rate_jacobian,
-            FunctionId::ParameterJacobian => &hoisted.parameter_jacobian,
-            id => model.tape(id),
-        };
-        let straight = of_tape(tape)?;
+        let straight = of_tape(hoisted.tape(model, row.id))?;
         let straight = match (model.solve(row.id), &model.motion) {
             (Some(solve), Some(motion)) => solve::solved(&straight, solve, &motion.factors),
             _ => Some(straight),

@@ -90,11 +90,7 @@ fn cost(model: &Model, method: FixedMethod, calls: &StepCalls) -> usize {
     let hoisted = Hoisted::new(model);
     let motion = operations(&hoisted.motion);
     let of = |id: FunctionId| {
-        let own = match id {
-            FunctionId::Rate => operations(&hoisted.rate),
-            FunctionId::RateJacobian => operations(&hoisted.rate_jacobian),
-            _ => operations(model.tape(id)),
-        };
+        let own = operations(hoisted.tape(model, id));
         let solve = model.solve(id).map_or(0, |solve| {
             let of_step = |step: &machinist_model::SolveStep| {
                 usize::from(step.scale.is_some()) + 2 * step.terms.len()

@@ -1,7 +1,7 @@
 //! The functions of the table of functions, one for each tape, and what goes before them.
 
 use machinist_model::functions::{FunctionId, FunctionRow, Gives, Reads};
-use machinist_model::{SparsityPattern, Tape, operations};
+use machinist_model::{SparsityPattern, operations};
 
 use super::Scene;
 use super::body::{self, Body, body};
@@ -103,7 +103,7 @@ fn prepare(scene: &Scene<'_>) -> Emitted {
 
 /// The function of a row.
 fn function(scene: &Scene<'_>, row: &FunctionRow) -> Result<Emitted, EmitError> {
-    let tape = tape(scene, row);
+    let tape = scene.hoisted.tape(scene.model, row.id);
     let solved = scene.model.solve(row.id);
     let Body { statements: lines, results, reads } = body(tape, &scene.scope(row.name), false)?;
     let reads_motion = reads.motion || solved.is_some();
@@ -129,16 +129,6 @@ fn function(scene: &Scene<'_>, row: &FunctionRow) -> Result<Emitted, EmitError> 
     };
     let doc = format!("{} {}", plain(row.doc), counted(operations(tape)));
     Ok(Emitted { doc, head: broken_head(&head), body: text, is_local: false })
-}
-
-/// The tape that is emitted of a row.
-fn tape<'a>(scene: &'a Scene<'_>, row: &FunctionRow) -> &'a Tape {
-    match row.id {
-        FunctionId::Rate => &scene.hoisted.rate,
-        FunctionId::RateJacobian => &scene.hoisted.rate_jacobian,
-        FunctionId::ParameterJacobian => &scene.hoisted.parameter_jacobian,
-        _ => (row.tape)(scene.model),
-    }
 }
 
 /// Variables for the entries of the state that are read, and arguments that are not.

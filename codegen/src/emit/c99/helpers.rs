@@ -32,13 +32,7 @@ struct Needs {
 
 /// The tapes that are emitted.
 pub(super) fn tapes<'a>(model: &'a Model, hoisted: &'a Hoisted) -> Vec<&'a Tape> {
-    use machinist_model::functions::FunctionId;
-    let own = model.functions().map(|row| match row.id {
-        FunctionId::Rate => &hoisted.rate,
-        FunctionId::RateJacobian => &hoisted.rate_jacobian,
-        FunctionId::ParameterJacobian => &hoisted.parameter_jacobian,
-        _ => (row.tape)(model),
-    });
+    let own = model.functions().map(|row| hoisted.tape(model, row.id));
     own.chain([&hoisted.constants, &hoisted.motion]).collect()
 }
 

@@ -10,10 +10,10 @@ mod driver;
 
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
-use machinist_codegen::emit::c99::{C99Options, FixedMethod, Real, StepCalls, emit, step_calls};
+use machinist_codegen::emit::c99::{C99Options, Real, StepCalls, emit, step_calls};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
-use machinist_contract::fixed_step::{self, Clock, FixedSteps, Room};
+use machinist_contract::fixed_step::{Clock, FixedSteps, Room, StepMethod};
 use machinist_model::evaluate::{Evaluator, Inputs};
 use machinist_model::{Elimination, Model, ModelSimulator, Tape};
 
@@ -163,9 +163,9 @@ fn steps_of_emitted_c_converge_to_the_adaptive_run_with_their_order() {
         let model = model_of_specs(name, Keep::Needed);
         let (exact, _) = adaptive(&model);
         for (method, order) in [
-            (FixedMethod::RungeKutta4, 4.0),
-            (FixedMethod::Heun, 2.0),
-            (FixedMethod::Rosenbrock2, 2.0),
+            (StepMethod::RungeKutta4, 4.0),
+            (StepMethod::Heun, 2.0),
+            (StepMethod::Rosenbrock2, 2.0),
         ] {
             let options = C99Options { method, ..options(Real::Double, &model) };
             let program = compiled(&compiler, &model, &options);
@@ -204,7 +204,7 @@ fn steps_of_emitted_c_find_the_events_of_the_adaptive_run() {
 /// Time and state after each of so many steps of the contract, from a start.
 fn steps_in_rust(
     model: &Model,
-    method: FixedMethod,
+    method: StepMethod,
     (start, step, steps): (&[f64], f64, usize),
 ) -> Vec<Vec<f64>> {
     let simulator = ModelSimulator::interpreted(model.clone());
@@ -217,13 +217,7 @@ fn steps_in_rust(
         simulator: &simulator,
         parameters: &parameters,
         constants: &constants,
-        method: match method {
-            FixedMethod::RungeKutta4 => fixed_step::FixedMethod::RungeKutta4,
-            FixedMethod::Heun => fixed_step::FixedMethod::Heun,
-            FixedMethod::Rosenbrock2 => {
-                fixed_step::FixedMethod::Rosenbrock2(elimination.borrowed())
-            }
-        },
+        method: method.with(elimination.borrowed()),
         parts_a_step: FixedSteps::<f64>::enough_parts(&simulator),
     };
     let [numbers, signs] = machine.room();
@@ -244,7 +238,6 @@ fn steps_in_rust(
 #[test]
 fn steps_of_emitted_c_give_the_bits_of_steps_in_rust() {
     let Some(compiler) = Compiler::found().map(Compiler::plain) else { return };
-    let methods = [FixedMethod::RungeKutta4, FixedMethod::Heun, FixedMethod::Rosenbrock2];
     for (name, steps) in [
         ("saw_gin", 100),
         ("stick_slip", 500),
@@ -254,7 +247,7 @@ fn steps_of_emitted_c_give_the_bits_of_steps_in_rust() {
     ] {
         let model = model_of_specs(name, Keep::Needed);
         let step = (model.run.until - model.run.from) / steps as f64;
-        for method in methods {
+        for method in StepMethod::ALL {
             let options = C99Options { method, ..options(Real::Double, &model) };
             let start = options.start.clone().unwrap_or_else(|| {
                 let simulator = ModelSimulator::interpreted(model.clone());
@@ -347,7 +340,7 @@ fn no_step_calls_more_than_is_said() {
     ] {
         let model = model_of_specs(name, Keep::Needed);
         let step = (model.run.until - model.run.from) / steps as f64;
-        for method in [FixedMethod::RungeKutta4, FixedMethod::Rosenbrock2] {
+        for method in [StepMethod::RungeKutta4, StepMethod::Rosenbrock2] {
             let options = C99Options { method, ..options(Real::Double, &model) };
             let files = emit(&model, &options).expect("emitted");
             let program = (&*model.name, &files[..], &*driver::counting(&model));

@@ -61,6 +61,53 @@ pub enum FixedMethod<'a> {
     Rosenbrock2(Elimination<'a>),
 }
 
+/// The methods by name, before the pattern of a machine is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StepMethod {
+    /// [`FixedMethod::RungeKutta4`].
+    #[default]
+    RungeKutta4,
+    /// [`FixedMethod::Heun`].
+    Heun,
+    /// [`FixedMethod::Rosenbrock2`], for stiff machines.
+    Rosenbrock2,
+}
+
+impl StepMethod {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::RungeKutta4, Self::Heun, Self::Rosenbrock2];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::RungeKutta4 => "rk4",
+            Self::Heun => "heun",
+            Self::Rosenbrock2 => "ros2",
+        }
+    }
+
+    /// Its description, as part of a sentence.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::RungeKutta4 => "the classical Runge-Kutta method of order 4",
+            Self::Heun => "Heun's method of order 2",
+            Self::Rosenbrock2 => "a linearly implicit Rosenbrock method of order 2",
+        }
+    }
+
+    /// The method for a machine whose `I - g h J` this eliminates.
+    #[must_use]
+    pub fn with(self, elimination: Elimination<'_>) -> FixedMethod<'_> {
+        match self {
+            Self::RungeKutta4 => FixedMethod::RungeKutta4,
+            Self::Heun => FixedMethod::Heun,
+            Self::Rosenbrock2 => FixedMethod::Rosenbrock2(elimination),
+        }
+    }
+}
+
 /// `1 - 1/sqrt 2`.
 pub const ROSENBROCK_GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
 

@@ -29,6 +29,8 @@ use crate::parquet;
 use crate::progress::during;
 use compare::{Other, Others};
 use fixed::Fixed;
+#[cfg(feature = "derive")]
+pub use fixed::step_method;
 use serde_json::json;
 
 #[derive(Debug, Args)]

@@ -18,6 +18,7 @@ mod project;
 mod solve;
 mod step;
 
+use machinist_contract::fixed_step::StepMethod;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Model, StateKind};
 
@@ -69,49 +70,13 @@ impl Real {
     }
 }
 
-/// How steps of a fixed length are taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum FixedMethod {
-    /// The classical Runge-Kutta method of order 4.
-    #[default]
-    RungeKutta4,
-    /// Heun's method, of order 2.
-    Heun,
-    /// A linearly implicit method of order 2, for stiff machines.
-    Rosenbrock2,
-}
-
-impl FixedMethod {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::RungeKutta4, Self::Heun, Self::Rosenbrock2];
-
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::RungeKutta4 => "rk4",
-            Self::Heun => "heun",
-            Self::Rosenbrock2 => "ros2",
-        }
-    }
-
-    /// What it is, within a sentence.
-    fn meaning(self) -> &'static str {
-        match self {
-            Self::RungeKutta4 => "the classical Runge-Kutta method of order 4",
-            Self::Heun => "Heun's method of order 2",
-            Self::Rosenbrock2 => "a linearly implicit Rosenbrock method of order 2",
-        }
-    }
-}
-
 /// What to emit.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct C99Options {
     /// The type of numbers.
     pub real: Real,
     /// How steps are taken.
-    pub method: FixedMethod,
+    pub method: StepMethod,
     /// The command that makes the files again, for their headers.
     pub command: String,
     /// Names of parameters that are inputs: they get a struct of their own.

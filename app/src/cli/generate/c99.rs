@@ -5,13 +5,15 @@ use std::path::Path;
 use clap::{Args, ValueEnum};
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
-use machinist_codegen::emit::c99::{C99Options, FixedMethod, Real, step_cost};
+use machinist_codegen::emit::c99::{C99Options, Real, step_cost};
 use machinist_codegen::write::{Mode, WriteError, emit_c99};
+use machinist_contract::fixed_step::StepMethod;
 use machinist_fmu::variables::{Unfit, Variables};
 use machinist_model::{Model, ModelSimulator};
 
 use super::describe;
 use crate::cli::output::print;
+use crate::cli::run::step_method;
 use crate::cli::scene::{Given, derived};
 use crate::failure::{Failure, did_you_mean};
 
@@ -28,20 +30,11 @@ pub struct Options {
     #[arg(long, value_name = "TYPE")]
     real: Option<Width>,
     /// With --target c99: the method of a step, rk4, heun or ros2; rk4 unless given
-    #[arg(long, value_name = "NAME", value_parser = fixed_method)]
-    step: Option<FixedMethod>,
+    #[arg(long, value_name = "NAME", value_parser = step_method)]
+    step: Option<StepMethod>,
     /// With --target c99: parameters that are set along the run, which get a struct of their own
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     inputs: Vec<String>,
-}
-
-/// The method of a name.
-fn fixed_method(name: &str) -> Result<FixedMethod, String> {
-    let found = FixedMethod::ALL.into_iter().find(|method| method.name() == name);
-    found.ok_or_else(|| {
-        let names = FixedMethod::ALL.map(FixedMethod::name).join(", ");
-        format!("there are {names}")
-    })
 }
 
 impl Options {

@@ -6,19 +6,12 @@ use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use machinist_contract::Simulator;
-use machinist_contract::fixed_step::{Clock, FixedMethod, FixedSteps, Room, Stepped};
+use machinist_contract::fixed_step::{Clock, FixedSteps, Room, StepMethod, Stepped};
 use machinist_model::Elimination;
 
 use super::columns;
 use crate::failure::Failure;
 use crate::number::number;
-
-/// Methods, by their names.
-const METHODS: [(&str, &str); 3] = [
-    ("rk4", "the classical Runge-Kutta method of order 4"),
-    ("heun", "Heun's method of order 2"),
-    ("ros2", "a linearly implicit Rosenbrock method of order 2"),
-];
 
 #[derive(Debug, Args)]
 pub struct Options {
@@ -27,14 +20,15 @@ pub struct Options {
     #[arg(long, value_name = "STEP", conflicts_with_all = ["sensitivities", "modes"])]
     fixed: Option<f64>,
     /// With --fixed: rk4, heun or ros2; rk4 unless given
-    #[arg(long, value_name = "NAME", requires = "fixed", value_parser = name_of_method)]
-    step_method: Option<&'static str>,
+    #[arg(long, value_name = "NAME", requires = "fixed", value_parser = step_method)]
+    step_method: Option<StepMethod>,
 }
 
-fn name_of_method(name: &str) -> Result<&'static str, String> {
-    let found = METHODS.iter().find(|(known, _)| *known == name);
-    found.map(|(known, _)| *known).ok_or_else(|| {
-        let names = METHODS.map(|(name, _)| name).join(", ");
+/// The method of a name.
+pub fn step_method(name: &str) -> Result<StepMethod, String> {
+    let found = StepMethod::ALL.into_iter().find(|method| method.name() == name);
+    found.ok_or_else(|| {
+        let names = StepMethod::ALL.map(StepMethod::name).join(", ");
         format!("there are {names}")
     })
 }
@@ -45,7 +39,7 @@ const MOST_STEPS: f64 = 1e9;
 /// Steps of a fixed length, as they are asked for.
 pub struct Fixed {
     step: f64,
-    method: &'static str,
+    method: StepMethod,
 }
 
 /// What became of the steps.
@@ -68,7 +62,7 @@ impl Options {
             let message = format!("--fixed {step}: a step is a finite time above zero");
             return Err(Failure::input(message, "such as `--fixed 1e-4`, in seconds"));
         }
-        Ok(Some(Fixed { step, method: self.step_method.unwrap_or(METHODS[0].0) }))
+        Ok(Some(Fixed { step, method: self.step_method.unwrap_or_default() }))
     }
 }
 
@@ -99,11 +93,7 @@ impl Fixed {
             simulator,
             parameters: &point.parameters,
             constants: &constants,
-            method: match self.method {
-                "heun" => FixedMethod::Heun,
-                "ros2" => FixedMethod::Rosenbrock2(elimination.borrowed()),
-                _ => FixedMethod::RungeKutta4,
-            },
+            method: self.method.with(elimination.borrowed()),
             parts_a_step: FixedSteps::enough_parts(simulator),
         };
         let [numbers, signs] = machine.room();
@@ -133,7 +123,7 @@ impl Fixed {
         if let Some(lost) = stepping.first_lost() {
             let message = format!(
                 "{} with steps of {step:.3e} s: the state is not finite at {lost} s",
-                self.method
+                self.method.name()
             );
             let help = "take shorter steps, or `--step-method ros2` for a stiff machine";
             return Err(Failure::unsuccessful(message, help));
@@ -181,14 +171,13 @@ impl Fixed {
             0 => String::new(),
             some => format!("\n{some} steps had more parts than may be: take shorter ones"),
         };
-        let meaning = METHODS.iter().find(|(name, _)| *name == self.method);
-        let meaning = meaning.map_or("", |(_, meaning)| meaning);
         format!(
-            "{}: {}\n{} steps of {:e} s by {meaning}, {} events{parts}\nerrors against {}, rtol {:e}\n\n{}",
+            "{}: {}\n{} steps of {:e} s by {}, {} events{parts}\nerrors against {}, rtol {:e}\n\n{}",
             adaptive.scene,
             adaptive.title,
             stepping.steps,
             stepping.step,
+            self.method.meaning(),
             stepping.events,
             adaptive.method,
             adaptive.rtol,

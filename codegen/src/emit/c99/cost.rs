@@ -1,12 +1,11 @@
 //! Operations of a step: those of a step in which nothing happens, and the largest number there
 //! may be. They follow from the tapes, and from how often a step calls each function.
 
+use machinist_contract::fixed_step::StepMethod;
 use machinist_contract::implicit::LANES;
 use machinist_model::functions::FunctionId;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Elimination, Model, operations};
-
-use super::FixedMethod;
 
 /// How often a step calls functions of the machine, and puts it back onto constraints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,15 +44,15 @@ pub(super) fn parts(model: &Model) -> usize {
 
 /// Calls of a step without events and jumps, and the largest number of each.
 #[must_use]
-pub fn step_calls(model: &Model, method: FixedMethod) -> [StepCalls; 2] {
+pub fn step_calls(model: &Model, method: StepMethod) -> [StepCalls; 2] {
     let events = model.events.len();
     let [has_events, has_jumps, is_constrained] =
         [events > 0, !model.discontinuities.results.is_empty(), !model.constraints.is_empty()]
             .map(usize::from);
     let (stages, jacobians) = match method {
-        FixedMethod::RungeKutta4 => (4, 0),
-        FixedMethod::Heun => (2, 0),
-        FixedMethod::Rosenbrock2 => (2, 1),
+        StepMethod::RungeKutta4 => (4, 0),
+        StepMethod::Heun => (2, 0),
+        StepMethod::Rosenbrock2 => (2, 1),
     };
     let usual = StepCalls {
         rates: stages,
@@ -81,12 +80,12 @@ pub fn step_calls(model: &Model, method: FixedMethod) -> [StepCalls; 2] {
 
 /// Operations of a step.
 #[must_use]
-pub fn step_cost(model: &Model, method: FixedMethod) -> StepCost {
+pub fn step_cost(model: &Model, method: StepMethod) -> StepCost {
     let [usual, most] = step_calls(model, method).map(|calls| cost(model, method, &calls));
     StepCost { usual, most, parts: parts(model) }
 }
 
-fn cost(model: &Model, method: FixedMethod, calls: &StepCalls) -> usize {
+fn cost(model: &Model, method: StepMethod, calls: &StepCalls) -> usize {
     let hoisted = Hoisted::new(model);
     let motion = operations(&hoisted.motion);
     let of = |id: FunctionId| {
@@ -103,16 +102,16 @@ fn cost(model: &Model, method: FixedMethod, calls: &StepCalls) -> usize {
     let states = model.states.len();
     // `ahead` is a product and a sum for each state.
     let (per_step, implicit) = match method {
-        FixedMethod::RungeKutta4 => (14 * states + 4, 0),
-        FixedMethod::Heun => (6 * states + 2, 0),
-        FixedMethod::Rosenbrock2 => {
+        StepMethod::RungeKutta4 => (14 * states + 4, 0),
+        StepMethod::Heun => (6 * states + 2, 0),
+        StepMethod::Rosenbrock2 => {
             let list = Elimination::new(states, &model.rate_jacobian.pattern.entries);
             let [factor, solve] = list.borrowed().operations();
             let both = of(FunctionId::RateJacobian) + of(FunctionId::TimeDerivative);
             (14 * states + 4, both + factor + 2 * solve)
         }
     };
-    let stages = if method == FixedMethod::RungeKutta4 { 4 } else { 2 };
+    let stages = if method == StepMethod::RungeKutta4 { 4 } else { 2 };
     let steps = calls.rates / stages;
     let size = model.coordinates.len() + model.constraints.len();
     let elimination: usize = (1..=size).map(|left| (left - 1) * (3 + 2 * left) + 2 * left).sum();

@@ -2,11 +2,12 @@
 
 use std::fmt::Write as _;
 
+use machinist_contract::fixed_step::StepMethod;
 use machinist_model::{Direction, StateKind};
 
 use super::description::needs_start;
 use super::layout::{comment, statement};
-use super::{FixedMethod, Real, Scene, cost, implicit};
+use super::{Real, Scene, cost, implicit};
 use crate::emit::EmitError;
 
 const RUNGE_KUTTA: &str = include_str!("snippets/runge_kutta.c");
@@ -144,9 +145,9 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
     let is_constrained = !scene.model.constraints.is_empty();
     let mut parts = vec![ahead(scene)];
     parts.push(match scene.options.method {
-        FixedMethod::RungeKutta4 => scene.filled(RUNGE_KUTTA),
-        FixedMethod::Heun => scene.filled(HEUN),
-        FixedMethod::Rosenbrock2 => implicit::advance(scene)?,
+        StepMethod::RungeKutta4 => scene.filled(RUNGE_KUTTA),
+        StepMethod::Heun => scene.filled(HEUN),
+        StepMethod::Rosenbrock2 => implicit::advance(scene)?,
     });
     if is_constrained {
         parts.push(shifts(scene));

@@ -5,7 +5,7 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 use super::operating_point::{Place, operating_point};
-use super::{LinearError, Linearization, Mode, ModeKind, position};
+use super::{LinearError, Linearization, Mode, ModeKind, Point, position};
 use crate::error::did_you_mean;
 use crate::simulate::Simulation;
 use crate::sorting::sort_ascending;
@@ -76,6 +76,25 @@ pub struct Growing {
     pub at: f64,
 }
 
+impl Growing {
+    /// A stretch that begins at or before a value, with no motion in it yet.
+    fn new(from: f64, value: f64) -> Self {
+        Self { from, to: value, moves: Vec::new(), fastest: 0.0, at: value }
+    }
+
+    /// Adds the motions that grow at a value: their growths, and the coordinates that move most.
+    fn include(&mut self, value: f64, growing: &[(f64, String)]) {
+        for (growth, moves) in growing {
+            if *growth > self.fastest {
+                (self.fastest, self.at) = (*growth, value);
+            }
+            if !self.moves.contains(moves) {
+                self.moves.push(moves.clone());
+            }
+        }
+    }
+}
+
 /// What is varied, and what orders are of.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variation<'a> {
@@ -135,12 +154,8 @@ pub fn campbell_over_speeds(
     orders: &[f64],
 ) -> Result<Campbell, LinearError> {
     let simulator = run.simulator();
-    let linearization = Linearization::at(simulator, operating_point(run, place)?)?;
-    let (names, coordinates) = (linearization.motion_names(), simulator.shape().coordinates);
-    let modes = linearization.modes()?;
-    let seen = modes.iter().filter(|mode| is_seen(mode));
-    let mut found: Vec<Oscillation> =
-        seen.map(|mode| oscillation(mode, coordinates, &names)).collect();
+    let Found { oscillations: mut found, growing: growths, .. } =
+        Found::at(simulator, operating_point(run, place)?, None)?;
     sort_ascending(&mut found, |one| one.frequency);
     let mut critical = Vec::new();
     let ends = [speeds.first(), speeds.last()].map(|end| end.copied().unwrap_or(f64::NAN));
@@ -154,23 +169,11 @@ pub fn campbell_over_speeds(
         }
     }
     sort_ascending(&mut critical, |meeting| meeting.value);
-    let mut growing: Vec<Growing> = Vec::new();
-    for mode in modes.iter().filter(|mode| mode.grows()) {
-        let moves = leading(mode, coordinates, &names);
-        match growing.first_mut() {
-            Some(stretch) => {
-                stretch.fastest = stretch.fastest.max(mode.real);
-                stretch.moves.push(moves);
-            }
-            None => growing.push(Growing {
-                from: ends[0],
-                to: ends[1],
-                moves: vec![moves],
-                fastest: mode.real,
-                at: ends[0],
-            }),
-        }
-    }
+    let growing = (!growths.is_empty()).then(|| {
+        let mut stretch = Growing { to: ends[1], ..Growing::new(ends[0], ends[0]) };
+        stretch.include(ends[0], &growths);
+        stretch
+    });
     let branch = |one: &Oscillation| Branch {
         moves: one.moves.clone(),
         frequencies: vec![one.frequency; speeds.len()],
@@ -184,7 +187,7 @@ pub fn campbell_over_speeds(
         speeds: Some(speeds.to_vec()),
         branches: found.iter().map(branch).collect(),
         critical,
-        growing,
+        growing: growing.into_iter().collect(),
     })
 }
 
@@ -234,6 +237,23 @@ struct Found {
     oscillations: Vec<Oscillation>,
 }
 
+impl Found {
+    fn at(
+        simulator: &dyn Simulator<f64>,
+        point: Point,
+        speed: Option<f64>,
+    ) -> Result<Self, LinearError> {
+        let linearization = Linearization::at(simulator, point)?;
+        let (names, coordinates) = (linearization.motion_names(), simulator.shape().coordinates);
+        let modes = linearization.modes()?;
+        let oscillations = modes.iter().filter(|mode| is_seen(mode));
+        let oscillations = oscillations.map(|mode| oscillation(mode, coordinates, &names));
+        let growing = modes.iter().filter(|mode| mode.grows());
+        let growing = growing.map(|mode| (mode.real, leading(mode, coordinates, &names)));
+        Ok(Self { speed, growing: growing.collect(), oscillations: oscillations.collect() })
+    }
+}
+
 /// An oscillation with its shape by shares, so that units have no say: |x_i|^2 is the share of
 /// each coordinate and first-order state.
 #[derive(Debug, Clone)]
@@ -258,15 +278,7 @@ impl Machine<'_> {
             Speed::Parameter(index) => point.parameters[index],
             Speed::State(index) => point.state[index],
         });
-        let linearization = Linearization::at(self.run.simulator(), point)?;
-        let names = linearization.motion_names();
-        let coordinates = self.run.simulator().shape().coordinates;
-        let modes = linearization.modes()?;
-        let oscillations = modes.iter().filter(|mode| is_seen(mode));
-        let oscillations = oscillations.map(|mode| oscillation(mode, coordinates, &names));
-        let growing = modes.iter().filter(|mode| mode.grows());
-        let growing = growing.map(|mode| (mode.real, leading(mode, coordinates, &names)));
-        Ok(Found { speed, growing: growing.collect(), oscillations: oscillations.collect() })
+        Found::at(self.run.simulator(), point, speed)
     }
 
     /// Stretches of neighbouring values at each of which something grows.
@@ -281,18 +293,10 @@ impl Machine<'_> {
             let before = index.checked_sub(1);
             if before.is_none_or(|before| growths[before].is_empty()) {
                 let from = before.map_or(value, |before| self.onset(values[before], value));
-                let (moves, fastest, at) = (Vec::new(), 0.0, value);
-                stretches.push(Growing { from, to: value, moves, fastest, at });
+                stretches.push(Growing::new(from, value));
             }
             let Some(stretch) = stretches.last_mut() else { continue };
-            for (growth, moves) in growing {
-                if *growth > stretch.fastest {
-                    (stretch.fastest, stretch.at) = (*growth, value);
-                }
-                if !stretch.moves.contains(moves) {
-                    stretch.moves.push(moves.clone());
-                }
-            }
+            stretch.include(value, growing);
             let next = values.get(index + 1).filter(|_| growths[index + 1].is_empty());
             stretch.to = next.map_or(value, |next| self.onset(*next, value));
         }

@@ -13,7 +13,7 @@ use super::linear::Where;
 use super::output::{
     columns, draw_file, is_standard_output, print, print_with, require_picture, write_file,
 };
-use super::range::{Range, ends, range};
+use super::range::{Range, ends, equally_spaced, range};
 use crate::failure::Failure;
 use crate::number::number;
 use crate::parquet::{self, Column, Values};
@@ -192,11 +192,9 @@ impl CampbellDiagram {
             let message = format!("--orders {order}: an order is a number above zero");
             return Err(Failure::input(message, "half an order is 0.5"));
         }
-        let last = (self.count - 1) as f64;
         let value = |index: usize| match &self.parameter {
             Some(parameter) => parameter.value(index, self.count),
-            None if index + 1 == self.count => to,
-            None => from + (to - from) * (index as f64 / last),
+            None => equally_spaced([from, to], index, self.count),
         };
         Ok((0..self.count).map(value).collect())
     }

@@ -26,13 +26,19 @@ impl Range {
 
     /// The `index`-th of `count` values; both ends are met exactly.
     pub fn value(&self, index: usize, count: usize) -> f64 {
-        let share = index as f64 / (count - 1) as f64;
-        match index {
-            0 => self.from,
-            _ if index + 1 == count => self.to,
-            _ if self.is_log => self.from * (self.to / self.from).powf(share),
-            _ => self.from + (self.to - self.from) * share,
+        if self.is_log && index > 0 && index + 1 < count {
+            return self.from * (self.to / self.from).powf(index as f64 / (count - 1) as f64);
         }
+        equally_spaced([self.from, self.to], index, count)
+    }
+}
+
+/// The `index`-th of `count` equally spaced values; both ends are met exactly.
+pub fn equally_spaced([from, to]: [f64; 2], index: usize, count: usize) -> f64 {
+    match index {
+        0 => from,
+        _ if index + 1 == count => to,
+        _ => from + (to - from) * (index as f64 / (count - 1) as f64),
     }
 }
 

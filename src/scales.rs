@@ -44,3 +44,19 @@ pub(crate) fn scales(
     }
     scales
 }
+
+/// One of several states beside another, at most `reach` scales off in each entry; number 0 is that
+/// state itself. Modes stay.
+pub(crate) fn beside(
+    simulator: &dyn Simulator<f64>,
+    state: &[f64],
+    number: usize,
+    reach: f64,
+) -> Vec<f64> {
+    let moved = |(index, value): (usize, &f64)| {
+        let wave = (1.0 + (1 + index) as f64 * 1.7 * number as f64).sin();
+        let moves = number > 0 && !simulator.is_mode(index);
+        value + if moves { reach * wave * simulator.state_scale(index) } else { 0.0 }
+    };
+    state.iter().enumerate().map(moved).collect()
+}

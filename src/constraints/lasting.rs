@@ -4,6 +4,7 @@ use machinist_contract::Simulator;
 
 use super::start::{consistent, start};
 use super::{Redundant, mobility};
+use crate::scales::beside;
 
 /// Places at which a constraint has to follow from others.
 const PLACES: usize = 4;
@@ -63,12 +64,8 @@ fn everywhere(
 ) -> Option<Vec<Redundant>> {
     let mut found: Option<Vec<Redundant>> = None;
     for place in 0..PLACES {
-        let moved = state.iter().enumerate().map(|(index, value)| {
-            let wave = (1.0 + (1 + index) as f64 * 1.7 * place as f64).sin();
-            let moves = place > 0 && !simulator.is_mode(index);
-            value + if moves { REACH * wave * simulator.state_scale(index) } else { 0.0 }
-        });
-        let there = consistent(simulator, parameters, time, moved.collect(), |_| false).ok()?;
+        let moved = beside(simulator, state, place, REACH);
+        let there = consistent(simulator, parameters, time, moved, |_| false).ok()?;
         let followers = followers(simulator, parameters, time, &there);
         found = Some(match found {
             None => followers,

@@ -19,6 +19,7 @@ use nalgebra::{DMatrix, DVector};
 use super::differences::derivative;
 use super::{Point, jacobian, rate};
 use crate::constraints::{Constraints, Level};
+use crate::scales::beside;
 
 /// Coordinates up to which symmetries are looked for: n^2 + n unknowns.
 const MOST: usize = 16;
@@ -27,6 +28,8 @@ const MOST: usize = 16;
 const NOTHING: f64 = 1e-9;
 /// Beside what moves, a rate off the symmetry by less is steady.
 const STEADY: f64 = 1e-8;
+/// Distance of places around a state from it, in scales of states.
+const REACH: f64 = 0.3;
 /// Steps of Newton's method.
 const ROUNDS: usize = 50;
 /// How far coordinates go at most in these, in their scales.
@@ -328,13 +331,8 @@ fn along(n: usize, point: &Point, turns: &DMatrix<f64>, shifts: &DVector<f64>) -
 fn places(simulator: &dyn Simulator<f64>, point: &Point) -> Vec<Point> {
     let n = simulator.shape().coordinates;
     let around = |number: usize| {
-        let mut place = point.clone();
-        for (index, value) in place.state.iter_mut().enumerate() {
-            let wave = (1.0 + (1 + index) as f64 * 1.7 * number as f64).sin();
-            let moves = !simulator.is_mode(index) && number > 0;
-            *value += if moves { 0.3 * wave * simulator.state_scale(index) } else { 0.0 };
-        }
-        place
+        let state = beside(simulator, &point.state, number, REACH);
+        Point { state, ..point.clone() }
     };
     (0..n + 6).map(around).collect()
 }

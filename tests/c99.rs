@@ -10,7 +10,7 @@ mod driver;
 
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
-use machinist_codegen::emit::c99::{C99Options, Real, StepCalls, emit, step_calls};
+use machinist_codegen::emit::c99::{C99Options, Real, StepCalls, emit, needs_start, step_calls};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
 use machinist_contract::fixed_step::{Clock, FixedSteps, Room, StepMethod};
@@ -76,7 +76,7 @@ fn scenes() -> Vec<String> {
 }
 
 fn options(real: Real, model: &Model) -> C99Options {
-    let start = (!model.constraints.is_empty() || model.starts_in_equilibrium).then(|| {
+    let start = needs_start(model).then(|| {
         let simulator = ModelSimulator::interpreted(model.clone());
         operating_point(&Simulation::new(&simulator), Place::Initial).expect("a start").state
     });

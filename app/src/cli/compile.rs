@@ -4,14 +4,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::file;
 
 use super::output::{print, require_ending, write_file};
-use super::scene::{Given, MODEL_ENDING};
-use crate::deriving::{self, Request};
+use super::scene::{Given, MODEL_ENDING, derived_stamped};
 use crate::failure::Failure;
-use crate::freeze::admit;
 
 #[derive(Debug, Args)]
 pub struct Compile {
@@ -28,15 +25,8 @@ pub struct Compile {
 impl Compile {
     pub fn execute(&self) -> Result<(), Failure> {
         require_ending(&self.out, &[MODEL_ENDING], "--out")?;
-        let keep = if self.keep_all { Keep::All } else { Keep::Needed };
         let stamped = match Given::of(&self.scene)? {
-            Given::Spec(source) => {
-                let stamped = deriving::stamped(&Request::model(&source, keep))?;
-                if !self.keep_all {
-                    admit(&source, &stamped.model)?;
-                }
-                stamped
-            }
+            Given::Spec(source) => derived_stamped(&source, self.keep_all)?,
             Given::Model(_) => {
                 let message = format!("{} is a model already", self.scene);
                 return Err(Failure::input(message, "copy it, or give the spec of a scene"));

@@ -3,15 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use machinist_codegen::mechanics::reduce::Keep;
 use machinist_fmu::resource::Export;
 
 use super::output::{print, require_ending, write_file};
-use super::scene::Given;
-use crate::deriving::{self, Request};
+use super::scene::stamped;
 use crate::failure::Failure;
 use crate::fmu::{Archive, Library};
-use crate::freeze::admit;
 
 #[derive(Debug, Args)]
 pub struct Fmu {
@@ -41,21 +38,7 @@ impl Fmu {
     pub fn execute(&self) -> Result<(), Failure> {
         require_ending(&self.out, &["fmu"], "--out")?;
         let library = Library::find(self.library.as_deref())?;
-        let stamped = match Given::of(&self.scene)? {
-            Given::Model(_) if self.keep_all => {
-                let message = format!("{} is a model already", self.scene);
-                return Err(Failure::input(message, "leave `--keep-all` out"));
-            }
-            Given::Model(stamped) => *stamped,
-            Given::Spec(source) => {
-                let keep = if self.keep_all { Keep::All } else { Keep::Needed };
-                let stamped = deriving::stamped(&Request::model(&source, keep))?;
-                if !self.keep_all {
-                    admit(&source, &stamped.model)?;
-                }
-                stamped
-            }
-        };
+        let stamped = stamped(&self.scene, self.keep_all)?;
         let (elements, order) = (self.elements, self.order);
         let export = Export { inputs: self.inputs.clone(), elements, order };
         let archive = Archive::of(&stamped, &export, &library)?;

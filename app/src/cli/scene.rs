@@ -15,7 +15,7 @@ use machinist_scenes::scenes;
 use machinist_studies::double_double::{Twin, precise};
 
 #[cfg(feature = "derive")]
-use crate::deriving;
+use crate::deriving::{self, Request};
 use crate::failure::Failure;
 #[cfg(feature = "derive")]
 use crate::freeze::admit;
@@ -210,12 +210,31 @@ impl Scene {
 /// The model of a spec.
 #[cfg(feature = "derive")]
 pub fn derived(source: &SpecSource, keep_all: bool) -> Result<Model, Failure> {
+    Ok(derived_stamped(source, keep_all)?.model)
+}
+
+/// As [`derived`], with what made it.
+#[cfg(feature = "derive")]
+pub fn derived_stamped(source: &SpecSource, keep_all: bool) -> Result<Stamped, Failure> {
     let keep = if keep_all { Keep::All } else { Keep::Needed };
-    let model = deriving::model(source, keep)?;
+    let stamped = deriving::stamped(&Request::model(source, keep))?;
     if !keep_all {
-        admit(source, &model)?;
+        admit(source, &stamped.model)?;
     }
-    Ok(model)
+    Ok(stamped)
+}
+
+/// The model of a spec, or of a model file, from which nothing can be kept.
+#[cfg(feature = "derive")]
+pub fn stamped(argument: &str, keep_all: bool) -> Result<Stamped, Failure> {
+    match Given::of(argument)? {
+        Given::Model(_) if keep_all => {
+            let message = format!("{argument} is a model already");
+            Err(Failure::input(message, "leave `--keep-all` out"))
+        }
+        Given::Model(stamped) => Ok(*stamped),
+        Given::Spec(source) => derived_stamped(&source, keep_all),
+    }
 }
 
 /// This program reads no specs.

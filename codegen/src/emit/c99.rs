@@ -25,6 +25,7 @@ use machinist_model::{Model, StateKind};
 use super::EmitError;
 use body::{Scope, body};
 pub use cost::{StepCalls, StepCost, step_calls, step_cost};
+pub use description::needs_start;
 use expression::Written;
 use names::Namer;
 
@@ -150,8 +151,9 @@ struct Scene<'a> {
     constants: Vec<String>,
     /// Statements that compute the constants.
     prepare: Vec<String>,
+    motion: Option<solve::Motion>,
     /// Expressions of the results of the motion.
-    motion: Vec<String>,
+    motion_results: Vec<String>,
     /// Which parameters are inputs.
     inputs: Vec<usize>,
 }
@@ -184,11 +186,13 @@ impl<'a> Scene<'a> {
             hoisted,
             constants: Vec::new(),
             prepare: Vec::new(),
-            motion: Vec::new(),
+            motion: None,
+            motion_results: Vec::new(),
             inputs: inputs(model, &options.inputs)?,
         };
         scene.name_constants()?;
-        scene.motion = solve::results(&scene)?;
+        scene.motion = solve::Motion::of(&scene)?;
+        scene.motion_results = scene.motion.as_ref().map_or_else(Vec::new, solve::Motion::results);
         Ok(scene)
     }
 
@@ -209,7 +213,7 @@ impl<'a> Scene<'a> {
             states: &self.states,
             parameters: &self.parameters,
             constants: &self.constants,
-            motion: &self.motion,
+            motion: &self.motion_results,
             tables: &self.tables,
             namer: &self.namer,
         }

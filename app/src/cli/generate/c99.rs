@@ -5,7 +5,7 @@ use std::path::Path;
 use clap::{Args, ValueEnum};
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
-use machinist_codegen::emit::c99::{C99Options, Real, step_cost};
+use machinist_codegen::emit::c99::{C99Options, Real, needs_start, step_cost};
 use machinist_codegen::write::{Mode, WriteError, emit_c99};
 use machinist_contract::fixed_step::StepMethod;
 use machinist_fmu::variables::{Unfit, Variables};
@@ -14,7 +14,7 @@ use machinist_model::{Model, ModelSimulator};
 use super::describe;
 use crate::cli::output::print;
 use crate::cli::run::step_method;
-use crate::cli::scene::{Given, derived};
+use crate::cli::scene::stamped;
 use crate::failure::{Failure, did_you_mean};
 
 /// The type of numbers.
@@ -60,7 +60,7 @@ impl Options {
         out: &Path,
         mode: Mode,
     ) -> Result<(), Failure> {
-        let model = model(scene, keep_all)?;
+        let model = stamped(scene, keep_all)?.model;
         self.check_inputs(&model)?;
         let options = C99Options {
             real: match self.real {
@@ -140,20 +140,9 @@ fn refused(unfit: &Unfit, model: &Model) -> Failure {
     Failure::input(unfit, help)
 }
 
-fn model(scene: &str, keep_all: bool) -> Result<Model, Failure> {
-    match Given::of(scene)? {
-        Given::Model(_) if keep_all => {
-            let message = format!("{scene} is a model already");
-            Err(Failure::input(message, "leave `--keep-all` out"))
-        }
-        Given::Model(stamped) => Ok(stamped.model),
-        Given::Spec(source) => derived(&source, keep_all),
-    }
-}
-
 /// The state in which a run starts, if that is more than the initial values of the spec.
 fn start(model: &Model) -> Result<Option<Vec<f64>>, Failure> {
-    if !model.fields.is_empty() || (model.constraints.is_empty() && !model.starts_in_equilibrium) {
+    if !model.fields.is_empty() || !needs_start(model) {
         return Ok(None);
     }
     let simulator = ModelSimulator::interpreted(model.clone());

@@ -45,7 +45,7 @@ pub(super) fn source(scene: &Scene<'_>, functions: &[Emitted]) -> Result<String,
          */\n#ifdef __clang__\n#pragma STDC FP_CONTRACT OFF\n#endif\n"
             .to_owned(),
         helpers::helpers(scene)?,
-        solve::items(scene)?,
+        solve::items(scene),
         patterns(scene, false),
         definitions.join("\n"),
         events::definitions(scene)?,
@@ -231,9 +231,9 @@ fn list(
     format!("const {kind} {name}[{size}] = {{\n{entries}}};\n")
 }
 
-/// Whether a run of a model starts on constraints or in equilibrium, which needs more than its
-/// initial values.
+/// True if a run of a model starts on constraints or in equilibrium: its initial values are not
+/// enough then.
 #[must_use]
-pub(super) fn needs_start(model: &Model) -> bool {
+pub fn needs_start(model: &Model) -> bool {
     model.starts_in_equilibrium || !model.constraints.is_empty()
 }

@@ -45,9 +45,7 @@ pub(super) fn arguments(scene: &Scene<'_>) -> String {
 /// All functions, in the order in which they can be defined.
 pub(super) fn functions(scene: &Scene<'_>) -> Result<Vec<Emitted>, EmitError> {
     let mut functions = vec![defaults(scene)?, prepare(scene)];
-    if scene.model.motion.is_some() {
-        functions.push(solve::motion(scene)?);
-    }
+    functions.extend(scene.motion.as_ref().map(|motion| solve::function(scene, motion)));
     for row in scene.model.functions() {
         if (row.results)(scene.model) > 0 {
             functions.push(function(scene, row)?);
@@ -138,28 +136,38 @@ fn opening(
     reads: &body::Reads,
     reads_motion: bool,
 ) -> String {
-    let mut text = String::new();
+    let mut text = state_variables(scene, reads);
     let of_motion = row.reads == Reads::Motion;
-    for &entry in &reads.state {
-        let (name, member) = (&scene.states[entry], &scene.state_members[entry]);
-        text.push_str(&statement(&format!("const {} {name} = state->{member};", scene.real()), 4));
-    }
     if reads_motion {
         text.push_str("    struct motion m;\n");
     }
-    let unused = [
-        ("time", of_motion && !reads.time && !reads_motion),
-        ("state", of_motion && reads.state.is_empty() && !reads_motion),
-        ("p", !reads.parameters && !reads_motion),
-        ("c", of_motion && !reads.constants && !reads_motion),
-    ];
-    for (name, _) in unused.iter().filter(|(_, is_unused)| *is_unused) {
-        text.extend(["    (void)", name, ";\n"]);
+    if !reads_motion {
+        text.push_str(&unread([
+            ("time", of_motion && !reads.time),
+            ("state", of_motion && reads.state.is_empty()),
+            ("p", !reads.parameters),
+            ("c", of_motion && !reads.constants),
+        ]));
     }
     if reads_motion {
         text.push_str("    motion(time, state, p, c, &m);\n");
     }
     text
+}
+
+/// Variables for the entries of the state that a body reads.
+pub(super) fn state_variables(scene: &Scene<'_>, reads: &body::Reads) -> String {
+    let variable = |&entry: &usize| {
+        let (name, member) = (&scene.states[entry], &scene.state_members[entry]);
+        statement(&format!("const {} {name} = state->{member};", scene.real()), 4)
+    };
+    reads.state.iter().map(variable).collect()
+}
+
+/// Mentions arguments that a body does not read, so that compilers do not warn of them.
+pub(super) fn unread(arguments: [(&str, bool); 4]) -> String {
+    let unread = arguments.into_iter().filter(|(_, is_unread)| *is_unread);
+    unread.map(|(name, _)| format!("    (void){name};\n")).collect()
 }
 
 /// Where the result of a function goes: its last argument.

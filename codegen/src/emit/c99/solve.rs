@@ -7,92 +7,79 @@ use machinist_model::{Solve, SparsityPattern, operations};
 
 use super::Scene;
 use super::body::{Body, body};
-use super::functions::{Emitted, arguments, broken_head, counted};
+use super::functions::{Emitted, arguments, broken_head, counted, state_variables, unread};
 use super::layout::{statement, statements};
 use super::names::Namer;
 use crate::emit::EmitError;
 
 const SUBSTITUTE: &str = include_str!("snippets/substitute.c");
 
-/// Factors and other results of the motion: their members of `struct motion`.
-struct Members {
-    /// Of each result, what stands for it behind `m.`.
-    names: Vec<String>,
+/// What several functions need of the motion, computed by a function of its own.
+pub(super) struct Motion {
+    body: Body,
+    /// The member of `struct motion` that holds each result.
+    members: Vec<String>,
+    /// Number of factors, which are one member.
     factors: usize,
 }
 
-fn members(scene: &Scene<'_>, results: &[String]) -> Members {
-    let factors = scene.model.motion.as_ref().map_or(&[][..], |motion| &motion.factors);
-    let mut namer = Namer::for_members();
-    let mut names: Vec<String> = results
-        .iter()
-        .map(|result| {
+impl Motion {
+    /// The motion of a scene, if it has one.
+    pub(super) fn of(scene: &Scene<'_>) -> Result<Option<Self>, EmitError> {
+        let Some(motion) = &scene.model.motion else { return Ok(None) };
+        let body = body(&scene.hoisted.motion, &scene.scope("motion"), true)?;
+        let mut namer = Namer::for_members();
+        let member = |result: &String| {
             let is_name = result.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
             let is_name = is_name && !result.starts_with(|c: char| c.is_ascii_digit());
             namer.claim(if is_name { result } else { "result" })
-        })
-        .collect();
-    for (place, &factor) in factors.iter().enumerate() {
-        names[factor as usize] = format!("factors[{place}]");
+        };
+        let mut members: Vec<String> = body.results.iter().map(member).collect();
+        for (place, &factor) in motion.factors.iter().enumerate() {
+            members[factor as usize] = format!("factors[{place}]");
+        }
+        Ok(Some(Self { body, members, factors: motion.factors.len() }))
     }
-    Members { names, factors: factors.len() }
-}
 
-/// What stands for the results of the motion where other functions read them.
-pub(super) fn results(scene: &Scene<'_>) -> Result<Vec<String>, EmitError> {
-    if scene.model.motion.is_none() {
-        return Ok(Vec::new());
+    /// Expressions of its results in other functions.
+    pub(super) fn results(&self) -> Vec<String> {
+        self.members.iter().map(|name| format!("m.{name}")).collect()
     }
-    let results = body(&scene.hoisted.motion, &scene.scope("motion"), true)?.results;
-    Ok(members(scene, &results).names.into_iter().map(|name| format!("m.{name}")).collect())
 }
 
 /// The function that computes the motion.
-pub(super) fn motion(scene: &Scene<'_>) -> Result<Emitted, EmitError> {
-    let tape = &scene.hoisted.motion;
-    let Body { statements: lines, results, reads } = body(tape, &scene.scope("motion"), true)?;
-    let names = members(scene, &results).names;
-    let mut text = String::new();
-    for &entry in &reads.state {
-        let (name, member) = (&scene.states[entry], &scene.state_members[entry]);
-        text.push_str(&statement(&format!("const {} {name} = state->{member};", scene.real()), 4));
-    }
-    let unused = [
+pub(super) fn function(scene: &Scene<'_>, motion: &Motion) -> Emitted {
+    let Motion { body: Body { statements: lines, results, reads }, members, .. } = motion;
+    let mut text = state_variables(scene, reads);
+    text.push_str(&unread([
         ("time", !reads.time),
         ("state", reads.state.is_empty()),
         ("p", !reads.parameters),
         ("c", !reads.constants),
-    ];
-    for (name, _) in unused.iter().filter(|(_, is_unused)| *is_unused) {
-        let _ = writeln!(text, "    (void){name};");
-    }
-    text.push_str(&statements(&lines));
-    for (name, result) in names.iter().zip(&results) {
+    ]));
+    text.push_str(&statements(lines));
+    for (name, result) in members.iter().zip(results) {
         text.push_str(&statement(&format!("m->{name} = {result};"), 4));
     }
     let doc = format!(
         "Accelerations, factors of the linear equations they solve, and whatever else several \
          functions need. {}",
-        counted(operations(tape))
+        counted(operations(&scene.hoisted.motion))
     );
     let head = broken_head(&format!("static void motion({}, struct motion *m)", arguments(scene)));
-    Ok(Emitted { doc, head, body: text, is_local: true })
+    Emitted { doc, head, body: text, is_local: true }
 }
 
 /// The struct of the motion's results, and what solves by its factors.
-pub(super) fn items(scene: &Scene<'_>) -> Result<String, EmitError> {
-    if scene.model.motion.is_none() {
-        return Ok(String::new());
-    }
-    let results = body(&scene.hoisted.motion, &scene.scope("motion"), true)?.results;
-    let Members { names, factors } = members(scene, &results);
+pub(super) fn items(scene: &Scene<'_>) -> String {
+    let Some(Motion { members, factors, .. }) = &scene.motion else { return String::new() };
     let real = scene.real();
     let mut text =
         String::from("/* What several functions need of the motion. */\nstruct motion {\n");
-    if factors > 0 {
+    if *factors > 0 {
         let _ = writeln!(text, "    {real} factors[{factors}];");
     }
-    for name in names.iter().filter(|name| !name.starts_with("factors[")) {
+    for name in members.iter().filter(|name| !name.starts_with("factors[")) {
         let _ = writeln!(text, "    {real} {name};");
     }
     text.push_str("};\n");
@@ -102,7 +89,7 @@ pub(super) fn items(scene: &Scene<'_>) -> Result<String, EmitError> {
     if !solves.is_empty() {
         let _ = write!(text, "\n{}\n{}", scene.filled(SUBSTITUTE), solves.join("\n"));
     }
-    Ok(text)
+    text
 }
 
 /// The steps and places of a function that solves.

@@ -153,15 +153,6 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
         parts.push(shifts(scene));
         parts.push(scene.filled(&with_library_names(PROJECT, scene.options.real)));
     }
-    let put_back = |text: &str, time: &str| {
-        let line = text.lines().position(|line| line == "PROJECT").map_or("", |at| {
-            // Indented as what stands before it.
-            let before = text.lines().nth(at - 1).unwrap_or_default();
-            &before[..before.len() - before.trim_start().len()]
-        });
-        let call = format!("{line}project({time}, &end, &machine->p, &machine->c);\n");
-        text.replace("PROJECT\n", if is_constrained { &call } else { "" })
-    };
     parts.push(scene.filled(TIME));
     if !scene.inputs.is_empty() {
         parts.push(set_inputs(scene));
@@ -171,12 +162,26 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
         parts.push(scene.filled(&with_library_names(NEXT_JUMP, real)));
     }
     parts.push(match (scene.model.events.is_empty(), has_jumps(scene)) {
-        (true, false) => scene.filled(&put_back(STEP, "machine->time + step")),
-        (true, true) => scene.filled(&put_back(JUMPS, "machine->time + length")),
-        (false, _) => events(scene, is_constrained),
+        (true, false) => {
+            let put_back = project(scene, 4, "machine->time + step", "&end");
+            scene.filled(&STEP.replace("PROJECT\n", &put_back))
+        }
+        (true, true) => {
+            let put_back = project(scene, 12, "machine->time + length", "&end");
+            scene.filled(&JUMPS.replace("PROJECT\n", &put_back))
+        }
+        (false, _) => events(scene),
     });
     parts.push(begin(scene)?);
     Ok(parts.join("\n"))
+}
+
+/// The line that puts a state back onto the constraints; none in a scene without them.
+fn project(scene: &Scene<'_>, indent: usize, time: &str, state: &str) -> String {
+    if scene.model.constraints.is_empty() {
+        return String::new();
+    }
+    format!("{:indent$}project({time}, {state}, &machine->p, &machine->c);\n", "")
 }
 
 /// `out = state + h slope`, member by member.
@@ -235,32 +240,19 @@ fn set_inputs(scene: &Scene<'_>) -> String {
 }
 
 /// A step within which events happen.
-fn events(scene: &Scene<'_>, is_constrained: bool) -> String {
+fn events(scene: &Scene<'_>) -> String {
     let directions = scene.model.events.iter().map(|event| match event.direction {
         Direction::Rising => "1",
         Direction::Falling => "-1",
         Direction::Both => "0",
     });
     let directions = directions.collect::<Vec<_>>().join(", ");
-    let call = |indent: &str, time: &str, state: &str| {
-        let of = "&machine->p, &machine->c";
-        if is_constrained {
-            format!("{indent}project({time}, {state}, {of});\n")
-        } else {
-            String::new()
-        }
-    };
+    let held = |indent| project(scene, indent, "machine->time", "&machine->state");
     let text = EVENTS
-        .replace(
-            "HOLD\n    }",
-            &format!("{}    }}", call("        ", "machine->time", "&machine->state")),
-        )
-        .replace("HOLD\n", &call("    ", "machine->time", "&machine->state"))
-        .replace("PROJECT_END\n", &call("        ", "machine->time + length", "&end"))
-        .replace(
-            "PROJECT_FIRST\n",
-            &call("            ", "machine->time + first * length", "&end"),
-        );
+        .replace("HOLD\n    }", &format!("{}    }}", held(8)))
+        .replace("HOLD\n", &held(4))
+        .replace("PROJECT_END\n", &project(scene, 8, "machine->time + length", "&end"))
+        .replace("PROJECT_FIRST\n", &project(scene, 12, "machine->time + first * length", "&end"));
     let (next, at, declared) = if has_jumps(scene) {
         let declared = "        scene_real_t after;\n        int found, jumps;\n";
         (EVENTS_NEXT_JUMP, EVENTS_AT_JUMP, declared)

@@ -4,8 +4,8 @@
 use crate::closed_form::winder::Harmonic;
 use crate::reed_cells::Fell;
 use crate::reed_study::{Beat, beat};
-use crate::verify::CheckFailure;
 use crate::verify::machine::{saw_gin, winder_linear};
+use crate::verify::{CheckFailure, largest};
 use crate::winder_walk::Winder;
 use crate::winder_walk::map::{Condition, FASTEST, StabilityMap};
 use crate::winder_walk::spectrum::{bobbin, disturbances, package};
@@ -67,11 +67,8 @@ pub fn peaks(stiffness: f64, damping: f64) -> Result<(f64, f64), CheckFailure> {
     // A vibration of 314 rad/s has its peak to a part in a thousand.
     let run = machine.simulation(&settings)?.until(2.0).points(8001).rtol(1e-7);
     let run = run.method(Method::Dop853).run()?;
-    let largest = |name| -> Result<f64, CheckFailure> {
-        let values = machine.column(&run, name)?;
-        Ok(values.iter().fold(0.0, |most: f64, value| most.max(value.abs())))
-    };
-    Ok((largest("cylinder_acceleration")?, largest("coupling_torque")?))
+    let peak = |name| Ok::<_, CheckFailure>(largest(machine.column(&run, name)?));
+    Ok((peak("cylinder_acceleration")?, peak("coupling_torque")?))
 }
 
 /// Up to which speed the bench winder winds stably, over its pressure at rest.
@@ -150,9 +147,7 @@ pub fn limit(winder: &Winder) -> Result<Limit, CheckFailure> {
     let column = cells.iter().position(|cell| cell.condition != Condition::Stable).unwrap_or(0);
     let (speed, radius) = (map.speeds[row], map.radii[column]);
     let machine = winder_linear();
-    let square = (speed / winder.speed).powi(2);
-    let force = winder.force * square;
-    let there = Winder { speed, force, package: winder.package * square, ..*winder };
+    let there = winder.winding_at(speed);
     let bobbin = bobbin(&machine, radius)?;
     let [force, shape] = disturbances(&there, speed / machine.value("drum_radius")?);
     let by = |forces: &[Harmonic], shapes: &[Harmonic]| bobbin.pressure_variation(forces, shapes);
@@ -222,7 +217,6 @@ mod tests {
         let damping = 128.5346;
         let acceleration = |stiffness| peaks(stiffness, damping).expect("it runs").0;
         let [soft, given, near, stiff] = [11e3, 23_065.2, 112e3, 200e3].map(acceleration);
-        println!("{soft} {given} {near} {stiff}");
         assert!((soft - 277.0).abs() < 10.0, "{soft}");
         assert!((near - 841.0).abs() < 10.0 && (stiff - 595.0).abs() < 10.0, "{near} {stiff}");
         assert!(given > soft && given < near);
@@ -235,9 +229,8 @@ mod tests {
             let winder = Winder { preload, growth, ..bench };
             let found = limit(&winder).expect("it has what it needs");
             let stable = |speed: f64| {
-                let share: f64 = speed / bench.speed;
-                let there = Winder { speed, force: bench.force * share * share, ..winder };
-                let window = PressureWindow::of(&there).expect("it has what it needs");
+                let window =
+                    PressureWindow::of(&winder.winding_at(speed)).expect("it has what it needs");
                 let within =
                     |k: usize| (window.least[k]..=window.most[k]).contains(&window.pressure[k]);
                 (0..window.radii.len()).all(within)

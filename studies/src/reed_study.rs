@@ -7,8 +7,8 @@ use machinist_scenes::scenes::reed_beat_up::ReedBeatUp;
 use machinist_scenes::scenes::reed_beat_up_one_sided::ReedBeatUpOneSided;
 
 use crate::reed_cells::Fell;
-use crate::verify::CheckFailure;
 use crate::verify::machine::reed_beat_up;
+use crate::verify::{CheckFailure, largest};
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation};
 
@@ -36,8 +36,7 @@ impl Beat {
     /// Largest size of each column.
     #[must_use]
     pub fn largest(&self) -> [f64; 5] {
-        let size = |column: &Vec<f64>| column.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-        [0, 1, 2, 3, 4].map(|index| size(&self.columns[index]))
+        self.columns.each_ref().map(|column| largest(column))
     }
 
     /// Change of the largest sizes from this run to another, in per cent.

@@ -423,6 +423,11 @@ fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
 
+/// The largest size of some values.
+pub(crate) fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
+}
+
 /// max |ours - reference|, divided by max |reference|; NaN if the lengths differ.
 fn relative_distance(ours: &[f64], reference: &[f64]) -> f64 {
     if ours.len() != reference.len() {

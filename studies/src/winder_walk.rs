@@ -77,6 +77,14 @@ impl Winder {
         })
     }
 
+    /// This winder at another speed: unbalances of drum and package go with the square of the
+    /// speed.
+    #[must_use]
+    pub fn winding_at(&self, speed: f64) -> Self {
+        let square = (speed / self.speed).powi(2);
+        Self { speed, force: self.force * square, package: self.package * square, ..*self }
+    }
+
     /// What is wrong with it, if anything.
     #[must_use]
     pub fn mistake(&self) -> Option<String> {

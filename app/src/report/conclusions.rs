@@ -43,13 +43,11 @@ impl Study {
     fn computed() -> Result<Self, CheckFailure> {
         let bench = Winder::at_speed(5.5)?;
         let ends = limit(&bench)?;
-        let share = ends.speed / bench.speed;
-        let stable = Winder { speed: ends.speed, force: bench.force * share * share, ..bench };
         Ok(Self {
             couplings: Couplings::new()?,
             own: peaks(OWN.0, OWN.1)?,
             speeds: StableSpeeds::new()?,
-            window: PressureWindow::of(&stable)?,
+            window: PressureWindow::of(&bench.winding_at(ends.speed))?,
             bench: (bench, ends),
             fells: fells()?,
         })

@@ -2,8 +2,8 @@
 
 use super::{Held, LedgerRow, Study, compare, digits, reproduced};
 use crate::closed_form::printed_laws::{Reading, SAW_GIN_SHAFT, TWIST_TIME};
-use crate::verify::CheckFailure;
 use crate::verify::machine::saw_gin_shaft;
+use crate::verify::{CheckFailure, largest};
 use machinist::Method;
 
 pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
@@ -116,8 +116,6 @@ fn run() -> Result<Run, CheckFailure> {
     let machine = saw_gin_shaft();
     let run = machine.simulation(&[])?.until(2.0).points(4001).rtol(1e-6);
     let run = run.method(Method::Rodas5p).run()?;
-    let largest =
-        |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let (driven, end) = (machine.column(&run, "driven_speed")?, machine.column(&run, "end_speed")?);
     let difference: Vec<f64> = driven.iter().zip(end).map(|(a, b)| a - b).collect();
     Ok(Run {

@@ -3,7 +3,7 @@
 
 use machinist_scenes::scenes::reed_beat_up_one_sided::ReedBeatUpOneSided;
 
-use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
+use super::{Check, CheckFailure, Machine, Measured, largest, relative_distance, worse};
 use crate::closed_form::reed::{REED_STUDY, ReedShaft};
 use crate::reed_cells::{Fell, ReedCells};
 use machinist::field::{Discretisation, FieldSimulator};
@@ -108,8 +108,6 @@ fn mean_distance(ours: &[f64], reference: &[f64]) -> f64 {
 }
 
 fn extremes(machine: &Machine) -> Result<Measured, CheckFailure> {
-    let largest =
-        |column: &[f64]| column.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let mut error = 0.0;
     for stiffness in stiffnesses() {
         let run = run(machine, [24, 4], stiffness, 1e-7)?;

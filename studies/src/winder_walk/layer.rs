@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use super::{Running, Stage, Winder, clearances, ends};
 use crate::closed_form::Duffing;
-use crate::verify::CheckFailure;
 use crate::verify::machine::{Machine, winder_nonlinear};
+use crate::verify::{CheckFailure, largest};
 
 /// How far operating frequencies must stay from resonances for this stage to be enough.
 pub const ENOUGH: f64 = 1.4;
@@ -33,8 +33,7 @@ pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
         let rest = winder.pressure(radius);
         let pressures: Vec<f64> = pressures.iter().map(|beyond| rest + beyond).collect();
         running = running.worse(Running::of(&deflections, &pressures));
-        let amplitude = compressions.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        spectrum.push((radius, backbone(&machine, radius, amplitude)?));
+        spectrum.push((radius, backbone(&machine, radius, largest(&compressions))?));
     }
     let frequencies = winder.frequencies(machine.value("drum_radius")?);
     Ok(Stage {

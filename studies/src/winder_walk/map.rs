@@ -171,9 +171,7 @@ impl StabilityMap {
         let share = |k: u32| f64::from(k + 1) / f64::from(SIZE.1);
         let speeds: Vec<f64> = (0..SIZE.1).map(|k| fastest * share(k)).collect();
         let row = |speed: &f64| {
-            let force = winder.force * (speed / winder.speed).powi(2);
-            let package = winder.package * (speed / winder.speed).powi(2);
-            let there = Winder { speed: *speed, force, package, ..*winder };
+            let there = winder.winding_at(*speed);
             let cell = |(radius, bobbin): (&f64, &BobbinOscillator)| {
                 let limits = Limits { pressure: winder.pressure(*radius), ..limits };
                 limits.judge(

@@ -74,10 +74,9 @@ impl Chain {
             .to_owned();
         let mut kinetic = Vec::new();
         let mut potential = vec!["s0*x0^2/2".to_owned()];
-        for (index, mass) in self.masses.iter().enumerate() {
+        for index in 0..self.masses.len() {
             let _ = writeln!(text, "x{index} = {{ unit = \"m\" }}");
             kinetic.push(format!("m{index}*x{index}_dot^2/2"));
-            let _ = mass;
             let next = index + 1;
             potential.push(if next == self.masses.len() {
                 format!("s{next}*x{index}^2/2")

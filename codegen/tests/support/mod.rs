@@ -398,13 +398,7 @@ pub fn oddities() -> Model {
         expr: zero(),
     });
     system.outputs = outputs.collect();
-    Model {
-        requirements: Vec::new(),
-        required: Tape::default(),
-        outputs: every_output,
-        starts_in_equilibrium: true,
-        ..pendulum_of(&system)
-    }
+    Model { outputs: every_output, starts_in_equilibrium: true, ..pendulum_of(&system) }
 }
 
 fn every_operation(b: &mut Builder) -> Vec<NodeId> {

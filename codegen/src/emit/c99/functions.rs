@@ -167,7 +167,7 @@ pub(super) fn state_variables(scene: &Scene<'_>, reads: &body::Reads) -> String 
 /// Mentions arguments that a body does not read, so that compilers do not warn of them.
 pub(super) fn unread(arguments: [(&str, bool); 4]) -> String {
     let unread = arguments.into_iter().filter(|(_, is_unread)| *is_unread);
-    unread.map(|(name, _)| format!("    (void){name};\n")).collect()
+    unread.map(|(name, _)| statement(&format!("(void){name};"), 4)).collect()
 }
 
 /// Where the result of a function goes: its last argument.

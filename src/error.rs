@@ -115,6 +115,9 @@ pub enum SimulateError {
     /// The relative tolerance cannot be met.
     #[error("relative tolerance {0} must be a finite number above 0 and at most 1")]
     BadTolerance(f64),
+    /// The wanted accuracy cannot be met.
+    #[error("accuracy {0} must be a finite number above 0 and at most 1")]
+    BadAccuracy(f64),
     /// An absolute tolerance cannot be met.
     #[error("absolute tolerance {value} of `{state}` must be a finite number above 0")]
     BadAbsoluteTolerance {

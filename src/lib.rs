@@ -15,6 +15,7 @@ pub mod complex_step;
 pub mod constraints;
 mod dense;
 pub mod error;
+pub mod error_estimate;
 pub mod field;
 #[cfg(feature = "fit")]
 pub mod fit;

@@ -15,7 +15,7 @@ mod diffsol;
 #[cfg(feature = "implicit")]
 mod exact;
 mod explicit;
-mod faithful;
+pub(crate) mod faithful;
 #[cfg(feature = "implicit")]
 pub mod fixed;
 mod jump;

@@ -274,9 +274,23 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// The relative tolerance of the run.
+    #[must_use]
+    pub fn relative_tolerance(&self) -> f64 {
+        self.rtol
+    }
+
     /// Absolute tolerance of every state, each in its unit.
     pub fn atol(mut self, atol: &[f64]) -> Self {
         self.atol = Some(atol.to_vec());
+        self
+    }
+
+    /// The same run at another relative tolerance; absolute tolerances that are set change alike.
+    pub(crate) fn at_tolerance(mut self, rtol: f64) -> Self {
+        let factor = rtol / self.rtol;
+        self.atol.iter_mut().flatten().for_each(|atol| *atol *= factor);
+        self.rtol = rtol;
         self
     }
 
@@ -602,6 +616,7 @@ impl<'a> Simulation<'a> {
             times,
             columns: columns_of_run,
             energy_balance,
+            error: None,
         }
     }
 

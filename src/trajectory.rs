@@ -6,6 +6,7 @@ use std::io;
 use serde::Serialize;
 
 use crate::constraints::Drift;
+use crate::error_estimate::ErrorEstimate;
 use crate::method::{Method, Work};
 
 /// The result of a run. All columns are as long as `times`.
@@ -38,6 +39,9 @@ pub struct Trajectory {
     pub columns: Vec<Column>,
     /// Power supplied and lost against energy stored, if the run was asked for it.
     pub energy_balance: Option<EnergyBalance>,
+    /// Estimated error of the columns, where somebody has estimated it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<ErrorEstimate>,
 }
 
 /// The name of the column of a derivative.

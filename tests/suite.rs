@@ -17,6 +17,7 @@ mod conserves;
 mod constraints;
 mod contacts;
 mod equilibrium;
+mod error_estimates;
 mod events;
 mod exact;
 mod fast_guards;

@@ -51,6 +51,7 @@ pub mod specs;
 mod spectrum;
 mod stability;
 mod sweep;
+mod threads;
 mod times;
 pub mod verify;
 pub mod walk;

@@ -13,6 +13,11 @@ const FAITHFUL: f64 = 300.0;
 /// Steps that are tighter only for that are not tighter than this.
 const TIGHTEST: f64 = 1e-13;
 
+/// True if steps at this relative tolerance may be no tighter than at a looser one.
+pub(crate) fn takes_tightest_steps(rtol: f64) -> bool {
+    rtol / FAITHFUL < TIGHTEST
+}
+
 /// Whether no power is supplied or dissipated: as the structure of the machine says, or else, where
 /// it says nothing, neither at a state nor at some beside it.
 pub(super) fn is_conservative(

@@ -14,7 +14,7 @@ use crate::error::StopCause;
 
 /// Steps of `auto` are never looser than this where they are many: two digits less save less than
 /// half the time.
-pub(super) const LOOSEST_OF_MANY: f64 = 1e-5;
+pub(crate) const LOOSEST_OF_MANY: f64 = 1e-5;
 
 /// Nor than this where they are few: what slips when a force is large enough slips later by part of
 /// its period, and by a hundredth of that no motion is known any more.

@@ -5,7 +5,6 @@ pub mod data;
 mod experiments;
 mod noise;
 mod plot;
-mod threads;
 pub(super) mod unknown;
 
 use std::path::PathBuf;
@@ -133,7 +132,7 @@ impl FitCommand {
         let flag = interrupt::flag();
         let plain = simulation.clone();
         let simulation = simulation.until_flagged(&flag);
-        let lender = threads::lender(&scene);
+        let lender = super::threads::lender(&scene);
         let limit = Fit::new(&simulation, &unknowns, &experiments).step_limit();
         let simulation = simulation.max_steps(limit);
         let fit = Fit::new(&simulation, &unknowns, &experiments).on_threads(&*lender);

@@ -110,13 +110,14 @@ fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
 
 /// Lines of cells as columns: the first `left` of them flush left, numbers after
 /// them flush right.
-pub fn columns<const N: usize>(rows: &[[String; N]], left: usize) -> String {
-    let width = |column: usize| {
-        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default()
-    };
-    let widths: Vec<usize> = (0..N).map(width).collect();
+pub fn columns<Row: AsRef<[String]>>(rows: &[Row], left: usize) -> String {
+    let rows = || rows.iter().map(AsRef::as_ref);
+    let width =
+        |column: usize| rows().map(|row| row[column].chars().count()).max().unwrap_or_default();
+    let count = rows().next().map_or(0, <[String]>::len);
+    let widths: Vec<usize> = (0..count).map(width).collect();
     let mut text = String::new();
-    for row in rows {
+    for row in rows() {
         let mut line = String::new();
         for (column, (cell, width)) in row.iter().zip(&widths).enumerate() {
             let width = *width;

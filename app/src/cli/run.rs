@@ -1,6 +1,7 @@
 //! `machinist run`: one scene over time, to numbers and plots.
 
 mod compare;
+mod error;
 mod fixed;
 
 use std::num::NonZeroUsize;
@@ -96,6 +97,8 @@ pub struct Run {
     #[command(flatten)]
     fixed: fixed::Options,
     #[command(flatten)]
+    error: error::Options,
+    #[command(flatten)]
     others: Others,
 }
 
@@ -149,19 +152,19 @@ impl Run {
         let from = self.from.unwrap_or(scene.simulator().run_defaults().from);
         let others = self.others.load(scene.simulator(), from)?;
         let times: Vec<f64> = others.iter().flat_map(Other::times).copied().collect();
-        match self.trajectory(scene.simulator(), &self.set, &At::Also(&times))? {
-            Ok(trajectory) => {
+        match self.estimated(&scene, &At::Also(&times))? {
+            Ok((trajectory, shortfall)) => {
                 let mut trajectory = self.chosen_columns(trajectory);
                 let mut summary = self.summary(&scene, &trajectory);
                 let (names, tables) = self.compare(others, &scene, &mut trajectory)?;
                 summary.push_str(&tables);
-                let written = self.write(&scene, format, &trajectory, &names)?;
-                if written {
-                    print(&summary)
+                if self.write(&scene, format, &trajectory, &names)? {
+                    print(&summary)?;
                 } else {
                     remark_beside(&trajectory);
-                    Ok(())
                 }
+                let missed = |reason| format!("the accuracy is not met: {reason}");
+                shortfall.map_or(Ok(()), |reason| Err(Failure::unsuccessful(missed(reason), "")))
             }
             Err(error) => Err(self.stopped(&scene, format, error)?),
         }
@@ -272,16 +275,34 @@ impl Run {
         set: &[(String, Amount)],
         times: &At<'_>,
     ) -> Result<Result<Trajectory, SimulateError>, Failure> {
+        self.simulated(simulator, set, times, |simulation| {
+            during("simulating", || simulation.run())
+        })
+    }
+
+    /// Lends out the run that is asked for.
+    fn simulated<T>(
+        &self,
+        simulator: &dyn Simulator<f64>,
+        set: &[(String, Amount)],
+        times: &At<'_>,
+        work: impl FnOnce(&Simulation<'_>) -> T,
+    ) -> Result<T, Failure> {
         let whole = with_parameters(Simulation::new(simulator), set)?;
         let flag = interrupt::flag();
         let Some(modes) = self.modes else {
             let simulation = times.asked_of(self.adjusted(whole)?);
-            return Ok(during("simulating", || simulation.until_flagged(&flag).run()));
+            return Ok(work(&simulation.until_flagged(&flag)));
         };
         let modal = ModalSimulator::new(simulator, whole.parameter_values(), modes);
         let modal = modal.map_err(|error| Failure::input(error, ""))?;
         let simulation = times.asked_of(self.adjusted(Simulation::new(&modal))?);
-        Ok(during("simulating", || simulation.until_flagged(&flag).run()))
+        Ok(work(&simulation.until_flagged(&flag)))
+    }
+
+    /// Whether standard output is for the table alone.
+    fn is_for_standard_output(&self) -> bool {
+        self.out.as_deref() == Some(Path::new("-"))
     }
 
     /// Runs the others, and adds their columns beside those of the first; names of what is drawn
@@ -405,7 +426,7 @@ impl Run {
         let mut text = format!(
             "{}: {} ({})\n{}, rtol {:e}, {span}{} points{}\n\
              {} steps, {} rejected, {} rate evaluations, {} Jacobians, {} factorizations, \
-             {} Newton iterations{}{}\n\n",
+             {} Newton iterations{}{}{}\n\n",
             trajectory.scene,
             trajectory.title,
             scene.how(),
@@ -421,10 +442,16 @@ impl Run {
             work.newton_iterations,
             switches(trajectory),
             drift(trajectory),
+            error::remark(trajectory),
         );
-        let header = ["", "unit", "final", "least", "greatest"].map(str::to_owned);
+        let header = ["", "unit", "final", "least", "greatest"].map(str::to_owned).to_vec();
+        let error = trajectory.error.as_ref().map(|_| "error".to_owned());
+        let header: Vec<String> = header.into_iter().chain(error).collect();
         let shown = |column: &&Column| !self.columns.is_empty() || is_short(trajectory, column);
-        let rows = trajectory.columns.iter().filter(shown).map(summary_row);
+        let rows = trajectory.columns.iter().filter(shown).map(|column| {
+            let error = error::cell(trajectory, column);
+            summary_row(column).into_iter().chain(error).collect::<Vec<_>>()
+        });
         text.push_str(&columns(&std::iter::once(header).chain(rows).collect::<Vec<_>>(), 2));
         for file in [&self.out, &self.plot].into_iter().flatten() {
             text.extend(["\nwrote ", &file.display().to_string()]);

@@ -1,10 +1,10 @@
-//! A simulator of the scene for each thread of a fit.
+//! A simulator of the scene for each of several threads.
 
 use machinist_contract::Simulator;
 
-use crate::cli::scene::{Scene, built_in};
+use super::scene::{Scene, built_in};
 
-type Lender<'s> = Box<dyn Fn(&mut dyn FnMut(&dyn Simulator<f64>)) + Sync + 's>;
+pub type Lender<'s> = Box<dyn Fn(&mut dyn FnMut(&dyn Simulator<f64>)) + Sync + 's>;
 
 /// Emitted code and models are shared; fields are cut once more.
 pub fn lender(scene: &Scene) -> Lender<'_> {

@@ -1,0 +1,104 @@
+//! A run with an estimate of its error, from a second run on another thread.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+
+use clap::Args;
+use machinist::error::StopCause;
+use machinist::error_estimate::ErrorEstimate;
+use machinist::trajectory::{Column, Trajectory};
+use machinist::{SimulateError, Simulation};
+
+use super::{At, Run};
+use crate::cli::scene::Scene;
+use crate::cli::threads::lender;
+use crate::failure::Failure;
+use crate::number::number;
+use crate::progress::during;
+
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Run once, without an estimate of the error
+    #[arg(long)]
+    no_error: bool,
+    /// Tighten the tolerance until the estimated error of every column is at most this part of its
+    /// largest value
+    #[arg(long, value_name = "PART", conflicts_with_all = ["no_error", "fixed"], allow_hyphen_values = true)]
+    accuracy: Option<f64>,
+}
+
+/// A run, and why it misses the accuracy that was asked for, if it does.
+pub type Estimated = (Trajectory, Option<String>);
+
+impl Run {
+    /// Runs the scene, and estimates the error unless told not to.
+    pub(super) fn estimated(
+        &self,
+        scene: &Scene,
+        times: &At<'_>,
+    ) -> Result<Result<Estimated, SimulateError>, Failure> {
+        // Nothing shows the estimate beside a table on standard output.
+        let is_shown = self.error.accuracy.is_some() || !self.is_for_standard_output();
+        if self.error.no_error || !is_shown {
+            let run = self.trajectory(scene.simulator(), &self.set, times)?;
+            return Ok(run.map(|run| (run, None)));
+        }
+        self.simulated(scene.simulator(), &self.set, times, |simulation| {
+            let both = |simulation: &Simulation<'_>| self.both(scene, times, simulation);
+            let Some(accuracy) = self.error.accuracy else {
+                let (run, error) = both(simulation)?;
+                return Ok((Trajectory { error: Some(error), ..run }, None));
+            };
+            let found = simulation.run_to_accuracy_by(accuracy, both)?;
+            let error = Some(found.error);
+            Ok((Trajectory { error, ..found.trajectory }, found.shortfall))
+        })
+    }
+
+    /// The run, and beside it the one at a tighter tolerance.
+    fn both(
+        &self,
+        scene: &Scene,
+        times: &At<'_>,
+        simulation: &Simulation<'_>,
+    ) -> Result<(Trajectory, ErrorEstimate), SimulateError> {
+        let rtol = simulation.refined().relative_tolerance();
+        let (lender, is_abandoned) = (lender(scene), AtomicBool::new(false));
+        thread::scope(|scope| {
+            let refined = scope.spawn(|| {
+                let is_over =
+                    || is_abandoned.load(Ordering::Relaxed).then_some(StopCause::Interrupted);
+                let mut refined = None;
+                lender(&mut |simulator| {
+                    let run = self.simulated(simulator, &self.set, times, |simulation| {
+                        simulation.clone().rtol(rtol).until_told(&is_over).run()
+                    });
+                    refined = run.ok();
+                });
+                refined
+            });
+            let run = during("simulating", || simulation.run());
+            is_abandoned.store(run.is_err(), Ordering::Relaxed);
+            let run = self.chosen_columns(run?);
+            let refined = during("estimating the error", || refined.join());
+            // Whatever the first run could be asked for, the second can.
+            let refined = refined.ok().flatten().expect("a second run like the first");
+            let refined = refined.map(|refined| self.chosen_columns(refined));
+            let error = ErrorEstimate::of(&run, &refined);
+            Ok((run, error))
+        })
+    }
+}
+
+/// The error of a column for people; nothing where none is estimated.
+pub fn cell(trajectory: &Trajectory, column: &Column) -> Option<String> {
+    let estimate = trajectory.error.as_ref()?;
+    let error = estimate.column(&column.name);
+    Some(error.map_or_else(|| "?".to_owned(), |error| number(error.largest, 1)))
+}
+
+/// Why errors are not known, in a line of its own.
+pub fn remark(trajectory: &Trajectory) -> String {
+    let unknown = trajectory.error.as_ref().and_then(|error| error.unknown.as_ref());
+    unknown.map_or_else(String::new, |reason| format!("\nerror unknown: {reason}"))
+}

@@ -1,0 +1,253 @@
+//! Global error of a run, estimated from a second run at a tighter tolerance.
+//!
+//! The error of a result is proportional to the tolerance of the steps, or nearly so. With the
+//! results y of a run and z of one at a tolerance [`REFINEMENT`] times as tight, both at the same
+//! times, the error of y is
+//!
+//! ```text
+//! e = |y - z| r/(r - 1),    r = REFINEMENT
+//! ```
+//!
+//! and no less than the rounding of the largest value. A ratio above r overestimates it by at most a
+//! third. The estimate covers the integration in time alone: not the elements of a field, the digits
+//! of a parameter, or the spec itself.
+
+use serde::Serialize;
+
+use crate::error::SimulateError;
+use crate::method::faithful::takes_tightest_steps;
+use crate::method::loose::LOOSEST_OF_MANY;
+use crate::simulate::Simulation;
+use crate::trajectory::{Column, Switch, Trajectory};
+
+/// Ratio of the tolerances of both runs. With methods of order 5 and 8 the second run takes
+/// 4^(1/5) = 1.3 and 4^(1/8) = 1.2 times the steps of the first, and an error that is proportional
+/// to a power of the tolerance between 0.8 and 1.2 is overestimated by a tenth at most.
+pub const REFINEMENT: f64 = 4.0;
+
+/// Runs at most until [`Simulation::run_to_accuracy`] gives up.
+const ATTEMPTS: usize = 8;
+
+/// The part of an accuracy that the next attempt aims at, so that it is met at once although errors
+/// are proportional to tolerances only nearly.
+const AIM: f64 = 0.5;
+
+/// Part of the largest value in a unit that may be rounding in another column of that unit, after the
+/// sums of sixteen terms that outputs of a machine rarely exceed.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Estimated error of every column of a run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ErrorEstimate {
+    /// Relative tolerance of the second run, if it reached its end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rtol: Option<f64>,
+    /// Errors of the columns, in the order of the trajectory; empty if both runs tell nothing.
+    pub columns: Vec<ColumnError>,
+    /// Reason why both runs tell nothing of the error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unknown: Option<String>,
+}
+
+/// Estimated error of one column, in its unit.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ColumnError {
+    /// Name of the column.
+    pub name: String,
+    /// Largest error over all times.
+    pub largest: f64,
+    /// Error at the last time.
+    pub last: f64,
+}
+
+/// A run whose error is below a wanted one, as far as estimates tell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AccurateRun {
+    /// The run; its `rtol` is the tolerance that was needed.
+    pub trajectory: Trajectory,
+    /// Its error.
+    pub error: ErrorEstimate,
+    /// Why the accuracy is not met; nothing if it is.
+    pub shortfall: Option<String>,
+}
+
+impl ErrorEstimate {
+    /// Compares a run with the one at a tighter tolerance, as [`Simulation::refined`] asks for it.
+    #[must_use]
+    pub fn of(run: &Trajectory, refined: &Result<Trajectory, SimulateError>) -> Self {
+        let rtol = refined.as_ref().ok().map(|refined| refined.rtol);
+        let unknown = |reason: String| Self { rtol, columns: Vec::new(), unknown: Some(reason) };
+        let refined = match refined {
+            Ok(refined) => refined,
+            Err(error) => {
+                return unknown(format!("the second run, at a tighter tolerance, fails: {error}"));
+            }
+        };
+        if let Some(reason) = other_events(&run.switches, &refined.switches) {
+            return unknown(reason);
+        }
+        // A closed form evaluates the rate once a segment, a step more often, and only steps err.
+        let has_steps = run.work.rate_evaluations > run.work.steps;
+        let may_be_alike = has_steps && takes_tightest_steps(refined.rtol) && moves(run);
+        if may_be_alike && run.columns == refined.columns {
+            let reason = "steps are as tight as they can be at either tolerance";
+            return unknown(reason.to_owned());
+        }
+        let columns = run.columns.iter().zip(&refined.columns).map(|(column, finer)| {
+            let error = |(value, finer): (&f64, &f64)| {
+                let off = (value - finer).abs() * REFINEMENT / (REFINEMENT - 1.0);
+                // NaN beside NaN is no error.
+                if value.is_nan() && finer.is_nan() { 0.0 } else { off }
+            };
+            let errors = || column.values.iter().zip(&finer.values).map(error);
+            let rounding = f64::EPSILON * size(&column.values);
+            let largest =
+                errors().fold(rounding, |most, error| if error <= most { most } else { error });
+            let last = errors().next_back().map_or(rounding, |last| last.max(rounding));
+            ColumnError { name: column.name.clone(), largest, last }
+        });
+        Self { rtol, columns: columns.collect(), unknown: None }
+    }
+
+    /// The estimate of the column of this name.
+    #[must_use]
+    pub fn column(&self, name: &str) -> Option<&ColumnError> {
+        self.columns.iter().find(|column| column.name == name)
+    }
+}
+
+/// Whether anything changes over time.
+fn moves(run: &Trajectory) -> bool {
+    let is_constant =
+        |values: &[f64]| values.iter().all(|value| value.to_bits() == values[0].to_bits());
+    !run.columns.iter().all(|column| is_constant(&column.values))
+}
+
+/// Why events of two runs cannot be compared, if they happen otherwise.
+fn other_events(run: &[Switch], refined: &[Switch]) -> Option<String> {
+    let differ = run.iter().zip(refined).find(|(a, b)| a.event != b.event).map(|(a, _)| a);
+    let differ = differ.or_else(|| run.get(refined.len())).or_else(|| refined.get(run.len()))?;
+    Some(format!(
+        "from event `{}` at {} s on, a run at a tighter tolerance has other events ({} in all, not \
+         {}): rounding decides what happens there",
+        differ.event,
+        differ.time,
+        refined.len(),
+        run.len()
+    ))
+}
+
+impl Simulation<'_> {
+    /// The same run at tolerances [`REFINEMENT`] times as tight as those that its steps keep, for
+    /// [`ErrorEstimate::of`].
+    pub fn refined(&self) -> Self {
+        // Where steps are many, they are no looser than this whatever is asked for.
+        let rtol = self.relative_tolerance().min(LOOSEST_OF_MANY);
+        self.clone().at_tolerance(rtol / REFINEMENT)
+    }
+
+    /// Estimates the error of a run by a second one. Two threads are faster: see
+    /// [`Simulation::refined`].
+    ///
+    /// ```
+    /// use machinist::Simulation;
+    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
+    /// # fn main() -> Result<(), machinist::SimulateError> {
+    /// let simulation = Simulation::new(&Oscillator).rtol(1e-6);
+    /// let run = simulation.run()?;
+    /// let error = simulation.error_estimate(&run);
+    /// let angle = error.column("rotor.angle").expect("the scene has this state");
+    /// assert!(angle.largest < 1e-4);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn error_estimate(&self, run: &Trajectory) -> ErrorEstimate {
+        ErrorEstimate::of(run, &self.refined().run())
+    }
+
+    /// Runs at ever tighter tolerances until the estimated error of every column is at most
+    /// `accuracy` times its largest value.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`]; [`SimulateError::BadAccuracy`] of an accuracy that is not above 0 and
+    /// at most 1.
+    pub fn run_to_accuracy(&self, accuracy: f64) -> Result<AccurateRun, SimulateError> {
+        self.run_to_accuracy_by(accuracy, |simulation| {
+            let trajectory = simulation.run()?;
+            let error = simulation.error_estimate(&trajectory);
+            Ok((trajectory, error))
+        })
+    }
+
+    /// As [`Simulation::run_to_accuracy`], with runs and estimates made by the caller, on two threads
+    /// for example.
+    ///
+    /// # Errors
+    /// Likewise, and those of the caller.
+    pub fn run_to_accuracy_by<E: From<SimulateError>>(
+        &self,
+        accuracy: f64,
+        mut estimated: impl FnMut(&Self) -> Result<(Trajectory, ErrorEstimate), E>,
+    ) -> Result<AccurateRun, E> {
+        if !(accuracy > 0.0 && accuracy <= 1.0) {
+            return Err(SimulateError::BadAccuracy(accuracy).into());
+        }
+        let mut rtol = self.relative_tolerance();
+        let (mut before, mut attempts) = (f64::INFINITY, 0);
+        loop {
+            attempts += 1;
+            let (trajectory, error) = estimated(&self.clone().at_tolerance(rtol))?;
+            let (name, part) = worst(&trajectory, &error);
+            let next = one_digit(rtol * AIM * accuracy / part);
+            let reason = if error.unknown.is_some() || part <= accuracy {
+                None
+            } else if !part.is_finite() {
+                Some("it is not a number")
+            } else if part >= before {
+                Some("a tighter tolerance does not reduce the error")
+            } else if next < f64::EPSILON {
+                Some("no tolerance is that tight")
+            } else if attempts == ATTEMPTS {
+                Some("all attempts are used up")
+            } else {
+                (rtol, before) = (next, part);
+                continue;
+            };
+            let shortfall = reason.map(|reason| {
+                format!(
+                    "the error of `{name}` is {part:.1e} of its largest value at rtol {rtol:e}: {reason}"
+                )
+            });
+            let shortfall = error.unknown.clone().or(shortfall);
+            return Ok(AccurateRun { trajectory, error, shortfall });
+        }
+    }
+}
+
+/// The column whose error is the largest part of its largest value, and that part. A column that is
+/// nothing but rounding of others in its unit has none.
+fn worst(run: &Trajectory, error: &ErrorEstimate) -> (String, f64) {
+    let part = |error: &ColumnError, column: &Column| {
+        let alike = run.columns.iter().filter(|other| other.unit == column.unit);
+        let largest = alike.map(|other| size(&other.values)).fold(0.0, f64::max);
+        let size = size(&column.values);
+        if size > ROUNDING * largest { error.largest / size } else { 0.0 }
+    };
+    let columns = error.columns.iter().zip(&run.columns);
+    let parts = columns.map(|(error, column)| (error.name.clone(), part(error, column)));
+    parts.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default()
+}
+
+/// The number of one decimal digit that is at most `value`.
+fn one_digit(value: f64) -> f64 {
+    let exponent = value.log10().floor() as i32;
+    let digit = (value / 10f64.powi(exponent)).floor().max(1.0);
+    // As the decimal reads, without the rounding of a product.
+    format!("{digit}e{exponent}").parse().unwrap_or(value)
+}
+
+/// The largest value of a column.
+fn size(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
+}

@@ -1,0 +1,183 @@
+//! Estimated errors of runs beside true ones, of scenes at several tolerances.
+//!
+//! `MACHINIST_ERRORS=all` tries every scene of `specs/scenes` and prints the table.
+
+use machinist::error_estimate::ErrorEstimate;
+use machinist::trajectory::{Column, Switch, Trajectory};
+use machinist::{Discretisation, FieldSimulator, Method, SimulateError, Simulation};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::Simulator;
+use machinist_model::ModelSimulator;
+
+use crate::own_scene::{folder_of_specs, model_of_specs, specs_in};
+
+/// Smooth and stiff machines, constraints, events, friction that sticks.
+const SCENES: [&str; 10] = [
+    "saw_gin",
+    "pendulum_chain",
+    "pendulum_constrained",
+    "winder_full",
+    "stick_slip",
+    "bouncing_mass",
+    "contact_oscillator_smooth",
+    "drives/press",
+    "parts/rotational/backlash",
+    "parts/control/relay",
+];
+
+fn scenes() -> Vec<String> {
+    if std::env::var("MACHINIST_ERRORS").is_ok_and(|which| which == "all") {
+        let folder = folder_of_specs();
+        let name = |path: std::path::PathBuf| {
+            let path = path.strip_prefix(&folder).expect("within").with_extension("");
+            path.to_str().expect("a name").to_owned()
+        };
+        return specs_in(&folder).into_iter().map(name).collect();
+    }
+    SCENES.map(str::to_owned).to_vec()
+}
+
+/// Estimated over true errors of the columns of a run whose errors the reference resolves.
+fn ratios(
+    run: &Trajectory,
+    error: &ErrorEstimate,
+    (truth, of_truth): &(Trajectory, ErrorEstimate),
+) -> Vec<(f64, String)> {
+    /// A reference that is itself off by a tenth of the error tells the error to a tenth.
+    const RESOLVED: f64 = 10.0;
+    // Rounding of other columns in the unit is no error of steps.
+    let rounding = |column: &Column| {
+        let alike = run.columns.iter().filter(|other| other.unit == column.unit);
+        16.0 * f64::EPSILON * alike.map(size).fold(0.0, f64::max)
+    };
+    let mut ratios = Vec::new();
+    for (index, column) in run.columns.iter().enumerate() {
+        let off = largest_difference(column, &truth.columns[index]);
+        if off > rounding(column) && off > RESOLVED * of_truth.columns[index].largest {
+            ratios.push((error.columns[index].largest / off, column.name.clone()));
+        }
+    }
+    ratios
+}
+
+fn largest_difference(column: &Column, exact: &Column) -> f64 {
+    let off = column.values.iter().zip(&exact.values).map(|(a, b)| (a - b).abs());
+    off.fold(0.0, f64::max)
+}
+
+fn size(column: &Column) -> f64 {
+    column.values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
+}
+
+fn estimated(simulation: &Simulation<'_>) -> Result<(Trajectory, ErrorEstimate), SimulateError> {
+    let run = simulation.run()?;
+    let error = simulation.error_estimate(&run);
+    Ok((run, error))
+}
+
+#[test]
+fn estimates_are_within_a_factor_of_ten_of_the_error_and_never_a_hundred_times_too_small() {
+    let mut found: Vec<(f64, String)> = Vec::new();
+    for name in scenes() {
+        let model = model_of_specs(&name, Keep::Needed);
+        let machine = ModelSimulator::new(model.clone());
+        let field = (!model.fields.is_empty()).then(|| {
+            FieldSimulator::new(machine.with_fields(), Discretisation::default()).expect("cut")
+        });
+        let simulator: &dyn Simulator<f64> =
+            field.as_ref().map_or_else(|| machine.single(), FieldSimulator::single);
+        // Nothing happens just at these times.
+        let defaults = simulator.run_defaults();
+        let time = |share: f64| defaults.from + share * (defaults.until - defaults.from);
+        let shares = (0..100).map(|index| (f64::from(index) * 0.618_034 + 0.1).fract());
+        let mut times: Vec<f64> = shares.map(time).collect();
+        times.sort_by(f64::total_cmp);
+        let run = Simulation::new(simulator).times(&times);
+        let Ok(reference) = estimated(&run.clone().rtol(1e-12)) else { continue };
+        if reference.1.unknown.is_some() {
+            continue;
+        }
+        for rtol in [1e-4, 1e-6, 1e-8] {
+            let (trajectory, error) = estimated(&run.clone().rtol(rtol)).expect("a run");
+            if let Some(unknown) = &error.unknown {
+                eprintln!("{name} at {rtol:e}: {unknown}");
+                continue;
+            }
+            let all = ratios(&trajectory, &error, &reference);
+            found.extend(
+                all.into_iter().map(|(r, column)| (r, format!("{name} at {rtol:e}: {column}"))),
+            );
+        }
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for least in [0.0, 0.001, 0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0] {
+        let count = found.iter().filter(|(ratio, _)| *ratio >= least).count();
+        eprintln!("estimate at least {least} times the error: {count} of {}", found.len());
+    }
+    let within = found.iter().filter(|(ratio, _)| (0.1..=10.0).contains(ratio)).count();
+    let worst = &found[..found.len().min(8)];
+    assert!(found.len() > 100, "{} columns", found.len());
+    assert!(within as f64 >= 0.95 * found.len() as f64, "{within} of {}: {worst:?}", found.len());
+    assert!(found[0].0 > 0.01, "{worst:?}");
+}
+
+#[test]
+fn a_closed_form_is_off_by_rounding_alone() {
+    let model = model_of_specs("two_mass", Keep::Needed);
+    let simulator = ModelSimulator::new(model);
+    let run = Simulation::new(&simulator).method(Method::Exact);
+    let (trajectory, error) = estimated(&run).expect("a run");
+    for (column, error) in trajectory.columns.iter().zip(&error.columns) {
+        let size = size(column);
+        assert!(error.largest <= 1e-14 * size, "{}: {}", column.name, error.largest);
+        assert!(error.largest >= f64::EPSILON * size, "{}: {}", column.name, error.largest);
+    }
+}
+
+#[test]
+fn runs_with_other_events_say_that_their_error_is_unknown() {
+    let simulator = ModelSimulator::new(model_of_specs("stick_slip", Keep::Needed));
+    let simulation = Simulation::new(&simulator);
+    let run = simulation.run().expect("a run");
+    let refined = simulation.refined().run().expect("a run");
+    assert_eq!(ErrorEstimate::of(&run, &Ok(refined.clone())).unknown, None);
+    let last = run.switches.last().expect("it sticks and slips").clone();
+    let mut more = refined.clone();
+    more.switches.push(Switch { time: last.time + 0.01, ..last.clone() });
+    let mut fewer = refined.clone();
+    fewer.switches.pop();
+    let mut others = refined;
+    others.switches.last_mut().expect("it sticks and slips").event = "slider.jumps".to_owned();
+    for (refined, time) in [(more, last.time + 0.01), (fewer, last.time), (others, last.time)] {
+        let estimate = ErrorEstimate::of(&run, &Ok(refined));
+        let reason = estimate.unknown.expect("other events");
+        let start = format!("from event `{}` at {time} s on, ", last.event);
+        assert!(reason.starts_with(&start), "{reason}");
+        assert!(estimate.columns.is_empty());
+    }
+}
+
+#[test]
+fn an_accuracy_is_met_by_the_true_error_or_the_reason_is_said() {
+    for name in ["pendulum_chain", "saw_gin", "slider_crank", "stick_slip"] {
+        let simulator = ModelSimulator::new(model_of_specs(name, Keep::Needed));
+        let run = Simulation::new(&simulator).points(98);
+        let truth = run.clone().rtol(1e-13).run().expect("a run");
+        for accuracy in [1e-4, 1e-6, 1e-8] {
+            let found = run.run_to_accuracy(accuracy).expect("a run");
+            assert_eq!(found.shortfall, None, "{name} to {accuracy:e}");
+            for (column, exact) in found.trajectory.columns.iter().zip(&truth.columns) {
+                let (off, size) = (largest_difference(column, exact), size(exact));
+                let is_met = off <= 3.0 * accuracy * size || size < 1e-15;
+                assert!(is_met, "{name}: {}: {off:e} of {size:e}", column.name);
+            }
+        }
+        let impossible = run.run_to_accuracy(1e-17).expect("a run").shortfall.expect("a reason");
+        assert!(impossible.starts_with("the error of `"), "{impossible}");
+    }
+    let simulator = ModelSimulator::new(model_of_specs("saw_gin", Keep::Needed));
+    for accuracy in [0.0, -1.0, f64::NAN, 2.0] {
+        let refused = Simulation::new(&simulator).run_to_accuracy(accuracy);
+        assert!(matches!(refused, Err(SimulateError::BadAccuracy(_))), "{accuracy}");
+    }
+}

@@ -12,6 +12,7 @@ use std::time::Instant;
 
 use machinist::simulate::Pull;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
+use machinist_algebra::cas::Algebra;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_contract::Simulator;
@@ -39,7 +40,11 @@ const ROUNDS: usize = 41;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let emitted = scenes::find_f64("saw_gin").ok_or("it is built in")?;
     let spec = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/scenes/saw_gin.toml"));
-    let compiled = ModelSimulator::compiled_at_once(pipeline::generate(spec, Keep::Needed)?);
+    let system = pipeline::check(spec)?;
+    // As what is emitted.
+    let algebra = Algebra::most_simplifying(system.coordinates.len());
+    let model = pipeline::compile_by(algebra, system, Keep::Needed)?;
+    let compiled = ModelSimulator::compiled_at_once(model);
     println!(
         "{:24} {:7} {:>6} {:>24} {:>24} {:>18} {:>17}",
         "",

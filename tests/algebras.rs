@@ -11,7 +11,7 @@ use machinist_codegen::independent::{Comparison, elements};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_codegen::scene::system::LagrangianSystem;
-use machinist_contract::{Describe as _, Simulator, SparsityPattern};
+use machinist_contract::{Describe as _, Simulator};
 use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
@@ -179,58 +179,6 @@ fn emitted_scenes_run_as_those_derived_with_symbolica() {
             let values = own.column(&column.name).expect("the same output");
             for (a, b) in values.iter().zip(&column.values) {
                 assert!((a - b).abs() <= limit * size, "{name}: {} {a:e} {b:e}", column.name);
-            }
-        }
-    }
-}
-
-/// dy'/dy, dy'/dp and dy'/dt at a place, in full.
-fn derivatives(of: &ModelSimulator, t: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
-    let mut slopes = vec![0.0; state.len()];
-    Simulator::<f64>::time_derivative(of, t, state, parameters, &mut slopes);
-    let mut all = slopes;
-    let mut spread = |pattern: &SparsityPattern, values: &[f64]| {
-        let first = all.len();
-        all.resize(first + pattern.rows * pattern.columns, 0.0);
-        for ((row, column), value) in pattern.entries.iter().zip(values) {
-            all[first + *row as usize * pattern.columns + *column as usize] = *value;
-        }
-    };
-    let pattern = of.rate_jacobian_pattern();
-    let mut values = vec![0.0; pattern.entries.len()];
-    Simulator::<f64>::rate_jacobian(of, t, state, parameters, &mut values);
-    spread(&pattern, &values);
-    let pattern = of.parameter_jacobian_pattern();
-    let mut values = vec![0.0; pattern.entries.len()];
-    Simulator::<f64>::parameter_jacobian(of, t, state, parameters, &mut values);
-    spread(&pattern, &values);
-    all
-}
-
-#[test]
-fn derivatives_are_those_of_symbolica() {
-    let mut paths = Vec::new();
-    for folder in ["msl", "linkages"] {
-        paths.extend(specs_in(&folder_of_specs().join(folder)));
-    }
-    assert!(paths.len() > 10, "{}", paths.len());
-    for path in paths {
-        let system = checked(&path);
-        let known = pipeline::compile_by(Algebra::default(), system.clone(), Keep::Needed);
-        let known = ModelSimulator::new(known.unwrap_or_else(|e| panic!("{}", e.render())));
-        let own = plain(&system);
-        let parameters = 0..own.shape().parameters;
-        let parameters: Vec<f64> = parameters.map(|k| own.parameter_default(k)).collect();
-        for place in 0..10_u32 {
-            let entry = |k: usize| (1.7 * k as f64 + 0.9 * f64::from(place)).sin();
-            let state: Vec<f64> = (0..own.shape().states()).map(entry).collect();
-            let t = 0.071 * f64::from(place);
-            let [a, b] = [&own, &known].map(|of| derivatives(of, t, &state, &parameters));
-            assert_eq!(a.len(), b.len());
-            let size = b.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
-            for (a, b) in a.iter().zip(&b) {
-                let is_same = (a - b).abs() <= 1e-12 * size || a.is_nan() && b.is_nan();
-                assert!(is_same, "{}: {a:e} {b:e} of {size:e}", path.display());
             }
         }
     }

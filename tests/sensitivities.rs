@@ -321,7 +321,8 @@ fn stiff_machines_are_carried_by_radau() {
 }
 
 /// Of emitted code and of models, by parameters of the field, of the machine beside it and of where
-/// ports are. The gin's shaft is made soft: twists of a stiff one are rounding in differences.
+/// ports are. The gin's shaft is made soft: twists of a stiff one are rounding in differences, and so are runs
+/// at 1e-12 or over smaller steps of a parameter.
 #[test]
 fn scenes_with_fields_agree_with_differences() {
     type Case<'c> = (&'c str, f64, &'c [&'c str], Method, f64);
@@ -343,9 +344,9 @@ fn scenes_with_fields_agree_with_differences() {
             for by in by {
                 let off = off_differences(
                     scene,
-                    &|run| softened(run.rtol(1e-12).method(method).until(until).points(11)),
+                    &|run| softened(run.rtol(1e-11).method(method).until(until).points(11)),
                     by,
-                    1e-3,
+                    3e-3,
                 );
                 assert!(off < allowed, "{name} by {by}, {method}: {off:e}");
             }

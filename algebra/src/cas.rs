@@ -25,34 +25,35 @@ pub use terms::Terms;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Algebra {
-    /// The computer algebra system of that name, which knows most. It waits for whoever on
+    /// The computer algebra system of that name, which simplifies most. It waits for whoever on
     /// this machine uses it.
     #[cfg(feature = "symbolica")]
-    #[cfg_attr(feature = "symbolica", default)]
     Symbolica,
     /// Our own: normal forms, derivatives, products multiplied out, common factors. The same
-    /// motion, by equations that are less simplified here and there.
-    #[cfg_attr(not(feature = "symbolica"), default)]
+    /// motion, by equations that are less simplified here and there. It takes no lock.
+    #[default]
     Plain,
 }
 
-/// Coordinates beyond which a machine is worked out by our own algebra: where there are so
-/// many, what Symbolica could simplify further is no longer read, and people wait for it.
+/// Coordinates beyond which Symbolica is not worth its time: nobody reads so many equations.
 const MANY: usize = 100;
 
 impl Algebra {
-    /// All of them.
+    /// All of them, the one that simplifies most first.
     pub const ALL: &[Self] = &[
         #[cfg(feature = "symbolica")]
         Algebra::Symbolica,
         Algebra::Plain,
     ];
 
-    /// The one that a machine of so many coordinates is worked out by unless somebody says
-    /// otherwise.
+    /// The algebra that simplifies most, for equations that are emitted or read: Symbolica where
+    /// the build has it, but for more than 100 coordinates.
     #[must_use]
-    pub fn of(coordinates: usize) -> Self {
-        if coordinates > MANY { Algebra::Plain } else { Algebra::default() }
+    pub fn most_simplifying(coordinates: usize) -> Self {
+        match Self::ALL {
+            [first, ..] if coordinates <= MANY => *first,
+            _ => Self::Plain,
+        }
     }
 
     /// Its name.

@@ -64,6 +64,8 @@ use machinist_algebra::cas::Algebra;
 
 #[cfg(feature = "derive")]
 use crate::deriving;
+#[cfg(feature = "derive")]
+use crate::failure::Failure;
 
 /// Lagrangian specs of machines to fast, checked Rust simulators.
 #[derive(Debug, Parser)]
@@ -73,7 +75,8 @@ struct Cli {
     #[cfg(feature = "derive")]
     #[arg(long, global = true)]
     no_cache: bool,
-    /// What works equations out: plain needs no Symbolica, and waits for nobody
+    /// Algebra that derives: plain, or symbolica, which simplifies further and runs once a machine;
+    /// gen, derive and the report of all scenes take symbolica unless told otherwise
     #[cfg(feature = "derive")]
     #[arg(long, global = true, value_name = "NAME", value_parser = algebra)]
     algebra: Option<Algebra>,
@@ -166,6 +169,18 @@ fn algebra(name: &str) -> Result<Algebra, String> {
     })
 }
 
+/// The algebra that the environment names, if it does.
+#[cfg(feature = "derive")]
+fn algebra_of_environment() -> Result<Option<Algebra>, Failure> {
+    const VARIABLE: &str = "MACHINIST_ALGEBRA";
+    let Some(name) = std::env::var_os(VARIABLE).filter(|name| !name.is_empty()) else {
+        return Ok(None);
+    };
+    let name = name.to_string_lossy();
+    let refuse = |known| Failure::input(format!("{VARIABLE} is `{}`", name.escape_debug()), known);
+    algebra(&name).map(Some).map_err(refuse)
+}
+
 /// Does what the arguments of this process ask for.
 #[must_use]
 pub fn main() -> ExitCode {
@@ -175,7 +190,10 @@ pub fn main() -> ExitCode {
         deriving::turn_off_cache();
     }
     #[cfg(feature = "derive")]
-    cli.algebra.into_iter().for_each(deriving::work_out_by);
+    match cli.algebra.map_or_else(algebra_of_environment, |named| Ok(Some(named))) {
+        Ok(named) => named.into_iter().for_each(deriving::derive_by),
+        Err(failure) => return failure.tell(),
+    }
     let done = match cli.command {
         #[cfg(feature = "derive")]
         Command::New(command) => command.execute(),

@@ -1,18 +1,22 @@
-//! What is derived of a scene: remembered, or derived in a process that ends at once.
+//! What is derived of a scene: remembered, or derived by our own algebra in this process, or by
+//! Symbolica in a child that ends at once.
 //!
-//! Symbolica may run in one process of a machine at a time, and keeps what it holds until
-//! that process ends. So this process never derives: it reads the spec, looks for what was
-//! derived of it before, and only then has a child of its own derive it.
+//! What is run or analysed is derived by our own algebra, which takes no lock. What is emitted or
+//! read is derived by Symbolica, which simplifies further, and so is everything if the user names it.
+//! Symbolica needs the child for two reasons: it may run in one process of a machine at a time and
+//! counts until that process ends, while a report goes on for minutes; and a process that has used it
+//! must start no other (see `machinist_algebra::cas`), as `explain` does to compile.
 
 mod cache;
 mod child;
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use machinist::constraints::{self, Lasting};
 use machinist_algebra::cas::Algebra;
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline::Derivation;
+use machinist_codegen::pipeline::{self, Derivation};
 use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_codegen::spec::diagnostic::{Diagnostic, Diagnostics};
 use machinist_model::file::Stamped;
@@ -38,24 +42,43 @@ pub struct Request {
     pub rigid: Option<Vec<String>>,
     /// Only a model, or everything.
     pub wanted: Wanted,
-    /// What works it out, if somebody said so.
-    pub algebra: Option<Algebra>,
+    /// What it is for.
+    pub purpose: Purpose,
     /// Constraints to be dropped because they follow from others, each with the parameters that this
     /// needs as the spec has them.
     pub dropped: Vec<(String, Vec<String>)>,
 }
 
-/// What everything is worked out by from now on in this process.
+/// The algebra that derives everything from now on in this process.
 static ALGEBRA: OnceLock<Algebra> = OnceLock::new();
 
-/// Has everything worked out by an algebra; the first word holds.
-pub fn work_out_by(algebra: Algebra) {
+/// Has everything derived by an algebra; the first one named holds.
+pub fn derive_by(algebra: Algebra) {
     let _ = ALGEBRA.set(algebra);
 }
 
-/// Whether somebody named the algebra. What is emitted is what the default one gives.
+/// Whether the user named the algebra. What is emitted is what the default one gives.
 pub fn is_algebra_named() -> bool {
     ALGEBRA.get().is_some()
+}
+
+/// What a derivation is for, which decides on the algebra unless the user names it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Purpose {
+    /// To be run or analysed: by our own algebra, which waits for nobody.
+    Running,
+    /// To be emitted, or to be read by people: by the algebra that simplifies most.
+    Reading,
+}
+
+impl Purpose {
+    /// The algebra that derives a system.
+    fn algebra(self, system: &LagrangianSystem) -> Algebra {
+        ALGEBRA.get().copied().unwrap_or_else(|| match self {
+            Self::Running => Algebra::default(),
+            Self::Reading => Algebra::most_simplifying(system.coordinates.len()),
+        })
+    }
 }
 
 /// How much is wanted.
@@ -79,11 +102,10 @@ enum Derived {
 }
 
 impl Request {
-    /// A request for the model of a scene.
+    /// A request for the model of a scene, to be run.
     pub fn model(scene: &SpecSource, keep: Keep) -> Self {
-        let algebra = ALGEBRA.get().copied();
         let (rigid, wanted, dropped) = (None, Wanted::Model, Vec::new());
-        Self { scene: scene.clone(), keep, rigid, wanted, algebra, dropped }
+        Self { scene: scene.clone(), keep, rigid, wanted, purpose: Purpose::Running, dropped }
     }
 
     /// The system of the scene, as asked for.
@@ -96,6 +118,27 @@ impl Request {
             system.drop_constraint(constraint, needs);
         }
         Ok(system)
+    }
+
+    /// What is asked for of the system that was read.
+    fn derived_of(
+        &self,
+        system: LagrangianSystem,
+        algebra: Algebra,
+    ) -> Result<Derived, Diagnostics> {
+        let keep = self.keep;
+        let model = |system| {
+            let model = pipeline::compile_by(algebra, system, keep)?;
+            Ok(Derived::Model(Box::new(pipeline::stamped(algebra, model, keep))))
+        };
+        match self.wanted {
+            Wanted::Model => model(system),
+            Wanted::ModelIfPossible => Ok(model(system).unwrap_or(Derived::Impossible)),
+            Wanted::Everything => {
+                let derivation = pipeline::derivation_by(algebra, system, keep)?;
+                Ok(Derived::Everything(Box::new(derivation)))
+            }
+        }
     }
 }
 
@@ -146,8 +189,14 @@ fn derived_as_asked(request: &Request) -> Result<Stamped, Failure> {
     let mut derived = derive(std::slice::from_ref(request))?;
     match derived.pop() {
         Some(Derived::Model(stamped)) => Ok(*stamped),
-        _ => Err(child::broken("another thing than was asked for")),
+        _ => Err(broken("another thing than was asked for")),
     }
+}
+
+/// What derives did not do what it is there for.
+fn broken(how: &str) -> Failure {
+    let help = "what it said is above; `machinist check` finds what is wrong with a spec";
+    Failure::unsuccessful(format!("deriving ended badly: {how}"), help)
 }
 
 /// A model for each request that can be fulfilled.
@@ -155,37 +204,43 @@ pub fn possible(requests: &[Request]) -> Result<Vec<Option<Model>>, Failure> {
     let derived = derive(requests)?.into_iter().map(|derived| match derived {
         Derived::Model(stamped) => Ok(Some(stamped.model)),
         Derived::Impossible => Ok(None),
-        Derived::Everything(_) => Err(child::broken("more than was asked for")),
+        Derived::Everything(_) => Err(broken("more than was asked for")),
     });
     derived.collect()
 }
 
-/// The models of scenes.
+/// The models of scenes, to be emitted.
 pub fn models(scenes: &[SpecSource], keep: Keep) -> Result<Vec<Model>, Failure> {
-    let requests: Vec<Request> = scenes.iter().map(|scene| Request::model(scene, keep)).collect();
+    let request =
+        |scene: &SpecSource| Request { purpose: Purpose::Reading, ..Request::model(scene, keep) };
+    let requests: Vec<Request> = scenes.iter().map(request).collect();
     let derived = derive(&requests)?.into_iter().map(|derived| match derived {
         Derived::Model(stamped) => Ok(stamped.model),
-        _ => Err(child::broken("another thing than was asked for")),
+        _ => Err(broken("another thing than was asked for")),
     });
     derived.collect()
 }
 
 /// Everything that is derived of scenes.
-pub fn derivations(scenes: &[SpecSource], keep: Keep) -> Result<Vec<Derivation>, Failure> {
-    let request =
-        |scene: &SpecSource| Request { wanted: Wanted::Everything, ..Request::model(scene, keep) };
+pub fn derivations(
+    scenes: &[SpecSource],
+    keep: Keep,
+    purpose: Purpose,
+) -> Result<Vec<Derivation>, Failure> {
+    let wanted = Wanted::Everything;
+    let request = |scene: &SpecSource| Request { wanted, purpose, ..Request::model(scene, keep) };
     let requests: Vec<Request> = scenes.iter().map(request).collect();
     let derived = derive(&requests)?.into_iter().map(|derived| match derived {
         Derived::Everything(derivation) => Ok(*derivation),
-        _ => Err(child::broken("less than was asked for")),
+        _ => Err(broken("less than was asked for")),
     });
     derived.collect()
 }
 
 /// Everything that is derived of a scene.
-pub fn derivation(scene: &SpecSource, keep: Keep) -> Result<Derivation, Failure> {
-    let mut derivations = derivations(std::slice::from_ref(scene), keep)?;
-    derivations.pop().ok_or_else(|| child::broken("nothing"))
+pub fn derivation(scene: &SpecSource, keep: Keep, purpose: Purpose) -> Result<Derivation, Failure> {
+    let mut derivations = derivations(std::slice::from_ref(scene), keep, purpose)?;
+    derivations.pop().ok_or_else(|| broken("nothing"))
 }
 
 /// Warnings that were shown by this process.
@@ -202,31 +257,73 @@ pub fn warn(system: &LagrangianSystem) {
     }
 }
 
-/// Answers requests, in their order: from the cache where it has them, by one child that
-/// derives all others.
+/// Answers requests, in their order: from the cache where it has them; others are derived here, or
+/// by one child if Symbolica derives them.
 fn derive(requests: &[Request]) -> Result<Vec<Derived>, Failure> {
     let cache = Cache::of_user();
     let systems = all(requests, Request::system)?;
     systems.iter().for_each(warn);
-    let read: Vec<_> = systems.into_iter().map(|system| system.files).collect();
-    let keys: Vec<Key> =
-        requests.iter().zip(&read).map(|(request, files)| cache::key(request, files)).collect();
-    let mut derived: Vec<Option<Derived>> = keys.iter().map(|key| cache.get(key)).collect();
-    let missing: Vec<usize> = (0..requests.len()).filter(|at| derived[*at].is_none()).collect();
-    if !missing.is_empty() {
-        let asked: Vec<&Request> = missing.iter().map(|at| &requests[*at]).collect();
-        let answers = during("deriving", || child::ask(&asked))?;
-        for (at, answer) in missing.into_iter().zip(answers) {
-            // A file may have changed since it was looked at: the answer is of what the child
-            // read, and belongs to another key.
-            let names = read[at].iter().map(|file| &file.sha256);
-            if answer.files().is_some_and(|files| files.iter().map(|f| &f.sha256).eq(names)) {
-                cache.put(&keys[at], &answer);
-            }
-            derived[at] = Some(answer);
-        }
+    let asked = requests.iter().zip(systems).map(|(request, system)| {
+        let algebra = request.purpose.algebra(&system);
+        let key = cache::key(request, algebra, &system.files);
+        let derived = cache.get(&key);
+        Asked { request, system, algebra, key, derived }
+    });
+    let mut asked: Vec<Asked> = asked.collect();
+    let (mut own, mut others) = (Vec::new(), Vec::new());
+    for one in asked.iter_mut().filter(|one| one.derived.is_none()) {
+        if one.algebra == Algebra::Plain { own.push(one) } else { others.push(one) }
     }
-    derived.into_iter().map(|derived| derived.ok_or_else(|| child::broken("too little"))).collect()
+    during("deriving", || -> Result<(), Failure> {
+        derive_here(own, &cache)?;
+        derive_by_child(others, &cache)
+    })?;
+    asked.into_iter().map(|one| one.derived.ok_or_else(|| broken("too little"))).collect()
+}
+
+/// A request on its way to its answer.
+struct Asked<'a> {
+    request: &'a Request,
+    /// What was read of it.
+    system: LagrangianSystem,
+    algebra: Algebra,
+    key: Key,
+    derived: Option<Derived>,
+}
+
+/// Derives in this process, as our own algebra may. What goes wrong within it is reported as any
+/// failure is.
+fn derive_here(asked: Vec<&mut Asked>, cache: &Cache) -> Result<(), Failure> {
+    let derived = all(&asked, |one| {
+        let system = one.system.clone();
+        let work = || one.request.derived_of(system, one.algebra);
+        catch_unwind(AssertUnwindSafe(work)).map_or(Ok(None), |derived| derived.map(Some))
+    })?;
+    for (one, derived) in asked.into_iter().zip(derived) {
+        let derived = derived.ok_or_else(|| broken("by a fault of this program"))?;
+        cache.put(&one.key, &derived);
+        one.derived = Some(derived);
+    }
+    Ok(())
+}
+
+/// Has a child derive.
+fn derive_by_child(asked: Vec<&mut Asked>, cache: &Cache) -> Result<(), Failure> {
+    if asked.is_empty() {
+        return Ok(());
+    }
+    let questions: Vec<_> = asked.iter().map(|one| (one.request, one.algebra)).collect();
+    let answers = child::ask(&questions)?;
+    for (one, answer) in asked.into_iter().zip(answers) {
+        // A file may have changed since it was looked at: the answer is of what the child
+        // read, and belongs to another key.
+        let names = one.system.files.iter().map(|file| &file.sha256);
+        if answer.files().is_some_and(|files| files.iter().map(|f| &f.sha256).eq(names)) {
+            cache.put(&one.key, &answer);
+        }
+        one.derived = Some(answer);
+    }
+    Ok(())
 }
 
 impl Derived {

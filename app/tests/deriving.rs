@@ -2,12 +2,14 @@
 //! somebody else's simulation.
 
 use std::fs;
+use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use crate::process;
+use crate::symbolica::{Lock, assert_ends};
 
 /// A pendulum of a length, so that each has a text of its own.
 fn spec(length: f64) -> String {
@@ -74,6 +76,8 @@ fn folder_with(length: f64) -> tempfile::TempDir {
 }
 
 const RUN: [&str; 4] = ["run", "own.toml", "--out", "-"];
+/// The same by Symbolica.
+const OTHER: [&str; 5] = ["run", "own.toml", "--out", "-", "--algebra=symbolica"];
 
 #[test]
 fn our_own_algebra_derives_the_same_machine_and_says_so() {
@@ -103,19 +107,104 @@ fn our_own_algebra_derives_the_same_machine_and_says_so() {
 }
 
 #[test]
+fn the_environment_names_an_algebra_and_an_option_overrides_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("bob.toml"), spec(1.7)).expect("written");
+    let by = |algebra: &str, more: &[&str]| {
+        let mut command = process::machinist(
+            folder.path(),
+            &[&["--no-cache", "derive", "bob.toml", "--json"], more].concat(),
+        );
+        command.env("MACHINIST_ALGEBRA", algebra);
+        command
+    };
+    for (algebra, more, expected) in [
+        ("plain", &[][..], "plain"),
+        ("symbolica", &["--algebra", "plain"][..], "plain"),
+        ("", &["--algebra", "plain"][..], "plain"),
+        ("", &[][..], "symbolica"),
+    ] {
+        let answer = process::answer(by(algebra, more));
+        assert!(answer.contains(&format!("\"algebra\": \"{expected}\"")), "{algebra}: {answer}");
+    }
+    process::assert_refused(by("maxima", &[]), &["MACHINIST_ALGEBRA", "`maxima`", "plain"]);
+}
+
+#[test]
+fn a_users_own_file_is_derived_without_notice_while_another_process_uses_symbolica() {
+    let folder = folder_with(1.3);
+    let lock = Lock::held();
+    for arguments in [
+        &RUN[..],
+        &["modes", "own.toml"],
+        &["verify", "own.toml", "--time-limit", "20"],
+        &["compile", "own.toml", "--out", "own.model"],
+        &["fmu", "own.toml", "--out", "own.fmu"],
+        &["explain", "own.toml", "--without-times"],
+        &["sweep", "own.toml", "--parameter", "bob.length=1..2", "--count", "2"],
+        &["report", "own.toml", "--no-times"],
+    ] {
+        let command = machinist(folder.path(), &[&["--no-cache"], arguments].concat());
+        let output = assert_ends(command);
+        succeeded(&output);
+        let said = process::said(&output);
+        assert!(!said.contains("Symbolica") && !said.contains("waiting"), "{arguments:?}: {said}");
+        assert!(arguments != RUN || said.is_empty(), "{said}");
+    }
+    drop(lock);
+}
+
+#[test]
+fn who_asks_for_symbolica_while_it_is_in_use_is_told_at_once_and_offered_the_other() {
+    let folder = folder_with(1.4);
+    for (arguments, variable) in [
+        (&["derive", "own.toml", "--no-cache"][..], ""),
+        (&["run", "own.toml", "--no-cache", "--algebra", "symbolica"], ""),
+        (&["run", "own.toml", "--no-cache"], "symbolica"),
+    ] {
+        let lock = Lock::held();
+        let mut command = machinist(folder.path(), arguments);
+        command.env("MACHINIST_ALGEBRA", variable).stdout(Stdio::null()).stderr(Stdio::piped());
+        let mut waits = command.spawn().expect("the program starts");
+        let mut errors = BufReader::new(waits.stderr.take().expect("it is piped"));
+        let (said, first) = std::sync::mpsc::channel();
+        let rest = std::thread::spawn(move || {
+            let mut line = String::new();
+            errors.read_line(&mut line).expect("a line");
+            said.send(line).expect("somebody listens");
+            let _ = std::io::copy(&mut errors, &mut std::io::sink());
+        });
+        let line = first.recv_timeout(Duration::from_secs(60)).expect("it says something");
+        for words in ["machinist: waiting for", "--algebra plain"] {
+            assert!(line.contains(words), "{arguments:?}: {line}");
+        }
+        assert!(waits.try_wait().expect("it is there").is_none(), "it waits");
+        drop(lock);
+        assert!(waits.wait().expect("it ends").success(), "{arguments:?}");
+        rest.join().expect("its words are read");
+    }
+}
+
+#[test]
 fn a_second_run_derives_nothing_and_gives_the_same() {
     let folder = folder_with(0.7);
-    let first = machinist(folder.path(), &RUN).output().expect("the program starts");
+    let first = machinist(folder.path(), &OTHER).output().expect("the program starts");
     assert!(String::from_utf8_lossy(&first.stderr).contains("deriving with Symbolica"));
-    let second = machinist(folder.path(), &RUN).output().expect("the program starts");
+    let second = machinist(folder.path(), &OTHER).output().expect("the program starts");
     assert!(second.stderr.is_empty(), "{}", String::from_utf8_lossy(&second.stderr));
     assert_eq!(succeeded(&first), succeeded(&second));
     assert!(answer(folder.path(), &["cache"]).contains(" 1 entries"));
+    // Another algebra is another entry, whether it is named or the default.
+    let by_default = answer(folder.path(), &RUN);
+    assert!(answer(folder.path(), &["cache"]).contains(" 2 entries"));
+    let named = answer(folder.path(), &[&RUN[..], &["--algebra", "plain"]].concat());
+    assert_eq!(named, by_default);
+    assert!(answer(folder.path(), &["cache"]).contains(" 2 entries"));
     // Another text is another entry.
     fs::write(folder.path().join("own.toml"), spec(0.8)).expect("a spec");
-    assert_ne!(answer(folder.path(), &RUN), succeeded(&first));
-    assert!(answer(folder.path(), &["cache"]).contains(" 2 entries"));
-    assert!(answer(folder.path(), &["cache", "--clear"]).contains("forgot 2 entries"));
+    assert_ne!(answer(folder.path(), &RUN), by_default);
+    assert!(answer(folder.path(), &["cache"]).contains(" 3 entries"));
+    assert!(answer(folder.path(), &["cache", "--clear"]).contains("forgot 3 entries"));
     assert!(answer(folder.path(), &["cache"]).contains(" 0 entries"));
 }
 
@@ -276,9 +365,16 @@ fn a_cache_that_cannot_be_is_done_without() {
 
 #[test]
 fn processes_at_once_get_the_same_and_fill_one_entry() {
+    for run in [&RUN[..], &OTHER] {
+        at_once(run);
+    }
+}
+
+/// By Symbolica, one process after the other takes the lock from one that is ending.
+fn at_once(run: &[&str]) {
     let folder = folder_with(0.7);
     let start = || {
-        let mut command = machinist(folder.path(), &RUN);
+        let mut command = machinist(folder.path(), run);
         command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts")
     };
     let children: Vec<Child> = (0..4).map(|_| start()).collect();
@@ -293,6 +389,7 @@ fn nobody_waits_for_a_simulation_of_somebody_else() {
     let long = folder_with(0.7);
     let arguments = ["run", "own.toml", "--until", "1e9", "--rtol", "1e-12", "--points", "2"];
     let mut simulates = machinist(long.path(), &arguments);
+    simulates.env("MACHINIST_ALGEBRA", "symbolica");
     let simulates = simulates.stdout(Stdio::null()).stderr(Stdio::null()).spawn();
     let mut simulates = simulates.expect("the program starts");
     // Once its entry is there, it has derived.
@@ -302,7 +399,7 @@ fn nobody_waits_for_a_simulation_of_somebody_else() {
         std::thread::sleep(Duration::from_millis(10));
     }
     let other = folder_with(0.9);
-    let output = machinist(other.path(), &RUN).output().expect("the program starts");
+    let output = machinist(other.path(), &OTHER).output().expect("the program starts");
     let is_running = simulates.try_wait().expect("it is there").is_none();
     simulates.kill().expect("it is there");
     simulates.wait().expect("it ends");
@@ -337,7 +434,7 @@ fn heavy() -> String {
 fn a_parent_that_is_killed_takes_the_process_that_derives_with_it() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("heavy.toml"), heavy()).expect("a spec");
-    let mut parent = machinist(folder.path(), &["derive", "heavy.toml", "--algebra", "plain"]);
+    let mut parent = machinist(folder.path(), &["derive", "heavy.toml", "--algebra", "symbolica"]);
     let parent = parent.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
     let mut parent = parent.expect("the program starts");
     #[cfg(target_os = "linux")]
@@ -361,7 +458,9 @@ fn a_parent_that_is_killed_takes_the_process_that_derives_with_it() {
         ended.send(said)
     });
     let said = end.recv_timeout(Duration::from_secs(20));
-    assert_eq!(said.as_deref(), Ok(""), "the child has ended, and said nothing");
+    let said = said.expect("the child has ended");
+    let is_known = |line: &str| line.starts_with("machinist: ");
+    assert!(said.lines().all(is_known), "it said no more than whom it waits for: {said}");
 }
 
 #[test]

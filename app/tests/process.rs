@@ -13,7 +13,8 @@ pub fn machinist(folder: impl AsRef<Path>, arguments: &[&str]) -> Command {
         .args(arguments)
         .current_dir(folder)
         .env("MACHINIST_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/cache"))
-        .env("NO_COLOR", "1");
+        .env("NO_COLOR", "1")
+        .env_remove("MACHINIST_ALGEBRA");
     command
 }
 

@@ -1,8 +1,5 @@
 //! The program as its users meet it, one module a subject; `cargo test -p machinist-app --test
 //! program deriving::` runs one.
-//!
-//! Apart from these, `reduced` derives in its own process, for which every other process of
-//! the machine has to wait until it ends.
 
 mod accessible;
 mod anywhere;
@@ -20,11 +17,13 @@ mod improve;
 mod lists;
 mod live;
 mod process;
+mod reduced;
 mod redundant;
 mod refusals;
 mod report;
 mod schema;
 mod spectrum;
+mod symbolica;
 mod tables;
 mod trajectory;
 mod verify;

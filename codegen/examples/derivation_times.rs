@@ -5,10 +5,11 @@
 //! cargo run --release -p machinist-codegen --example derivation_times -- bodies 3 5 7 10
 //! cargo run --release -p machinist-codegen --example derivation_times -- rotors 100 300 1000
 //! cargo run --release -p machinist-codegen --example derivation_times -- specs/scenes/*.toml
-//! cargo run --release -p machinist-codegen --example derivation_times -- --plain bodies 10
+//! cargo run --release -p machinist-codegen --features symbolica --example derivation_times -- \
+//!     --symbolica bodies 10
 //! ```
 //!
-//! With `--plain` by our own algebra, otherwise by Symbolica.
+//! With `--symbolica` by Symbolica, otherwise by our own algebra.
 //!
 //! Peak memory is that of the process so far: for one of its own, name one machine a run.
 
@@ -28,9 +29,9 @@ mod machines;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments: Vec<String> = std::env::args().skip(1).collect();
-    let algebra = if arguments.first().is_some_and(|first| first == "--plain") {
+    let algebra = if arguments.first().is_some_and(|first| first == "--symbolica") {
         arguments.remove(0);
-        Algebra::Plain
+        Algebra::most_simplifying(1)
     } else {
         Algebra::default()
     };

@@ -25,9 +25,12 @@ use crate::mechanics::reduce::Keep;
 use crate::pipeline;
 use crate::spec::diagnostic::Diagnostics;
 use crate::write::{WriteError, refuse_foreign, write_within};
+use machinist_algebra::cas::Algebra;
 use machinist_model::Model;
 
-/// Emits scenes to `OUT_DIR`, one file a scene, for a build script.
+/// Emits scenes to `OUT_DIR`, one file a scene, for a build script. They are derived by our own
+/// algebra, or by Symbolica with the feature `symbolica`, by which a second build waits for the
+/// first.
 #[derive(Debug, Clone, Default)]
 #[must_use = "nothing is emitted until `compile`"]
 pub struct Build {
@@ -115,7 +118,8 @@ fn generate(scene: &Path) -> Result<Model, BuildError> {
         let (file, line) = (&warning.file, warning.line);
         println!("cargo:warning={file}:{line}: {}", warning.message);
     }
-    let model = pipeline::compile(system, Keep::Needed)?;
+    let algebra = Algebra::most_simplifying(system.coordinates.len());
+    let model = pipeline::compile_by(algebra, system, Keep::Needed)?;
     if !model.freeze.rigid.is_empty() {
         let scene = &model.name;
         println!(

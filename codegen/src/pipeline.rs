@@ -25,7 +25,8 @@ use crate::scene::system::LagrangianSystem;
 use crate::spec::diagnostic::{Diagnostic, Diagnostics};
 use crate::{lower, scene, spec};
 
-/// A scene file to its model, of the whole scene or of what its outputs need.
+/// A scene file to its model, of the whole scene or of what its outputs need, derived by the
+/// default algebra.
 ///
 /// # Errors
 /// With file, line, span and hint for whatever is wrong in the spec.
@@ -33,15 +34,15 @@ pub fn generate(scene: &Path, keep: Keep) -> Result<Model, Diagnostics> {
     compile(check(scene)?, keep)
 }
 
-/// A checked scene to its model.
+/// A checked scene to its model, derived by the default algebra.
 ///
 /// # Errors
 /// As [`generate`].
 pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Model, Diagnostics> {
-    compile_by(Algebra::of(system.coordinates.len()), system, keep)
+    compile_by(Algebra::default(), system, keep)
 }
 
-/// A checked scene to its model, worked out by an algebra of one's choice.
+/// A checked scene to its model, derived by an algebra of one's choice.
 ///
 /// # Errors
 /// As [`generate`].
@@ -154,14 +155,6 @@ pub struct Derivation {
 ///
 /// # Errors
 /// As [`generate`].
-pub fn derivation(system: LagrangianSystem, keep: Keep) -> Result<Derivation, Diagnostics> {
-    derivation_by(Algebra::of(system.coordinates.len()), system, keep)
-}
-
-/// The same, worked out by an algebra of one's choice.
-///
-/// # Errors
-/// As [`generate`].
 pub fn derivation_by(
     algebra: Algebra,
     system: LagrangianSystem,
@@ -211,7 +204,7 @@ pub fn check(scene: &Path) -> Result<LagrangianSystem, Diagnostics> {
 /// As [`generate`].
 pub fn derive(scene: &Path) -> Result<EquationsOfMotion, Diagnostics> {
     let system = check(scene)?;
-    let algebra = Algebra::of(system.coordinates.len());
+    let algebra = Algebra::most_simplifying(system.coordinates.len());
     session(&system.name.clone(), algebra, move |cas| {
         let equations = lagrange::derive(cas, &system);
         decided(&equations)?;
@@ -247,38 +240,24 @@ fn decided(equations: &EquationsOfMotion) -> Result<(), Diagnostics> {
 
 /// A model with word of what made it.
 #[must_use]
-pub fn stamped(model: Model, keep: Keep) -> Stamped {
-    Stamped { generator: format!("{GENERATOR}, {}", keep.name()), model }
+pub fn stamped(algebra: Algebra, model: Model, keep: Keep) -> Stamped {
+    Stamped { generator: format!("{GENERATOR} {}, {}", algebra.name(), keep.name()), model }
 }
 
-/// The words of [`GENERATOR`], and more.
-macro_rules! generator {
-    ($($more:literal)?) => {
-        concat!(
-            env!("CARGO_PKG_NAME"),
-            " ",
-            env!("CARGO_PKG_VERSION"),
-            " ",
-            env!("MACHINIST_GENERATOR")
-            $(, $more)?
-        )
-    };
-}
-
-/// What makes models here: name, version, and the hash of its own text; and whether it is
-/// without Symbolica, by which models differ.
-#[cfg(feature = "symbolica")]
-pub const GENERATOR: &str = generator!();
-
-/// What makes models here: name, version, and the hash of its own text; and whether it is
-/// without Symbolica, by which models differ.
-#[cfg(not(feature = "symbolica"))]
-pub const GENERATOR: &str = generator!(" plain");
+/// What makes models here: name, version, and the hash of its own text.
+pub const GENERATOR: &str = concat!(
+    env!("CARGO_PKG_NAME"),
+    " ",
+    env!("CARGO_PKG_VERSION"),
+    " ",
+    env!("MACHINIST_GENERATOR")
+);
 
 impl From<CasError> for Diagnostics {
     fn from(error: CasError) -> Self {
-        let help = "the folder must exist and be writable";
-        Diagnostic::of_file("", error.to_string(), help).into()
+        let help =
+            miette::Diagnostic::help(&error).map_or_else(String::new, |help| help.to_string());
+        Diagnostic::of_file("", error.to_string(), &help).into()
     }
 }
 

@@ -22,7 +22,7 @@ fn call(function: Function, argument: Expr) -> Expr {
     Expr::Call(function, vec![argument])
 }
 fn derivative(expr: Expr) -> Expr {
-    session("a test", Algebra::default(), move |cas| {
+    session("a test", Algebra::most_simplifying(1), move |cas| {
         let form = cas.form(&expr);
         let derivative = cas.derivative(&form, Symbol::Coordinate(CoordinateId(0)));
         cas.expr(&derivative)
@@ -30,7 +30,7 @@ fn derivative(expr: Expr) -> Expr {
     .expect("a session")
 }
 fn simplified(expr: Expr) -> Expr {
-    session("a test", Algebra::default(), move |cas| {
+    session("a test", Algebra::most_simplifying(1), move |cas| {
         let form = cas.form(&expr);
         cas.simplify(&form)
     })

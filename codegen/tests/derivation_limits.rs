@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::support::machines;
+use machinist_algebra::cas::Algebra;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_model::Model;
@@ -21,14 +22,25 @@ fn file(text: &str) -> (tempfile::TempDir, PathBuf) {
     (folder, path)
 }
 
-/// The model of a spec, or its report.
+/// The model of a spec by the default algebra, or its report: every algebra gives one or the other.
 fn derived(text: &str) -> Result<Model, String> {
+    let default = derived_by(Algebra::default(), text);
+    for other in Algebra::ALL.iter().filter(|one| **one != Algebra::default()) {
+        let found = derived_by(*other, text);
+        assert_eq!(found.is_ok(), default.is_ok(), "{}: {:?}", other.name(), found.err());
+    }
+    default
+}
+
+fn derived_by(algebra: Algebra, text: &str) -> Result<Model, String> {
     let (folder, path) = file(text);
     let (sender, receiver) = std::sync::mpsc::channel();
     let own = path.clone();
     std::thread::spawn(move || {
+        let model = pipeline::check(&own)
+            .and_then(|system| pipeline::compile_by(algebra, system, Keep::Needed));
         // Nobody listens any more if it took too long.
-        let _ = sender.send(pipeline::generate(&own, Keep::Needed));
+        let _ = sender.send(model);
     });
     let start = Instant::now();
     let result = receiver.recv_timeout(PATIENCE);

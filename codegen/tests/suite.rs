@@ -8,6 +8,8 @@ mod damaged_model;
 mod mutation;
 mod support;
 
+#[cfg(feature = "symbolica")]
+mod algebras;
 mod build_script;
 mod derivation;
 mod derivation_limits;

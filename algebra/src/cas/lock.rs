@@ -1,14 +1,24 @@
 //! One process of the machine at a time: an advisory file lock, with word of who holds it.
 
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{Read as _, Seek as _, SeekFrom, Write as _};
+use std::io::{ErrorKind, Read as _, Seek as _, SeekFrom, Write as _};
+use std::net::{Ipv4Addr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
+use std::time::{Duration, Instant};
 
 use super::CasError;
 
 /// Bytes that the holder's word of itself may have.
 const MOST: u64 = 200;
+
+/// The port by which Symbolica tells that another process uses it, unless the environment names
+/// another.
+const PORT: u16 = 12011;
+/// Longest wait for that port. A process that ends gives it back at once.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// Time between two looks at it.
+const PAUSE: Duration = Duration::from_millis(5);
 
 /// Takes the lock, waiting with a message if another process holds it, and keeps
 /// it until this process ends; the system releases it then, also after a crash.
@@ -23,15 +33,48 @@ pub(super) fn hold_for_this_process(purpose: &str) -> Result<(), CasError> {
     match file.try_lock() {
         Ok(()) => {}
         Err(TryLockError::WouldBlock) => {
-            eprintln!("machinist: waiting for {}", holder(&mut file));
+            eprintln!(
+                "machinist: waiting for {}; `--algebra plain` derives without Symbolica, and waits \
+                 for nobody",
+                holder(&mut file)
+            );
             file.lock().map_err(failed)?;
         }
         Err(TryLockError::Error(error)) => return Err(failed(error)),
     }
+    wait_until_free(port(), PATIENCE)?;
     // Only a courtesy to who waits; another user's file may not be written to.
     let _ = tell(&mut file, purpose);
     let _ = HELD.set(file);
     Ok(())
+}
+
+/// The port that Symbolica will take, or none if a key lets it run beside others.
+fn port() -> Option<u16> {
+    if std::env::var_os("SYMBOLICA_LICENSE").is_some() {
+        return None;
+    }
+    let named = std::env::var("SYMBOLICA_PORT").ok();
+    Some(named.and_then(|port| port.parse().ok()).unwrap_or(PORT))
+}
+
+/// Waits until nobody has Symbolica's port. Symbolica ends its process by `abort` if the port is
+/// taken, and a process that ends need not give it back before the lock: the order in which the
+/// system closes files is its own affair.
+fn wait_until_free(port: Option<u16>, patience: Duration) -> Result<(), CasError> {
+    let Some(port) = port else { return Ok(()) };
+    let start = Instant::now();
+    loop {
+        match TcpListener::bind((Ipv4Addr::LOCALHOST, port)) {
+            Err(error) if error.kind() == ErrorKind::AddrInUse => {}
+            // Of any other difficulty Symbolica speaks for itself.
+            _ => return Ok(()),
+        }
+        if start.elapsed() >= patience {
+            return Err(CasError::InUse { port });
+        }
+        std::thread::sleep(PAUSE);
+    }
 }
 
 /// The ban is the machine's, so all users share the file, and none owns it: who may not
@@ -74,4 +117,27 @@ fn tell(file: &mut File, purpose: &str) -> std::io::Result<()> {
 fn lock_path() -> PathBuf {
     let folder = if cfg!(unix) { PathBuf::from("/tmp") } else { std::env::temp_dir() };
     folder.join("machinist-symbolica.lock")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbolica_starts_only_when_its_former_user_has_given_the_port_back() {
+        let taken = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).expect("a port");
+        let port = taken.local_addr().expect("an address").port();
+        let refused = wait_until_free(Some(port), Duration::from_millis(20));
+        assert!(matches!(refused, Err(CasError::InUse { port: named }) if named == port));
+
+        let (start, held) = (Instant::now(), Duration::from_millis(200));
+        let holder = std::thread::spawn(move || {
+            std::thread::sleep(held);
+            drop(taken);
+        });
+        wait_until_free(Some(port), PATIENCE).expect("it is given back");
+        assert!(start.elapsed() >= held);
+        holder.join().expect("it ends");
+        wait_until_free(None, Duration::ZERO).expect("whoever has a key waits for nobody");
+    }
 }

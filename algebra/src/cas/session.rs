@@ -4,6 +4,10 @@
 //! one thread of this process runs every session of it, and it holds an advisory file lock
 //! from its first session to the end of the process, so that other processes wait for it.
 //! Our own algebra needs neither.
+//!
+//! **A process that has used Symbolica starts no other process.** Once a second Symbolica closes its
+//! port and takes it again, and aborts the process where that fails. A process that is being started
+//! has, until it runs its own program, a copy of the port that was open: then it fails.
 
 use std::any::Any;
 use std::panic::resume_unwind;
@@ -22,6 +26,16 @@ pub enum CasError {
         /// What the system said.
         #[source]
         source: std::io::Error,
+    },
+    /// A program that takes no such lock uses Symbolica.
+    #[error(
+        "another program uses Symbolica, which without a key runs once a machine: port {port} of \
+         127.0.0.1 is taken"
+    )]
+    #[diagnostic(help("end that program, or derive by our own algebra: `--algebra plain`"))]
+    InUse {
+        /// The port by which Symbolica tells.
+        port: u16,
     },
     /// No thread to run in, or it is gone.
     #[error("the thread that runs the algebra has ended")]

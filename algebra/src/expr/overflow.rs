@@ -22,7 +22,8 @@ pub(super) fn avoid(graph: &mut Graph, above: &mut Vec<NodeId>, below: &mut Vec<
                     above[index] = graph.mul(tanh, rest);
                 }
             }
-            Op::Call(Function::Exp, w) if power == 1 => {
+            // One of several equal factors at a time.
+            Op::Call(Function::Exp, w) if power >= 1 => {
                 let as_often = |graph: &Graph, id, most| {
                     let argument = graph.plus_exponential(id)?.argument;
                     multiple(graph, w, argument).filter(|times| *times <= most)
@@ -37,7 +38,11 @@ pub(super) fn avoid(graph: &mut Graph, above: &mut Vec<NodeId>, below: &mut Vec<
                     let b = b.unwrap_or_else(|| graph.literal(1.0));
                     let bounded = graph.add(b, decaying);
                     below.push(graph.powi(bounded, times));
-                    above.remove(index);
+                    if power == 1 {
+                        above.remove(index);
+                    } else {
+                        above[index] = graph.powi(base, power - 1);
+                    }
                     continue;
                 }
             }
@@ -146,6 +151,10 @@ mod tests {
             (
                 vec![power(call(Function::Sinh, &t), 2), power(call(Function::Cosh, &t), -3)],
                 [s * s / c.powi(3), 0.0, 0.0],
+            ),
+            (
+                vec![power(exp.clone(), 2), power(sum([one.clone(), exp.clone()]), -3)],
+                [e * e / (1.0 + e).powi(3), 0.0, 0.0],
             ),
             (
                 vec![call(Function::Exp, &twice), power(sum([one, exp]), -3)],

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use super::output::{columns, print};
 use super::scene::Given;
 use super::specs::{Cost, costs};
-use crate::deriving;
+use crate::deriving::{self, Purpose};
 use crate::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -29,7 +29,7 @@ pub struct Derive {
 impl Derive {
     pub fn execute(&self) -> Result<(), Failure> {
         let derivation = match Given::of(&self.scene)? {
-            Given::Spec(source) => deriving::derivation(&source, Keep::Needed)?,
+            Given::Spec(source) => deriving::derivation(&source, Keep::Needed, Purpose::Reading)?,
             Given::Model(stamped) => return Err(no_equations(&stamped.model)),
         };
         if self.latex {

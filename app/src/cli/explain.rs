@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::output::{columns, print};
 use super::scene::Given;
-use crate::deriving;
+use crate::deriving::{self, Purpose};
 use crate::explain::{Explanation, Times};
 use crate::failure::Failure;
 use crate::freeze::{Candidate, admit};
@@ -35,7 +35,7 @@ impl Explain {
         let keep = if self.keep_all { Keep::All } else { Keep::Needed };
         let (source, stages) = match Given::of(&self.scene)? {
             Given::Spec(source) => {
-                let stages = deriving::derivation(&source, keep)?.stages;
+                let stages = deriving::derivation(&source, keep, Purpose::Running)?.stages;
                 if !self.keep_all {
                     admit(&source, stages.needed())?;
                 }

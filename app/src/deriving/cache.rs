@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::SystemTime;
 
+use machinist_algebra::cas::Algebra;
 use machinist_codegen::pipeline::GENERATOR;
 use machinist_codegen::spec::SourceFile;
 use machinist_model::file::{VERSION, open, seal};
@@ -52,8 +53,8 @@ pub fn turn_off() {
     IS_OFF.store(true, Ordering::Relaxed);
 }
 
-/// The key of a request for a spec of these files.
-pub(super) fn key(request: &Request, files: &[SourceFile]) -> Key {
+/// The key of a request for a spec of these files, derived by an algebra.
+pub(super) fn key(request: &Request, algebra: Algebra, files: &[SourceFile]) -> Key {
     let mut hasher = Sha256::new();
     let mut add = |part: &str| {
         hasher.update((part.len() as u64).to_le_bytes());
@@ -61,8 +62,8 @@ pub(super) fn key(request: &Request, files: &[SourceFile]) -> Key {
     };
     add(&VERSION.to_string());
     add(GENERATOR);
-    let Request { wanted, keep, rigid, algebra, dropped, .. } = request;
-    add(&format!("{wanted:?} {keep:?} {rigid:?} {algebra:?} {dropped:?}"));
+    let Request { wanted, keep, rigid, dropped, .. } = request;
+    add(&format!("{wanted:?} {keep:?} {rigid:?} {} {dropped:?}", algebra.name()));
     for file in files {
         add(&file.label);
         add(&file.sha256);

@@ -1,4 +1,4 @@
-//! The process that derives: this program once more, which ends when it has answered.
+//! The process that derives by Symbolica: this program once more, which ends when it has answered.
 //!
 //! It reads its requests from standard input and writes its answers to standard output;
 //! what is wrong with a spec it says on standard error, which it shares with its parent.
@@ -10,11 +10,9 @@ use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use machinist_algebra::cas::{Algebra, GREETED};
-use machinist_codegen::pipeline;
-use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_model::file::{open, seal};
 
-use super::{Derived, Request, Wanted};
+use super::{Derived, Request, broken};
 use crate::failure::{Failure, all};
 
 /// The command that the child is called with.
@@ -26,8 +24,8 @@ const ANSWER: &[u8; 16] = b"machinist says:\n";
 /// Whether a child of this process has said on whose terms it derives.
 static GREETED_ONCE: AtomicBool = AtomicBool::new(false);
 
-/// Has a child derive what is asked for.
-pub(super) fn ask(requests: &[&Request]) -> Result<Vec<Derived>, Failure> {
+/// Has a child derive what is asked for, each by its algebra.
+pub(super) fn ask(requests: &[(&Request, Algebra)]) -> Result<Vec<Derived>, Failure> {
     let failed = |error: &std::io::Error| {
         Failure::unsuccessful(format!("cannot start a process that derives: {error}"), "")
     };
@@ -65,20 +63,15 @@ pub(super) fn ask(requests: &[&Request]) -> Result<Vec<Derived>, Failure> {
     }
 }
 
-/// The child did not do what it is there for.
-pub(super) fn broken(how: &str) -> Failure {
-    let help = "what it said is above; `machinist check` finds what is wrong with a spec";
-    Failure::unsuccessful(format!("the process that derives ended badly: {how}"), help)
-}
-
 /// What the child does.
 pub fn answer_parent() -> Result<(), Failure> {
     let failed = |error: std::io::Error| Failure::unsuccessful(error, "");
     let question = question().map_err(failed)?;
     end_with_parent();
-    let requests: Vec<Request> = open(QUESTION, &question)
+    let requests: Vec<(Request, Algebra)> = open(QUESTION, &question)
         .map_err(|error| Failure::input(error, "this command is for the program's own use"))?;
-    let answers = all(&requests, derive)?;
+    let answers =
+        all(&requests, |(request, algebra)| request.derived_of(request.system()?, *algebra))?;
     let mut out = stdout().lock();
     out.write_all(&seal(ANSWER, &answers)).and_then(|()| out.flush()).map_err(failed)
 }
@@ -106,22 +99,4 @@ fn end_with_parent() {
         while stdin().read(&mut byte).is_ok_and(|count| count > 0) {}
         std::process::exit(1);
     });
-}
-
-fn derive(request: &Request) -> Result<Derived, Diagnostics> {
-    let system = request.system()?;
-    let algebra = request.algebra.unwrap_or_else(|| Algebra::of(system.coordinates.len()));
-    Ok(match request.wanted {
-        Wanted::Model => {
-            let model = pipeline::compile_by(algebra, system, request.keep)?;
-            Derived::Model(Box::new(pipeline::stamped(model, request.keep)))
-        }
-        Wanted::ModelIfPossible => match pipeline::compile_by(algebra, system, request.keep) {
-            Ok(model) => Derived::Model(Box::new(pipeline::stamped(model, request.keep))),
-            Err(_) => Derived::Impossible,
-        },
-        Wanted::Everything => {
-            Derived::Everything(Box::new(pipeline::derivation_by(algebra, system, request.keep)?))
-        }
-    })
 }

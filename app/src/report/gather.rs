@@ -20,7 +20,7 @@ use super::{conclusions, fields, index, scene, studies, winder_walk};
 use crate::cli::scene::Given;
 use crate::cli::specs;
 use crate::cli::verify::{Changes, verify_spec};
-use crate::deriving;
+use crate::deriving::{self, Purpose};
 use crate::failure::Failure;
 use crate::freeze::admit;
 use crate::progress::during;
@@ -73,14 +73,14 @@ pub fn own(argument: &str, extent: Extent) -> Result<Pages, Failure> {
             return Err(Failure::input(message, "give the spec it was compiled of"));
         }
     };
-    let machine = of_spec(&spec, extent)?;
+    let machine = of_spec(&spec, Purpose::Running, extent)?;
     let all_passed = Tally::of(&machine.verdicts).is_clean();
     Ok(Pages { files: vec![file_of(&machine, false)], all_passed })
 }
 
 /// The machine of a spec, run by its model, with what can be checked of any machine.
-fn of_spec(spec: &SpecSource, extent: Extent) -> Result<Machine, Failure> {
-    let derived = deriving::derivation(spec, Keep::Needed)?;
+fn of_spec(spec: &SpecSource, purpose: Purpose, extent: Extent) -> Result<Machine, Failure> {
+    let derived = deriving::derivation(spec, Keep::Needed, purpose)?;
     admit(spec, derived.stages.needed())?;
     let mut machine = during("simulating", || Machine::new(derived, spec, false, extent))?;
     let time_limit = extent.time_limit;
@@ -105,7 +105,7 @@ fn file_of(machine: &Machine, has_index: bool) -> (PathBuf, String) {
 pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Failure> {
     let with_times = extent.with_times;
     let files = specs::scene_files(specs)?;
-    let derived = deriving::derivations(&files, Keep::Needed)?;
+    let derived = deriving::derivations(&files, Keep::Needed, Purpose::Reading)?;
     for (file, derived) in files.iter().zip(&derived) {
         admit(file, derived.stages.needed())?;
     }
@@ -148,7 +148,7 @@ pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Fail
     };
     let stability = with_times.then(strain).transpose()?;
     let drives = specs::scene_files_below(specs, specs::DRIVES)?;
-    let drives = drives.iter().map(|file| of_spec(file, extent));
+    let drives = drives.iter().map(|file| of_spec(file, Purpose::Reading, extent));
     let drives = drives.collect::<Result<Vec<_>, Failure>>()?;
     let mut verdicts = verdicts;
     verdicts.extend(drives.iter().flat_map(|drive| drive.verdicts.iter().cloned()));

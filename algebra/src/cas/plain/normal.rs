@@ -5,11 +5,15 @@
 //!   and these are sorted. A number times a sum is a sum; beside other factors, and in whole powers,
 //!   sums have coefficients without a common factor, the first positive, so that a - b and
 //!   2 b - 2 a are one base.
+//! - An offset, a symbol and a number such as t - 30, has the symbol alone there, and stays apart from
+//!   a number before it: 100 (t - 30) is exact near 30, and 100 t - 3000 is not. Signs and powers of
+//!   two are multiplied in, which loses nothing.
 //! - Whole powers of products and of powers are products and powers; a power of half a whole
 //!   number is one of a square root, for (x^2)^(1/2) is not x.
 //!
 //! Two expressions with the same normal form are equal; equal ones may have different forms.
 
+use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Pow as _, Signed as _, ToPrimitive as _, Zero as _};
@@ -88,7 +92,7 @@ fn split(term: Expr) -> (BigRational, Expr) {
     }
 }
 
-/// A number times what is neither a number nor a sum and has none before it.
+/// A number times what is neither a number nor a sum, but an offset, and has none before it.
 fn scaled(number: BigRational, rest: Expr) -> Expr {
     if number.is_one() {
         return rest;
@@ -133,9 +137,17 @@ impl Terms {
 
     fn into_expr(self) -> Expr {
         let left = self.terms.into_iter().filter(|(_, number)| !number.is_zero());
-        let mut terms: Vec<Expr> = left.map(|(rest, number)| scaled(number, rest)).collect();
+        let mut terms: Vec<Expr> = left
+            .map(|(rest, number)| match rest {
+                Expr::Sum(_) => product([Expr::Number(number), rest]),
+                _ => scaled(number, rest),
+            })
+            .collect();
         if !self.number.is_zero() || terms.is_empty() {
             terms.push(Expr::Number(self.number));
+        }
+        if terms.len() > 1 && terms.iter().any(|term| matches!(term, Expr::Sum(_))) {
+            return sum(terms);
         }
         terms.sort_unstable();
         single(terms, Expr::Sum)
@@ -205,7 +217,9 @@ impl Factors {
         factors.sort_unstable();
         match &mut factors[..] {
             [] => Expr::Number(number),
-            [Expr::Sum(terms)] if !number.is_one() => {
+            [Expr::Sum(terms)]
+                if !number.is_one() && (offset(terms).is_none() || is_exact(&number)) =>
+            {
                 let terms = std::mem::take(terms);
                 sum(terms.into_iter().map(|term| product([Expr::Number(number.clone()), term])))
             }
@@ -253,9 +267,29 @@ pub(super) fn power(base: Expr, exponent: Expr) -> Expr {
     }
 }
 
+/// Whether floating-point numbers are multiplied by a number without rounding.
+fn is_exact(number: &BigRational) -> bool {
+    let is_power = |part: &BigInt| part.magnitude().count_ones() == 1;
+    is_power(number.numer()) && is_power(number.denom())
+}
+
+/// The coefficient of the symbol, if a sum is of a symbol and a number.
+fn offset(terms: &[Expr]) -> Option<BigRational> {
+    let [a, b] = terms else { return None };
+    let ((a, first), (b, second)) = (coefficient(a), coefficient(b));
+    match (a, b) {
+        ([Expr::Symbol(_)], []) => Some(first),
+        ([], [Expr::Symbol(_)]) => Some(second),
+        _ => None,
+    }
+}
+
 /// What the coefficients of a sum have in common, with the sign of the term that is first
-/// without them; nothing if it is 1.
+/// without them, or that of the symbol of an offset; nothing if it is 1.
 fn content(terms: &[Expr]) -> Option<BigRational> {
+    if let Some(number) = offset(terms) {
+        return (!number.is_one()).then_some(number);
+    }
     let parts = || terms.iter().map(coefficient);
     let (_, leading) = parts().min_by(|(a, _), (b, _)| a.cmp(b))?;
     let common = parts().map(|(_, number)| number).fold(BigRational::zero(), |common, number| {

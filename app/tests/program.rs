@@ -28,3 +28,4 @@ mod spectrum;
 mod tables;
 mod trajectory;
 mod verify;
+mod watch;

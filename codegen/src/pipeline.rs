@@ -162,7 +162,7 @@ pub struct Outline {
 }
 
 /// A checked scene to its outline, worked out by an algebra of one's choice. The model is the last one
-/// of the [`Stages`] that [`derivation_by`] gives, in about two thirds of the time.
+/// of the [`Stages`] that [`derivation_by`] gives; those before it are not derived.
 ///
 /// # Errors
 /// As [`generate`].

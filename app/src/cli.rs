@@ -11,7 +11,7 @@ mod bench;
 mod cache;
 mod campbell;
 #[cfg(feature = "derive")]
-mod check;
+pub mod check;
 #[cfg(feature = "derive")]
 mod compile;
 mod completions;
@@ -44,7 +44,7 @@ pub mod scene;
 #[cfg(feature = "derive")]
 mod schema;
 mod sensitivity;
-mod settings;
+pub mod settings;
 mod show;
 #[cfg(feature = "derive")]
 pub mod specs;
@@ -55,6 +55,8 @@ mod threads;
 mod times;
 pub mod verify;
 pub mod walk;
+#[cfg(feature = "derive")]
+mod watch;
 
 use std::process::ExitCode;
 
@@ -66,6 +68,8 @@ use machinist_algebra::cas::Algebra;
 use crate::deriving;
 #[cfg(feature = "derive")]
 use crate::failure::Failure;
+#[cfg(feature = "derive")]
+use crate::watch::worker;
 
 /// Lagrangian specs of machines to fast, checked Rust simulators.
 #[derive(Debug, Parser)]
@@ -138,6 +142,9 @@ enum Command {
     /// Make pages with drawings, equations, plots, checks and costs: of all scenes, or of one
     #[cfg(feature = "derive")]
     Report(report::Report),
+    /// Show a machine in the browser while its spec is written: run at each save
+    #[cfg(feature = "derive")]
+    Watch(watch::Watch),
     /// Show what a scene is made of: units, ports, parameters, states, outputs, events, checks
     Show(show::Show),
     /// List the scenes that are built in
@@ -157,6 +164,10 @@ enum Command {
     #[cfg(feature = "derive")]
     #[command(name = deriving::COMMAND, hide = true)]
     DeriveForParent,
+    /// What `watch` has its child do
+    #[cfg(feature = "derive")]
+    #[command(name = worker::COMMAND, hide = true)]
+    RunForWatch(worker::Ask),
 }
 
 /// The algebra of a name.
@@ -236,6 +247,10 @@ pub fn main() -> ExitCode {
         Command::Completions(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::DeriveForParent => deriving::answer_parent(),
+        #[cfg(feature = "derive")]
+        Command::RunForWatch(ask) => ask.execute(),
+        #[cfg(feature = "derive")]
+        Command::Watch(command) => command.execute(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -29,7 +29,7 @@ use crate::progress::during;
 use crate::spec_source::SpecSource;
 use cache::Key;
 pub use cache::{Cache, turn_off as turn_off_cache};
-pub use child::{COMMAND, answer_parent};
+pub use child::{COMMAND, answer_parent, end_with_parent};
 
 /// What is to be derived of a scene.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -151,27 +151,36 @@ pub fn model(scene: &SpecSource, keep: Keep) -> Result<Model, Failure> {
 /// wherever the machine goes, of which it says so.
 pub fn stamped(request: &Request) -> Result<Stamped, Failure> {
     let whole = derived_as_asked(request)?;
-    if whole.model.constraints.is_empty() || !whole.model.fields.is_empty() {
-        return Ok(whole);
-    }
-    let parameters: Vec<f64> = whole.model.all_parameters().map(|one| one.value).collect();
-    let time = whole.model.run.from;
-    let simulator = ModelSimulator::new(whole.model.clone());
-    let lasting = constraints::lasting(&simulator, &parameters, time);
+    let lasting = repeated(&whole.model);
     if lasting.is_empty() {
         return Ok(whole);
     }
-    for Lasting { constraint, repeats, .. } in &lasting {
-        let others: Vec<String> = repeats.iter().map(|name| format!("`{name}`")).collect();
-        tell_once(format!(
-            "constraint `{constraint}` of {} follows from {} wherever the machine goes: it is \
-             dropped, and these carry its force",
-            whole.model.name,
-            others.join(", ")
-        ));
+    for one in &lasting {
+        tell_once(dropped_note(&whole.model, one));
     }
     let dropped = lasting.into_iter().map(|one| (one.constraint, one.needs)).collect();
     derived_as_asked(&Request { dropped, ..request.clone() })
+}
+
+/// Constraints that follow from others wherever the machine goes.
+pub fn repeated(model: &Model) -> Vec<Lasting> {
+    if model.constraints.is_empty() || !model.fields.is_empty() {
+        return Vec::new();
+    }
+    let parameters: Vec<f64> = model.all_parameters().map(|one| one.value).collect();
+    let simulator = ModelSimulator::new(model.clone());
+    constraints::lasting(&simulator, &parameters, model.run.from)
+}
+
+/// What is said of such a constraint when it is dropped.
+pub fn dropped_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting) -> String {
+    let others: Vec<String> = repeats.iter().map(|name| format!("`{name}`")).collect();
+    format!(
+        "constraint `{constraint}` of {} follows from {} wherever the machine goes: it is \
+         dropped, and these carry its force",
+        model.name,
+        others.join(", ")
+    )
 }
 
 /// Notes that were shown by this process.

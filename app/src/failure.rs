@@ -9,10 +9,12 @@ use machinist::SimulateError;
 use machinist::error::nearest;
 use machinist::linear_analysis::LinearError;
 #[cfg(feature = "derive")]
-use machinist_codegen::spec::diagnostic::Diagnostics;
+use machinist_codegen::spec::diagnostic::{Diagnostic, Diagnostics};
 #[cfg(feature = "derive")]
 use machinist_codegen::write::WriteError;
 use miette::{Report, miette};
+#[cfg(feature = "derive")]
+use serde::{Deserialize, Serialize};
 
 /// Why a command did not succeed.
 #[derive(Debug)]
@@ -49,6 +51,65 @@ impl Failure {
             eprintln!("{report:?}");
         }
         ExitCode::from(code)
+    }
+}
+
+/// An error or a warning with its place, for somebody who shows it elsewhere than in a terminal.
+#[cfg(feature = "derive")]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Trouble {
+    /// Label of the file, empty where it belongs to none.
+    pub file: String,
+    /// Line, from 1; 0 where there is none.
+    pub line: usize,
+    /// Column in characters, from 1; 0 likewise.
+    pub column: usize,
+    /// What is wrong, one sentence.
+    pub message: String,
+    /// All of it as commands print it, without colours.
+    pub text: String,
+    /// Whether everything goes on all the same.
+    pub is_warning: bool,
+}
+
+#[cfg(feature = "derive")]
+impl Trouble {
+    /// The same as a warning.
+    pub fn into_warning(self) -> Self {
+        Self { is_warning: true, ..self }
+    }
+}
+
+#[cfg(feature = "derive")]
+impl From<&Diagnostic> for Trouble {
+    fn from(of: &Diagnostic) -> Self {
+        Self {
+            file: of.file.clone(),
+            line: of.line,
+            column: of.column,
+            message: of.message.clone(),
+            text: Diagnostics::from(of.clone()).render(),
+            is_warning: of.is_warning,
+        }
+    }
+}
+
+#[cfg(feature = "derive")]
+impl Failure {
+    /// What is wrong, each error by itself.
+    pub fn troubles(&self) -> Vec<Trouble> {
+        let reports = match self {
+            Self::Input(reports) => reports.as_slice(),
+            Self::Unsuccessful(report) => std::slice::from_ref(report),
+        };
+        let of_report = |report: &Report| -> Vec<Trouble> {
+            if let Some(diagnostics) = report.downcast_ref::<Diagnostics>() {
+                return diagnostics.errors().iter().map(Trouble::from).collect();
+            }
+            let help = report.help().map(|help| help.to_string()).unwrap_or_default();
+            vec![Trouble::from(&Diagnostic::of_file("", report.to_string(), help))]
+        };
+        reports.iter().flat_map(of_report).collect()
     }
 }
 

@@ -19,3 +19,10 @@ pub fn flag() -> Arc<AtomicBool> {
     }
     flag
 }
+
+/// Has Ctrl-C end the program at once, with the code that shells have for it.
+#[cfg(feature = "derive")]
+pub fn end_at_once() {
+    // Where no handler can be had, Ctrl-C ends the program as it always does.
+    let _ = register_conditional_shutdown(SIGINT, INTERRUPTED, Arc::new(AtomicBool::new(true)));
+}

@@ -27,5 +27,7 @@ mod report;
 mod spec_source;
 mod spectrum;
 mod trials;
+#[cfg(feature = "derive")]
+mod watch;
 
 pub use cli::main;

@@ -25,6 +25,8 @@ mod schematic;
 mod stability;
 mod studies;
 mod verification;
+mod watched;
 mod winder_walk;
 
 pub use gather::{Extent, own, whole};
+pub use watched::{Beside, Content, Ran, page, troubles};

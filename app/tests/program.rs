@@ -27,3 +27,4 @@ mod symbolica;
 mod tables;
 mod trajectory;
 mod verify;
+mod watch;

@@ -151,6 +151,44 @@ pub struct Derivation {
     pub dependencies: Dependencies,
 }
 
+/// What of a [`Derivation`] is wanted first: the model that is run, and equations for people.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outline {
+    /// The model of what is kept.
+    pub model: Model,
+    /// The equations of the whole scene as LaTeX.
+    pub latex: Document,
+    /// Who needs whom.
+    pub dependencies: Dependencies,
+}
+
+/// A checked scene to its outline, worked out by an algebra of one's choice. The model is the last one
+/// of the [`Stages`] that [`derivation_by`] gives; those before it are not derived.
+///
+/// # Errors
+/// As [`generate`].
+pub fn outline_by(
+    algebra: Algebra,
+    system: LagrangianSystem,
+    keep: Keep,
+) -> Result<Outline, Diagnostics> {
+    let keep = possible(&system, keep);
+    let (equations, needed) = session(&system.name.clone(), algebra, move |cas| {
+        let equations = lagrange::derive(cas, &system);
+        decided(&equations)?;
+        let needed = reduce(cas, &equations, keep)?;
+        let needed = Linear::of(cas, &needed);
+        defined(cas)?;
+        Ok::<_, Diagnostics>((equations, needed))
+    })??;
+    let model = needed.lower()?;
+    Ok(Outline {
+        latex: Document::new(&equations, Notation::Latex),
+        dependencies: Dependencies::new(&equations, &model.reduction),
+        model,
+    })
+}
+
 /// A checked scene to all that is derived of it, reduced step by step up to `keep`.
 ///
 /// # Errors

@@ -8,8 +8,8 @@ use machinist::constraints;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_contract::Describe as _;
-use machinist_model::ModelSimulator;
 use machinist_model::file::Stamped;
+use machinist_model::{Model, ModelSimulator};
 
 use super::output::print;
 use super::scene::{BENCH, Given};
@@ -47,23 +47,38 @@ impl Check {
         let systems = all(&files, SpecSource::system)?;
         systems.iter().for_each(deriving::warn);
         for (file, system) in files.iter().zip(&systems) {
-            let _ = writeln!(
-                text,
-                "{}: ok, {} coordinates, {} first-order states, {} parameters, {} outputs{}",
-                file,
-                system.coordinates.len(),
-                system.first_order.len(),
-                system.parameters.len(),
-                system.outputs.len(),
-                constraints(file, system)?,
-            );
+            let found = found(system, || deriving::model(file, Keep::All))?;
+            let _ = writeln!(text, "{file}: {found}");
         }
         print(&text)
     }
 }
 
+/// What there is in a spec in which nothing is wrong; `model` gives the model of all of it, which
+/// only constraints need.
+pub fn found(
+    system: &LagrangianSystem,
+    model: impl FnOnce() -> Result<Model, Failure>,
+) -> Result<String, Failure> {
+    Ok(format!("{}{}", counted(system), constraints(system, model)?))
+}
+
+/// How many coordinates and so on there are in a spec in which nothing is wrong.
+pub fn counted(system: &LagrangianSystem) -> String {
+    format!(
+        "ok, {} coordinates, {} first-order states, {} parameters, {} outputs",
+        system.coordinates.len(),
+        system.first_order.len(),
+        system.parameters.len(),
+        system.outputs.len(),
+    )
+}
+
 /// How many constraints, and how many ways of moving they leave at the start.
-fn constraints(file: &SpecSource, system: &LagrangianSystem) -> Result<String, Failure> {
+fn constraints(
+    system: &LagrangianSystem,
+    model: impl FnOnce() -> Result<Model, Failure>,
+) -> Result<String, Failure> {
     if system.constraints.is_empty() {
         return Ok(String::new());
     }
@@ -71,8 +86,7 @@ fn constraints(file: &SpecSource, system: &LagrangianSystem) -> Result<String, F
         // How many ways of moving fields leave depends on how they are cut.
         return Ok(format!(", {} constraints", system.constraints.len()));
     }
-    let model = deriving::model(file, Keep::All)?;
-    let simulator = ModelSimulator::new(model);
+    let simulator = ModelSimulator::new(model()?);
     let parameters: Vec<f64> = system.parameters.iter().map(|parameter| parameter.value).collect();
     let time = system.run.from;
     let start = constraints::start(&simulator, &parameters, time);

@@ -93,7 +93,7 @@ fn question() -> std::io::Result<Vec<u8>> {
 
 /// Ends this process as soon as its parent has ended: standard input is the parent's to close,
 /// and every system closes it for a process that was killed.
-fn end_with_parent() {
+pub fn end_with_parent() {
     std::thread::spawn(|| {
         let mut byte = [0];
         while stdin().read(&mut byte).is_ok_and(|count| count > 0) {}

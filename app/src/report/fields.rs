@@ -19,7 +19,7 @@ use machinist_studies::verify::CheckFailure;
 use maud::{Markup, html};
 
 use super::figure::{self, Named};
-use super::modes::{self, Modes};
+use super::modes::{self, Modes, NoModes};
 use crate::failure::Failure;
 use crate::number::number;
 
@@ -43,7 +43,7 @@ pub struct Along {
 /// A scene's run, its modes, and its fields.
 pub struct FieldRun {
     pub trajectory: Result<Trajectory, SimulateError>,
-    pub modes: Option<Result<Modes, LinearError>>,
+    pub modes: Result<Modes, NoModes>,
     pub along: Vec<Along>,
 }
 

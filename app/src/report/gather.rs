@@ -15,7 +15,7 @@ use machinist_studies::verify::{Tally, Verdict, VerifyOptions, verify_all};
 use machinist_studies::work_precision::{self, Plan, WorkPrecision};
 use maud::{Markup, html};
 
-use super::machine::Machine;
+use super::machine::{Machine, Ways};
 use super::{conclusions, fields, index, scene, studies, winder_walk};
 use crate::cli::scene::Given;
 use crate::cli::specs;
@@ -82,7 +82,7 @@ pub fn own(argument: &str, extent: Extent) -> Result<Pages, Failure> {
 fn of_spec(spec: &SpecSource, purpose: Purpose, extent: Extent) -> Result<Machine, Failure> {
     let derived = deriving::derivation(spec, Keep::Needed, purpose)?;
     admit(spec, derived.stages.needed())?;
-    let mut machine = during("simulating", || Machine::new(derived, spec, false, extent))?;
+    let mut machine = during("simulating", || Machine::new(derived, spec, Ways::Compiled, extent))?;
     let time_limit = extent.time_limit;
     let changes = Changes { parameters: &[], until: None, rtol: None, time_limit };
     machine.verdicts = verify_spec(spec, &machine.model, &changes)?;
@@ -123,7 +123,7 @@ pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Fail
     let mut machines: Vec<Machine> = during("simulating", || {
         let scenes = derived.into_iter().zip(&files);
         scenes
-            .map(|(derived, file)| Machine::new(derived, file, true, extent))
+            .map(|(derived, file)| Machine::new(derived, file, Ways::BuiltIn, extent))
             .collect::<Result<_, Failure>>()
     })?;
     for machine in &mut machines {

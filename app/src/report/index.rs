@@ -27,6 +27,7 @@ pub(super) fn page(report: &Report) -> String {
             .map(|(id, name)| (id, name.to_owned()))
             .to_vec(),
         has_equations: false,
+        served: None,
         body: html! {
             (introduction(report))
             (section("machines", "Machines", &cards))

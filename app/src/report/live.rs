@@ -249,19 +249,31 @@ impl Live {
 
     /// What runs the machine: for the end of the page.
     pub(super) fn scripts(&self) -> Markup {
-        let known = serde_json::to_string(&self.known).unwrap_or_default();
         html! {
-            script type="application/json" id="live-known" {
-                // No text of a spec ends the script.
-                (PreEscaped(known.replace('<', "\\u003c")))
-            }
-            script {
-                (PreEscaped("(() => {\n\"use strict\";\n"))
-                @for script in SCRIPTS { (PreEscaped(script)) }
-                (PreEscaped("})();\n"))
-            }
+            (data(&self.known()))
+            script { (PreEscaped(script())) }
         }
     }
+
+    /// What scripts know of the machine, as JSON.
+    pub(super) fn known(&self) -> String {
+        serde_json::to_string(&self.known).unwrap_or_default()
+    }
+}
+
+/// What scripts know of a machine, in the page.
+pub(super) fn data(known: &str) -> Markup {
+    html! {
+        script type="application/json" id="live-known" {
+            // No text of a spec ends the script.
+            (PreEscaped(known.replace('<', "\\u003c")))
+        }
+    }
+}
+
+/// The script that runs the machine of [`data`].
+pub(super) fn script() -> String {
+    format!("(() => {{\n\"use strict\";\n{}}})();\n", SCRIPTS.concat())
 }
 
 /// A slider with its number and a way back; the script gives it its range.

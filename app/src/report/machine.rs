@@ -1,12 +1,14 @@
 //! What the page of a machine shows, gathered.
 
 use std::cell::LazyCell;
+use std::time::Duration;
 
 use machinist::trajectory::Trajectory;
 use machinist::{SimulateError, Simulation};
 use machinist_codegen::emit::document::Document;
 use machinist_codegen::mechanics::dependencies::Dependencies;
-use machinist_codegen::pipeline::Derivation;
+use machinist_codegen::pipeline::{Derivation, Outline, Stages};
+use machinist_codegen::spec::SceneSpec;
 use machinist_contract::Simulator;
 use machinist_contract::field::FieldScene;
 use machinist_model::{Model, ModelSimulator, Running};
@@ -18,12 +20,11 @@ use super::fields;
 use super::gather::Extent;
 use super::key::{self, Figure};
 use super::live::Moving;
-use super::modes::{self, Modes};
+use super::modes::{self, Modes, NoModes};
 use super::schematic::Schematic;
 use crate::explain::Explanation;
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
-use machinist::linear_analysis::LinearError;
 
 /// One scene, derived, run and checked.
 pub(super) struct Machine {
@@ -36,11 +37,13 @@ pub(super) struct Machine {
     pub(super) schematic: Schematic,
     pub(super) moving: Moving,
     pub(super) document: Document,
-    pub(super) explanation: Explanation,
+    /// What is left out of it, once that was looked at.
+    pub(super) explanation: Option<Explanation>,
     pub(super) dependencies: Dependencies,
     pub(super) by: By,
     pub(super) run: Result<Trajectory, SimulateError>,
-    pub(super) modes: Option<Result<Modes, LinearError>>,
+    /// Modes at the end of the run, once they were looked for.
+    pub(super) modes: Option<Result<Modes, NoModes>>,
     /// Its fields over time, if it has any.
     pub(super) along: Vec<fields::Along>,
     pub(super) verdicts: Vec<Verdict>,
@@ -55,20 +58,69 @@ pub(super) enum By {
     Interpreted,
 }
 
+/// What a scene may be run by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ways {
+    /// Emitted code if it is built in, else as [`Ways::Compiled`].
+    BuiltIn,
+    /// Machine code of its model from the first call on.
+    Compiled,
+    /// Its model, and machine code once that pays.
+    Soonest,
+}
+
 impl Machine {
-    /// What is derived of a scene file, run: by emitted code if the scene may be one that is
-    /// built in. It is not checked yet.
+    /// What is derived of a scene file, run and explained. It is not checked yet.
     pub(super) fn new(
         derived: Derivation,
         source: &SpecSource,
-        may_be_built_in: bool,
+        ways: Ways,
         extent: Extent,
     ) -> Result<Self, Failure> {
-        let Derivation { stages, latex: document, dependencies, .. } = derived;
-        let model = stages.needed().clone();
+        let Derivation { stages, latex, dependencies, .. } = derived;
+        let outline = Outline { model: stages.needed().clone(), latex, dependencies };
+        let mut machine = Self::ran(outline, source, &source.read()?, ways, extent.time_limit)?;
+        // What does not run is not timed.
+        machine.explain(source, stages, extent.with_times && machine.run.is_ok())?;
+        Ok(machine)
+    }
+
+    /// Looks at what is left out of it, with times of runs if wanted.
+    pub(super) fn explain(
+        &mut self,
+        source: &SpecSource,
+        stages: Stages,
+        with_times: bool,
+    ) -> Result<(), Failure> {
+        self.explanation = Some(Explanation::new(Some(source), stages, with_times)?);
+        Ok(())
+    }
+
+    /// Looks for its modes, if nobody has.
+    pub(super) fn find_modes(&mut self, time_limit: Duration) {
+        if self.modes.is_none() {
+            let simulator = ModelSimulator::new(self.model.clone());
+            let run = Simulation::new(simulator.single()).time_limit(time_limit);
+            self.modes = Some(modes::modes(&run));
+        }
+    }
+
+    /// What is derived of a spec, run, and nothing more.
+    pub(super) fn ran(
+        outline: Outline,
+        source: &SpecSource,
+        spec: &SceneSpec,
+        ways: Ways,
+        time_limit: Duration,
+    ) -> Result<Self, Failure> {
+        let Outline { model, latex: document, dependencies } = outline;
         let name = model.name.as_str();
         // Machine code is made only if nothing is built in.
-        let own = LazyCell::new(|| ModelSimulator::compiled_at_once(model.clone()));
+        let own = LazyCell::new(|| match ways {
+            Ways::Soonest => ModelSimulator::new(model.clone()),
+            Ways::BuiltIn | Ways::Compiled => ModelSimulator::compiled_at_once(model.clone()),
+        });
+        let may_be_built_in = ways == Ways::BuiltIn;
         let by = |is_built_in| match is_built_in {
             true => By::Emitted,
             false if own.running() == Running::Interpreted => By::Interpreted,
@@ -78,27 +130,26 @@ impl Machine {
         let (run, modes, by) = if model.fields.is_empty() {
             let built_in = scenes::find_f64(name).filter(|_| may_be_built_in);
             let simulator: &dyn Simulator<f64> = built_in.unwrap_or_else(|| &*own);
-            let limited = Simulation::new(simulator).time_limit(extent.time_limit);
-            let modes = modes::modes(&limited);
+            let limited = Simulation::new(simulator).time_limit(time_limit);
+            // Nobody waits for them before the run.
+            let modes = (ways != Ways::Soonest).then(|| modes::modes(&limited));
             (limited.with_energy_balance(true).run(), modes, by(built_in.is_some()))
         } else {
             let built_in = scenes::find_field_f64(name).filter(|_| may_be_built_in);
             let scene: &dyn FieldScene<f64> = built_in.unwrap_or_else(|| &*own);
-            let run = fields::run(scene, extent.time_limit)?;
+            let run = fields::run(scene, time_limit)?;
             along = run.along;
-            (run.trajectory, run.modes, by(built_in.is_some()))
+            (run.trajectory, Some(run.modes), by(built_in.is_some()))
         };
-        let spec = source.read()?;
         let is_built_in = by == By::Emitted;
         let argument = if is_built_in { name.to_owned() } else { source.to_string() };
         Ok(Self {
             argument,
-            schematic: Schematic::of(&spec),
-            moving: Moving::of(&spec, &model),
-            doc: spec.doc,
+            schematic: Schematic::of(spec),
+            moving: Moving::of(spec, &model),
+            doc: spec.doc.clone(),
             document,
-            // What does not run is not timed.
-            explanation: Explanation::new(Some(source), stages, extent.with_times && run.is_ok())?,
+            explanation: None,
             dependencies,
             by,
             run,

@@ -20,10 +20,21 @@ pub struct Modes {
     pub slowest: Option<(f64, f64)>,
 }
 
+/// Why there are no modes.
+pub enum NoModes {
+    /// The scene is left to the command.
+    TooLarge,
+    /// It cannot be linearized.
+    Linear(LinearError),
+}
+
 /// The motions about the equilibrium near the end of the run; where there is none,
-/// about the state at the end. Nothing for large scenes.
-pub fn modes(run: &Simulation<'_>) -> Option<Result<Modes, LinearError>> {
-    (run.simulator().shape().states() <= MAX_STATES).then(|| about_the_end(run))
+/// about the state at the end.
+pub fn modes(run: &Simulation<'_>) -> Result<Modes, NoModes> {
+    if run.simulator().shape().states() > MAX_STATES {
+        return Err(NoModes::TooLarge);
+    }
+    about_the_end(run).map_err(NoModes::Linear)
 }
 
 fn about_the_end(run: &Simulation<'_>) -> Result<Modes, LinearError> {
@@ -47,14 +58,14 @@ fn about_the_end(run: &Simulation<'_>) -> Result<Modes, LinearError> {
 }
 
 /// The part of a scene's section.
-pub fn section(scene: &str, modes: Option<&Result<Modes, LinearError>>) -> Markup {
+pub fn section(scene: &str, modes: &Result<Modes, NoModes>) -> Markup {
     let command = format!("machinist modes {scene}");
     html! {
         @match modes {
-            None => p { "The scene is large; see " code { (command) } },
-            Some(Err(error)) => p.warning { "There is no linear analysis: " (error) },
-            Some(Ok(modes)) if modes.rows.is_empty() => p { (NO_MOTION) },
-            Some(Ok(modes)) => (table(modes, &command)),
+            Err(NoModes::TooLarge) => p { "The scene is large; see " code { (command) } },
+            Err(NoModes::Linear(error)) => p.warning { "There is no linear analysis: " (error) },
+            Ok(modes) if modes.rows.is_empty() => p { (NO_MOTION) },
+            Ok(modes) => (table(modes, &command)),
         }
     }
 }

@@ -23,7 +23,11 @@
       else target.removeAttribute("tabindex");
     }
   });
-  for (const region of document.querySelectorAll(".scroll")) scrolling.observe(region);
+  function watchScrolling() {
+    scrolling.disconnect();
+    for (const region of document.querySelectorAll(".scroll")) scrolling.observe(region);
+  }
+  watchScrolling();
 
   const svg = "http://www.w3.org/2000/svg";
   const values = Object.assign(document.createElement("div"), { id: "values", hidden: true });
@@ -113,8 +117,18 @@
       }
     }
   }
-  for (const chart of document.querySelectorAll(".chart")) {
-    chart.addEventListener("pointermove", (event) => point(chart, event));
-    chart.addEventListener("pointerleave", clear);
+  function listen(root) {
+    for (const chart of root.querySelectorAll(".chart")) {
+      chart.addEventListener("pointermove", (event) => point(chart, event));
+      chart.addEventListener("pointerleave", clear);
+    }
   }
+  listen(document);
+
+  // A page that is served replaces its pieces.
+  document.addEventListener("machinist:replaced", ({ detail }) => {
+    clear();
+    watchScrolling();
+    detail.forEach(listen);
+  });
 })();

@@ -9,19 +9,30 @@ use super::figure;
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; font-src data:; \
      img-src data: blob:";
 
+/// What a page that is served loads beside: content and events of the same server.
+const SERVED: &str = "; connect-src 'self'";
+
+/// What a page has that is served, and changes while it is shown.
+pub(super) struct Served {
+    pub(super) style: &'static str,
+    pub(super) script: &'static str,
+}
+
 /// A page without its head.
-pub(super) struct Page {
+pub(super) struct Page<'a> {
     pub(super) title: String,
     /// Other pages, by address and name.
     pub(super) others: Vec<(&'static str, &'static str)>,
     /// Sections, by id and name.
-    pub(super) contents: Vec<(&'static str, String)>,
+    pub(super) contents: Vec<(&'a str, String)>,
     /// Whether there are equations in it, which need their font.
     pub(super) has_equations: bool,
+    /// Nothing in a page that is a file.
+    pub(super) served: Option<Served>,
     pub(super) body: Markup,
 }
 
-impl Page {
+impl Page<'_> {
     /// The whole of it as HTML.
     pub(super) fn render(&self) -> String {
         let page = html! {
@@ -32,6 +43,7 @@ impl Page {
                     (self.navigation())
                     main { (self.body) }
                     (figure::script())
+                    @if let Some(served) = &self.served { script { (PreEscaped(served.script)) } }
                 }
             }
         };
@@ -39,16 +51,20 @@ impl Page {
     }
 
     fn head(&self) -> Markup {
+        let more = if self.served.is_some() { SERVED } else { "" };
         html! {
             head {
                 meta charset="utf-8";
-                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                meta http-equiv="Content-Security-Policy" content={ (POLICY) (more) };
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
+                // A server would be asked for one.
+                @if self.served.is_some() { link rel="icon" href="data:,"; }
                 title { (self.title) }
                 style {
                     @if self.has_equations { (PreEscaped(math_font())) }
                     (PreEscaped(include_str!("style.css")))
+                    @if let Some(served) = &self.served { (PreEscaped(served.style)) }
                 }
             }
         }
@@ -63,12 +79,17 @@ impl Page {
                         @for (address, name) in &self.others {
                             li.other { a href=(address) { (name) } }
                         }
-                        @for (id, name) in &self.contents { li { a href={ "#" (id) } { (name) } } }
+                        (entries(&self.contents))
                     }
                 }
             }
         }
     }
+}
+
+/// Links to sections of the page, by id and name.
+pub(super) fn entries(contents: &[(&str, String)]) -> Markup {
+    html! { @for (id, name) in contents { li { a href={ "#" (id) } { (name) } } } }
 }
 
 /// The font of the equations, within the page: most systems have none that knows

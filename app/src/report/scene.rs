@@ -11,34 +11,70 @@ use super::machine::{By, Machine};
 use super::page::{Page, prose, section};
 use super::{equations, fields, figure, key, modes, reduction, schematic, verification};
 use crate::cli::specs::{Cost, costs};
+use crate::explain::Explanation;
 use crate::number::{exact, number};
+
+/// The page of a machine in pieces.
+pub(super) struct Pieces {
+    pub(super) title: String,
+    pub(super) header: Markup,
+    /// Sections by id, title and content.
+    pub(super) sections: Vec<(&'static str, &'static str, Markup)>,
+    /// What runs the machine in the page.
+    pub(super) live: Option<Live>,
+}
+
+impl Pieces {
+    /// Of a machine; without the sections of what was not looked at.
+    pub(super) fn of(machine: &Machine) -> Self {
+        let model = &machine.model;
+        let (name, argument) = (machine.name(), machine.argument.as_str());
+        let live = Live::of(machine);
+        let mut sections = vec![
+            ("machine", "The machine", picture(machine, live.as_ref())),
+            ("run", "Run", ran(machine, argument, live.as_ref())),
+        ];
+        if !machine.verdicts.is_empty() {
+            let checks = verification::section(&machine.verdicts, &verify_command(machine));
+            sections.push(("checks", "Checks", checks));
+        }
+        if let Some(found) = &machine.modes {
+            let content = modes::section(argument, found);
+            sections.push(("modes", "Modes at the operating point", content));
+        }
+        sections.extend([
+            ("equations", "Equations of motion", motion(&machine.document)),
+            ("parameters", "Parameters", parameters(model)),
+        ]);
+        if let Some(explanation) = &machine.explanation {
+            sections.push(("needs", "What the outputs need", needs(machine, explanation)));
+        }
+        if let Some(measured) = &machine.work_precision {
+            sections.push(("methods", "Error against run time", methods(name, measured)));
+        }
+        let title = format!("{}: Machinist", machine.title());
+        Self { title, header: header(machine), sections, live: live.and_then(Result::ok) }
+    }
+
+    /// The sections by id and title.
+    pub(super) fn contents(&self) -> Vec<(&'static str, String)> {
+        self.sections.iter().map(|(id, name, _)| (*id, (*name).to_owned())).collect()
+    }
+}
 
 /// The page of a machine, with a link to the others if there are any.
 pub(super) fn page(machine: &Machine, has_index: bool) -> String {
-    let model = &machine.model;
-    let (name, argument) = (machine.name(), machine.argument.as_str());
-    let live = Live::of(machine);
-    let mut sections = vec![
-        ("machine", "The machine", picture(machine, live.as_ref())),
-        ("run", "Run", ran(machine, argument, live.as_ref())),
-        ("checks", "Checks", verification::section(&machine.verdicts, &verify_command(machine))),
-        ("modes", "Modes at the operating point", modes::section(argument, machine.modes.as_ref())),
-        ("equations", "Equations of motion", motion(&machine.document)),
-        ("parameters", "Parameters", parameters(model)),
-        ("needs", "What the outputs need", needs(machine)),
-    ];
-    if let Some(measured) = &machine.work_precision {
-        sections.push(("methods", "Error against run time", methods(name, measured)));
-    }
+    let pieces = Pieces::of(machine);
     let page = Page {
-        title: format!("{}: Machinist", machine.title()),
+        contents: pieces.contents(),
+        title: pieces.title,
         others: if has_index { vec![("../index.html", "All machines")] } else { Vec::new() },
-        contents: sections.iter().map(|(id, name, _)| (*id, (*name).to_owned())).collect(),
         has_equations: true,
+        served: None,
         body: html! {
-            (header(machine))
-            @for (id, title, content) in &sections { (section(id, title, content)) }
-            @if let Some(Ok(live)) = &live { (live.scripts()) }
+            (pieces.header)
+            @for (id, title, content) in &pieces.sections { (section(id, title, content)) }
+            @if let Some(live) = &pieces.live { (live.scripts()) }
         },
     };
     page.render()
@@ -62,7 +98,7 @@ fn header(machine: &Machine) -> Markup {
             @for paragraph in machine.doc.split("\n\n") { p { (prose(paragraph)) } }
             @if !model.source.is_empty() { p.muted { "Source: " (prose(&model.source)) } }
             dl.strip {
-                (verification::entry(machine.tally()))
+                @if !machine.verdicts.is_empty() { (verification::entry(machine.tally())) }
                 @for figure in machine.figures() { (figure.entry()) }
             }
         }
@@ -105,9 +141,9 @@ fn ran(machine: &Machine, argument: &str, live: Option<&Result<Live, String>>) -
     }
 }
 
-fn needs(machine: &Machine) -> Markup {
+fn needs(machine: &Machine, explanation: &Explanation) -> Markup {
     html! {
-        (reduction::section(&machine.explanation, &machine.dependencies))
+        (reduction::section(explanation, &machine.dependencies))
         h3 { "What is emitted" }
         (emitted(&machine.model))
     }

@@ -27,6 +27,7 @@ pub(super) fn page(report: &Report) -> String {
         others: vec![("index.html", "All machines")],
         contents: contents.into_iter().map(|(id, name)| (id, name.to_owned())).collect(),
         has_equations: false,
+        served: None,
         body: html! {
             header { h1 { "Studies and extreme cases" } }
             (section("conclusions", CONCLUSIONS, &conclusions::section(&report.conclusions)))

@@ -10,7 +10,10 @@ use machinist_model::ModelSimulator;
 use crate::mechanics::lagrange::{self, EquationsOfMotion};
 use crate::mechanics::reduce::Keep;
 use crate::pipeline;
+use crate::scene::compose;
 use crate::scene::system::LagrangianSystem;
+use crate::spec::library::LibraryScene;
+use crate::spec::load_library_scene;
 
 fn system(text: &str) -> LagrangianSystem {
     let folder = tempfile::tempdir().expect("a folder");
@@ -108,6 +111,22 @@ fn a_model_says_which_files_it_is_of_and_how_much_may_be_taken_for_rigid() {
     let read = system.files.iter().map(|file| (&file.label, &file.sha256));
     assert!(read.eq(model.files.iter().map(|file| (&file.label, &file.sha256))));
     assert_eq!(model.files.len(), 1);
+}
+
+#[test]
+fn an_outline_is_what_all_the_steps_come_to() {
+    let of_library = ["two_mass", "slider_crank", "saw_gin"].map(|name| {
+        let scene = LibraryScene::find(name).expect("a scene");
+        compose(&load_library_scene(scene).expect("a spec")).expect("a system")
+    });
+    for system in of_library.into_iter().chain([system(CARTS)]) {
+        let outline = pipeline::outline_by(Algebra::Plain, system.clone(), Keep::Needed);
+        let whole = pipeline::derivation_by(Algebra::Plain, system, Keep::Needed);
+        let (outline, whole) = (outline.expect("an outline"), whole.expect("a derivation"));
+        assert_eq!(outline.model, *whole.stages.needed());
+        assert_eq!(outline.latex, whole.latex);
+        assert_eq!(outline.dependencies, whole.dependencies);
+    }
 }
 
 /// Of a force, by its size, and of positions and velocities.

@@ -23,7 +23,8 @@ class Motion {
       this.play.hidden = calm.matches;
       if (calm.matches) this.stop();
     };
-    calm.addEventListener("change", respect);
+    calm.addEventListener("change", respect, { signal: ending.signal });
+    ending.signal.addEventListener("abort", () => this.stop());
     respect();
     root.hidden = false;
   }
@@ -61,7 +62,7 @@ class Motion {
       return;
     }
     if (!this.run) await this.page.latest();
-    if (!this.run || this.frame) return;
+    if (!this.run || this.frame || ending.signal.aborted) return;
     if (this.time >= this.end()) this.time = this.run.from;
     this.play.textContent = "Pause";
     this.last = performance.now();

@@ -126,7 +126,7 @@ class LivePage {
         return spent;
       }
       await new Promise((resolve) => { setTimeout(resolve); });
-      if (!isWanted()) return null;
+      if (ending.signal.aborted || !isWanted()) return null;
     }
   }
 
@@ -157,11 +157,18 @@ class LivePage {
   }
 }
 
+// A page that is served ends its machine before it starts the next one.
+const ending = new AbortController();
+document.addEventListener("machinist:live-ends", () => ending.abort(), { once: true });
+
 const ofPage = JSON.parse(document.getElementById("live-known").textContent);
 ofPage.tracked = tracked(ofPage.moving);
 Machine.of(ofPage).then(
-  (machine) => { new LivePage(machine, document.getElementById("live")); },
+  (machine) => {
+    if (!ending.signal.aborted) new LivePage(machine, document.getElementById("live"));
+  },
   (error) => {
+    if (ending.signal.aborted) return;
     const said = document.createElement("p");
     said.className = "muted";
     said.textContent = `The machine cannot be run in this browser: ${error.message}`;

@@ -1,0 +1,52 @@
+//! `machinist watch`: the page of a machine in a browser, updated whenever its files are saved.
+
+use std::time::Duration;
+
+use clap::Args;
+
+use super::scene::Given;
+use super::settings::{TIME_LIMIT, time_limit};
+use crate::failure::Failure;
+use crate::spec_source::SpecSource;
+use crate::watch;
+
+#[derive(Debug, Args)]
+pub struct Watch {
+    /// Scene file of a machine of one's own
+    scene: String,
+    /// The port of this machine to serve the page at; a free one unless given
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..))]
+    port: Option<u16>,
+    /// How long each run may compute, s
+    #[arg(long, value_name = "SECONDS", default_value = TIME_LIMIT, value_parser = time_limit)]
+    time_limit: Duration,
+}
+
+impl Watch {
+    pub fn execute(&self) -> Result<(), Failure> {
+        let scene = &self.scene;
+        match Given::of(scene)? {
+            Given::Spec(SpecSource::File(file)) if file.is_file() => {
+                watch::watch(&file, self.port, self.time_limit)
+            }
+            Given::Spec(SpecSource::File(file)) => {
+                let message = format!("{}: there is no such file", file.display());
+                Err(Failure::input(
+                    message,
+                    "`machinist new NAME --spec-only` writes one to begin with",
+                ))
+            }
+            Given::Spec(SpecSource::BuiltIn(_)) => {
+                let message = format!("{scene} is built in, and no file that could be saved");
+                Err(Failure::input(
+                    message,
+                    "give a scene file; `machinist new NAME --spec-only` writes one",
+                ))
+            }
+            Given::Model(_) => {
+                let message = format!("{scene} is a model, and nothing that is written by hand");
+                Err(Failure::input(message, "give the spec it was compiled of"))
+            }
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! The process that checks, derives and runs a machine for `machinist watch`: this program once more.
+//!
+//! It is killed when the files are saved again, whatever it does at the time; and it takes with it
+//! what it holds, so that the process that serves the page stays as small as it was. It writes its
+//! answers to standard output, each on a line.
+
+use std::io::{BufRead as _, BufReader, Read as _, Write as _, stdout};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStderr, ChildStdout, Command, Stdio};
+use std::sync::mpsc::Sender;
+use std::thread;
+use std::time::Duration;
+
+use clap::Args;
+use machinist_algebra::cas::Algebra;
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline::{derivation_by, outline_by};
+use machinist_codegen::scene::compose;
+use machinist_codegen::scene::system::LagrangianSystem;
+use serde::{Deserialize, Serialize};
+
+use super::Message;
+use crate::cli::check::{counted, found};
+use crate::cli::settings::{TIME_LIMIT, time_limit};
+use crate::deriving::{dropped_note, end_with_parent, repeated, work_out_by};
+use crate::failure::{Failure, Trouble};
+use crate::freeze::admit;
+use crate::report::{Content, Ran};
+use crate::spec_source::SpecSource;
+
+/// The command that the process is called with.
+pub const COMMAND: &str = "run-for-watch";
+
+/// Bytes of what a process says on standard error that are shown if it ends badly.
+const MOST_SAID: u64 = 4000;
+
+/// What the process is asked for.
+#[derive(Debug, Args)]
+pub struct Ask {
+    /// The scene file
+    scene: PathBuf,
+    /// How long each run may compute, s
+    #[arg(long, default_value = TIME_LIMIT, value_parser = time_limit)]
+    time_limit: Duration,
+}
+
+/// What became of a spec.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Answer {
+    /// Files that the spec is in, each with the SHA-256 of what was read; nothing where they are not
+    /// all known.
+    pub files: Option<Vec<(PathBuf, String)>>,
+    /// The page of the machine, if it ran, also if the run stopped.
+    pub page: Option<Content>,
+    /// What there is in the spec, in a line.
+    pub found: String,
+    /// Errors, or warnings alone.
+    pub troubles: Vec<Trouble>,
+    /// Whether nothing comes after it.
+    pub is_last: bool,
+}
+
+impl Ask {
+    /// Answers on standard output: once the machine ran, and again once all else is known of it.
+    pub fn execute(&self) -> Result<(), Failure> {
+        end_with_parent();
+        work_out_by(Algebra::Plain);
+        let source = SpecSource::File(self.scene.clone());
+        let mut answer = Answer::default();
+        match ran(&source, self.time_limit, &mut answer) {
+            Ok((mut ran, system)) => {
+                answer.page = Some(ran.content());
+                if let Some(why) = ran.stopped() {
+                    answer.troubles.extend(Failure::unsuccessful(why, "").troubles());
+                } else {
+                    tell(&answer)?;
+                    let all = complete(&mut ran, &system, &mut answer);
+                    // It ran all the same.
+                    let failed = all.err().map(|failure| failure.troubles()).unwrap_or_default();
+                    answer.troubles.extend(failed.into_iter().map(Trouble::into_warning));
+                    answer.page = Some(ran.content());
+                }
+            }
+            Err(failure) => answer.troubles.extend(failure.troubles()),
+        }
+        answer.is_last = true;
+        tell(&answer)
+    }
+}
+
+/// Checks, derives and runs; what is known of the spec goes into the answer on the way.
+fn ran(
+    source: &SpecSource,
+    time_limit: Duration,
+    answer: &mut Answer,
+) -> Result<(Ran, LagrangianSystem), Failure> {
+    let spec = source.read()?;
+    let mut system = compose(&spec)?;
+    // Units that come with Machinist have no path.
+    let files = system.files.iter().filter(|file| !file.path.as_os_str().is_empty());
+    answer.files = Some(files.map(|file| (file.path.clone(), file.sha256.clone())).collect());
+    answer.troubles = system.warnings.iter().map(Trouble::from).collect();
+    answer.found = counted(&system);
+    let mut outline = outline_by(Algebra::Plain, system.clone(), Keep::Needed)?;
+    let lasting = repeated(&outline.model);
+    if !lasting.is_empty() {
+        let notes = lasting.iter().map(|one| note(dropped_note(&outline.model, one)));
+        answer.troubles.extend(notes);
+        for one in &lasting {
+            system.drop_constraint(&one.constraint, &one.needs);
+        }
+        outline = outline_by(Algebra::Plain, system.clone(), Keep::Needed)?;
+    }
+    admit(source, &outline.model)?;
+    Ok((Ran::new(outline, source, &spec, time_limit)?, system))
+}
+
+/// Looks at all else, which takes longer.
+fn complete(ran: &mut Ran, system: &LagrangianSystem, answer: &mut Answer) -> Result<(), Failure> {
+    let stages = derivation_by(Algebra::Plain, system.clone(), Keep::Needed)?.stages;
+    answer.found = found(system, || Ok(stages.whole.clone()))?;
+    ran.complete(stages)
+}
+
+fn note(message: String) -> Trouble {
+    let text = format!("  machinist: {message}");
+    Trouble { file: String::new(), line: 0, column: 0, message, text, is_warning: true }
+}
+
+fn tell(answer: &Answer) -> Result<(), Failure> {
+    let line = serde_json::to_string(answer).map_err(|error| Failure::unsuccessful(error, ""))?;
+    let mut out = stdout().lock();
+    let written = writeln!(out, "{line}").and_then(|()| out.flush());
+    written.map_err(|error| Failure::unsuccessful(error, ""))
+}
+
+/// A process at work, which ends when this is dropped.
+pub struct Worker {
+    child: Child,
+}
+
+impl Worker {
+    /// Starts one; its answers are sent with `number`, and then word of its end.
+    pub fn start(
+        scene: &Path,
+        time_limit: Duration,
+        number: u64,
+        inbox: &Sender<Message>,
+    ) -> Result<Self, Failure> {
+        let failed = |error: std::io::Error| {
+            Failure::unsuccessful(format!("cannot start a process that derives: {error}"), "")
+        };
+        let program = std::env::current_exe().map_err(failed)?;
+        let mut child = Command::new(program)
+            .arg(COMMAND)
+            .arg(format!("--time-limit={}", time_limit.as_secs_f64()))
+            .arg("--")
+            .arg(scene)
+            // Left open: its end tells the process that nobody waits for it.
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .map_err(failed)?;
+        let (out, says) = (child.stdout.take(), child.stderr.take());
+        let inbox = inbox.clone();
+        thread::spawn(move || {
+            let said = thread::spawn(move || said(says));
+            listen(out, number, &inbox);
+            let said = said.join().unwrap_or_default();
+            // Nobody listens once the program ends.
+            let _ = inbox.send(Message::Ended { number, said });
+        });
+        Ok(Self { child })
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        // It may have ended by itself.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn listen(out: Option<ChildStdout>, number: u64, inbox: &Sender<Message>) {
+    let lines = out.into_iter().flat_map(|out| BufReader::new(out).lines());
+    for line in lines.map_while(Result::ok) {
+        let Ok(answer) = serde_json::from_str::<Answer>(&line) else { return };
+        if inbox.send(Message::Answer { number, answer: Box::new(answer) }).is_err() {
+            return;
+        }
+    }
+}
+
+/// The end of what it says, which is much if it panics in many threads.
+fn said(says: Option<ChildStderr>) -> String {
+    let mut bytes = Vec::new();
+    if let Some(mut says) = says {
+        let _ = says.by_ref().take(MOST_SAID).read_to_end(&mut bytes);
+        // The rest is read so that it does not wait for a reader.
+        let _ = std::io::copy(&mut says, &mut std::io::sink());
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}

@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 use super::Message;
 use crate::cli::check::{counted, found};
 use crate::cli::settings::{TIME_LIMIT, time_limit};
-use crate::deriving::{dropped_note, end_with_parent, repeated, work_out_by};
+use crate::deriving::{derive_by, dropped_note, end_with_parent, repeated};
 use crate::failure::{Failure, Trouble};
 use crate::freeze::admit;
 use crate::report::{Content, Ran};
@@ -64,7 +64,7 @@ impl Ask {
     /// Answers on standard output: once the machine ran, and again once all else is known of it.
     pub fn execute(&self) -> Result<(), Failure> {
         end_with_parent();
-        work_out_by(Algebra::Plain);
+        derive_by(Algebra::Plain);
         let source = SpecSource::File(self.scene.clone());
         let mut answer = Answer::default();
         match ran(&source, self.time_limit, &mut answer) {

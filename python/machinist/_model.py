@@ -239,6 +239,8 @@ class Model:
         max_steps: int | None = None,
         equilibrium: bool | None = None,
         energy_balance: bool = False,
+        error: bool = False,
+        accuracy: float | None = None,
         sensitivities: Sequence[str] = (),
         time_limit: float | None = None,
         on_stop: Literal["raise", "keep"] = "raise",
@@ -253,6 +255,9 @@ class Model:
         :param method: see :func:`machinist.methods`.
         :param equilibrium: start in the equilibrium near the initial state, or not.
         :param energy_balance: integrate the power balance alongside.
+        :param error: run once more, at a tighter tolerance, for an estimate of `run.error`.
+        :param accuracy: tighten `rtol` until the estimated error of every column is that part of its
+            largest value; a note says why where that cannot be.
         :param sensitivities: parameters, or states for their initial values, to differentiate by.
         :param time_limit: seconds that the run may take.
         :param on_stop: "raise" a :class:`StoppedError` with what there is of the run, or "keep" it
@@ -263,19 +268,21 @@ class Model:
         settings = _given(
             until=until, parameters=parameters, initial=initial, start=start, points=points,
             times=times, rtol=rtol, atol=atol, method=method, max_steps=max_steps,
-            equilibrium=equilibrium, time_limit=time_limit,
+            equilibrium=equilibrium, time_limit=time_limit, accuracy=accuracy,
         )  # fmt: skip
         if energy_balance:
             settings["energy_balance"] = True
+        if error:
+            settings["error"] = True
         if sensitivities:
             settings["sensitivities"] = _names(sensitivities)
-        native, error = self._machine.simulate(settings)
+        native, stopped = self._machine.simulate(settings)
         run = None if native is None else Run(native)
-        if run is not None and (error is None or on_stop == "keep"):
+        if run is not None and (stopped is None or on_stop == "keep"):
             return run
-        assert isinstance(error, StoppedError), "a run that is not there has stopped"
-        error.run = run
-        raise error
+        assert isinstance(stopped, StoppedError), "a run that is not there has stopped"
+        stopped.run = run
+        raise stopped
 
     def modes(
         self,

@@ -194,6 +194,16 @@ class Run:
         """Error of the energy account over the energy passed, if `energy_balance` was asked for."""
         return self._all_told()["energy_residual"]
 
+    @property
+    def error(self) -> dict[str, float] | None:
+        """Estimated error of each column, if `error` or `accuracy` was asked for and it is known."""
+        return self._all_told()["error"]
+
+    @property
+    def error_unknown(self) -> str | None:
+        """Why the error that was asked for is not known."""
+        return self._all_told()["error_unknown"]
+
     def to_pandas(self) -> pandas.DataFrame:
         """Columns as a DataFrame over time; needs pandas. Units are in `attrs["units"]`."""
         import pandas

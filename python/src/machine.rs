@@ -235,7 +235,7 @@ impl Machine {
             let patience = Patience::new();
             let end = || patience.end();
             let run = self.source.with(|simulator| {
-                settings.apply(Simulation::new(simulator))?.until_told(&end).run()
+                settings.run(&settings.apply(Simulation::new(simulator))?.until_told(&end))
             });
             (run, patience.require_quiet())
         });

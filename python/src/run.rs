@@ -3,10 +3,11 @@
 use std::sync::{Mutex, PoisonError};
 
 use machinist::Trajectory;
+use machinist::error_estimate::ErrorEstimate;
 use machinist::trajectory::{Column, ColumnKind, EnergyBalance};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{IntoPyDict as _, PyDict};
 
 use crate::arrays::array;
 
@@ -57,6 +58,7 @@ struct Told {
     stopped: Option<(f64, String)>,
     drift: Option<(f64, f64)>,
     energy_residual: Option<f64>,
+    error: Option<ErrorEstimate>,
 }
 
 impl Run {
@@ -72,6 +74,7 @@ impl Run {
             events: run.switches.into_iter().map(|switch| (switch.time, switch.event)).collect(),
             stopped: run.stopped.map(|stop| (stop.time, stop.cause)),
             drift: run.drift.map(|drift| (drift.before, drift.after)),
+            error: run.error,
         };
         let mut slots = vec![Slot::Kept(run.times)];
         let mut columns = Vec::with_capacity(run.columns.len());
@@ -140,6 +143,13 @@ impl Run {
         told.set_item("stopped", stopped)?;
         told.set_item("drift", self.told.drift)?;
         told.set_item("energy_residual", self.told.energy_residual)?;
+        let error = self.told.error.as_ref();
+        let errors = error.filter(|error| error.unknown.is_none()).map(|error| {
+            let columns = error.columns.iter();
+            columns.map(|column| (column.name.as_str(), column.largest)).into_py_dict(py)
+        });
+        told.set_item("error", errors.transpose()?)?;
+        told.set_item("error_unknown", error.and_then(|error| error.unknown.as_ref()))?;
         Ok(told)
     }
 }

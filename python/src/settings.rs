@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use machinist::{Method, SimulateError, Simulation};
+use machinist::error_estimate::AccurateRun;
+use machinist::{Method, SimulateError, Simulation, Trajectory};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping, PyString};
 
@@ -28,6 +29,10 @@ pub struct Settings {
     max_steps: Option<usize>,
     equilibrium: Option<bool>,
     energy_balance: bool,
+    /// Whether to estimate the error.
+    error: bool,
+    /// Error of the result to be met, as part of the largest value of a column.
+    accuracy: Option<f64>,
     sensitivities: Vec<String>,
     /// How long it may take.
     pub time_limit: Option<Duration>,
@@ -73,6 +78,8 @@ impl Settings {
             "max_steps" => self.max_steps = Some(count(key, value)?),
             "equilibrium" => self.equilibrium = Some(extracted(key, value, "true or false")?),
             "energy_balance" => self.energy_balance = extracted(key, value, "true or false")?,
+            "error" => self.error = extracted(key, value, "true or false")?,
+            "accuracy" => self.accuracy = Some(number(key, value)?),
             "sensitivities" => self.sensitivities = extracted(key, value, "a list of names")?,
             "time_limit" => {
                 let limit = Duration::try_from_secs_f64(number(key, value)?).map_err(|error| {
@@ -123,6 +130,23 @@ impl Settings {
         run = self.max_steps.into_iter().fold(run, Simulation::max_steps);
         run = self.time_limit.into_iter().fold(run, Simulation::time_limit);
         Ok(run.with_energy_balance(self.energy_balance))
+    }
+
+    /// Runs, with an estimate of the error or to an accuracy if they are asked for.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`] and [`Simulation::run_to_accuracy`].
+    pub fn run(&self, simulation: &Simulation<'_>) -> Result<Trajectory, SimulateError> {
+        if let Some(accuracy) = self.accuracy {
+            let AccurateRun { mut trajectory, error, shortfall } =
+                simulation.run_to_accuracy(accuracy)?;
+            let missed = |reason| format!("the accuracy is not met: {reason}");
+            trajectory.notes.extend(shortfall.map(missed));
+            return Ok(Trajectory { error: Some(error), ..trajectory });
+        }
+        let run = simulation.run()?;
+        let error = self.error.then(|| simulation.error_estimate(&run));
+        Ok(Trajectory { error, ..run })
     }
 }
 

@@ -41,6 +41,26 @@ def test_a_run_does_what_it_is_asked(gin):
     np.testing.assert_array_equal(run.y, again.y)
 
 
+def test_the_error_of_a_run_is_estimated_and_met(gin):
+    times = np.linspace(0.0, 0.5, 98)
+    exact = gin.simulate(until=0.5, times=times, rtol=1e-12)
+    assert exact.error is None and exact.error_unknown is None
+    for rtol in (1e-5, 1e-7):
+        run = gin.simulate(until=0.5, times=times, rtol=rtol, error=True)
+        for name in gin.outputs:
+            off = np.max(np.abs(run[name] - exact[name]))
+            rounding = 1e-14 * np.max(np.abs(exact[name]))
+            assert 0.1 * off < run.error[name] < 10 * off + rounding
+    run = gin.simulate(until=0.5, times=times, accuracy=1e-9)
+    assert not any("accuracy" in note for note in run.notes)
+    for name in gin.outputs:
+        assert np.max(np.abs(run[name] - exact[name])) < 3e-9 * np.max(np.abs(exact[name]))
+    run = gin.simulate(until=0.1, points=11, accuracy=1e-17)
+    assert run.notes[-1].startswith("the accuracy is not met: the error of `")
+    with pytest.raises(machinist.InputError, match="accuracy -1"):
+        gin.simulate(until=0.1, accuracy=-1.0)
+
+
 def test_frames_hold_all_columns_and_their_units(gin):
     run = gin.simulate(until=0.1, points=5)
     frame = pytest.importorskip("pandas") and run.to_pandas()

@@ -35,7 +35,7 @@ pub enum SimulateError {
     RefusedParameters {
         /// The scene asked.
         scene: String,
-        /// What is asked of the value.
+        /// The rule for the value.
         rule: String,
         /// The value.
         value: f64,
@@ -200,7 +200,7 @@ pub enum SimulateError {
         constraint: String,
         /// What is wrong with it.
         why: String,
-        /// How to mend it.
+        /// Hint on how to mend it.
         hint: &'static str,
     },
     /// The integration could not go on.

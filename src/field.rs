@@ -116,7 +116,7 @@ pub struct FieldSimulator<'a, R> {
     on_duals: Option<OnDuals<'a>>,
 }
 
-/// Where an event of the machine is watched for, and what it sets, in the whole state.
+/// Entries of the whole state at which an event of the machine is watched for, and that it sets.
 struct EventPlaces {
     when: Vec<(u32, f64)>,
     sets: Vec<u32>,

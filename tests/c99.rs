@@ -1,7 +1,7 @@
 //! Emitted C99, compiled and run: no warnings, no undefined behaviour, and the bits of the same
 //! machine in Rust.
 //!
-//! Where there is no `cc`, tests say so and pass; `MACHINIST_C99=all` tries every scene of
+//! Without a C compiler the tests say so and pass; `MACHINIST_C99=all` tries every scene of
 //! `specs/scenes`.
 
 mod board;

@@ -1,4 +1,4 @@
-//! Whether a machine conserves energy, by the structure of its powers.
+//! Conservation of energy, read from the structure of the powers.
 
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Describe as _;

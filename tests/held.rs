@@ -1,4 +1,4 @@
-//! What friction holds while it sticks: no way of moving, for starts in equilibrium and for modes.
+//! Parts held by static friction do not move: in starts in equilibrium, and in modes.
 
 use machinist::Simulation;
 use machinist::linear_analysis::{Linearization, Mode, ModeKind, Place, operating_point};

@@ -56,7 +56,7 @@ impl Chain {
         changes
     }
 
-    /// Whether w is the frequency of a number, from 0, to a relative error.
+    /// True if w is the frequency of a number, from 0, to a relative error.
     fn is_frequency(&self, number: usize, w: f64, error: f64) -> bool {
         let square = |factor: f64| {
             let w = BigRational::from_float(w * factor).expect("finite");

@@ -179,7 +179,7 @@ fn a_conical_pendulum_wobbles_as_its_closed_form_says() {
     }
 }
 
-/// What turns by an angle needs no symmetry, and a machine at rest has none to turn with.
+/// A machine at rest has no rotation to be seen from.
 #[test]
 fn a_machine_at_rest_has_the_modes_of_rest() {
     let top = top(0.0, 0.0);

@@ -66,7 +66,7 @@ pub(crate) fn assert_same(what: &str, found: &[f64], expected: &[f64]) {
     }
 }
 
-/// What a simulator gives for a function of the table, by its name.
+/// Results of a simulator for a function of the table, by its name.
 pub(crate) fn expected(
     s: &dyn Simulator<f64>,
     function: &str,

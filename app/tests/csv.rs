@@ -26,7 +26,7 @@ until = 2
     )
 }
 
-/// What `command` says on standard error of a table with these rows, whitespace joined.
+/// Standard error of `command` for a table with these rows, whitespace joined.
 fn warned(folder: &Path, rows: &str, course: &str, command: &str) -> String {
     fs::write(folder.join("load.csv"), format!("time [s],load [N]\n{rows}")).expect("a table");
     fs::write(folder.join("pushed.toml"), spec(course)).expect("a spec");

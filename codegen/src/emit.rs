@@ -66,7 +66,7 @@ pub enum EmitError {
     /// A target has no way to express a part of the model.
     #[error("{message}")]
     Unsupported {
-        /// What cannot be emitted, and why.
+        /// The part that cannot be emitted, and the reason.
         message: String,
     },
     /// The model breaks a rule of models.

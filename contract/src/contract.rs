@@ -198,9 +198,9 @@ impl<R: Real> PowerBalance<R> {
 /// Why values of parameters make no machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Refusal<'a> {
-    /// What is asked of a value: `the ratio of port \`gear.a\` is a number other than 0`.
+    /// The rule for the value: `the ratio of port \`gear.a\` is a number other than 0`.
     pub rule: &'a str,
-    /// What it is.
+    /// The value.
     pub value: f64,
 }
 
@@ -299,12 +299,12 @@ pub trait Describe {
     fn refusal(&self, _parameters: &[f64]) -> Option<Refusal<'_>> {
         None
     }
-    /// Whether the spec has a parameter of this name on which nothing depends, so that the simulator
+    /// True if the spec has a parameter of this name on which nothing depends, so that the simulator
     /// has it not.
     fn is_unused(&self, _parameter: &str) -> bool {
         false
     }
-    /// Whether no power is supplied or dissipated at any state and time, for these parameters;
+    /// True if no power is supplied or dissipated at any state and time, for these parameters;
     /// nothing if it is not known. Events may change the energy all the same.
     fn conserves_energy(&self, _parameters: &[f64]) -> Option<bool> {
         None

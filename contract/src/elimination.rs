@@ -18,20 +18,20 @@ use crate::Real;
 pub struct Pivot {
     /// Place of the entry on the diagonal.
     pub place: u32,
-    /// Where its rows end in [`Elimination::rows`].
+    /// End of its rows in [`Elimination::rows`].
     pub rows_end: u32,
-    /// Where its products end in [`Elimination::products`].
+    /// End of its products in [`Elimination::products`].
     pub products_end: u32,
 }
 
-/// What the substitution does for one unknown.
+/// Substitution of one unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Unknown {
     /// The unknown.
     pub row: u32,
     /// Place of its entry on the diagonal.
     pub diagonal: u32,
-    /// Where its terms end in [`Elimination::lower`] and [`Elimination::upper`].
+    /// Ends of its terms in [`Elimination::lower`] and [`Elimination::upper`].
     pub terms_end: [u32; 2],
 }
 

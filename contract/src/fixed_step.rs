@@ -40,7 +40,7 @@ impl StepNumber for f32 {
     const DIGITS: u32 = f32::MANTISSA_DIGITS;
 }
 
-/// How a step is taken.
+/// Method of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FixedMethod<'a> {
     /// Heun's method, of order 2: two rates.
@@ -111,15 +111,15 @@ impl StepMethod {
 /// `1 - 1/sqrt 2`.
 pub const ROSENBROCK_GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
 
-/// What runs by steps of a fixed length.
+/// A machine that runs by steps of a fixed length.
 pub struct FixedSteps<'a, R: Real> {
     /// The machine.
     pub simulator: &'a dyn Simulator<R>,
     /// Its parameters.
     pub parameters: &'a [R],
-    /// What [`Simulator::prepare`] gives for them.
+    /// Result of [`Simulator::prepare`] for them.
     pub constants: &'a [R],
-    /// How a step is taken.
+    /// Method of a step.
     pub method: FixedMethod<'a>,
     /// Largest number of parts of a step: events and times at which the rate jumps end one.
     pub parts_a_step: usize,
@@ -134,7 +134,7 @@ pub struct Room<'w, R> {
     pub signs: &'w mut [i8],
 }
 
-/// How a step ended.
+/// Outcome of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stepped {
     /// After so many events.
@@ -143,11 +143,11 @@ pub enum Stepped {
     TooManyParts,
 }
 
-/// What is left of a slice whose parts are handed out.
+/// Rest of a slice whose parts are handed out.
 struct Rest<'w, T>(&'w mut [T]);
 
 impl<'w, T> Rest<'w, T> {
-    /// So many from the front.
+    /// Takes `count` elements from the front.
     fn take(&mut self, count: usize) -> &'w mut [T] {
         let (taken, left) = core::mem::take(&mut self.0).split_at_mut(count);
         self.0 = left;
@@ -185,7 +185,7 @@ impl<R: Real> Clock<R> {
     }
 }
 
-/// Where one step is computed.
+/// Scratch space of one step.
 struct Scratch<'w, R> {
     slope: &'w mut [R],
     sum: &'w mut [R],
@@ -195,7 +195,7 @@ struct Scratch<'w, R> {
     projection: Projection<'w, R>,
 }
 
-/// How far it is to just before a jump: there the rate has not jumped yet.
+/// Length until just before a jump: there the rate has not jumped yet.
 fn before_jump<R: StepNumber>(now: R, left: R, jump: R) -> R {
     let zero = R::literal(0.0);
     let length = (jump - R::literal(R::EPSILON) * (jump.abs() + left)) - now;
@@ -219,7 +219,7 @@ fn add<R: Real>(sum: &mut [R], h: R, slope: &[R]) {
 }
 
 impl<R: StepNumber> FixedSteps<'_, R> {
-    /// How many numbers and signs [`Room`] must have.
+    /// Numbers and signs that [`Room`] must have.
     #[must_use]
     pub fn room(&self) -> [usize; 2] {
         let states = self.simulator.shape().states();

@@ -110,7 +110,7 @@ impl Elimination {
         order
     }
 
-    /// What the substitution does.
+    /// Lists the terms of the substitution.
     fn substitute(&mut self, order: &[u32], places: &Places) {
         let mut rank = vec![0; order.len()];
         for (at, &unknown) in order.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What the tapes of a model say whatever its state: values that parameters alone decide.
+//! Facts that the tapes of a model state for every state: values that parameters alone decide.
 
 use crate::evaluate::{Evaluator, Inputs, call};
 use crate::{Model, Op, Requirement, Tape, What};
@@ -20,7 +20,7 @@ impl Model {
         values.find(|(requirement, value)| !requirement.bound.admits(*value))
     }
 
-    /// Whether the spec has a parameter of this name that was left out because nothing depends on
+    /// True if the spec has a parameter of this name that was left out because nothing depends on
     /// it.
     #[must_use]
     pub fn is_unused(&self, parameter: &str) -> bool {
@@ -28,7 +28,7 @@ impl Model {
         left_out.any(|one| one.what == What::Parameter && one.name == parameter)
     }
 
-    /// Whether no power is supplied or dissipated at any state and time, for these parameters: both
+    /// True if no power is supplied or dissipated at any state and time, for these parameters: both
     /// are zero by the structure of their tape, after factors that these parameters make zero. Not
     /// known for a machine with fields, whose densities are not looked at.
     #[must_use]

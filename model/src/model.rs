@@ -135,7 +135,7 @@ pub struct Parameter {
     pub value: f64,
 }
 
-/// What a value that is made of parameters must fulfil.
+/// A requirement on a value that is made of parameters.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Requirement {
     /// In words: `the ratio of port \`gear.a\` is a number other than 0`.
@@ -160,7 +160,7 @@ pub enum Bound {
 }
 
 impl Bound {
-    /// Whether a value fulfils it.
+    /// True if a value fulfils it.
     #[must_use]
     pub fn admits(self, value: f64) -> bool {
         value.is_finite()
@@ -276,7 +276,7 @@ pub struct Model {
     pub fields: Vec<FieldModel>,
     /// What its runs are held against.
     pub checks: Vec<Check>,
-    /// What values of parameters must fulfil.
+    /// Requirements on values of parameters.
     pub requirements: Vec<Requirement>,
     /// One result for each of them; of parameters only.
     pub required: Tape,

@@ -8,7 +8,7 @@ use crate::scales::beside;
 
 /// Places at which a constraint has to follow from others.
 const PLACES: usize = 4;
-/// How far these are from the start, in scales of states.
+/// Distance of these from the start, in scales of states.
 const REACH: f64 = 0.2;
 /// Beside a parameter, a change that shows whether it matters.
 const CHANGE: f64 = 1e-3;

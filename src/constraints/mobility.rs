@@ -30,7 +30,7 @@ pub struct Redundant {
     pub is_led: bool,
     /// Names of those it follows from; none if no coordinate can change it.
     pub repeats: Vec<String>,
-    /// Whether it is at an extremum: no coordinate changes it at the state, but beside it.
+    /// True if it is at an extremum: no coordinate changes it at the state, but beside it.
     pub is_level: bool,
     /// Whether the motion is the same whoever carries the force: it holds in modes, and none of
     /// them moves by itself. Its force is then 0, theirs is all of it.
@@ -68,7 +68,7 @@ impl Redundant {
         format!("says nothing that is new beside {}", names.collect::<Vec<_>>().join(", "))
     }
 
-    /// How to mend it, for people.
+    /// Hint on how to mend it.
     #[must_use]
     pub fn hint(&self) -> &'static str {
         match self {
@@ -186,7 +186,7 @@ fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
     found
 }
 
-/// Whether coordinates change a constraint at places beside a state.
+/// True if coordinates change a constraint at places beside a state.
 fn changes_beside(constraints: &Constraints<'_>, row: usize, time: f64, state: &[f64]) -> bool {
     let scales = constraints.scales(Level::Positions);
     [0.0137, -0.0071].into_iter().any(|shift| {

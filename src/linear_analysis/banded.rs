@@ -44,7 +44,7 @@ const ACROSS: f64 = 1e-7;
 const RESIDUAL: f64 = 1e-11;
 /// Solutions of inverse iteration.
 const ITERATIONS: usize = 3;
-/// How often that is done with a better eigenvalue, at most.
+/// Maximum number of improved eigenvalues.
 const ROUNDS: usize = 12;
 /// Two eigenvalues that differ by less, beside their size, are one if their shapes are.
 const SAME: f64 = 1e-7;
@@ -314,7 +314,7 @@ impl<'m> Part<'m> {
     }
 }
 
-/// Whether two of them are one: near eigenvalues with one shape.
+/// True if two of them are one: near eigenvalues with one shape.
 fn has_one_twice(found: &[Found]) -> bool {
     let mut order: Vec<&Found> = found.iter().collect();
     order.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));

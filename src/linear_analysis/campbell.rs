@@ -19,7 +19,7 @@ use crate::sorting::sort_ascending;
 pub struct Campbell {
     /// The parameter, or `speed`.
     pub parameter: String,
-    /// Whether it is a speed on which the machine does not depend, and no parameter.
+    /// True for a speed on which the machine does not depend, instead of a parameter.
     pub is_over_speed: bool,
     /// Its unit.
     pub unit: String,

@@ -372,7 +372,7 @@ struct Shapes {
     /// A with states measured by their scales.
     matrix: SparseRows,
     norm: f64,
-    /// Whether a motion of eigenvalue zero may be one that begins another: A A x is zero then.
+    /// True if eigenvalue zero may be double, so that A A x is zero instead of A x.
     has_double_zeros: bool,
 }
 

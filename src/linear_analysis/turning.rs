@@ -32,7 +32,7 @@ const STEADY: f64 = 1e-8;
 const REACH: f64 = 0.3;
 /// Steps of Newton's method.
 const ROUNDS: usize = 50;
-/// How far coordinates go at most in these, in their scales.
+/// Maximum change of coordinates in these, in their scales.
 const NEAR: f64 = 0.5;
 
 /// Symmetries around a state.
@@ -41,7 +41,7 @@ struct Symmetries<'a> {
     coordinates: usize,
     /// (S, b) of each.
     all: Vec<(DMatrix<f64>, DVector<f64>)>,
-    /// How much each changes outputs, at some places.
+    /// Derivatives of outputs along each, at some places.
     seen: DMatrix<f64>,
 }
 
@@ -308,7 +308,7 @@ impl<'a> Symmetries<'a> {
     }
 }
 
-/// Whether constraints move by themselves.
+/// True if constraints depend on time.
 fn is_driven(simulator: &dyn Simulator<f64>, point: &Point) -> bool {
     let n = simulator.shape().coordinates;
     let mut still = point.state.clone();

@@ -84,7 +84,7 @@ impl Stiffness {
         })
     }
 
-    /// Whether nothing restores a motion: each of its forces is rounding of what it is summed from.
+    /// True if nothing restores a motion: each of its forces is rounding of what it is summed from.
     fn is_rounding(&self, shape: &[f64]) -> bool {
         self.0.iter().all(|row| {
             let parts = row.iter().map(|(at, entry)| (*entry, shape[*at]));

@@ -18,7 +18,7 @@ pub(crate) fn takes_tightest_steps(rtol: f64) -> bool {
     rtol / FAITHFUL < TIGHTEST
 }
 
-/// Whether no power is supplied or dissipated: as the structure of the machine says, or else, where
+/// True if no power is supplied or dissipated: as the structure of the machine says, or else, where
 /// it says nothing, neither at a state nor at some beside it.
 pub(super) fn is_conservative(
     simulator: &dyn Simulator<f64>,

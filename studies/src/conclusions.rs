@@ -1,4 +1,4 @@
-//! What the authors of the studies wanted to know, answered by runs of the consistent machines:
+//! Questions of the studies' authors, answered by runs of the consistent machines:
 //! which coupling a saw gin takes, where a winder winds stably, how stiff the cloth fell may be.
 
 use crate::closed_form::winder::Harmonic;
@@ -76,9 +76,9 @@ pub fn peaks(stiffness: f64, damping: f64) -> Result<(f64, f64), CheckFailure> {
 pub struct StableSpeeds {
     /// Pressures with the empty bobbin \[N\].
     pub pressures: Vec<f64>,
-    /// Where pressure is kept while the package grows.
+    /// Limits for a pressure that is kept while the package grows.
     pub kept: Vec<Limit>,
-    /// Where the holder's spring alone presses, by equation (15).
+    /// Limits where the holder's spring alone presses, by equation (15).
     pub growing: Vec<Limit>,
 }
 
@@ -89,13 +89,13 @@ pub struct Limit {
     pub speed: f64,
     /// Radius at which it ends \[m\].
     pub radius: f64,
-    /// What fails there.
+    /// The condition that fails there.
     pub condition: Condition,
     /// Which disturbance varies the pressure most there.
     pub disturbance: Disturbance,
 }
 
-/// What shakes the bobbin.
+/// A disturbance of the bobbin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Disturbance {
     /// The drum's unbalance, once a turn.
@@ -135,7 +135,7 @@ impl StableSpeeds {
     }
 }
 
-/// Where a winder's stability ends as it winds faster.
+/// Limit of a winder's stability as it winds faster.
 ///
 /// # Errors
 /// [`CheckFailure`] if a scene lacks what is asked for.

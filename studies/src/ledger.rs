@@ -50,7 +50,7 @@ impl Study {
     }
 }
 
-/// What holds a row.
+/// The check or test of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Held {
@@ -76,9 +76,9 @@ impl Held {
 pub struct LedgerRow {
     /// The study.
     pub study: Study,
-    /// Where it stands there: `(16)`, `table 1`, `figure 3`, `section 4.1`.
+    /// Its place there: `(16)`, `table 1`, `figure 3`, `section 4.1`.
     pub at: &'static str,
-    /// What it is.
+    /// Its description.
     pub figure: &'static str,
     /// Its unit, if it is a number: SI, and deg where the study has deg.
     pub unit: &'static str,
@@ -86,13 +86,13 @@ pub struct LedgerRow {
     pub printed: Option<f64>,
     /// What equations and numbers as printed give, if they give one.
     pub as_printed: Option<f64>,
-    /// What the consistent reading gives, if it is a number there.
+    /// Its value in the consistent reading, if it is a number there.
     pub consistent: Option<f64>,
     /// Its readings, in a sentence.
     pub verdict: String,
-    /// Where it is here: scenes, units, rooms.
+    /// Its place here: scenes, units, modules.
     pub place: &'static str,
-    /// What holds it.
+    /// Its check or test.
     pub held: Held,
 }
 

@@ -15,7 +15,7 @@
 
 use crate::closed_form::reed::{ReedMotion, ReedShaft};
 
-/// What the cloth fell does to the reed.
+/// Force law of the cloth fell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fell {
     /// Pushes it back and pulls it on, a spring both ways.
@@ -29,7 +29,7 @@ pub enum Fell {
 pub struct ReedCells {
     /// Shaft, reed and fell.
     pub shaft: ReedShaft,
-    /// Whether the fell lets go.
+    /// Force law of the fell.
     pub fell: Fell,
     /// Number of cells: so many that the reed sits between two of them.
     pub cells: usize,

@@ -46,7 +46,7 @@ impl Beat {
         [0, 1, 2, 3, 4].map(|index| 100.0 * (to[index] / from[index] - 1.0))
     }
 
-    /// How far the reed goes forward, into the fell \[rad\].
+    /// Largest angle of the reed forward, into the fell \[rad\].
     #[must_use]
     pub fn forward(&self) -> f64 {
         self.columns[1].iter().fold(0.0, |most: f64, angle| most.max(*angle))

@@ -40,7 +40,7 @@ pub struct Winder {
     pub package: f64,
     /// Pressure at rest \[N\], with the empty bobbin.
     pub preload: f64,
-    /// How much it grows with the radius of the package \[N/m\]: by equation (15) the holder's
+    /// Its growth with the radius of the package \[N/m\]: by equation (15) the holder's
     /// reduced stiffness where a spring alone presses; 0 where something keeps the pressure.
     pub growth: f64,
     /// Tension of the thread \[N\].

@@ -198,7 +198,7 @@ const ROUNDING: f64 = 1e-12;
 struct KnownState {
     name: String,
     values: Vec<f64>,
-    /// What errors are relative to: its largest value, or its scale if that is only rounding.
+    /// Reference of relative errors: its largest value, or its scale if that is only rounding.
     size: f64,
 }
 

@@ -25,7 +25,7 @@ pub const BOARDS: [Board; 2] = [
 const GCC: &str = "arm-none-eabi-gcc";
 const QEMU: &str = "qemu-system-arm";
 
-/// What a run on a board gave.
+/// Result of a run on a board.
 pub struct Ran {
     /// The state at the end.
     pub state: Vec<f64>,
@@ -41,7 +41,7 @@ pub struct Ran {
     pub instructions: [u64; 2],
 }
 
-/// Whether a compiler for these processors with its C library and QEMU are here; says so if not.
+/// True if QEMU and a compiler with a C library for these processors are installed.
 pub fn are_here() -> bool {
     let is_here = |name: &&str| {
         let quiet = Command::new(name).arg("--version").stdout(Stdio::null()).status();
@@ -55,7 +55,7 @@ pub fn are_here() -> bool {
     missing.is_none()
 }
 
-/// Whether the compiler has a C library, which Debian packs apart.
+/// True if the compiler has a C library, which Debian packs apart.
 fn has_library() -> bool {
     let mut command = Command::new(GCC);
     command.args(["-print-file-name=nosys.specs"]).stderr(Stdio::null());
@@ -136,7 +136,7 @@ impl Board {
     }
 }
 
-/// What a command says, which must succeed.
+/// Output of a command, which must succeed.
 fn run(command: &mut Command, folder: &Path) -> String {
     let output = command.current_dir(folder).output().expect("a program that is here");
     let said = String::from_utf8_lossy(&output.stdout).into_owned();

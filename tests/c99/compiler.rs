@@ -57,7 +57,7 @@ impl Compiler {
         command.output().is_ok_and(|output| output.status.success())
     }
 
-    /// How often each of so many steps calls functions, by a program that counts `counted` of them.
+    /// Calls of functions in each of `steps` steps, by a program that counts `counted` functions.
     pub fn count(
         &self,
         (name, files, driver): (&str, &[C99File], &str),

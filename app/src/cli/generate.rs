@@ -19,7 +19,7 @@ use crate::spec_source::SpecSource;
 /// Where emitted scenes are kept.
 pub const EMITTED: &str = "generated/src/scenes";
 
-/// What is emitted.
+/// Language of the emitted code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Target {
     /// All scenes of a folder as modules of a crate

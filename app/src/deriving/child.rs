@@ -76,7 +76,7 @@ pub fn answer_parent() -> Result<(), Failure> {
     out.write_all(&seal(ANSWER, &answers)).and_then(|()| out.flush()).map_err(failed)
 }
 
-/// What the parent asks: its length in eight bytes, then as many; less if it ends before.
+/// Question of the parent: its length in eight bytes, then as many; less if the parent ends before.
 fn question() -> std::io::Result<Vec<u8>> {
     let mut input = stdin().lock();
     let mut length = [0; 8];

@@ -42,7 +42,7 @@ pub(super) struct Panel<'a> {
     pub columns: Vec<&'a Column>,
     pub horizontal: &'a Axis,
     pub vertical: &'a Axis,
-    /// What is written or circled within.
+    /// Labels and circles.
     pub marks: Vec<Mark>,
 }
 

@@ -1,4 +1,4 @@
-//! What the authors of the studies wanted to know, a picture and two sentences each.
+//! Answers to the questions of the studies' authors, a picture and two sentences each.
 
 use machinist_studies::closed_form::two_mass::{SAW_GIN, TwoMass};
 use machinist_studies::conclusions::{
@@ -176,7 +176,7 @@ fn window(window: &PressureWindow) -> Markup {
     )
 }
 
-/// Whether motion changes little and stress markedly, as the study concludes.
+/// Verdict on the study's conclusion that motion changes little and stress markedly.
 fn verdict(change: &[f64; 5]) -> &'static str {
     let motion = change[0].abs().max(change[1].abs());
     if motion < 0.2 * change[2].abs() {

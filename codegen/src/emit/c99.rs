@@ -71,12 +71,12 @@ impl Real {
     }
 }
 
-/// What to emit.
+/// Options of the emitted code.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct C99Options {
     /// The type of numbers.
     pub real: Real,
-    /// How steps are taken.
+    /// Method of a step.
     pub method: StepMethod,
     /// The command that makes the files again, for their headers.
     pub command: String,
@@ -92,7 +92,7 @@ pub struct C99Options {
 pub struct C99File {
     /// Its name, without folders.
     pub name: String,
-    /// What it holds.
+    /// Its content.
     pub text: String,
 }
 
@@ -205,7 +205,7 @@ impl<'a> Scene<'a> {
         Ok(())
     }
 
-    /// What bodies may name.
+    /// Names that bodies may use.
     fn scope<'s>(&'s self, function: &'s str) -> Scope<'s> {
         Scope {
             function,

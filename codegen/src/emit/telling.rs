@@ -28,7 +28,7 @@ pub(crate) fn describe(
     }
 }
 
-/// Whether a name is one of our own making that says nothing.
+/// True for a numbered name of our own making.
 pub(crate) fn is_temporary(name: &str) -> bool {
     name.strip_prefix('t').is_some_and(|rest| rest.parse::<u32>().is_ok())
 }

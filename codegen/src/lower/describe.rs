@@ -51,7 +51,7 @@ pub fn describe(equations: &EquationsOfMotion) -> Model {
     }
 }
 
-/// What has been left out, constraints that follow from others among it.
+/// The parts left out, including constraints that follow from others.
 fn reduction(equations: &EquationsOfMotion) -> Reduction {
     let mut reduction = equations.reduction.clone();
     for constraint in equations.system.constraints.iter().filter(|one| one.is_dropped) {

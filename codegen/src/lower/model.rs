@@ -72,7 +72,7 @@ pub fn lower(linearization: &Linearization) -> Model {
     build.of_motion(model, jacobians, &motion)
 }
 
-/// What values of parameters must fulfil, on a graph of its own: it shares nothing with what runs.
+/// Requirements on values of parameters, on a graph of their own: they share nothing with what runs.
 fn required(equations: &EquationsOfMotion) -> Tape {
     let mut graph = Graph::for_scene(equations.layout.symbols());
     let required = equations.system.requirements.iter();

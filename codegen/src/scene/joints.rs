@@ -17,7 +17,7 @@ use machinist_model::Bound;
 struct Edge {
     slots: [usize; 2],
     ratio: Option<Expr>,
-    /// What the ratios it is made of must fulfil.
+    /// Requirements on the ratios it is made of.
     required: Vec<Required>,
 }
 

@@ -163,7 +163,7 @@ pub struct Layout {
     attached: Vec<Option<usize>>,
     /// Likewise, whether it is held at zero.
     held: Vec<bool>,
-    /// What ratios, and lengths and places of fields, must fulfil.
+    /// Requirements on ratios, and on lengths and places of fields.
     pub required: Vec<Required>,
 }
 

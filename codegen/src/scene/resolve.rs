@@ -70,7 +70,7 @@ pub struct Resolver<'a> {
     pub(super) table_columns: Vec<(usize, usize, Course)>,
     /// Times of jumps, each once.
     pub(super) discontinuities: Vec<Expr>,
-    /// What is allowed and hardly meant, each once.
+    /// Warnings, each once.
     pub(super) warnings: Vec<Mistake>,
     pub(super) level: usize,
     pub(super) spent: usize,

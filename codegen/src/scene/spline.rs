@@ -126,7 +126,7 @@ pub struct Overshoot {
     pub range: [f64; 2],
 }
 
-/// Where a curve leaves the range of the rows around by more than it could if they were evenly
+/// Place where a curve leaves the range of the rows around by more than it could if they were evenly
 /// spaced; there the furthest place.
 ///
 /// A cardinal cubic spline through data within +-1 stays within its Lebesgue constant,

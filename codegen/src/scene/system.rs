@@ -82,12 +82,12 @@ pub struct Constraint {
     pub is_of_positions: bool,
     /// Modes with the values that they must have for it to hold; always, if there are none.
     pub when: Vec<(FirstOrderId, i32)>,
-    /// Whether it never holds, because it follows from others: these carry its force.
+    /// True if it never holds, because it follows from others: these carry its force.
     pub is_dropped: bool,
 }
 
 impl Constraint {
-    /// Whether it holds whatever the modes are.
+    /// True if it holds whatever the modes are.
     #[must_use]
     pub fn holds_always(&self) -> bool {
         self.when.is_empty() && !self.is_dropped
@@ -245,7 +245,7 @@ pub enum Reference {
     Values(Vec<[f64; 2]>),
 }
 
-/// What a value that is made of parameters must fulfil.
+/// A requirement on a value that is made of parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Required {
     /// The value; of parameters only.
@@ -320,9 +320,9 @@ pub struct LagrangianSystem {
     pub fields: Vec<Field>,
     /// Whether runs start in the equilibrium near the initial values.
     pub starts_in_equilibrium: bool,
-    /// What its spec may say and hardly means.
+    /// Warnings about its spec.
     pub warnings: Vec<Diagnostic>,
-    /// What values made of parameters must fulfil, at others than those of the spec too.
+    /// Requirements on values made of parameters, also at other values than those of the spec.
     pub requirements: Vec<Required>,
     /// Every file read, in the order read.
     pub files: Vec<SourceFile>,

@@ -98,7 +98,7 @@ pub struct Diagnostic {
     pub label: Box<str>,
     /// How to mend it.
     pub help: Option<String>,
-    /// Whether the spec may stay as it is.
+    /// True for a warning: the spec may stay as it is.
     pub is_warning: bool,
     source: Option<Box<Excerpt>>,
 }

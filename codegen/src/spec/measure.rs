@@ -414,7 +414,7 @@ impl Reader<'_> {
     }
 }
 
-/// What an unknown symbol may have been meant for: a known one in other capitals (`RPM`), or known
+/// Suggestion for an unknown symbol: a known one in other capitals (`RPM`), or known
 /// ones that a space keeps apart (`Nm`, `kgm2`); else all that are known.
 fn meant(symbol: &str) -> String {
     let alike: Vec<String> = symbols()

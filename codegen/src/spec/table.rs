@@ -22,7 +22,7 @@ pub struct CsvTable {
     pub path: String,
     /// Its columns, the first being the abscissa.
     pub columns: Vec<Column>,
-    /// Where its rows stand, below the header.
+    /// Spans of its rows, below the header.
     pub rows: Vec<Span>,
 }
 

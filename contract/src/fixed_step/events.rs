@@ -9,7 +9,7 @@ struct Guards<'w, R> {
     rates: &'w mut [R],
 }
 
-/// What is known of every event within a step.
+/// Data of every event within a step.
 struct Watch<'w, R> {
     sides: &'w mut [i8],
     passed: &'w mut [i8],
@@ -28,7 +28,7 @@ fn sign_of<R: StepNumber>(x: R) -> i8 {
     i8::from(zero < x) - i8::from(x < zero)
 }
 
-/// Whether a guard is beyond zero by no more than its rate takes back within h: at zero.
+/// True if a guard is beyond zero by no more than its rate takes back within h: at zero.
 fn comes_back<R: StepNumber>(guard: R, rate: R, h: R) -> bool {
     sign_of(guard) * sign_of(rate) < 0 && guard.abs() <= h * rate.abs()
 }
@@ -78,7 +78,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         direction != 0 && sign_of(guard) == direction
     }
 
-    /// Whether an event sets a mode that it is watched for in.
+    /// True if an event sets a mode that it is watched for in.
     fn ends_its_mode(&self, event: usize) -> bool {
         let event = self.simulator.event(event);
         event.when.iter().any(|(entry, _)| event.sets.contains(entry))

@@ -3,7 +3,7 @@
 use super::{FixedSteps, Rest, StepNumber};
 use crate::{Real, Simulator};
 
-/// Where shifts are computed.
+/// Scratch space of the shifts.
 pub(super) struct Projection<'w, R> {
     /// The matrix of `[M, G^T; G, 0]`, row by row.
     matrix: &'w mut [R],

@@ -153,7 +153,7 @@ impl InductionMotor {
         n / (2.0 * ((a * b).sqrt() + h))
     }
 
-    /// What the motor takes and gives at a slip, in steady state.
+    /// Current and powers at a slip, in steady state.
     #[must_use]
     pub fn load_point(&self, slip: f64) -> LoadPoint {
         let flux = self.steady_flux(slip);

@@ -123,7 +123,7 @@ fn rated_rows() -> Vec<LedgerRow> {
     ]
 }
 
-/// What each writing of the load does to the coupling.
+/// Effect of each printed form of the load on the coupling.
 fn gain_rows() -> Vec<LedgerRow> {
     let rated = 735.0 * std::f64::consts::PI / 30.0;
     [

@@ -160,7 +160,7 @@ fn roots() -> Vec<LedgerRow> {
     rows.collect()
 }
 
-/// What a stiffer fell changes, by a fell that only pushes and, as printed, by one that pulls too.
+/// Changes by a stiffer fell, for one that only pushes and, as printed, for one that pulls too.
 fn conclusion() -> Result<Vec<LedgerRow>, CheckFailure> {
     let [_, soft, stiff] = &beats(Fell::PushesAndPulls)?;
     let [_, one_soft, one_stiff] = &beats(Fell::OnlyPushes)?;

@@ -123,7 +123,7 @@ fn every_numbered_equation_and_figure_of_the_studies_has_a_row() {
     }
 }
 
-/// Whether a place such as `figures 5, 6` or `(11), (12)` names this one.
+/// True if a place such as `figures 5, 6` or `(11), (12)` names this one.
 fn stands_at(at: &str, wanted: &str, number: u32) -> bool {
     if wanted == "(" {
         return at.contains(&format!("({number})"));
@@ -155,7 +155,7 @@ fn the_book_shows_the_ledger() {
     );
 }
 
-/// Whether two lines are the same but for the last digits of numbers, which processors round.
+/// True if two lines differ at most in the last digits of numbers, which processors round.
 fn alike(shown: &str, now: &str) -> bool {
     let words = |line: &str| {
         line.split(|c: char| c.is_whitespace() || c == ',' || c == ';' || c == '(' || c == ')')

@@ -42,7 +42,7 @@ pub struct Fixed {
     method: StepMethod,
 }
 
-/// What became of the steps.
+/// Result of the steps.
 pub struct Stepping {
     times: Vec<f64>,
     /// A state for each time.

@@ -36,7 +36,7 @@ pub(super) struct Scope<'a> {
     pub(super) namer: &'a Namer,
 }
 
-/// What a body reads.
+/// Arguments that a body reads.
 #[derive(Debug, Default)]
 #[allow(clippy::struct_excessive_bools, reason = "one for each argument of a function")]
 pub(super) struct Reads {
@@ -99,7 +99,7 @@ pub(super) fn body(
     Ok(Body { statements, results, reads })
 }
 
-/// What a written node reads from outside.
+/// Arguments that the written nodes read.
 fn reads(tape: &Tape, places: &[Place], scope: &Scope<'_>) -> Reads {
     let mut reads = Reads::default();
     let written = tape.nodes.iter().zip(places).filter(|(_, place)| **place != Place::Nowhere);
@@ -120,7 +120,7 @@ fn reads(tape: &Tape, places: &[Place], scope: &Scope<'_>) -> Reads {
     reads
 }
 
-/// Whether a node is the sine or the cosine of what the other is taken of too.
+/// Role of a node in a pair of sine and cosine of one argument.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pair {
     No,

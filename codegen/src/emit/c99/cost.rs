@@ -7,7 +7,7 @@ use machinist_model::functions::FunctionId;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Elimination, Model, operations};
 
-/// How often a step calls functions of the machine, and puts it back onto constraints.
+/// Numbers of calls of a step: of functions of the machine, and of projections onto constraints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct StepCalls {
     /// Of [`FunctionId::Rate`].

@@ -65,7 +65,7 @@ fn first_line() -> String {
     format!("{MARK} {}; do not edit", env!("CARGO_PKG_VERSION"))
 }
 
-/// Where the file comes from and what it holds.
+/// Provenance and content of the file.
 fn provenance(scene: &Scene<'_>) -> Vec<String> {
     let model = scene.model;
     let mut lines = vec![format!("{}. To make it again:", first_line()), String::new()];

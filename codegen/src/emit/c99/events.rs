@@ -1,4 +1,4 @@
-//! What events need beside guards and resets: who watches, and who sets what.
+//! Events beside their guards and resets: modes in which they are watched for, and states they set.
 
 use std::fmt::Write as _;
 

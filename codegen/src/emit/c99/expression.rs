@@ -6,7 +6,7 @@ use super::Real;
 use super::body::Scope;
 use crate::emit::EmitError;
 
-/// How tightly an expression binds, from weak to strong.
+/// Binding strength of an expression, from weak to strong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Strength {
     Sum,
@@ -107,7 +107,7 @@ pub(super) fn power_name(exponent: i32) -> String {
     if exponent < 0 { format!("inverse_power_{size}") } else { format!("power_{size}") }
 }
 
-/// What a function is called in emitted C: ours where the contract has its own in double, else
+/// Name of a function in emitted C: ours where the contract has its own in double, else
 /// that of the standard library.
 pub(super) fn function_name(function: Function, real: Real) -> String {
     let ours = real == Real::Double;

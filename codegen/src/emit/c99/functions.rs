@@ -14,7 +14,7 @@ pub(super) struct Emitted {
     pub(super) doc: String,
     pub(super) head: String,
     pub(super) body: String,
-    /// Whether only the source knows it.
+    /// True if only the source knows it.
     pub(super) is_local: bool,
 }
 
@@ -31,7 +31,7 @@ impl Emitted {
     }
 }
 
-/// What every function of time and state takes first.
+/// First arguments of every function of time and state.
 pub(super) fn arguments(scene: &Scene<'_>) -> String {
     format!(
         "{} time, const {} *state, const {} *p, const {} *c",
@@ -77,7 +77,7 @@ fn defaults(scene: &Scene<'_>) -> Result<Emitted, EmitError> {
     })
 }
 
-/// What parameters alone decide.
+/// The function that computes the constants.
 fn prepare(scene: &Scene<'_>) -> Emitted {
     let mut body = statements(&scene.prepare);
     for name in &scene.constants {
@@ -170,7 +170,7 @@ pub(super) fn unread(arguments: [(&str, bool); 4]) -> String {
     unread.map(|(name, _)| statement(&format!("(void){name};"), 4)).collect()
 }
 
-/// Where the result of a function goes: its last argument.
+/// Last argument of a function, which takes its result.
 fn out(scene: &Scene<'_>, row: &FunctionRow) -> String {
     let real = scene.real();
     match row.gives {
@@ -189,7 +189,7 @@ pub(super) fn nonzeros(scene: &Scene<'_>, name: &str) -> String {
     scene.macro_name(&format!("{}_NONZEROS", name.to_ascii_uppercase()))
 }
 
-/// Where each result goes, and a remark on it.
+/// Place of each result, and a remark on it.
 fn places(scene: &Scene<'_>, row: &FunctionRow) -> Vec<(String, String)> {
     let members = |names: &[String]| {
         names.iter().map(|name| (format!("values->{name}"), String::new())).collect()
@@ -218,7 +218,7 @@ fn places(scene: &Scene<'_>, row: &FunctionRow) -> Vec<(String, String)> {
     }
 }
 
-/// What the entries of an array are.
+/// Names of the entries of an array.
 fn remarks(scene: &Scene<'_>, id: FunctionId, count: usize) -> Vec<String> {
     let model = scene.model;
     match id {
@@ -245,7 +245,7 @@ fn remarks(scene: &Scene<'_>, id: FunctionId, count: usize) -> Vec<String> {
     }
 }
 
-/// What the nonzeros of a matrix are.
+/// Names of the nonzeros of a matrix.
 fn matrix_remarks(scene: &Scene<'_>, id: FunctionId, pattern: &SparsityPattern) -> Vec<String> {
     let model = scene.model;
     let path = |quantity: &machinist_model::Quantity| quantity.name.path.clone();
@@ -276,7 +276,7 @@ fn plain(doc: &str) -> String {
     doc.replace('`', "").replace("\\[", "[").replace("\\]", "]")
 }
 
-/// How many operations a function takes.
+/// Number of operations of a function, as a sentence.
 pub(super) fn counted(operations: usize) -> String {
     match operations {
         0 => "No operations.".to_owned(),

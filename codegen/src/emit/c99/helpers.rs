@@ -18,14 +18,14 @@ const EXPONENTIAL: &str = include_str!("snippets/exponential.c");
 const TANGENT: &str = include_str!("snippets/tangent.c");
 const TABLE: &str = include_str!("snippets/table.c");
 
-/// What the tapes of a scene need.
+/// Helpers that the tapes of a scene call.
 #[derive(Debug, Default)]
 struct Needs {
     functions: BTreeSet<Function>,
     powers: BTreeSet<i32>,
-    /// Whether sine and cosine are taken of the same argument somewhere.
+    /// True if sine and cosine are taken of the same argument somewhere.
     pairs: bool,
-    /// Whether a sine, or a cosine, is taken by itself.
+    /// True if a sine, or a cosine, is taken by itself.
     alone: [bool; 2],
     tables: bool,
 }

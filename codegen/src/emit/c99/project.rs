@@ -1,4 +1,4 @@
-//! What builds the emitted C, and an example that runs it.
+//! A CMake file for the emitted C, and an example that runs it.
 
 use std::fmt::Write as _;
 

@@ -1,4 +1,4 @@
-//! What several functions need of the motion, and matrices that are solved for by its factors.
+//! The motion that several functions share, and matrices that are solved for by its factors.
 
 use std::fmt::Write as _;
 
@@ -14,7 +14,7 @@ use crate::emit::EmitError;
 
 const SUBSTITUTE: &str = include_str!("snippets/substitute.c");
 
-/// What several functions need of the motion, computed by a function of its own.
+/// The motion that several functions share, computed by a function of its own.
 pub(super) struct Motion {
     body: Body,
     /// The member of `struct motion` that holds each result.

@@ -85,7 +85,7 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
     text
 }
 
-/// Whether a step may have several parts.
+/// True if a step may have several parts.
 fn has_parts(scene: &Scene<'_>) -> bool {
     !scene.model.events.is_empty() || has_jumps(scene)
 }
@@ -140,7 +140,7 @@ fn set_head(scene: &Scene<'_>) -> String {
     format!("void {set}({machine} *machine, const {inputs} *inputs)")
 }
 
-/// What is declared above.
+/// Definitions of the functions declared above.
 pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
     let is_constrained = !scene.model.constraints.is_empty();
     let mut parts = vec![ahead(scene)];
@@ -289,7 +289,7 @@ fn with_library_names(text: &str, real: Real) -> String {
     text.replace("SCENE_EPSILON", epsilon).replace("SCENE_DIGITS", digits)
 }
 
-/// How a run begins.
+/// The function that begins a run.
 fn begin(scene: &Scene<'_>) -> Result<String, EmitError> {
     let (model, real) = (scene.model, scene.options.real);
     let number = |place: &str, value: f64| {

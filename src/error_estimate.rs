@@ -150,10 +150,10 @@ impl Simulation<'_> {
     /// [`Simulation::refined`].
     ///
     /// ```
-    /// use machinist::Simulation;
+    /// use machinist::{Method, Simulation};
     /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
     /// # fn main() -> Result<(), machinist::SimulateError> {
-    /// let simulation = Simulation::new(&Oscillator).rtol(1e-6);
+    /// let simulation = Simulation::new(&Oscillator).rtol(1e-6).method(Method::Dop853);
     /// let run = simulation.run()?;
     /// let error = simulation.error_estimate(&run);
     /// let angle = error.column("rotor.angle").expect("the scene has this state");

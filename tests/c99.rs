@@ -17,7 +17,7 @@ use machinist_contract::fixed_step::{Clock, FixedSteps, Room, StepMethod};
 use machinist_model::evaluate::{Evaluator, Inputs};
 use machinist_model::{Elimination, Model, ModelSimulator, Tape};
 
-use crate::own_scene::{folder_of_specs, model_of_specs, specs_in};
+use crate::own_scene::{model_of_specs, scenes_to_try};
 use crate::wasm::{assert_same, expected};
 use compiler::{Compiler, Program};
 
@@ -46,19 +46,6 @@ const SCENES: [&str; 20] = [
     "parts/translational/end_stops",
 ];
 
-/// Scenes that are tried: those named above, or all without fields.
-fn scenes() -> Vec<String> {
-    if std::env::var("MACHINIST_C99").is_ok_and(|which| which == "all") {
-        let folder = folder_of_specs();
-        let name = |path: std::path::PathBuf| {
-            let path = path.strip_prefix(&folder).expect("within").with_extension("");
-            path.to_str().expect("a name").to_owned()
-        };
-        return specs_in(&folder).into_iter().map(name).collect();
-    }
-    SCENES.map(str::to_owned).to_vec()
-}
-
 fn options(real: Real, model: &Model) -> C99Options {
     let start = needs_start(model).then(|| {
         let simulator = ModelSimulator::interpreted(model.clone());
@@ -86,7 +73,7 @@ fn compiled(compiler: &Compiler, model: &Model, options: &C99Options) -> Program
 #[test]
 fn every_function_of_emitted_c_gives_the_bits_of_the_machine_in_rust() {
     let Some(compiler) = Compiler::found() else { return };
-    for name in scenes() {
+    for name in scenes_to_try("MACHINIST_C99", &SCENES) {
         let model = model_of_specs(&name, Keep::Needed);
         if !model.fields.is_empty() {
             continue;

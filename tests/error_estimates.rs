@@ -9,7 +9,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
 
-use crate::own_scene::{folder_of_specs, model_of_specs, specs_in};
+use crate::own_scene::{model_of_specs, scenes_to_try};
 
 /// Smooth and stiff machines, constraints, events, friction that sticks.
 const SCENES: [&str; 10] = [
@@ -24,18 +24,6 @@ const SCENES: [&str; 10] = [
     "parts/rotational/backlash",
     "parts/control/relay",
 ];
-
-fn scenes() -> Vec<String> {
-    if std::env::var("MACHINIST_ERRORS").is_ok_and(|which| which == "all") {
-        let folder = folder_of_specs();
-        let name = |path: std::path::PathBuf| {
-            let path = path.strip_prefix(&folder).expect("within").with_extension("");
-            path.to_str().expect("a name").to_owned()
-        };
-        return specs_in(&folder).into_iter().map(name).collect();
-    }
-    SCENES.map(str::to_owned).to_vec()
-}
 
 /// Estimated over true errors of the columns of a run whose errors the reference resolves.
 fn ratios(
@@ -78,7 +66,7 @@ fn estimated(simulation: &Simulation<'_>) -> Result<(Trajectory, ErrorEstimate),
 #[test]
 fn estimates_are_within_a_factor_of_ten_of_the_error_and_never_a_hundred_times_too_small() {
     let mut found: Vec<(f64, String)> = Vec::new();
-    for name in scenes() {
+    for name in scenes_to_try("MACHINIST_ERRORS", &SCENES) {
         let model = model_of_specs(&name, Keep::Needed);
         let machine = ModelSimulator::new(model.clone());
         let field = (!model.fields.is_empty()).then(|| {

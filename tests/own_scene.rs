@@ -13,6 +13,19 @@ pub fn folder_of_specs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes")
 }
 
+/// Scenes that a test tries: some by default, or all where an environment variable is `all`.
+pub fn scenes_to_try(variable: &str, some: &[&str]) -> Vec<String> {
+    if std::env::var(variable).is_ok_and(|which| which == "all") {
+        let folder = folder_of_specs();
+        let name = |path: PathBuf| {
+            let path = path.strip_prefix(&folder).expect("within").with_extension("");
+            path.to_str().expect("a name").to_owned()
+        };
+        return specs_in(&folder).into_iter().map(name).collect();
+    }
+    some.iter().map(|name| (*name).to_owned()).collect()
+}
+
 /// Files of all scenes of a folder and of those within it, sorted.
 pub fn specs_in(folder: &Path) -> Vec<PathBuf> {
     let (mut folders, mut files) = (vec![folder.to_owned()], Vec::new());

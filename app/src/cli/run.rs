@@ -152,9 +152,10 @@ impl Run {
         let from = self.from.unwrap_or(scene.simulator().run_defaults().from);
         let others = self.others.load(scene.simulator(), from)?;
         let times: Vec<f64> = others.iter().flat_map(Other::times).copied().collect();
-        match self.estimated(&scene, &At::Also(&times))? {
-            Ok((trajectory, shortfall)) => {
-                let mut trajectory = self.chosen_columns(trajectory);
+        // Nothing shows the estimate beside a table on standard output.
+        let is_shown = format != Some(Format::StandardOutput);
+        match self.estimated(&scene, &At::Also(&times), is_shown)? {
+            Ok((mut trajectory, shortfall)) => {
                 let mut summary = self.summary(&scene, &trajectory);
                 let (names, tables) = self.compare(others, &scene, &mut trajectory)?;
                 summary.push_str(&tables);
@@ -298,11 +299,6 @@ impl Run {
         let modal = modal.map_err(|error| Failure::input(error, ""))?;
         let simulation = times.asked_of(self.adjusted(Simulation::new(&modal))?);
         Ok(work(&simulation.until_flagged(&flag)))
-    }
-
-    /// Whether standard output is for the table alone.
-    fn is_for_standard_output(&self) -> bool {
-        self.out.as_deref() == Some(Path::new("-"))
     }
 
     /// Runs the others, and adds their columns beside those of the first; names of what is drawn

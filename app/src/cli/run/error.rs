@@ -31,17 +31,18 @@ pub struct Options {
 pub type Estimated = (Trajectory, Option<String>);
 
 impl Run {
-    /// Runs the scene, and estimates the error unless told not to.
+    /// Runs the scene, and estimates the error if it is shown or an accuracy asks for it, unless told
+    /// not to.
     pub(super) fn estimated(
         &self,
         scene: &Scene,
         times: &At<'_>,
+        is_shown: bool,
     ) -> Result<Result<Estimated, SimulateError>, Failure> {
-        // Nothing shows the estimate beside a table on standard output.
-        let is_shown = self.error.accuracy.is_some() || !self.is_for_standard_output();
-        if self.error.no_error || !is_shown {
+        let is_wanted = is_shown && !self.error.no_error || self.error.accuracy.is_some();
+        if !is_wanted {
             let run = self.trajectory(scene.simulator(), &self.set, times)?;
-            return Ok(run.map(|run| (run, None)));
+            return Ok(run.map(|run| (self.chosen_columns(run), None)));
         }
         self.simulated(scene.simulator(), &self.set, times, |simulation| {
             let both = |simulation: &Simulation<'_>| self.both(scene, times, simulation);

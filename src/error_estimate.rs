@@ -25,7 +25,9 @@ use crate::trajectory::{Column, Switch, Trajectory};
 /// to a power of the tolerance between 0.8 and 1.2 is overestimated by a tenth at most.
 pub const REFINEMENT: f64 = 4.0;
 
-/// Runs at most until [`Simulation::run_to_accuracy`] gives up.
+/// Maximum number of runs of [`Simulation::run_to_accuracy`]. Where the error falls only as the square
+/// root of the tolerance, each halves the decades that are missing: of sixteen, the digits of a
+/// number, eight runs leave a sixteenth of one.
 const ATTEMPTS: usize = 8;
 
 /// The part of an accuracy that the next attempt aims at, so that it is met at once although errors
@@ -116,7 +118,7 @@ impl ErrorEstimate {
     }
 }
 
-/// Whether anything changes over time.
+/// True if any column changes over time.
 fn moves(run: &Trajectory) -> bool {
     let is_constant =
         |values: &[f64]| values.iter().all(|value| value.to_bits() == values[0].to_bits());

@@ -51,16 +51,25 @@ pub fn compile_by(
     system: LagrangianSystem,
     keep: Keep,
 ) -> Result<Model, Diagnostics> {
+    let (_, needed) = reduced_by(algebra, system, keep)?;
+    needed.lower()
+}
+
+/// The equations of the whole scene, and those of what is kept, linearized.
+fn reduced_by(
+    algebra: Algebra,
+    system: LagrangianSystem,
+    keep: Keep,
+) -> Result<(EquationsOfMotion, Linear), Diagnostics> {
     let keep = possible(&system, keep);
-    let linear = session(&system.name.clone(), algebra, move |cas| {
+    session(&system.name.clone(), algebra, move |cas| {
         let equations = lagrange::derive(cas, &system);
         decided(&equations)?;
         let needed = reduce(cas, &equations, keep)?;
-        let linear = Linear::of(cas, &needed);
+        let needed = Linear::of(cas, &needed);
         defined(cas)?;
-        Ok::<_, Diagnostics>(linear)
-    })??;
-    linear.lower()
+        Ok((equations, needed))
+    })?
 }
 
 /// The equations of what is kept.
@@ -151,7 +160,7 @@ pub struct Derivation {
     pub dependencies: Dependencies,
 }
 
-/// What of a [`Derivation`] is wanted first: the model that is run, and equations for people.
+/// The part of a [`Derivation`] that is wanted first: the model to run, and equations for people.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
     /// The model of what is kept.
@@ -172,15 +181,7 @@ pub fn outline_by(
     system: LagrangianSystem,
     keep: Keep,
 ) -> Result<Outline, Diagnostics> {
-    let keep = possible(&system, keep);
-    let (equations, needed) = session(&system.name.clone(), algebra, move |cas| {
-        let equations = lagrange::derive(cas, &system);
-        decided(&equations)?;
-        let needed = reduce(cas, &equations, keep)?;
-        let needed = Linear::of(cas, &needed);
-        defined(cas)?;
-        Ok::<_, Diagnostics>((equations, needed))
-    })??;
+    let (equations, needed) = reduced_by(algebra, system, keep)?;
     let model = needed.lower()?;
     Ok(Outline {
         latex: Document::new(&equations, Notation::Latex),
@@ -282,7 +283,7 @@ pub fn stamped(algebra: Algebra, model: Model, keep: Keep) -> Stamped {
     Stamped { generator: format!("{GENERATOR} {}, {}", algebra.name(), keep.name()), model }
 }
 
-/// What makes models here: name, version, and the hash of its own text.
+/// The generator of models: name, version, and the hash of its own text.
 pub const GENERATOR: &str = concat!(
     env!("CARGO_PKG_NAME"),
     " ",

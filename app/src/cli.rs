@@ -164,7 +164,7 @@ enum Command {
     #[cfg(feature = "derive")]
     #[command(name = deriving::COMMAND, hide = true)]
     DeriveForParent,
-    /// What `watch` has its child do
+    /// The work of the child process of `watch`
     #[cfg(feature = "derive")]
     #[command(name = worker::COMMAND, hide = true)]
     RunForWatch(worker::Ask),

@@ -1,8 +1,9 @@
-//! What is derived of a scene: remembered, or derived by our own algebra in this process, or by
-//! Symbolica in a child that ends at once.
+//! Models and equations of a scene: read from the cache, derived by our own algebra in this process,
+//! or by Symbolica in a child that ends at once.
 //!
-//! What is run or analysed is derived by our own algebra, which takes no lock. What is emitted or
-//! read is derived by Symbolica, which simplifies further, and so is everything if the user names it.
+//! Machines to run or to analyse are derived by our own algebra, which takes no lock. Equations to
+//! emit or to read are derived by Symbolica, which simplifies further, and so is everything if the
+//! user names it.
 //! Symbolica needs the child for two reasons: it may run in one process of a machine at a time and
 //! counts until that process ends, while a report goes on for minutes; and a process that has used it
 //! must start no other (see `machinist_algebra::cas`), as `explain` does to compile.
@@ -42,7 +43,7 @@ pub struct Request {
     pub rigid: Option<Vec<String>>,
     /// Only a model, or everything.
     pub wanted: Wanted,
-    /// What it is for.
+    /// Its purpose.
     pub purpose: Purpose,
     /// Constraints to be dropped because they follow from others, each with the parameters that this
     /// needs as the spec has them.
@@ -57,12 +58,12 @@ pub fn derive_by(algebra: Algebra) {
     let _ = ALGEBRA.set(algebra);
 }
 
-/// Whether the user named the algebra. What is emitted is what the default one gives.
+/// True if the user named the algebra. Emitted code is that of the default one.
 pub fn is_algebra_named() -> bool {
     ALGEBRA.get().is_some()
 }
 
-/// What a derivation is for, which decides on the algebra unless the user names it.
+/// Purpose of a derivation, which decides on the algebra unless the user names it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Purpose {
     /// To be run or analysed: by our own algebra, which waits for nobody.
@@ -120,7 +121,7 @@ impl Request {
         Ok(system)
     }
 
-    /// What is asked for of the system that was read.
+    /// Derives the requested model or equations of the system that was read.
     fn derived_of(
         &self,
         system: LagrangianSystem,
@@ -172,7 +173,7 @@ pub fn repeated(model: &Model) -> Vec<Lasting> {
     constraints::lasting(&simulator, &parameters, model.run.from)
 }
 
-/// What is said of such a constraint when it is dropped.
+/// Note about such a constraint that is dropped.
 pub fn dropped_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting) -> String {
     let others: Vec<String> = repeats.iter().map(|name| format!("`{name}`")).collect();
     format!(
@@ -202,7 +203,7 @@ fn derived_as_asked(request: &Request) -> Result<Stamped, Failure> {
     }
 }
 
-/// What derives did not do what it is there for.
+/// Failure of the derivation itself, not of the spec.
 fn broken(how: &str) -> Failure {
     let help = "what it said is above; `machinist check` finds what is wrong with a spec";
     Failure::unsuccessful(format!("deriving ended badly: {how}"), help)
@@ -293,7 +294,7 @@ fn derive(requests: &[Request]) -> Result<Vec<Derived>, Failure> {
 /// A request on its way to its answer.
 struct Asked<'a> {
     request: &'a Request,
-    /// What was read of it.
+    /// The system that was read.
     system: LagrangianSystem,
     algebra: Algebra,
     key: Key,

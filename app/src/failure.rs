@@ -64,11 +64,11 @@ pub struct Trouble {
     pub line: usize,
     /// Column in characters, from 1; 0 likewise.
     pub column: usize,
-    /// What is wrong, one sentence.
+    /// Message, one sentence.
     pub message: String,
     /// All of it as commands print it, without colours.
     pub text: String,
-    /// Whether everything goes on all the same.
+    /// True if the machine runs all the same.
     pub is_warning: bool,
 }
 
@@ -96,7 +96,7 @@ impl From<&Diagnostic> for Trouble {
 
 #[cfg(feature = "derive")]
 impl Failure {
-    /// What is wrong, each error by itself.
+    /// Errors, each by itself.
     pub fn troubles(&self) -> Vec<Trouble> {
         let reports = match self {
             Self::Input(reports) => reports.as_slice(),

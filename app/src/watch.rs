@@ -29,7 +29,7 @@ const LONGEST: Duration = Duration::from_millis(100);
 /// Files are looked at so often even if nothing is told of them.
 const LOOK: Duration = Duration::from_secs(1);
 
-/// What the main thread waits for.
+/// Messages to the main thread.
 pub enum Message {
     /// Files may have changed.
     Changed,
@@ -37,14 +37,14 @@ pub enum Message {
     Answer {
         /// Number of the process.
         number: u64,
-        /// What it says.
+        /// Its answer.
         answer: Box<Answer>,
     },
     /// A process has ended.
     Ended {
         /// Its number.
         number: u64,
-        /// What it said on standard error.
+        /// Its standard error.
         said: String,
     },
 }

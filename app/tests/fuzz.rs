@@ -26,7 +26,7 @@ use mutation::{EXTREMES, Fuzz, Rule, damage, other_numbers, pick, texts};
 /// What commands that simulate may take until they are interrupted: what was asked for may be
 /// very long.
 const RUN: Duration = Duration::from_secs(4);
-/// What a command line, or a run of a damaged model, may take beside other tests.
+/// Time that a command line, or a run of a damaged model, may take beside other tests.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Between the arguments of a command line, as inputs are kept in files.
 const BETWEEN: char = '\n';

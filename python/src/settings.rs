@@ -29,7 +29,7 @@ pub struct Settings {
     max_steps: Option<usize>,
     equilibrium: Option<bool>,
     energy_balance: bool,
-    /// Whether to estimate the error.
+    /// True to estimate the error.
     error: bool,
     /// Error of the result to be met, as part of the largest value of a column.
     accuracy: Option<f64>,

@@ -54,7 +54,7 @@ impl Check {
     }
 }
 
-/// What there is in a spec in which nothing is wrong; `model` gives the model of all of it, which
+/// Summary of a spec without errors; `model` gives the model of all of it, which
 /// only constraints need.
 pub fn found(
     system: &LagrangianSystem,
@@ -63,7 +63,7 @@ pub fn found(
     Ok(format!("{}{}", counted(system), constraints(system, model)?))
 }
 
-/// How many coordinates and so on there are in a spec in which nothing is wrong.
+/// Numbers of coordinates, states, parameters and outputs of a spec without errors.
 pub fn counted(system: &LagrangianSystem) -> String {
     format!(
         "ok, {} coordinates, {} first-order states, {} parameters, {} outputs",

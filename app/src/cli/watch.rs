@@ -17,7 +17,7 @@ pub struct Watch {
     /// The port of this machine to serve the page at; a free one unless given
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..))]
     port: Option<u16>,
-    /// How long each run may compute, s
+    /// Limit on the computing time of each run, s
     #[arg(long, value_name = "SECONDS", default_value = TIME_LIMIT, value_parser = time_limit)]
     time_limit: Duration,
 }

@@ -255,13 +255,13 @@ impl Live {
         }
     }
 
-    /// What scripts know of the machine, as JSON.
+    /// Data of the machine for scripts, as JSON.
     pub(super) fn known(&self) -> String {
         serde_json::to_string(&self.known).unwrap_or_default()
     }
 }
 
-/// What scripts know of a machine, in the page.
+/// Data of a machine for scripts, in the page.
 pub(super) fn data(known: &str) -> Markup {
     html! {
         script type="application/json" id="live-known" {

@@ -37,7 +37,7 @@ pub(super) struct Machine {
     pub(super) schematic: Schematic,
     pub(super) moving: Moving,
     pub(super) document: Document,
-    /// What is left out of it, once that was looked at.
+    /// Parts left out of it, once known.
     pub(super) explanation: Option<Explanation>,
     pub(super) dependencies: Dependencies,
     pub(super) by: By,
@@ -58,7 +58,7 @@ pub(super) enum By {
     Interpreted,
 }
 
-/// What a scene may be run by.
+/// Ways in which a scene may be run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ways {
     /// Emitted code if it is built in, else as [`Ways::Compiled`].
@@ -70,7 +70,7 @@ pub(super) enum Ways {
 }
 
 impl Machine {
-    /// What is derived of a scene file, run and explained. It is not checked yet.
+    /// Runs and explains the model of a scene file. Checks are still to come.
     pub(super) fn new(
         derived: Derivation,
         source: &SpecSource,
@@ -105,7 +105,7 @@ impl Machine {
         }
     }
 
-    /// What is derived of a spec, run, and nothing more.
+    /// Runs the model of a spec, and nothing more.
     pub(super) fn ran(
         outline: Outline,
         source: &SpecSource,

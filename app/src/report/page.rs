@@ -9,10 +9,10 @@ use super::figure;
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; font-src data:; \
      img-src data: blob:";
 
-/// What a page that is served loads beside: content and events of the same server.
+/// Addresses that a served page loads from: content and events of the same server.
 const SERVED: &str = "; connect-src 'self'";
 
-/// What a page has that is served, and changes while it is shown.
+/// Style and script of a page that is served and changes while it is shown.
 pub(super) struct Served {
     pub(super) style: &'static str,
     pub(super) script: &'static str,

@@ -20,7 +20,7 @@ pub(super) struct Pieces {
     pub(super) header: Markup,
     /// Sections by id, title and content.
     pub(super) sections: Vec<(&'static str, &'static str, Markup)>,
-    /// What runs the machine in the page.
+    /// The machine that runs in the page.
     pub(super) live: Option<Live>,
 }
 

@@ -22,14 +22,14 @@ pub struct Ran {
     time_limit: Duration,
 }
 
-/// What a page shows of a machine.
+/// Content of the page of a machine.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Content {
     /// Title of the page.
     pub title: String,
     /// Pieces of the page from above.
     pub pieces: Vec<Piece>,
-    /// What scripts know of the machine, as JSON; nothing where pages cannot run it.
+    /// Data of the machine for scripts, as JSON; nothing where pages cannot run it.
     pub known: Option<String>,
 }
 
@@ -72,7 +72,7 @@ impl Ran {
         Ok(())
     }
 
-    /// What its page shows.
+    /// Content of its page.
     pub fn content(&self) -> Content {
         let Pieces { title, header, sections, live } = Pieces::of(&self.machine);
         let header = Piece { id: "summary".to_owned(), title: None, html: header.into_string() };
@@ -103,11 +103,11 @@ impl Content {
     }
 }
 
-/// What a page says beside its machine.
+/// Status and messages beside the machine.
 pub struct Beside<'a> {
     /// Number of the state of the page, which the script compares.
     pub version: u64,
-    /// What is going on, for people.
+    /// Status, for people.
     pub status: &'a str,
     /// Errors and warnings of the files as they are.
     pub troubles: &'a [Trouble],

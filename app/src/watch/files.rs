@@ -14,7 +14,7 @@ use notify::{Event, EventKind, RecommendedWatcher, RecursiveMode, Watcher as _};
 use super::Message;
 use crate::failure::Failure;
 
-/// How names of files end that specs are made of.
+/// Endings of the names of files of a spec.
 const ENDINGS: [&str; 2] = ["toml", "csv"];
 
 /// The files of a spec under watch.
@@ -26,7 +26,7 @@ pub struct Files {
     scene: PathBuf,
     /// The files of the spec; where it could not be read, the ones known before.
     known: Vec<PathBuf>,
-    /// Whether these are all.
+    /// True if these are all.
     are_all: bool,
     watcher: RecommendedWatcher,
     folders: Vec<PathBuf>,
@@ -98,7 +98,7 @@ impl Files {
         whole.filter(|path| path.is_file()).unwrap_or_else(|| folder.join(label))
     }
 
-    /// Whether anything is other than when this was asked before.
+    /// True if any content differs from that at the last call.
     pub fn have_changed(&mut self) -> bool {
         let looked = self.look();
         let differ = looked != self.seen;
@@ -136,7 +136,7 @@ impl Files {
     }
 }
 
-/// Whether such an event may change what is in a file; that somebody reads it does not.
+/// True if such an event may change the content of a file; reading does not.
 fn changes(kind: EventKind) -> bool {
     !matches!(kind, EventKind::Access(access) if access != AccessKind::Close(AccessMode::Write))
 }

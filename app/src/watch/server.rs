@@ -64,7 +64,7 @@ fn answer(request: Request, site: &Arc<Site>, port: u16) -> io::Result<()> {
     }
 }
 
-/// Whether a request names this server as its host. One by another name comes from a page whose own
+/// True if a request names this server as its host. One by another name comes from a page whose own
 /// name was made to lead here.
 fn is_for(request: &Request, port: u16) -> bool {
     let mut hosts = request.headers().iter().filter(|header| header.field.equiv("Host"));

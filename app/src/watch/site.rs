@@ -1,4 +1,4 @@
-//! What browsers are shown: the last run that went well, and what is wrong with the files as they are.
+//! State of the page: the last successful run, and errors of the files as they are.
 
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
@@ -10,7 +10,7 @@ use super::worker::Answer;
 use crate::failure::Trouble;
 use crate::report::{self, Beside, Content};
 
-/// What is going on.
+/// State of the files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum State {
@@ -22,7 +22,7 @@ pub enum State {
     Failed,
 }
 
-/// What is shown, for all threads that serve it.
+/// The page, for all threads that serve it.
 pub struct Site {
     name: String,
     shown: Mutex<Shown>,
@@ -35,9 +35,9 @@ struct Shown {
     status: String,
     troubles: Vec<Trouble>,
     content: Option<Content>,
-    /// Whether the content is that of a run that went well.
+    /// True if the content is that of a successful run.
     is_good: bool,
-    /// Whether all pieces of it are there.
+    /// True if it has all its pieces.
     is_complete: bool,
 }
 
@@ -109,7 +109,7 @@ impl Site {
         report::page(&self.name, content.as_ref(), &beside)
     }
 
-    /// What the page shows, as JSON for its script.
+    /// Content of the page, as JSON for its script.
     pub fn content(&self) -> String {
         let shown = self.shown();
         let content = shown.content.as_ref();

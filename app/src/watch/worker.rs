@@ -34,17 +34,17 @@ pub const COMMAND: &str = "run-for-watch";
 /// Bytes of what a process says on standard error that are shown if it ends badly.
 const MOST_SAID: u64 = 4000;
 
-/// What the process is asked for.
+/// Arguments of the process.
 #[derive(Debug, Args)]
 pub struct Ask {
     /// The scene file
     scene: PathBuf,
-    /// How long each run may compute, s
+    /// Limit on the computing time of each run, s
     #[arg(long, default_value = TIME_LIMIT, value_parser = time_limit)]
     time_limit: Duration,
 }
 
-/// What became of a spec.
+/// Result of checking, deriving and running a spec.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Answer {
     /// Files that the spec is in, each with the SHA-256 of what was read; nothing where they are not
@@ -52,11 +52,11 @@ pub struct Answer {
     pub files: Option<Vec<(PathBuf, String)>>,
     /// The page of the machine, if it ran, also if the run stopped.
     pub page: Option<Content>,
-    /// What there is in the spec, in a line.
+    /// Summary of the spec, in a line.
     pub found: String,
     /// Errors, or warnings alone.
     pub troubles: Vec<Trouble>,
-    /// Whether nothing comes after it.
+    /// True if no answer comes after it.
     pub is_last: bool,
 }
 

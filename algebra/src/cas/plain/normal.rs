@@ -267,7 +267,7 @@ pub(super) fn power(base: Expr, exponent: Expr) -> Expr {
     }
 }
 
-/// Whether floating-point numbers are multiplied by a number without rounding.
+/// True if floating-point numbers are multiplied by a number without rounding.
 fn is_exact(number: &BigRational) -> bool {
     let is_power = |part: &BigInt| part.magnitude().count_ones() == 1;
     is_power(number.numer()) && is_power(number.denom())

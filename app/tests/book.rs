@@ -120,8 +120,14 @@ fn links_lead_to_what_is_there() {
 fn with_links() -> Vec<PathBuf> {
     let root = Path::new(REPOSITORY);
     let mut paths: Vec<PathBuf> = listed().iter().map(|name| source().join(name)).collect();
-    let files =
-        ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/licensing.md"];
+    let files = [
+        "README.md",
+        "ARCHITECTURE.md",
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
+        "docs/licensing.md",
+        "docs/releasing.md",
+    ];
     paths.extend(files.map(|file| root.join(file)));
     for entry in fs::read_dir(root.join("docs/decisions")).expect("a folder") {
         paths.push(entry.expect("an entry").path());

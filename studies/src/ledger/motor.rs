@@ -61,8 +61,8 @@ fn derived_rows() -> Vec<LedgerRow> {
         as_printed: Some(printed),
         consistent: Some(ours),
         verdict: match reproduced(printed, ours, half_digit) {
-            "reproduced" => format!("reproduced by {from}"),
-            other => format!("{other} by {from} ({})", compare(printed, ours)),
+            "reproduced" => format!("reproduced from {from}"),
+            other => format!("{other} from {from} ({})", compare(printed, ours)),
         },
         ..plate("`closed_form::induction_motor`", CURVE)
     })
@@ -90,7 +90,7 @@ fn rated_rows() -> Vec<LedgerRow> {
             "A",
             stated.current,
             ours.current,
-            "the equivalent circuit has windings only, and gives less power at this slip"
+            "the equivalent circuit models the windings only and gives less power at this slip"
                 .to_owned(),
         ),
         row(
@@ -106,8 +106,8 @@ fn rated_rows() -> Vec<LedgerRow> {
             stated.efficiency,
             ours.efficiency(),
             format!(
-                "losses in copper are {} kW; the data sheet's {} kW leave {} kW to iron, friction and \
-                 fan, which the equations lack",
+                "copper losses are {} kW; the data sheet's {} kW leave {} kW for iron, friction \
+                 and fan losses, which the equations omit",
                 kilowatts(ours.supplied - ours.shaft_power),
                 kilowatts(supplied - stated.power),
                 kilowatts(missing)
@@ -127,16 +127,24 @@ fn rated_rows() -> Vec<LedgerRow> {
 fn gain_rows() -> Vec<LedgerRow> {
     let rated = 735.0 * std::f64::consts::PI / 30.0;
     [
-        ("torque of the coupling over the load's, sin(w2 t)", "(1)", rated),
-        ("torque of the coupling over the load's, sin(pi w2 t)", "4.1", std::f64::consts::PI * rated),
-        ("torque of the coupling over the load's, cos(pi w2 t)", "(9)", std::f64::consts::PI * rated),
+        ("ratio of coupling torque to load torque, sin(w2 t)", "(1)", rated),
+        (
+            "ratio of coupling torque to load torque, sin(pi w2 t)",
+            "4.1",
+            std::f64::consts::PI * rated,
+        ),
+        (
+            "ratio of coupling torque to load torque, cos(pi w2 t)",
+            "(9)",
+            std::f64::consts::PI * rated,
+        ),
     ]
     .map(|(figure, at, frequency)| LedgerRow {
         figure,
         unit: "1",
         consistent: Some(SAW_GIN.load_gain(frequency)),
         verdict: format!(
-            "not printed; at {} rad/s; sine or cosine shifts the load by a quarter of its period only",
+            "not printed; at {} rad/s; sine and cosine differ only by a shift of a quarter period",
             digits_of(frequency, 4)
         ),
         ..LedgerRow::of(
@@ -166,7 +174,7 @@ fn number_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
             as_printed: Some(as_printed.value("motor.omega_0")?),
             consistent: Some(speed),
             verdict: format!(
-                "{}, but the study also puts it where the electrical speed {} rad/s belongs",
+                "{}; the study also uses it in place of the electrical speed {} rad/s",
                 reproduced(78.54, speed, 5e-3),
                 digits(electrical)
             ),
@@ -179,7 +187,7 @@ fn number_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
             as_printed: Some(leakage(&as_printed)?),
             consistent: Some(sigma),
             verdict: format!(
-                "{} by its own factors ({})",
+                "{} from its own factors ({})",
                 reproduced(0.0896, sigma, 5e-5),
                 compare(0.0896, sigma)
             ),
@@ -204,7 +212,7 @@ fn torque_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
         as_printed: Some(as_printed),
         consistent: Some(consistent),
         verdict: format!(
-            "consistent {}; as printed, with speed for angle, {}",
+            "consistent: {}; as printed, with speed instead of angle: {}",
             compare(printed, consistent),
             compare(printed, as_printed)
         ),
@@ -219,7 +227,7 @@ fn torque_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
         ours(1.0)?,
     );
     let side = if LOAD > ours(1.0)? { "exceeds" } else { "is below" };
-    let load = format!("; the load of {} N m {side} the consistent one", digits(LOAD));
+    let load = format!("; the load of {} N m {side} the consistent torque", digits(LOAD));
     starting.verdict.push_str(&load);
     Ok(vec![
         row("torque at slip 0.02", "N m", stated.torque, literal(stated.slip)?, ours(stated.slip)?),
@@ -236,7 +244,7 @@ fn frequency_row() -> Result<LedgerRow, CheckFailure> {
         printed: None,
         as_printed: Some(natural_frequency(&saw_gin_as_printed())?),
         consistent: Some(natural_frequency(&saw_gin())?),
-        verdict: "not printed; both readings share coupling and inertias".to_owned(),
+        verdict: "not printed; both readings share the coupling and the inertias".to_owned(),
         ..LedgerRow::of(
             Study::SawGin,
             "(1)",

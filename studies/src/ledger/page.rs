@@ -13,7 +13,8 @@ pub fn page_table(rows: &[LedgerRow]) -> String {
     Study::ALL.map(table).join("\n")
 }
 
-const HEAD: &str = "| at | what | printed | as printed gives | consistent | reading | where | held by |\n\
+const HEAD: &str = "| in the study | subject | printed | result as printed | consistent | reading | in Machinist \
+                    | checked by |\n\
                     | --- | --- | --- | --- | --- | --- | --- | --- |\n";
 
 fn line(row: &LedgerRow) -> String {

@@ -29,7 +29,7 @@ fn of(at: &'static str, place: &'static str, held: Held) -> LedgerRow {
 fn scales() -> Vec<LedgerRow> {
     let shaft = REED_STUDY;
     let [xi, tau, alpha] = shaft.printed_scales();
-    let unscaled = "the printed scale keeps a dimension";
+    let unscaled = "the printed scale has a dimension";
     let row = |figure, unit, as_printed: f64, consistent: f64, why: &str| LedgerRow {
         figure,
         unit,
@@ -44,21 +44,21 @@ fn scales() -> Vec<LedgerRow> {
             "1/m",
             xi,
             1.0 / shaft.length_scale(),
-            "printed without a dimension, so that xi is a length",
+            "the printed factor is dimensionless, so xi is a length",
         ),
         row(
             "tau over t",
             "1/s",
             tau,
             1.0 / shaft.time_scale(),
-            "printed as a speed, so that tau is a length",
+            "the printed factor is a speed, so tau is a length",
         ),
         row("alpha", "1", alpha, shaft.alpha(), &format!("{unscaled}, 1/m")),
-        row("beta = C1/C0", "1", shaft.beta(), shaft.beta(), "printed and consistent alike"),
+        row("beta = C1/C0", "1", shaft.beta(), shaft.beta(), "same in both readings"),
         LedgerRow {
             at: "after (10)",
             ..row(
-                "xi0, place of the reed",
+                "xi0, position of the reed",
                 "1",
                 xi * shaft.reed_position,
                 shaft.reed_place(),
@@ -72,7 +72,7 @@ fn scales() -> Vec<LedgerRow> {
                 "1",
                 xi * shaft.reed_position,
                 shaft.end_place(),
-                "printed with l0, as xi0 is; l is meant",
+                "printed with l0, as xi0, instead of l",
             )
         },
     ]
@@ -118,7 +118,7 @@ fn drive() -> Vec<LedgerRow> {
             None,
             Some(DRIVE_SPEED * DRIVE_HALF_PERIOD / std::f64::consts::PI),
             shaft.drive_amplitude(),
-            "not printed; tau0 is a number, so that the amplitude takes T",
+            "not printed; tau0 is dimensionless, so the amplitude needs the factor T",
             SCALES,
         ),
         row(
@@ -144,8 +144,8 @@ fn roots() -> Vec<LedgerRow> {
             as_printed: Some(as_printed),
             consistent: Some(consistent),
             verdict: format!(
-                "not printed; (15) has xi1 for xi0 in its first bracket: {}; the scene's elements agree \
-                 with the consistent one",
+                "not printed; (15) has xi1 instead of xi0 in its first bracket: {}; the scene's \
+                 finite elements agree with the consistent root",
                 compare(consistent, as_printed)
             ),
             ..of(
@@ -174,7 +174,7 @@ fn conclusion() -> Result<Vec<LedgerRow>, CheckFailure> {
         as_printed: Some(as_printed),
         consistent: Some(consistent),
         verdict,
-        ..of(at, "`reed_beat_up_one_sided`; with a fell that pulls `reed_beat_up`", held)
+        ..of(at, "`reed_beat_up_one_sided`; `reed_beat_up` for a fell that also pulls", held)
     };
     let mut rows = Vec::new();
     let figures = [
@@ -184,7 +184,7 @@ fn conclusion() -> Result<Vec<LedgerRow>, CheckFailure> {
         ],
         ["largest angle of the reed, C2 = C1/2", "largest angle of the reed, C2 = C1"],
         ["largest stress before the reed, C2 = C1/2", "largest stress before the reed, C2 = C1"],
-        ["largest stress beyond the reed, C2 = C1/2", "largest stress beyond the reed, C2 = C1"],
+        ["largest stress after the reed, C2 = C1/2", "largest stress after the reed, C2 = C1"],
     ];
     for (index, ([first, second], (at, unit))) in figures
         .into_iter()
@@ -194,7 +194,7 @@ fn conclusion() -> Result<Vec<LedgerRow>, CheckFailure> {
         for (figure, linear, machine) in [(first, soft, one_soft), (second, stiff, one_stiff)] {
             let [as_printed, consistent] = [linear, machine].map(|beat| beat.largest()[index]);
             let words =
-                "curves without numbers in the study; over a period of the drive".to_owned();
+                "the study plots curves without numbers; over one period of the drive".to_owned();
             rows.push(row(at, figure, unit, as_printed, consistent, words));
         }
     }
@@ -206,20 +206,31 @@ fn conclusion() -> Result<Vec<LedgerRow>, CheckFailure> {
         "change of stress at the reed as the contact stiffens from C1/2 to C1",
     ];
     for (index, figure) in changes.into_iter().enumerate() {
-        rows.push(row("conclusion", figure, "%", printed[index], ours[index], format!(
-            "concluded: motion little, stress markedly; so it is of a fell that only pushes: shaft {}, \
-             reed {}, stress {}; a fell that also pulls would change the reed by {}",
-            told(ours[0]), told(ours[1]), told(ours[2]), told(printed[1])
-        )));
+        rows.push(row(
+            "conclusion",
+            figure,
+            "%",
+            printed[index],
+            ours[index],
+            format!(
+                "the study concludes that the motion changes little and the stress markedly; this \
+             holds for a fell that only pushes: shaft {}, reed {}, stress {}; for a fell that \
+             also pulls the reed's angle changes by {}",
+                told(ours[0]),
+                told(ours[1]),
+                told(ours[2]),
+                told(printed[1])
+            ),
+        ));
     }
     let forward = |soft: &Beat, stiff: &Beat| 100.0 * (stiff.forward() / soft.forward() - 1.0);
     rows.push(row(
         "conclusion",
-        "change of the reed's way into the fell as the contact stiffens from C1/2 to C1",
+        "change of the reed's travel into the fell as the contact stiffens from C1/2 to C1",
         "%",
         forward(soft, stiff),
         forward(one_soft, one_stiff),
-        "not printed; the largest angle is that of the way back, where nothing touches the reed"
+        "not printed; the largest angle occurs on the way back, where nothing touches the reed"
             .to_owned(),
     ));
     Ok(rows)

@@ -32,104 +32,106 @@ const TOLD: &[Told] = &[
         at: "figure 1",
         figure: "half of the shaft, its drive and its reed",
         verdict: "consistent; x = l is the middle of a symmetric shaft",
-        place: "`reed_beat_up`, drawn on its page",
+        place: "`reed_beat_up`, drawn on its report page",
         held: STEADY,
     },
     Told {
         at: "introduction",
-        figure: "bending and torsion together, named as the example",
-        verdict: "the study derives torsion only, and so it is here: densities of fields take u, u_x and \
-                  u_t, a beam in bending would take u_xx",
+        figure: "combined bending and torsion, named as the example",
+        verdict: "the study derives torsion only, and the scene models torsion only: field \
+                  densities depend on u, u_x and u_t; a beam in bending needs u_xx",
         place: "`reed_beat_up`, torsion",
         held: STEADY,
     },
     Told {
         at: "(1), (2)",
         figure: "shaft and reed",
-        verdict: "printed with stiffnesses of rotation times R, whose dimensions disagree, and without \
-                  C2; consistent without R, and with the fell's torque on the reed",
+        verdict: "printed: rotational stiffnesses times R, whose dimensions disagree, and no C2; \
+                  consistent: no R, and the fell's torque acts on the reed",
         place: "`reed_beat_up`; units `loom_shaft`, `reed`",
         held: STEADY,
     },
     Told {
         at: "(3)",
-        figure: "rest at the start",
-        verdict: "printed and consistent alike",
+        figure: "initial state at rest",
+        verdict: "same in both readings",
         place: "`reed_beat_up`",
         held: Held::Verify("reed_beat_up: angles from rest over 4 ms, 24 elements of order 4"),
     },
     Told {
         at: "(4), (9)",
         figure: "no torque at x = -0",
-        verdict: "printed and consistent alike: the drive's spring acts at x = 0 itself",
+        verdict: "same in both readings: the drive's spring acts at x = 0 itself",
         place: "unit `loom_shaft`, port `driven`",
         held: STEADY,
     },
     Told {
         at: "(5), (10)",
         figure: "u = 0 at x = l",
-        verdict: "printed so, and phi(xi1) = 0 below (12); but A is found from phi'(xi1) = 0, which \
-                  symmetry asks for: consistent u_x = 0",
+        verdict: "printed, as is phi(xi1) = 0 below (12); but A follows from phi'(xi1) = 0, which \
+                  symmetry requires; consistent: u_x = 0",
         place: "unit `loom_shaft`, a free end",
         held: SHAPES,
     },
     Told {
         at: "(6), (7)",
-        figure: "equations without dimensions",
-        verdict: "consistent with L = G Jp/C0, T = L sqrt(rho/G), alpha = Ir/(T^2 C0): the same machine as \
-                  in SI; the printed scales are no such ones, numbers below",
+        figure: "dimensionless equations",
+        verdict: "consistent with L = G Jp/C0, T = L sqrt(rho/G), alpha = Ir/(T^2 C0): the same \
+                  machine as in SI; the printed scales are not dimensionally consistent, numbers \
+                  below",
         place: "`reed_beat_up` with parameters of 1, beta, alpha, b2",
         held: SCALED,
     },
     Told {
         at: "(8)",
-        figure: "rest at the start, scaled",
-        verdict: "printed and consistent alike",
+        figure: "initial state at rest, scaled",
+        verdict: "same in both readings",
         place: "`reed_beat_up`",
         held: SCALED,
     },
     Told {
         at: "(11), (12)",
         figure: "separation of variables",
-        verdict: "printed and consistent alike for a reed held still; one that moves is a support that \
-                  depends on the frequency",
+        verdict: "same in both readings for a reed held still; a moving reed is a \
+                  frequency-dependent support",
         place: "`closed_form::reed`",
         held: SHAPES,
     },
     Told {
         at: "(13), (14)",
         figure: "mode shapes on both sides of the reed",
-        verdict: "printed and consistent alike; the study's A has B for beta once",
+        verdict: "same in both readings; the study's A once has B instead of beta",
         place: "`closed_form::reed`",
         held: Held::Test("mode_shapes_are_orthogonal"),
     },
     Told {
         at: "after (15)",
         figure: "orthogonality of the shapes",
-        verdict: "printed from 0 to 1, its norm from 0 to xi1: consistent to xi1, and with alpha ur_i ur_k \
-                  for a reed that moves; the norm is a square, and xi in v_i is a differential",
+        verdict: "printed: from 0 to 1, the norm from 0 to xi1; consistent: to xi1, with alpha \
+                  ur_i ur_k for a moving reed; the norm is a square, and xi in v_i is a \
+                  differential",
         place: "`closed_form::reed`",
         held: Held::Test("mode_shapes_are_orthogonal"),
     },
     Told {
         at: "(16)",
-        figure: "equations of the shapes' amplitudes",
-        verdict: "printed with lambda_i for lambda_i^2 and with the reed's acceleration where that of \
-                  the drive belongs",
+        figure: "equations of the modal amplitudes",
+        verdict: "printed: lambda_i instead of lambda_i^2, and the reed's acceleration instead of \
+                  the drive's",
         place: "`closed_form::reed`, `ReedTransient`",
         held: Held::Verify("reed_beat_up: angles from rest over 4 ms, 24 elements of order 4"),
     },
     Told {
         at: "(17)",
         figure: "equation of the reed",
-        verdict: "printed with phi_i(xi1) for phi_i(xi0) and with -u0 for +u0, and without C2",
+        verdict: "printed: phi_i(xi1) instead of phi_i(xi0), -u0 instead of +u0, and no C2",
         place: "`reed_beat_up`; `closed_form::reed`",
         held: Held::Verify("reed_beat_up: angles from rest over 4 ms, 24 elements of order 4"),
     },
     Told {
         at: "results",
         figure: "method of truncation",
-        verdict: "consistent: as many modes as are asked for",
+        verdict: "consistent: an option sets the number of eigenmodes",
         place: "`machinist run --modes`",
         held: Held::Verify(
             "reed_beat_up: angles by 57 of 66 modes against 8 elements of order 8, over 3 ms",
@@ -138,14 +140,14 @@ const TOLD: &[Told] = &[
     Told {
         at: "figure 2",
         figure: "angles of reed and shaft for C2 = 0.5 C1 and C1",
-        verdict: "drawn for a fell that only pushes and for one that also pulls; numbers below",
-        place: "report, page of studies; `reed_beat_up_one_sided`, `reed_beat_up`",
+        verdict: "plotted for a fell that only pushes and for one that also pulls; numbers below",
+        place: "the report's studies page; `reed_beat_up_one_sided`, `reed_beat_up`",
         held: CELLS,
     },
     Told {
         at: "figure 3",
         figure: "stress on both sides of the reed, torque over section modulus",
-        verdict: "drawn likewise; the section modulus is Jp/R",
+        verdict: "plotted likewise; the section modulus is Jp/R",
         place: "outputs `stress_before`, `stress_after`",
         held: STRESSES,
     },
@@ -162,7 +164,7 @@ const fn number(
 }
 
 const PARAMETERS: &[Parameter] = &[
-    number("place of the reed l0", "m", 1.0, "shaft.reed_position", "unit `loom_shaft`"),
+    number("position of the reed l0", "m", 1.0, "shaft.reed_position", "unit `loom_shaft`"),
     number("half of the shaft's length l1", "m", 1.75, "shaft.length", "unit `loom_shaft`"),
     number(
         "stiffness of the drive C0",

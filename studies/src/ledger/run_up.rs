@@ -53,7 +53,8 @@ pub(super) fn rows(runs: &Runs) -> Vec<LedgerRow> {
     ];
     if let (Ok(run), Some(speed)) = (&runs.angle, rows.first_mut()) {
         let (low, high) = (digits_of(run.speeds.0, 3), digits_of(run.speeds.1, 3));
-        let swing = format!("; with the printed angle speed ranges from {low} to {high} rad/s");
+        let swing =
+            format!("; with the printed angle, the speed ranges from {low} to {high} rad/s");
         speed.verdict.push_str(&swing);
     }
     rows.push(law_row());
@@ -81,7 +82,7 @@ fn law_row() -> LedgerRow {
         as_printed: Some(law),
         consistent: None,
         verdict: format!(
-            "{}: the law has the printed value at {} s ({}), and grows without bound",
+            "{}: the law has the printed value at {} s ({}) and grows without bound",
             reproduced(PEAK_ACCELERATION_TIME, low, 5e-4),
             digits_of(low, 6),
             compare(ACCELERATION, law)
@@ -109,7 +110,7 @@ fn rounded_row() -> LedgerRow {
         as_printed: Some(acceleration(time).abs()),
         consistent: None,
         verdict: format!(
-            "the discussion rounds {} rad/s^2 at 1.844 s; the law has {} at 1.8 s",
+            "the discussion rounds {} rad/s^2 at 1.844 s; the law gives {} at 1.8 s",
             digits_of(ACCELERATION, 7),
             digits_of(acceleration(time), 5)
         ),
@@ -159,7 +160,7 @@ impl Runs {
             as_printed: self.angle.as_ref().ok().and_then(&value),
             consistent,
             verdict: format!(
-                "consistent {}; as printed {literal}; with speed for angle {other}",
+                "consistent: {}; as printed: {literal}; with speed instead of angle: {other}",
                 tell(consistent)
             ),
             ..LedgerRow::of(

@@ -26,82 +26,86 @@ const TOLD: &[Told] = &[
     Told {
         at: "(1)",
         figure: "rotor and saw cylinder on an elastic coupling, i = 1",
-        verdict: "printed and consistent alike",
+        verdict: "same in both readings",
         place: "`two_mass`, `saw_gin`; units `coupling`, `rotor`",
         held: Held::Verify("two_mass: transient under a harmonic load"),
     },
     Told {
         at: "(1), 4.1, (9)",
-        figure: "the load, written three times",
-        verdict: "sin(w2 t + phi20) under (1), sin(pi w2 t + phi20) in 4.1, cos(pi w2 t + phi20) in \
-                  (9); the scenes take that of 4.1, whose numbers are given; gains below",
+        figure: "the load, given in three forms",
+        verdict: "sin(w2 t + phi20) under (1), sin(pi w2 t + phi20) in 4.1, cos(pi w2 t + phi20) \
+                  in (9); the scenes use the form of 4.1, whose numbers are given; gains below",
         place: "unit `technological_load`",
         held: RIGHT_HAND_SIDE,
     },
     Told {
         at: "(2)",
-        figure: "motor in flux linkages of synchronous axes",
-        verdict: "printed with 78.54 1/s for 2 pi 50, 220 V for its amplitude 220 sqrt 2, and the \
-                  angle phi_D for the electrical speed P phi_D'; consistent with all three put right",
+        figure: "motor with flux linkages in synchronous axes",
+        verdict: "printed: 78.54 1/s instead of 2 pi 50, 220 V instead of the amplitude 220 sqrt \
+                  2, and the angle phi_D instead of the electrical speed P phi_D'; consistent: \
+                  all three corrected",
         place: "`motor_run_up`, `saw_gin`; printed `saw_gin_as_printed`",
         held: Held::Verify("motor_run_up: flux transient at 76.97 rad/s"),
     },
     Told {
         at: "(3)",
         figure: "fitted law of the cylinder's acceleration, 200 e^(2.05 t) cos 75 t",
-        verdict: "a fit to one run, which grows without bound; consistent acceleration is an output",
+        verdict: "printed: a fit to one run, which grows without bound; consistent: the \
+                  acceleration is an output",
         place: "`closed_form::printed_laws`; output `cylinder_acceleration` of `saw_gin`",
         held: Held::Verify("saw_gin_as_printed: printed law of acceleration at 1.844 s"),
     },
     Told {
         at: "(4)",
-        figure: "balance of moments of an element dx of the shaft",
-        verdict: "consistent with rho = dJ/dx; the text before it has rho = dJ/dx dx, one dx too many",
-        place: "units `shaft`, `saw_shaft`, as a density of energy",
+        figure: "moment balance of a shaft element dx",
+        verdict: "consistent for rho = dJ/dx; the text before (4) has rho = dJ/dx dx, one dx too \
+                  many",
+        place: "units `shaft`, `saw_shaft`, as an energy density",
         held: WAVES,
     },
     Told {
         at: "(5), (6)",
         figure: "torque and twist of a section, M = G I phi_x",
-        verdict: "printed and consistent alike",
+        verdict: "same in both readings",
         place: "`saw_gin_shaft`, output `shaft_torque`",
         held: SHAFT,
     },
     Told {
         at: "(7), (8)",
-        figure: "wave equation of the shaft under a load a length",
-        verdict: "printed and consistent alike; Kelvin-Voigt damping of the scenes is ours",
+        figure: "wave equation of the shaft under a distributed load",
+        verdict: "same in both readings; the Kelvin-Voigt damping of the scenes is ours",
         place: "`saw_gin_shaft`, `shaft_step_torque`",
         held: WAVES,
     },
     Told {
         at: "(10), (11)",
-        figure: "the law (3) put for the acceleration of every section",
-        verdict: "printed only: an equation of motion should give the acceleration; (11) has dots for \
-                  derivatives by x; the consistent shaft moves by itself",
+        figure: "law (3) prescribed as the acceleration of every section",
+        verdict: "printed only: the acceleration should follow from an equation of motion; (11) \
+                  has dots for derivatives by x; consistent: the equation of motion determines \
+                  the shaft's motion",
         place: "`closed_form::printed_laws`",
         held: Held::Test("printed_formulas_satisfy_the_printed_equation"),
     },
     Told {
         at: "(12), (13)",
-        figure: "integrals by x with two constants",
-        verdict: "printed and consistent alike, given (11)",
+        figure: "integrals over x with two constants",
+        verdict: "same in both readings, given (11)",
         place: "`closed_form::printed_laws`",
         held: Held::Test("angle_is_the_integral_of_the_slope"),
     },
     Told {
         at: "(14), (15)",
         figure: "slope and angle with both constants zero",
-        verdict: "printed only: phi_x = 0 at the driven end lets no torque into the shaft; in the \
-                  consistent shaft the coupling's torque is G I phi_x there",
+        verdict: "printed only: with phi_x = 0 at the driven end no torque enters the shaft; \
+                  consistent: G I phi_x equals the coupling's torque there",
         place: "`closed_form::printed_laws`; outputs `slope`, `twist` of `saw_gin_shaft`",
         held: Held::Test("formula_as_printed_stays_below_the_figures"),
     },
     Told {
         at: "figure 1",
         figure: "dynamic model: motor, coupling, distributed cylinder",
-        verdict: "consistent: the lumped inertia J2 is the shaft's when it is distributed",
-        place: "`saw_gin_shaft`, drawn on its page",
+        verdict: "consistent: the distributed shaft carries the inertia J2",
+        place: "`saw_gin_shaft`, drawn on its report page",
         held: Held::Verify(
             "saw_gin_shaft: speeds and torques over the run-up with a shaft 1e6 times as stiff",
         ),
@@ -109,52 +113,54 @@ const TOLD: &[Told] = &[
     Told {
         at: "figure 2",
         figure: "reactive moments on an element, M+ = -M",
-        verdict: "printed and consistent alike: both follow from one energy here, no sign is chosen",
+        verdict: "same in both readings; both moments follow from one energy, so no sign is chosen",
         place: "unit `shaft`; ports of a field",
         held: SHAFT,
     },
     Told {
         at: "figure 3",
         figure: "acceleration of the cylinder over time",
-        verdict: "its duration and peak, by both readings, below",
-        place: "`saw_gin`, `saw_gin_as_printed`, on their pages",
+        verdict: "duration and peak in both readings below",
+        place: "`saw_gin`, `saw_gin_as_printed`, on their report pages",
         held: Held::Verify("saw_gin: run-up and loading, state after 2 s"),
     },
     Told {
         at: "figure 4",
         figure: "acceleration along the shaft over time",
-        verdict: "by (3) it is the same at every x; the consistent one differs along x, number below",
-        place: "`saw_gin_shaft`, pictured along x on its page",
+        verdict: "printed: by (3) the same at every x; consistent: varies along x, number below",
+        place: "`saw_gin_shaft`, plotted along x on its report page",
         held: Held::Verify("saw_gin_shaft: twist of the shaft under both steady loads"),
     },
     Told {
         at: "figures 5, 6",
         figure: "slope over time for several x; angle along x at 1.8 s",
-        verdict: "formulas (14), (15), drawn as printed beside the consistent twist; headline numbers below",
-        place: "report, page of studies; `closed_form::printed_laws`; `saw_gin_shaft`",
+        verdict: "the report plots (14), (15) as printed beside the consistent twist; largest \
+                  values below",
+        place: "the report's studies page; `closed_form::printed_laws`; `saw_gin_shaft`",
         held: Held::Verify("saw_gin_as_printed: relative twist, density J, load halved"),
     },
     Told {
         at: "section 4.1",
         figure: "Runge-Kutta method with an error of dt^4",
-        verdict: "the classical method with fixed steps; here errors of every step are held to a \
-                  tolerance by methods of fifth to eighth order",
+        verdict: "printed: the classical method with fixed steps; here: error-controlled methods \
+                  of fifth to eighth order",
         place: "methods `tsit5`, `dop853`, `rodas5p`, `radau`, `taylor`",
         held: Held::Test("every_method_converges_at_its_order_at_the_ends_of_steps_and_between"),
     },
     Told {
         at: "section 1",
         figure: "starting torque of 1.5 to 6 times the rated one, 2 for this motor",
-        verdict: "2 is the breakdown torque's multiple; the starting torque is below the rated one, \
-                  number below, so that the greatest load of the motor is not that of standing still",
+        verdict: "2 is the ratio of breakdown torque to rated torque; the starting torque is \
+                  below the rated one (number below), so the motor's load is not greatest at \
+                  standstill",
         place: "`motor_run_up`",
         held: Held::Verify("motor_run_up: starting torque"),
     },
     Told {
         at: "section 5",
         figure: "conclusion: twist of the shaft is considerable",
-        verdict: "consistent it is not: 0.07 deg/m; what the coupling does to the cylinder's \
-                  acceleration is on the report's page of studies",
+        verdict: "not confirmed: 0.07 deg/m in the consistent reading; the report's studies page \
+                  shows the coupling's effect on the cylinder's acceleration",
         place: "`studies::conclusions`",
         held: Held::Test("a_soft_coupling_spares_the_cylinder_and_one_near_the_transient_does_not"),
     },
@@ -181,7 +187,7 @@ const MOTOR: &[Parameter] = &[
         "unit `induction_motor`",
     ),
     number("4.1", "phase voltage Um", "V", 220.0, "motor.phase_voltage", "unit `induction_motor`"),
-    number("4.1", "pairs of poles P", "1", 4.0, "motor.pole_pairs", "unit `induction_motor`"),
+    number("4.1", "pole pairs P", "1", 4.0, "motor.pole_pairs", "unit `induction_motor`"),
     number("4.1", "Ks", "1", 0.956, "motor.k_s", "unit `induction_motor`"),
     number("4.1", "Kr", "1", 0.952, "motor.k_r", "unit `induction_motor`"),
     number("4.1", "stator reactance xs", "ohm", 4.14, "motor.x_s", "unit `induction_motor`"),
@@ -234,7 +240,7 @@ const AGGREGATE: &[Parameter] = &[
     ),
     number(
         "4.1",
-        "dissipation of the coupling",
+        "damping of the coupling",
         "N m s/rad",
         128.5346,
         "coupling.damping",

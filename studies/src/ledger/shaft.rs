@@ -21,8 +21,8 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
             as_printed: Some(at_end(Reading::AsPrinted)),
             consistent: Some(run.slope),
             verdict: format!(
-                "at 1.8 s as printed {}; {} ({} deg/m) with density J for J/l and the load term \
-                 halved; consistent: largest slope at the driven end over a run of 2 s",
+                "at 1.8 s as printed: {}; {} ({} deg/m) with density J instead of J/l and half \
+                 the load term; consistent: largest slope at the driven end in a run of 2 s",
                 compare(1.89, at_end(Reading::AsPrinted)),
                 reproduced(1.89, figures, 5e-3),
                 digits(figures)
@@ -36,8 +36,8 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
             as_printed: Some(angle),
             consistent: Some(run.twist),
             verdict: format!(
-                "at 1.8 s as printed {}; {} ({} deg) as that relative twist times the length; \
-                 consistent: largest over a run of 2 s",
+                "at 1.8 s as printed: {}; {} ({} deg) as that relative twist times the length; \
+                 consistent: largest value in a run of 2 s",
                 compare(4.39, angle),
                 reproduced(4.39, figures * shaft.length, 5e-3),
                 digits(figures * shaft.length)
@@ -45,12 +45,12 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
             ..of("figure 6, (15)")
         },
         LedgerRow {
-            figure: "largest difference of speeds of the shaft's ends",
+            figure: "largest speed difference between the shaft's ends",
             unit: "rad/s",
             printed: None,
             as_printed: Some(0.0),
             consistent: Some(run.difference),
-            verdict: "not printed; (3) moves all sections alike, the consistent shaft twists"
+            verdict: "not printed; by (3) all sections move alike; the consistent shaft twists"
                 .to_owned(),
             ..of("figure 4")
         },
@@ -61,7 +61,7 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
             as_printed: Some(integral),
             consistent: Some(shaft.load_mean),
             verdict: format!(
-                "the printed density q x gives a load {}; a balanced one is M/l or 2 M x/l^2",
+                "the printed density q x gives a load {}; M/l or 2 M x/l^2 gives the printed mean",
                 compare(shaft.load_mean, integral)
             ),
             ..LedgerRow {
@@ -72,7 +72,7 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
             }
         },
         number("radius of the saw discs R", "m", 0.16, shaft.disc_radius),
-        number("arc of the discs that works", "rad", std::f64::consts::FRAC_PI_3, shaft.arc),
+        number("working arc of the discs", "rad", std::f64::consts::FRAC_PI_3, shaft.arc),
     ])
 }
 
@@ -93,7 +93,7 @@ fn number(figure: &'static str, unit: &'static str, printed: f64, ours: f64) -> 
         printed: Some(printed),
         as_printed: Some(ours),
         consistent: None,
-        verdict: "the printed density of the load alone takes it".to_owned(),
+        verdict: "used by the printed load density only".to_owned(),
         ..LedgerRow {
             held: Held::Test("printed_load_density_is_not_balanced"),
             place: "`closed_form::printed_laws`",

@@ -29,7 +29,7 @@ fn the_ledger_reproduces_what_can_be_reproduced() {
     close(find(rows, "mean load, from its density along the shaft").as_printed, 5845.0, 2.0);
     let torque = find(rows, "largest motor torque in an empty run-up");
     assert!(torque.consistent.expect("it runs") < 2100.0);
-    assert!(torque.verdict.contains("with speed for angle 322"), "{}", torque.verdict);
+    assert!(torque.verdict.contains("with speed instead of angle: 322"), "{}", torque.verdict);
 }
 
 #[test]

@@ -36,9 +36,9 @@ fn reactions() -> Result<Vec<LedgerRow>, CheckFailure> {
             unit: "N",
             consistent: Some(reaction),
             verdict: format!(
-                "not printed; {}, with N = {} N and P = {} N of the holder of ours, whose Q is larger with P \
-                 to the right",
-                if reaction > 0.0 { "above zero: a stable position" } else { "the post lifts" },
+                "not printed; {}, with N = {} N and P = {} N for our holder, whose Q is larger \
+                 with P to the right",
+                if reaction > 0.0 { "Q > 0, a stable position" } else { "the post lifts" },
                 digits_of(pressure, 4),
                 digits_of(share * pressure, 3)
             ),
@@ -69,8 +69,8 @@ fn lift(figure: &'static str, share: f64) -> LedgerRow {
         unit: "rad",
         consistent: Some(HOLDER.unstable_lift(share)),
         verdict:
-            "not printed; below it the post falls onto its stop, above it lifts away; for the \
-                  holder of ours a drum that drags to the right raises it"
+            "not printed; below this lift the post falls onto its stop, above it the post lifts \
+             off; for our holder, a drum that drags to the right raises it"
                 .to_owned(),
         ..of(
             "figure 4",
@@ -101,7 +101,7 @@ fn pressures() -> Result<Vec<LedgerRow>, CheckFailure> {
     let lever = Held::Test(
         "pressure_over_the_growth_of_a_package_is_the_balance_of_moments_about_the_lever",
     );
-    let (place, words) = ("`winder_linkage`", "the strut's spring gives as the package grows");
+    let (place, words) = ("`winder_linkage`", "the strut's spring yields as the package grows");
     Ok(vec![
         row("pressure N of the four-link holder, R = 30 mm", holder(0.03), words, place, linkage),
         row("pressure N of the four-link holder, R = 60 mm", holder(0.06), words, place, linkage),
@@ -109,8 +109,8 @@ fn pressures() -> Result<Vec<LedgerRow>, CheckFailure> {
             "pressure N of the bench winder, R = 60 mm",
             pressure_over_growth(rest, spring, &BENCH_MASS, 0.06),
             &format!(
-                "{} N with the empty bobbin, and all of the spring's {} N/m taken by the package's \
-                 growth; the scenes hold N",
+                "{} N with the empty bobbin; the package's growth fully deflects the spring of {} \
+                 N/m; the scenes keep N constant",
                 digits_of(rest, 3),
                 digits_of(spring, 4)
             ),
@@ -124,8 +124,8 @@ fn pressures() -> Result<Vec<LedgerRow>, CheckFailure> {
 fn masses() -> Result<Vec<LedgerRow>, CheckFailure> {
     let held =
         Held::Verify("winder_linear_as_printed: reduced mass of a package of 50 mm, as printed");
-    let why = "(16) reduces weights, linear in lbc/lab; a mass reduced for its kinetic energy takes \
-               the square";
+    let why = "(16) reduces weights, linear in lbc/lab; a mass that preserves the kinetic energy \
+               is quadratic";
     let row = |at, figure, unit, as_printed, consistent, held| LedgerRow {
         figure,
         unit,
@@ -160,7 +160,7 @@ fn amplitudes() -> [LedgerRow; 2] {
         as_printed: Some(as_printed),
         consistent: Some(consistent),
         verdict: format!(
-            "not printed; the consistent one is {}: {why}",
+            "not printed; the consistent value is {}: {why}",
             compare(as_printed, consistent)
         ),
         ..of("(20)", "`winder_linear`; `closed_form::winder`", held)
@@ -174,10 +174,10 @@ fn amplitudes() -> [LedgerRow; 2] {
             Held::Verify("winder_linear: amplitude of the steady answer to force"),
         ),
         row(
-            "amplitude of the bench winder's bobbin over the drum's shape",
+            "amplitude of the bench winder's bobbin under the drum's shape",
             BENCH_BOBBIN.amplitude_as_printed(layer * BENCH_SHAPE.amplitude, BENCH_SHAPE.frequency),
             BENCH_BOBBIN.answer_to_shape(&BENCH_SHAPE).amplitude,
-            "besides, the layer's viscosity carries the shape's rate",
+            "in addition, the layer's viscosity transmits the rate of the shape",
             Held::Verify("winder_linear: amplitude of the steady answer to drum shape"),
         ),
     ]
@@ -191,8 +191,8 @@ fn phases() -> [LedgerRow; 2] {
         as_printed: Some(as_printed),
         consistent: Some(consistent),
         verdict:
-            "not printed; (21) has h m for h, takes an arctangent that forgets the side beyond \
-                  resonance, and leads where the motion lags"
+            "not printed; (21) has h m instead of h, an arctangent that loses the quadrant beyond \
+             resonance, and a phase lead instead of a lag"
                 .to_owned(),
         ..of("(21)", "`winder_linear`; `closed_form::winder`", held)
     };
@@ -204,7 +204,7 @@ fn phases() -> [LedgerRow; 2] {
             Held::Verify("winder_linear: phase of the steady answer to force"),
         ),
         row(
-            "phase of the bench winder's bobbin over the drum's shape",
+            "phase of the bench winder's bobbin under the drum's shape",
             BENCH_BOBBIN.phase_as_printed(BENCH_SHAPE.frequency),
             BENCH_BOBBIN.answer_to_shape(&BENCH_SHAPE).phase,
             Held::Verify("winder_linear: phase of the steady answer to drum shape"),
@@ -227,8 +227,8 @@ fn variation() -> LedgerRow {
         as_printed: Some(as_printed),
         consistent: Some(consistent),
         verdict: format!(
-            "not printed; with the amplitude B of the layer's compression for that of the bobbin, which \
-             misses the drum's own motion: {}",
+            "not printed; the consistent B is the amplitude of the layer's compression; the \
+             printed one, that of the bobbin, omits the drum's motion: {}",
             compare(as_printed, consistent)
         ),
         ..of(
@@ -251,7 +251,7 @@ fn mobility() -> impl Iterator<Item = LedgerRow> {
                 as_printed: None,
                 consistent: Some(ours),
                 verdict: format!(
-                    "{} by 3 n - 2 p5 - p4; the formula is printed with minus signs for its \
+                    "{} by 3 n - 2 p5 - p4; the printed formula has minus signs instead of \
                      multiplications",
                     reproduced(printed, ours, 0.0)
                 ),

@@ -27,8 +27,8 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
     rows.extend(ranges()?);
     rows.push(tenth()?);
     for (figure, printed, ours, test) in [
-        ("factor to resonances that ends stage 1", 2.0, spectrum::ENOUGH, SLOW),
-        ("factor to resonances that ends stage 2", 1.4, layer::ENOUGH, FASTER),
+        ("factor to resonances that is enough for stage 1", 2.0, spectrum::ENOUGH, SLOW),
+        ("factor to resonances that is enough for stage 2", 1.4, layer::ENOUGH, FASTER),
     ] {
         rows.push(LedgerRow {
             figure,
@@ -36,8 +36,8 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
             printed: Some(printed),
             as_printed: Some(printed),
             consistent: Some(ours),
-            verdict: "as printed; what it means of a range of frequencies is that every operating \
-                      frequency keeps it while the package grows"
+            verdict: "as printed; for a range of frequencies, every operating frequency must keep \
+                      it while the package grows"
                 .to_owned(),
             ..LedgerRow::of(Study::Winder, "stages", "`machinist walk`", Held::Test(test))
         });
@@ -67,7 +67,7 @@ fn ranges() -> Result<Vec<LedgerRow>, CheckFailure> {
         })
     };
     Ok(vec![
-        row("friction f of drum and package", "1", [0.15, 0.22], "pair.friction")?,
+        row("friction f between drum and package", "1", [0.15, 0.22], "pair.friction")?,
         row("arm k of rolling friction", "m", [2e-4, 1e-3], "pair.rolling_arm")?,
         row("friction of the support, fA r", "m", [2e-4, 6e-4], "pair.support_arm")?,
         row("least radius of a cartridge", "m", [0.02, f64::INFINITY], "pair.bobbin_radius")?,
@@ -81,14 +81,14 @@ fn tenth() -> Result<LedgerRow, CheckFailure> {
     let share = arms / machine.value("pair.bobbin_radius")? / machine.value("pair.friction")?;
     let [least, most] = [4e-4 / 0.02 / 0.22, 1.6e-3 / 0.02 / 0.15].map(|part: f64| 100.0 * part);
     Ok(LedgerRow {
-        figure: "largest share of f that support and rolling take",
+        figure: "largest share of f used by support and rolling friction",
         unit: "1",
         printed: Some(1.0 - DESIGN_SHARE),
         as_printed: Some(1.6e-3 / 0.02 / 0.15),
         consistent: Some(share),
         verdict: format!(
-            "by the study's own ranges {} to {} % at R = 20 mm, so that (8) may promise more than (7) \
-             holds; the map asks both",
+            "by the study's own ranges {} to {} % at R = 20 mm, so (8) can allow more tension \
+             than (7); the map tests both",
             digits((10.0 * least).round() / 10.0),
             digits((10.0 * most).round() / 10.0)
         ),
@@ -100,65 +100,65 @@ const TOLD: &[Told] = &[
     Told {
         at: "(1), (2)",
         figure: "equilibrium of forces and moments",
-        verdict: "printed and consistent alike",
+        verdict: "same in both readings",
         place: "equilibrium of every scene; `winder_linkage`",
         held: HOLDER,
     },
     Told {
         at: "figure 1",
         figure: "friction winding pair, layer b = R - Rmin",
-        verdict: "printed and consistent alike; R is a state that every turn winds",
+        verdict: "same in both readings; R is a state that grows with every turn",
         place: "`winder_full`, unit `winding_pair`",
         held: GROWTH,
     },
     Told {
         at: "(3)",
         figure: "speed of the package, w0 (R0/R) (1 - nu)",
-        verdict: "printed and consistent alike; elastic slip nu up to 0.04 is no law of the study: a \
-                  package of stage 3 sticks, nu = 0, or slides",
+        verdict: "same in both readings; the study gives no law for the elastic slip nu up to \
+                  0.04: a package of stage 3 sticks (nu = 0) or slides",
         place: "`winder_full`, output `slip`; `closed_form::winding_pair`",
         held: GROWTH,
     },
     Told {
         at: "(4), (5), (6)",
-        figure: "adhesion while the drum speeds up and brakes",
-        verdict: "printed and consistent alike, by the size of Pn R + MA + Mk + JA e, \
-                  for which (6) has two signs",
+        figure: "adhesion while the drum accelerates and brakes",
+        verdict: "same in both readings; the magnitude of Pn R + MA + Mk + JA e replaces the two \
+                  signs of (6)",
         place: "`winder_full`, parameter `acceleration`; `closed_form::winding_pair`",
         held: SPEEDING,
     },
     Told {
         at: "before (7)",
         figure: "P = N f, Mk = N k, MA = N fA r",
-        verdict: "laws, not parameters, in both readings; one sign is printed as N:f",
+        verdict: "laws, not parameters, in both readings; one product is printed as N:f",
         place: "unit `winding_pair`",
         held: LEAST,
     },
     Told {
         at: "before (7)",
-        figure: "slipping on purpose, against rope winding",
-        verdict: "accelerations beyond (6): the package slips, by events",
+        figure: "deliberate slip against rope winding",
+        verdict: "accelerations beyond (6) trigger an event: the package slips",
         place: "`winder_full`, parameter `acceleration`",
         held: SPEEDING,
     },
     Told {
         at: "(7)",
-        figure: "tension that a pressure holds at steady speed",
-        verdict: "printed and consistent alike",
+        figure: "tension that a pressure sustains at constant speed",
+        verdict: "same in both readings",
         place: "`winder_full`; `closed_form::winding_pair`",
         held: LEAST,
     },
     Told {
         at: "(8)",
         figure: "rule of practice, Pn <= 0.9 N f",
-        verdict: "printed and consistent alike; see the tenth below",
+        verdict: "same in both readings; the share of one tenth is examined below",
         place: "`winder_walk::map`",
         held: Held::Test("a_large_package_is_held_by_the_rule_of_practice"),
     },
     Told {
         at: "figures 2, 3, 4",
-        figure: "holder at work, filling, and at work unstably",
-        verdict: "consistent; the study gives no dimensions, all are ours",
+        figure: "holder at work, filling, and at work in an unstable position",
+        verdict: "consistent; the study gives no dimensions, so all are ours",
         place: "`winder_linkage`, `winder_holder_drop`",
         held: Held::Verify(
             "winder_linkage: places of post, plate, cylinder, rod and bobbin along the run",
@@ -167,7 +167,8 @@ const TOLD: &[Told] = &[
     Told {
         at: "(9)",
         figure: "mobility of the mechanism",
-        verdict: "printed with minus signs for multiplications; the number (9) stands twice",
+        verdict: "printed with minus signs instead of multiplications; two equations have the \
+                  number (9)",
         place: "`closed_form::winding_pair`",
         held: Held::Verify(
             "winder_linkage: mobility of five positions, by rank and by Gruebler's count",
@@ -175,24 +176,27 @@ const TOLD: &[Told] = &[
     },
     Told {
         at: "section 3",
-        figure: "vibration may take the mechanism out of its working position",
-        verdict: "consistent: with disturbances of 5.5 m/s the bobbin leaves the drum; without it stays",
+        figure: "vibration can move the mechanism out of its working position",
+        verdict: "consistent: with the disturbances at 5.5 m/s the bobbin leaves the drum; \
+                  without them it stays",
         place: "`winder_full`",
         held: Held::Verify("winder_full: losses of contact and touches in that time"),
     },
     Told {
         at: "section 3",
-        figure: "irregular shape or fitting of the bobbin, a disturbance",
-        verdict: "consistent: a force once a turn of the package, beside the drum's once and twice a turn",
+        figure: "irregular shape or mounting of the bobbin as a disturbance",
+        verdict: "consistent: a force once per package turn, besides the drum's once and twice \
+                  per turn",
         place: "parameter `package_force` of the scenes; `machinist walk --package`",
         held: Held::Test("an_irregular_package_shakes_every_stage_once_a_turn_of_its_own"),
     },
     Told {
         at: "section 3",
         figure: "a turning drum pulls the mechanism into its stable position",
-        verdict: "consistent: between the unstable positions of a drum at rest and of one that drags \
-                  the bobbin, numbers below, the post lifts away at rest and falls onto its stop under \
-                  the turning drum; which way drags it there depends on the dimensions",
+        verdict: "consistent: between the unstable positions for a drum at rest and for a drum \
+                  that drags the bobbin (numbers below), the post lifts off at rest and falls \
+                  onto its stop when the drum turns; the dimensions decide which direction of \
+                  rotation does so",
         place: "`winder_holder_drop`, parameters `lift`, `plate_angle`, `grip`",
         held: Held::Verify(
             "winder_holder_drop: where the post goes from 0.02 rad below and above its unstable position",
@@ -201,8 +205,8 @@ const TOLD: &[Told] = &[
     Told {
         at: "(9), (10)",
         figure: "moments about O at rest and at work",
-        verdict: "printed with several signs at once; consistent signs follow from the places of the \
-                  forces; weight of the rack is named Gc in them and Go in the list",
+        verdict: "printed with several signs at once; consistent: the positions of the forces \
+                  determine the signs; the rack's weight is Gc in the equations and Go in the list",
         place: "`closed_form::bobbin_holder`",
         held: HOLDER,
     },
@@ -216,15 +220,15 @@ const TOLD: &[Told] = &[
     Told {
         at: "(11), (12)",
         figure: "reaction Q of the stop, MO of weights and spring",
-        verdict: "(11) divides the moments of N and P by the arm of Q, called hO, twice; (13), (14) do \
-                  so once, which is consistent; numbers below",
+        verdict: "(11) divides the moments of N and P twice by hO, the arm of Q; (13), (14) \
+                  divide once, which is consistent; numbers below",
         place: "`closed_form::bobbin_holder`",
         held: LAWS,
     },
     Told {
         at: "figures 5, 6",
         figure: "simple mechanisms, bobbin above and below the drum",
-        verdict: "consistent; one lever about C, the sign of the weights apart",
+        verdict: "consistent; one lever about C; only the sign of the weights differs",
         place: "`closed_form::winding_pair`; units `bobbin_holder`, `pressed_bobbin`",
         held: Held::Test(
             "pressure_over_the_growth_of_a_package_is_the_balance_of_moments_about_the_lever",
@@ -233,8 +237,8 @@ const TOLD: &[Told] = &[
     Told {
         at: "(15)",
         figure: "pressure N from the spring, the thread and the weights",
-        verdict: "printed and consistent alike: N grows with R as the package lifts the lever, numbers \
-                  below; `walk` holds it unless told its growth",
+        verdict: "same in both readings; N grows with R as the package lifts the lever, numbers \
+                  below; `walk` keeps N constant without `--growth`",
         place: "`closed_form::winding_pair`; `machinist walk --growth`; `winder_linkage`",
         held: Held::Verify(
             "winder_linkage: forces at contact and stop while the package grows from 30 to 60 mm",
@@ -243,22 +247,23 @@ const TOLD: &[Told] = &[
     Told {
         at: "(16)",
         figure: "weight reduced to the bobbin's axis; the mass is taken from it",
-        verdict: "weights are linear in lbc/lab; a kinetic energy takes the square; numbers below",
+        verdict: "a reduced weight is linear in lbc/lab; a mass that preserves the kinetic energy \
+                  is quadratic; numbers below",
         place: "units `bobbin_holder`, `bobbin_holder_as_printed`",
         held: Held::Test("the_mass_by_weights_is_not_the_mass_by_kinetic_energy"),
     },
     Told {
         at: "(17)",
         figure: "no equation",
-        verdict: "the study prints no equation of this number",
+        verdict: "the study prints no equation with this number",
         place: "nowhere",
         held: Held::Test("every_row_is_whole_and_is_held_by_what_there_is"),
     },
     Told {
         at: "figure 7, (18)",
         figure: "one mass on layer and spring under F(t) and Y(t)",
-        verdict: "printed: the layer's viscosity acts on q' alone; consistent: on q' - Y', for the layer \
-                  lies between both",
+        verdict: "printed: the layer's viscosity acts on q' alone; consistent: on q' - Y', since \
+                  the layer lies between bobbin and drum",
         place: "`winder_linear`; printed `winder_linear_as_printed`",
         held: Held::Verify(
             "winder_linear_as_printed: transient under force and drum shape, as printed",
@@ -267,49 +272,51 @@ const TOLD: &[Told] = &[
     Told {
         at: "(19)",
         figure: "motion as a sum of harmonics",
-        verdict: "printed and consistent alike for the steady part; transients beside it",
+        verdict: "same in both readings for the steady part; the motion also has transients",
         place: "`closed_form::winder`",
         held: Held::Verify("winder_linear: transient under force and drum shape"),
     },
     Told {
         at: "after (21)",
-        figure: "largest amplitude as the plain sum of all",
-        verdict: "printed and consistent alike: a bound that some phases reach",
+        figure: "largest amplitude as the sum of all amplitudes",
+        verdict: "same in both readings; some phases attain this bound",
         place: "`closed_form::winder`",
         held: Held::Test("no_phases_exceed_the_sum_of_amplitudes_and_some_reach_it"),
     },
     Told {
         at: "(23), (24)",
         figure: "conditions of tension with N - dN",
-        verdict: "printed and consistent alike",
+        verdict: "same in both readings",
         place: "`winder_walk::map`",
         held: CONDITIONS,
     },
     Told {
         at: "(25)",
         figure: "shift of the equilibrium, factor 1 + delta",
-        verdict: "delta is said to grow with load and speed, without numbers; here a share of 10 %, ours",
+        verdict: "the study says that delta grows with load and speed, without numbers; here 10 \
+                  %, ours",
         place: "`winder_walk::map`",
         held: Held::Test("vibration_narrows_the_band_from_both_sides"),
     },
     Told {
         at: "(26), figure 8",
         figure: "window [Nmin] + dN <= N <= [Nmax] - dN over R",
-        verdict: "printed and consistent alike; drawn for the bench winder on the report's page of studies",
+        verdict: "same in both readings; plotted for the bench winder on the report's studies page",
         place: "`winder_walk::map`; `studies::conclusions`",
         held: BAND,
     },
     Told {
         at: "stages",
         figure: "third stage: all nonlinearities",
-        verdict: "consistent: loss of contact, friction that sticks and slips, growth of the package",
+        verdict: "consistent: loss of contact, stick-slip friction, growth of the package",
         place: "`winder_full`",
         held: Held::Test("the_bench_speed_needs_the_full_model_which_finds_contact_lost"),
     },
     Told {
         at: "section 5",
         figure: "conclusion: keep clear of resonances, never lose contact",
-        verdict: "consistent: on the report's page of studies, with the speed and pressures that do",
+        verdict: "consistent: the report's studies page gives the speed and pressures that \
+                  satisfy it",
         place: "`studies::conclusions`; `machinist walk`",
         held: Held::Test(
             "where_the_map_is_stable_the_full_model_neither_leaves_the_drum_nor_slips",

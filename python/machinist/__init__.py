@@ -1,4 +1,4 @@
-"""Machinist: simulators of machines, written down by their energies.
+"""Machinist: simulators of machines defined by their Lagrangians.
 
 >>> import machinist
 >>> gin = machinist.load("saw_gin")
@@ -61,5 +61,5 @@ __all__ = [
 
 
 def methods() -> dict[str, str]:
-    """Methods of integration, with what they are for."""
+    """Integration methods by name, with a short description of each."""
     return {name: doc for name, _, _, doc in _machinist.methods()}

@@ -1,10 +1,9 @@
-"""Pieces of sweeps on a Dask cluster.
+"""Chunks of sweeps on a Dask cluster.
 
-The machine is loaded by a task whose result workers hand each other: each gets it once, and where
-the worker that held it is lost, it is loaded again. A task whose worker dies is given to another
-by the scheduler. Pieces that were on workers that died too often are run again at the end, one at a
-time, so that none is blamed for another; the one that kills them then is halved until the variant
-is found.
+A task loads the machine, and the workers share its result. Each worker receives it once. If the
+worker that holds it is lost, it is loaded again. The scheduler reassigns tasks of lost workers.
+Chunks whose workers died too often run again at the end, one at a time, so a failure has one cause.
+A chunk that kills its workers again is halved until the failing variant is found.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ from ._sweep import FIRST, Array, Piece, Plan, next_size, run_piece
 if TYPE_CHECKING:
     from dask.distributed import Client, Future
 
-#: Pieces that are handed out for each thread of the cluster.
+#: Chunks in flight per thread of the cluster.
 _AHEAD = 2
 
 
@@ -33,7 +32,7 @@ def on_cluster(
     missing: list[tuple[int, int]],
     seconds: float,
 ) -> Iterator[Piece]:
-    """Pieces as they are done, in any order."""
+    """Completed chunks, in any order."""
     if not missing:
         return
     loaded = client.submit(_restored, model._key, pure=False)
@@ -56,7 +55,7 @@ def on_cluster(
             return None
         left = sum(stop - first for first, stop in rest)
         first, last = rest.pop()
-        # The last ones are smaller, so that no worker waits long for another.
+        # The last chunks are smaller, so that workers finish at similar times.
         share = -(-left // (_AHEAD * threads))
         stop = min(last, first + max(1, size // 8, min(size, share)))
         if stop < last:
@@ -93,12 +92,12 @@ def on_cluster(
                 else:
                     suspects += [(first, middle), (middle, stop)]
     finally:
-        # Nothing of it is left behind by a caller who stops early.
+        # Cancel pending tasks if the caller stops early.
         client.cancel([*done.futures, loaded])
 
 
 def _died(plan: Plan, first: int, variant: Array, error: KilledWorker) -> Piece:
-    """A variant whose workers died, again and again."""
+    """Result of a variant whose workers died repeatedly."""
     values = np.full((1, len(plan.columns)), np.nan)
     told = f"the workers that ran it died, the last of them {error.last_worker.address}"
     return Piece(first, variant, values, np.zeros(1, np.uint64), [told], 0.0)

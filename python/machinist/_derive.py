@@ -1,4 +1,4 @@
-"""Models from specs, by the program `machinist` where it is installed."""
+"""Models from specs, compiled by the program `machinist`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _HELP = re.compile(r"^\s*help:\s*(?P<help>.+?)(?=^\s*$|\Z)", re.MULTILINE | re.D
 
 
 def program() -> str:
-    """The program `machinist`: what the variable MACHINIST names, else what PATH holds."""
+    """Path of the program `machinist`, from the environment variable MACHINIST or else PATH."""
     named = os.environ.get("MACHINIST")
     found = shutil.which(named) if named else shutil.which("machinist")
     if found:
@@ -31,7 +31,7 @@ def program() -> str:
 
 
 def derived(scene: str | os.PathLike[str], *, keep_all: bool = False) -> bytes:
-    """The bytes of the model of a spec, or of a scene that the program has built in."""
+    """Model, as bytes, of a spec or of a built-in scene of the program."""
     tool = program()
     with tempfile.TemporaryDirectory(prefix="machinist-") as folder:
         out = Path(folder) / "machine.model"
@@ -51,13 +51,13 @@ def derived(scene: str | os.PathLike[str], *, keep_all: bool = False) -> bytes:
 
 
 def _refused(scene: str, report: str, code: int) -> SpecError:
-    """What the program says of a spec, with the first file and line that it names."""
+    """Error reported by the program for a spec, with the first file and line it gives."""
     messages = [found["message"].strip() for found in _MESSAGE.finditer(report)]
     told = [message for message in messages if not message.endswith("errors in the spec")]
     message = "; ".join(told) or report.strip() or f"`machinist compile` ended with code {code}"
     where = _WHERE.search(report)
     file, line = (where["file"], int(where["line"])) if where else (scene, None)
-    # The program tells files without the root they are under.
+    # The program omits the root directory from file names.
     if where and not Path(file).exists() and Path(os.sep, file).exists():
         file = str(Path(os.sep, file))
     advice = _HELP.search(report)
@@ -68,7 +68,7 @@ def _refused(scene: str, report: str, code: int) -> SpecError:
 
 
 def read(path: Path, mark: bytes) -> tuple[bytes, bool]:
-    """The bytes of a model file, and whether it begins as one."""
+    """Content of a model file, and whether it starts with the model mark."""
     try:
         content = path.read_bytes()
     except OSError as error:

@@ -1,4 +1,4 @@
-"""Designs: which variants a sweep runs."""
+"""Designs: the variants of a sweep."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ Axis = Sequence[Any] | NDArray[Any]
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """Variants of a machine: a row of `values` for each, a column for each of `names`.
+    """Variants of a machine: one row of `values` per variant, one column per name.
 
-    `told` is how they came about, as plain data: the same gives the same numbers.
+    `told` describes the design as plain data; equal descriptions give equal numbers.
     """
 
     names: tuple[str, ...]
@@ -44,14 +44,14 @@ def design(
     *,
     seed: int = 0,
 ) -> Design:
-    """Variants within a space of parameters.
+    """Create the variants of a parameter space.
 
-    :param space: by parameter `(from, to)`, `(from, to, "log")`, or for a grid or a table the
-        values themselves; for a table a DataFrame too.
-    :param kind: `grid`, all combinations, the last parameter fastest; `random`; `latin` hypercube;
-        `sobol` (both by scipy.stats.qmc); `table`, the rows as they are.
-    :param n: how many; for a grid, how many values on each axis that is a range.
-    :param seed: of what is drawn.
+    :param space: `(from, to)` or `(from, to, "log")` by parameter; for a grid or a table also a
+        sequence of values; for a table also a DataFrame.
+    :param kind: `grid` (all combinations, the last parameter varies fastest), `random`, `latin`
+        (hypercube), `sobol` (both from scipy.stats.qmc) or `table` (the rows as given).
+    :param n: number of variants; for a grid, number of values per range.
+    :param seed: seed of the random numbers.
     """
     columns = _columns(space)
     if not columns:
@@ -82,7 +82,7 @@ def design(
 
 
 def _made(names: tuple[str, ...], values: Array, told: dict[str, Any]) -> Design:
-    """A design that is told apart by its numbers, whatever drew them."""
+    """Design with a hash of its numbers, independent of the sampler."""
     digest = hashlib.sha256(np.ascontiguousarray(values).tobytes()).hexdigest()
     return Design(names, values, {**told, "variants": len(values), "sha256": digest})
 
@@ -94,7 +94,7 @@ def _limited(count: int) -> None:
 
 
 def _drawn(kind: str, n: int, d: int, seed: int) -> Array:
-    """Points of the unit cube."""
+    """Sample points in the unit cube."""
     if kind == "random":
         return np.random.default_rng(seed).random((n, d))
     from scipy.stats import qmc
@@ -102,7 +102,7 @@ def _drawn(kind: str, n: int, d: int, seed: int) -> Array:
     if kind == "latin":
         return np.asarray(qmc.LatinHypercube(d, seed=seed).random(n))
     sampler = qmc.Sobol(d, scramble=True, seed=seed)
-    # Whole powers of two are balanced; what is beyond n is left out.
+    # Powers of two are balanced; points beyond n are dropped.
     return np.asarray(sampler.random_base2(max(0, (n - 1).bit_length())))[:n]
 
 
@@ -141,7 +141,7 @@ def _axis(name: str, axis: Axis, n: int | None) -> Array:
     _limited(n)
     shares = np.arange(n) / (n - 1)
     if scale == "log":
-        # By the C library's function, as the program does; NumPy's own is off by a bit at times.
+        # The C library's pow, as in the program; NumPy's can differ in the last bit.
         values = np.array([low * math.pow(high / low, share) for share in shares])
     else:
         values = _scaled(shares, low, high, scale)

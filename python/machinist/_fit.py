@@ -1,4 +1,4 @@
-"""Parameters from measured runs."""
+"""Fits of parameters to measured runs."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ._model import Model
 
 Array = NDArray[np.float64]
-#: A DataFrame of pandas or polars, or columns by name.
+#: A pandas or polars DataFrame, or columns by name.
 Measured = Any
 
 _NAMED = re.compile(r"^\s*(?P<name>.*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*$")
@@ -29,13 +29,13 @@ _TIMES = ("t", "time")
 
 @dataclass(frozen=True)
 class Found:
-    """A parameter, or an initial value, that a fit has found."""
+    """Fitted parameter or initial value."""
 
     name: str
     unit: str
     start: float
     value: float
-    #: Nothing where the data do not tell it, or a bound holds it.
+    #: None if the parameter is not identifiable or at a bound.
     standard_error: float | None
     confidence_95: tuple[float, float] | None
     is_at_bound: bool
@@ -43,18 +43,18 @@ class Found:
 
 @dataclass(frozen=True)
 class Residual:
-    """What an output is off in the end, in its unit; NaN where there are too few values."""
+    """Residual of an output after the fit, in its unit; NaN if there are too few values."""
 
     output: str
     unit: str
     values: int
     rms: float
     largest: float
-    #: What residuals were weighed by.
+    #: Weight of the residuals: a standard deviation, or the root mean square of all.
     scale: float
-    #: Whether they are as small as errors of the runs may be.
+    #: Whether the residuals are at the level of the integration error.
     is_rounding: bool
-    #: Probability of as many runs of one sign by chance: small where the model lacks something.
+    #: p-value of the runs test; a small value indicates a deficient model.
     probability_of_runs: float
 
 
@@ -62,7 +62,7 @@ _HEADING = ("", "unit", "start", "fitted", "95 % interval", "error")
 
 
 class Fit:
-    """What a fit has found, and what the data say of it."""
+    """Result of a fit: parameters, confidence intervals, correlations and residuals."""
 
     def __init__(
         self,
@@ -75,27 +75,27 @@ class Fit:
         self._model = model
         self._measured = measured
         self._settings = settings
-        #: Why the search ended: converged, steps (no more were allowed), interrupted or stuck.
+        #: Reason for termination: converged, steps (limit reached), interrupted or stuck.
         self.end: str = told["end"]
-        #: Steps of the search, and evaluations.
+        #: Number of search steps and of evaluations.
         self.steps: int = told["steps"]
         self.runs: int = told["runs"]
-        #: Variants that could not be simulated, and why the first could not.
+        #: Number of failed simulations, and the reason of the first failure.
         self.failed: int = told["failed"]
         self.why_failed: str | None = told["why_failed"]
-        #: Values that were compared.
+        #: Number of values compared.
         self.values: int = findings["values"]
-        #: What was looked for, by name.
+        #: Fitted parameters and initial values, by name.
         self.found: dict[str, Found] = {}
         for row in findings["parameters"]:
             interval = row.pop("confidence_95")
             found = Found(**row, confidence_95=None if interval is None else tuple(interval))
             self.found[found.name] = found
-        #: Correlations of each two of them; NaN where one is not told.
+        #: Correlation matrix; NaN where a parameter is not identifiable.
         self.correlations: Array = np.array(
             [[np.nan if c is None else c for c in row] for row in findings["correlations"]]
         ).reshape(len(self.found), len(self.found))
-        #: Combinations of relative changes that the data hardly tell, with their errors.
+        #: Poorly identifiable combinations of relative changes, with their standard errors.
         self.untold: list[tuple[dict[str, float], float]] = [
             (
                 dict(map(tuple, row["shares"])),
@@ -103,7 +103,7 @@ class Fit:
             )
             for row in findings["untold"]
         ]
-        #: What is left of each output.
+        #: Residuals by output.
         self.residuals: dict[str, Residual] = {}
         for row in findings["outputs"]:
             kept = {name: row[name] for name in Residual.__dataclass_fields__}
@@ -113,23 +113,23 @@ class Fit:
 
     @property
     def converged(self) -> bool:
-        """Whether there is nothing better nearby."""
+        """Whether the search converged to a local minimum."""
         return self.end == "converged"
 
     @property
     def parameters(self) -> dict[str, float]:
-        """Values found of parameters, for `simulate(parameters=...)`."""
+        """Fitted parameters, for `simulate(parameters=...)`."""
         known = self._model.parameters
         return {name: found.value for name, found in self.found.items() if name in known}
 
     @property
     def initial(self) -> dict[str, float]:
-        """Values found of states at the start, for `simulate(initial=...)`."""
+        """Fitted initial values, for `simulate(initial=...)`."""
         known = self._model.parameters
         return {name: found.value for name, found in self.found.items() if name not in known}
 
     def simulate(self, **settings: Any) -> Run:
-        """A run with what was found, else as the fit's runs and as told."""
+        """Simulate with the fitted values and the settings of the fit, overridden by `settings`."""
         merged = {**self._settings, **settings}
         for kind, found in (("parameters", self.parameters), ("initial", self.initial)):
             if found:
@@ -140,7 +140,7 @@ class Fit:
         return self._model.simulate(**merged)
 
     def plot(self, run: int = 0) -> Picture:
-        """What was measured in a run, beside the model as fitted."""
+        """Plot the measurements of a run with the fitted model."""
         times, columns = self._measured[run]
         fitted = self.simulate(until=float(times[-1]), points=1001)
         units = {column.name: column.unit for column in fitted.columns}
@@ -196,7 +196,7 @@ def measured_runs(
     mapped: Mapping[str, str],
     outputs: Sequence[str],
 ) -> list[tuple[Array, list[tuple[str, Array]]]]:
-    """Times and columns of data frames, or of columns by name."""
+    """Times and columns of measured runs."""
     runs = data if isinstance(data, (list, tuple)) else [data]
     if not runs:
         raise InputError("there is nothing measured")
@@ -238,7 +238,7 @@ def _measured(
 
 
 def _columns(data: Measured) -> dict[str, ArrayLike]:
-    """Columns by name, with an index that is time."""
+    """Columns by name, including an index that holds the time."""
     if isinstance(data, Run):
         return {"t": data.t, **{c.name: data[c.name] for c in data.columns}}
     if isinstance(data, Mapping):

@@ -1,4 +1,4 @@
-"""Natural motions, and answers to harmonic disturbances."""
+"""Eigenmodes and frequency responses."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class ModeSlope:
-    """How a mode moves with a parameter: derivatives in SI units, each by the parameter's."""
+    """Derivatives of an eigenmode by a parameter, in SI units per unit of the parameter."""
 
     real: float
     imaginary: float
@@ -29,11 +29,11 @@ class ModeSlope:
 
 @dataclass(frozen=True, eq=False)
 class Mode:
-    """One natural motion: dy = Re(shape e^(eigenvalue t))."""
+    """Eigenmode dy = Re(shape e^(eigenvalue t))."""
 
-    #: free (nothing restores it), aperiodic or oscillation.
+    #: free (no restoring force), aperiodic or oscillation.
     kind: str
-    #: [1/s], with imaginary part not negative.
+    #: Eigenvalue with nonnegative imaginary part [1/s].
     eigenvalue: complex
     #: |eigenvalue| [rad/s].
     natural_frequency: float
@@ -41,20 +41,20 @@ class Mode:
     damping_ratio: float
     #: -1/Re [s].
     decay_time: float
-    #: By the names of `Modes.names`: q, q' and z.
+    #: Mode shape by the names of `Modes.names`: q, q' and z.
     shape: dict[str, complex]
-    #: Share of the motion that each coordinate and first-order state has; together 1.
+    #: Share of each coordinate and first-order state in the motion; the sum is 1.
     shares: dict[str, float]
-    #: How far the shape is from being one; far above 1e-10 the matrix is defective.
+    #: Residual of the eigenpair; a value far above 1e-10 indicates a defective matrix.
     residual: float
-    #: By parameters that were asked for.
+    #: Derivatives by the requested parameters.
     slopes: dict[str, ModeSlope]
-    #: Why there are none.
+    #: Reason if there are no derivatives, else None.
     no_slopes: str | None
 
     @property
     def moving(self) -> str:
-        """The largest shares, for people."""
+        """Largest shares as text."""
         order = sorted(self.shares.items(), key=lambda item: -item[1])
         major = [(name, share) for name, share in order if share >= 0.05 * order[0][1]][:4]
         return ", ".join(f"{name} {100 * share:.0f} %" for name, share in major)
@@ -64,16 +64,16 @@ _HEADING = ("motion", "moves", "natural [rad/s]", "damped [Hz]", "damping ratio"
 
 
 class Modes(Sequence[Mode]):
-    """All natural motions of a machine about a point, free ones first, then by frequency."""
+    """Eigenmodes of a machine at an operating point: free ones first, then by frequency."""
 
     def __init__(self, machine: str, at: str, told: dict[str, Any]) -> None:
         self._machine = machine
         self._at = at
-        #: Time of the point [s].
+        #: Time of the operating point [s].
         self.time: float = told["time"]
-        #: State of the point.
+        #: State at the operating point.
         self.state: Array = told["state"]
-        #: Names of [q, q', z], which shapes are made of.
+        #: Names of [q, q', z], the entries of mode shapes.
         self.names: tuple[str, ...] = tuple(told["names"])
         self._matrix: Array | None = told["matrix"]
         n = told["coordinates"]
@@ -82,24 +82,24 @@ class Modes(Sequence[Mode]):
 
     @property
     def matrix(self) -> Array:
-        """dy'/dy there; an `AnalysisError` of more states than full matrices take."""
+        """dy'/dy at the operating point; raises `AnalysisError` if too large for a dense matrix."""
         if self._matrix is None:
             raise AnalysisError(f"{len(self.state)} states are too many for a full matrix")
         return self._matrix.reshape(len(self.state), len(self.state))
 
     @property
     def eigenvalues(self) -> NDArray[np.complex128]:
-        """Eigenvalues of all, with imaginary parts not negative [1/s]."""
+        """All eigenvalues with nonnegative imaginary part [1/s]."""
         return np.array([mode.eigenvalue for mode in self._modes])
 
     @property
     def natural_frequencies(self) -> Array:
-        """|eigenvalue| of all [rad/s]."""
+        """|eigenvalue| of all eigenmodes [rad/s]."""
         return np.array([mode.natural_frequency for mode in self._modes])
 
     @property
     def damping_ratios(self) -> Array:
-        """-Re/|eigenvalue| of all; NaN of free motions."""
+        """-Re/|eigenvalue| of all eigenmodes; NaN for free motions."""
         return np.array([mode.damping_ratio for mode in self._modes])
 
     @overload
@@ -158,7 +158,9 @@ def _mode(row: dict[str, Any], names: Sequence[str], moving: Sequence[str], by: 
 
 
 class Response:
-    """How an output answers a harmonic disturbance: o + a Re(H(w) e^(j w t))."""
+    """Frequency response H(w): for the input disturbance a cos(w t), the output is
+    o + a Re(H(w) e^(j w t)).
+    """
 
     def __init__(
         self,
@@ -166,12 +168,12 @@ class Response:
         told: tuple[str, str, str, list[Array], float | None, tuple[float, float] | None],
     ) -> None:
         self._title = title
-        #: What varies, what answers, and the unit of the one over that of the other.
+        #: Input, output, and the unit of H.
         self.input, self.output, self.unit, arrays, growth, self._largest = told
-        #: How fast a motion grows by itself that is not disturbed [1/s], or None: only then do
-        #: motions settle to these amplitudes.
+        #: Largest growth rate of the undisturbed motion [1/s], or None if no motion grows. Motions
+        #: settle to these amplitudes only in the latter case.
         self.growth = growth
-        #: Angular frequencies w [rad/s], |H|, and arg H [rad], continuous.
+        #: Angular frequencies w [rad/s], |H|, and the continuous phase arg H [rad].
         self.frequencies, self.amplitudes, self.phases = arrays
 
     @property
@@ -181,15 +183,15 @@ class Response:
 
     @property
     def peak(self) -> tuple[float, float]:
-        """Frequency [rad/s] and size of the largest amplitude in the range of the frequencies,
-        which may lie between two of them; infinite at a resonance that nothing damps."""
+        """Frequency [rad/s] and value of the largest amplitude in the frequency range, possibly
+        between two frequencies; infinite at an undamped resonance."""
         if self._largest is not None:
             return self._largest
         place = int(np.argmax(self.amplitudes))
         return float(self.frequencies[place]), float(self.amplitudes[place])
 
     def plot(self) -> Picture:
-        """Amplitude in decibels and phase in degrees over the logarithm of the frequency."""
+        """Bode plot: amplitude in decibels and phase in degrees over logarithmic frequency."""
         with np.errstate(divide="ignore"):
             decibels = 20 * np.log10(self.amplitudes)
         panels = [

@@ -1,4 +1,4 @@
-"""The native part of the package: what crosses between Rust and Python."""
+"""Native part of the package: the interface between Rust and Python."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -41,7 +41,7 @@ class Machine:
     def time_runs(self, settings: dict[str, Any], runs: int) -> list[float]: ...
 
 class Run:
-    """A run: times and columns of numbers."""
+    """A run: times and numeric columns."""
 
     def times(self) -> Array: ...
     def columns(self) -> list[tuple[str, str, str, str]]: ...
@@ -49,7 +49,7 @@ class Run:
     def told(self) -> dict[str, Any]: ...
 
 def built_in_names() -> list[str]:
-    """Names of scenes that are built in, sorted."""
+    """Names of the built-in scenes, sorted."""
 
 def methods() -> list[tuple[str, int, bool, str]]: ...
 def did_you_mean(name: str, known: list[str]) -> str: ...

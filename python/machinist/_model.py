@@ -1,4 +1,4 @@
-"""Machines: loaded from specs, model files or by name, and run."""
+"""Machines: loading from specs, model files or by name, and running."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ if TYPE_CHECKING:
     import scipy.sparse
 
 Array = NDArray[np.float64]
-#: All parameters in order, or some by name.
+#: Some parameters by name, or all in order.
 Parameters = Mapping[str, float] | ArrayLike
 
-#: Machines of this process, by what they are made of.
+#: Machines loaded in this process, by source and field discretization.
 _LOADED: dict[tuple[Any, ...], Model] = {}
 
 
@@ -38,19 +38,19 @@ def load(
     order: int | None = None,
     keep_all: bool = False,
 ) -> Model:
-    """A machine: of a spec (`drive.toml`), of a model file (`drive.model`), or built in
-    (`saw_gin`).
+    """Load a machine from a spec (`drive.toml`), a model file (`drive.model`) or by the name of a
+    built-in scene (`saw_gin`).
 
-    A spec is derived by the program `machinist`, found on PATH or by the variable MACHINIST; a
-    model file and what is built in need nothing.
+    Loading a spec requires the program `machinist`, from the environment variable MACHINIST or
+    PATH. Model files and built-in scenes do not require it.
 
-    :param elements: elements into which fields are cut, if the scene has any.
+    :param elements: number of elements that discretize the fields of the scene, if any.
     :param order: order of these elements.
-    :param keep_all: leave nothing out of a spec, whether outputs need it or not.
-    :raises UnknownNameError: there is no such scene.
-    :raises SpecError: the spec is wrong; with its file and line.
-    :raises ModelFileError: the file is damaged, or of another version.
-    :raises ToolMissingError: a spec is to be derived, and the program is not there.
+    :param keep_all: keep all parts of a spec, including those that no output needs.
+    :raises UnknownNameError: no scene has this name.
+    :raises SpecError: the spec is invalid; gives file and line.
+    :raises ModelFileError: the file is damaged or has another version.
+    :raises ToolMissingError: a spec needs the program `machinist`, which was not found.
     """
     name = os.fspath(scene)
     if not isinstance(name, str):
@@ -76,7 +76,7 @@ def _again(error: ModelFileError) -> str:
 
 
 def _loaded(payload: tuple[str, Any], elements: int | None, order: int | None) -> Model:
-    """The machine of a payload, made once in a process."""
+    """Machine of a payload, created once per process."""
     key = (*payload, elements, order)
     if key not in _LOADED:
         kind, content = payload
@@ -101,7 +101,7 @@ def _restored(key: tuple[Any, ...]) -> Model:
 
 
 class Model:
-    """A machine ready to run. Made by :func:`load`; may be pickled and shared by threads."""
+    """A machine ready to run, returned by :func:`load`. Picklable and thread-safe."""
 
     def __init__(self, machine: _machinist.Machine, key: tuple[Any, ...]) -> None:
         self._machine = machine
@@ -116,32 +116,32 @@ class Model:
 
     @property
     def name(self) -> str:
-        """The scene's name."""
+        """Name of the scene."""
         return self._told["name"]
 
     @property
     def title(self) -> str:
-        """The scene in one line."""
+        """One-line description of the scene."""
         return self._told["title"]
 
     @property
     def running(self) -> str:
-        """How it runs: emitted, compiled (at once, by Cranelift) or interpreted."""
+        """Execution mode: emitted code, JIT-compiled (by Cranelift) or interpreted."""
         return self._told["running"]
 
     @property
     def fingerprint(self) -> str:
-        """SHA-256 of the model file; of what is built in, of its names and what it computes."""
+        """SHA-256 of the model file; for a built-in scene, of its names and computed values."""
         return self._machine.fingerprint
 
     @property
     def defaults(self) -> dict[str, Any]:
-        """The run that the scene asks for: start, until, points, rtol, method."""
+        """Default run settings of the scene: start, until, points, rtol, method."""
         return dict(self._told["run"])
 
     @cached_property
     def parameters(self) -> Table[Parameter]:
-        """Parameters with values, units, meanings, and whether they are tunable."""
+        """Parameters with values, units, descriptions and the flag `tunable`."""
         rows = [
             Parameter(name, unit, doc, value, tunable)
             for (name, unit, doc), value, tunable in self._told["parameters"]
@@ -159,24 +159,24 @@ class Model:
 
     @cached_property
     def outputs(self) -> Table[Quantity]:
-        """Wanted outputs."""
+        """Outputs of the scene."""
         rows = [Quantity(*row) for row in self._told["outputs"]]
         return Table(self.name, "output", rows, ("name", "unit", "doc"))
 
     @cached_property
     def events(self) -> Table[Event]:
-        """Events that may happen."""
+        """Events of the scene."""
         rows = [Event(name, "", doc) for name, doc in self._told["events"]]
         return Table(self.name, "event", rows, ("name", "doc"))
 
     @cached_property
     def constraints(self) -> Table[Quantity]:
-        """What coordinates must fulfil."""
+        """Constraints on the coordinates."""
         rows = [Quantity(*row) for row in self._told["constraints"]]
         return Table(self.name, "constraint", rows, ("name", "unit", "doc"))
 
     def p(self, values: Mapping[str, float] | None = None) -> Array:
-        """All parameters in order, some of them with other values."""
+        """Vector of all parameters in order: scene values, replaced by `values` where given."""
         all_of_them = self._machine.defaults()
         for name, value in (values or {}).items():
             all_of_them[self.parameters.index(name)] = value
@@ -185,31 +185,31 @@ class Model:
     def rate(
         self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
     ) -> Array:
-        """y' = f(t, y, p), as SciPy's `solve_ivp` takes it.
+        """Rate y' = f(t, y, p), with the signature of SciPy's `solve_ivp`.
 
-        Events do nothing here and modes stay as they are in `y`; accelerations fulfil constraints,
-        which drift.
+        It does not handle events: modes keep their values in `y`. Constraints hold at acceleration
+        level only, so positions drift.
 
-        :param p: all parameters in order, see :meth:`p`; those of the scene if not given.
-        :param out: an array to be filled and returned, instead of a new one.
+        :param p: all parameters in order, see :meth:`p`; default: the scene's values.
+        :param out: array to fill and return instead of a new one.
         """
         return self._machine.rate(t, y, p, out)
 
     def jacobian(
         self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
     ) -> Array:
-        """dy'/dy, exact and dense, states by states; see :attr:`jacobian_sparsity`."""
+        """Exact dense Jacobian dy'/dy; for its pattern see :attr:`jacobian_sparsity`."""
         return self._machine.jacobian(t, y, p, out)
 
     def outputs_at(
         self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
     ) -> Array:
-        """Wanted outputs in a state, in the order of :attr:`outputs`."""
+        """Outputs at a given state, in the order of :attr:`outputs`."""
         return self._machine.outputs(t, y, p, out)
 
     @property
     def jacobian_sparsity(self) -> scipy.sparse.coo_array:
-        """Where dy'/dy may be nonzero, as SciPy takes it; needs SciPy."""
+        """Sparsity pattern of dy'/dy for SciPy's solvers; requires SciPy."""
         import scipy.sparse
 
         rows, columns = self._machine.jacobian_pattern()
@@ -217,11 +217,11 @@ class Model:
         return scipy.sparse.coo_array((np.ones(len(rows)), (rows, columns)), shape=shape)
 
     def initial_state(self, p: ArrayLike | None = None) -> Array:
-        """The state that the scene begins with; guesses, where constraints decide the rest."""
+        """Initial state of the scene; contains guesses where constraints determine values."""
         return self._machine.initial_state(p)
 
     def discontinuities(self, p: ArrayLike | None = None) -> Array:
-        """Times at which the rate jumps [s]; a solver is to stop there."""
+        """Times at which the rate is discontinuous [s]; restart the solver there."""
         return self._machine.discontinuities(p)
 
     def simulate(
@@ -245,23 +245,23 @@ class Model:
         time_limit: float | None = None,
         on_stop: Literal["raise", "keep"] = "raise",
     ) -> Run:
-        """A run; what is not given is as the scene says. The interpreter is free meanwhile.
+        """Simulate the machine. Omitted settings take the scene's values. Releases the GIL.
 
         :param until: end time [s]; `start` is the start time.
         :param parameters: some by name, or all in order; SI units.
-        :param initial: initial values of states by name, or a whole state.
-        :param points: number of equally spaced output times; `times` are times instead.
-        :param rtol: relative tolerance of a step; `atol` absolute ones, each in its unit.
-        :param method: see :func:`machinist.methods`.
-        :param equilibrium: start in the equilibrium near the initial state, or not.
-        :param energy_balance: integrate the power balance alongside.
-        :param error: run once more, at a tighter tolerance, for an estimate of `run.error`.
-        :param accuracy: tighten `rtol` until the estimated error of every column is that part of its
-            largest value; a note says why where that cannot be.
+        :param initial: initial values of states by name, or the complete state.
+        :param points: number of equally spaced output times; `times` gives the times instead.
+        :param rtol: relative step tolerance; `atol`: absolute tolerances in the states' units.
+        :param method: integration method, see :func:`machinist.methods`.
+        :param equilibrium: whether to start in the equilibrium near the initial state.
+        :param energy_balance: integrate the power balance along with the run.
+        :param error: repeat the run at a tighter tolerance to estimate `run.error`.
+        :param accuracy: tighten `rtol` until the estimated error of every column is at most this
+            fraction of its largest value; a note gives the reason if this fails.
         :param sensitivities: parameters, or states for their initial values, to differentiate by.
-        :param time_limit: seconds that the run may take.
-        :param on_stop: "raise" a :class:`StoppedError` with what there is of the run, or "keep" it
-            and say so in `run.stopped`.
+        :param time_limit: limit of the computing time [s].
+        :param on_stop: if the run stops early, "raise" a :class:`StoppedError` that contains the
+            partial run, or "keep" the partial run and set `run.stopped`.
         """
         if on_stop not in ("raise", "keep"):
             raise InputError(f"on_stop is `raise` or `keep`, not {on_stop!r}")
@@ -293,11 +293,11 @@ class Model:
         initial: Mapping[str, float] | ArrayLike | None = None,
         **settings: Any,
     ) -> Modes:
-        """Natural motions about a point of the run: frequencies, damping, shapes.
+        """Eigenmodes of the linearization: frequencies, damping, mode shapes.
 
-        :param at: "equilibrium" (the one near the end of the run), "initial", or a time [s].
+        :param at: "equilibrium" (the one near the end of the run), "initial" or a time [s].
         :param slopes: parameters by which eigenvalues are differentiated.
-        :param settings: of the run that leads there, as those of :meth:`simulate`.
+        :param settings: settings of the run to the operating point, as for :meth:`simulate`.
         """
         place = _place(at)
         given = _given(parameters=parameters, initial=initial, **settings)
@@ -316,12 +316,12 @@ class Model:
         initial: Mapping[str, float] | ArrayLike | None = None,
         **settings: Any,
     ) -> Response:
-        """How an output or a state answers a harmonic disturbance.
+        """Frequency response of an output or a state.
 
         :param input: a parameter, or a coordinate for a force on it.
-        :param frequencies: angular frequencies [rad/s]; `points` of them about those of the
-            machine if not given.
-        :param at: as in :meth:`modes`, and `settings` too.
+        :param frequencies: angular frequencies [rad/s]; default: `points` frequencies around the
+            machine's own.
+        :param at: operating point; `at` and `settings` as for :meth:`modes`.
         """
         given = _given(parameters=parameters, initial=initial, **settings)
         told = _machinist.response(
@@ -337,14 +337,14 @@ class Model:
         given: Parameters | None = None,
         **settings: Any,
     ) -> Sensitivities:
-        """Which parameters matter for which outputs: exact derivatives along the run, also through
-        events.
+        """Relative sensitivities of outputs to parameters, from exact derivatives along the run and
+        through events.
 
-        :param parameters: all that are not zero unless told otherwise; what there are no
-            derivatives by is then left out and named.
-        :param outputs: outputs or states; all outputs unless told otherwise.
-        :param given: other values of parameters, by name or all of them.
-        :param settings: of the run, as those of :meth:`simulate`.
+        :param parameters: default: all nonzero parameters; those without derivatives are left out
+            and listed in `left_out`.
+        :param outputs: outputs or states; default: all outputs.
+        :param given: parameter values, some by name or all in order.
+        :param settings: settings of the run, as for :meth:`simulate`.
         """
         outputs = _names(outputs) or list(self.outputs) or list(self.states)
         for name in outputs:
@@ -386,20 +386,22 @@ class Model:
         given: Parameters | None = None,
         **settings: Any,
     ) -> Fit:
-        """Parameters, or initial values of states, from measured runs, by least squares with exact
+        """Fit parameters or initial values of states to measured runs by least squares with exact
         derivatives.
 
-        :param data: a DataFrame with a column or index `t` or `time` and columns named as outputs
-            or states, `name [unit]` too; or columns by name; or a list of such runs. NaN is a gap.
+        :param data: a DataFrame with a column or index `t` or `time` and columns named `name` or
+            `name [unit]` after outputs or states; or a mapping of columns by name; or a list of
+            such runs. NaN marks missing values.
         :param parameters: names, or names with bounds `{"coupling.stiffness": (1e3, 1e5)}`.
-        :param map: `{column: output}` for columns that bear other names.
-        :param outputs: only these columns.
-        :param sigma: standard deviations of measurements; found from residuals unless given.
-        :param loss: "huber" lets outliers count less.
-        :param starts: searches from so many starts, spread within bounds.
-        :param given: other values of parameters that are not fitted.
-        :param settings: of the runs, as those of :meth:`simulate`.
-        :raises AnalysisError: no start can be simulated.
+        :param map: `{column: output}` for columns with other names.
+        :param outputs: use only these columns.
+        :param sigma: standard deviations of the measurements; default: from the residuals.
+        :param loss: "huber" reduces the weight of outliers.
+        :param starts: number of starting points, spread within the bounds.
+        :param steps: maximum number of steps of a search.
+        :param given: values of parameters that are not fitted.
+        :param settings: settings of the runs, as for :meth:`simulate`.
+        :raises AnalysisError: the simulation fails at every starting point.
         """
         if loss not in ("squares", "huber"):
             raise InputError(f"loss is `squares` or `huber`, not {loss!r}")
@@ -425,7 +427,7 @@ class Model:
         return Fit(self, told, runs, set_by)
 
     def sweep(self, space: Any, **options: Any) -> Sweep:
-        """Many variants of the machine, see :func:`machinist.sweep`."""
+        """Run many variants of the machine, see :func:`machinist.sweep`."""
         return sweep(self, space, **options)
 
     def __repr__(self) -> str:
@@ -449,7 +451,7 @@ _HEADING = ("", "number", "names")
 
 
 def _place(at: str | float) -> str:
-    """A place of a run as the engine reads it."""
+    """Operating point in the engine's notation."""
     return at if isinstance(at, str) else f"t={at!r}"
 
 
@@ -460,10 +462,10 @@ def _some(names: Mapping[str, Any]) -> str:
 
 
 def _given(**settings: Any) -> dict[str, Any]:
-    """Settings without those that are left to the scene."""
+    """Settings that are not None."""
     return {name: value for name, value in settings.items() if value is not None}
 
 
 def _names(names: Sequence[str] | str) -> list[str]:
-    """A list of names; one name is one."""
+    """List of names; accepts a single name."""
     return [names] if isinstance(names, str) else list(names)

@@ -1,4 +1,4 @@
-"""Runs: times and columns of numbers, as NumPy arrays."""
+"""Runs: times and columns as NumPy arrays."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ Array = NDArray[np.float64]
 
 
 class Happened(NamedTuple):
-    """An event that happened."""
+    """An event of a run."""
 
     time: float
     name: str
 
 
 class Stop(NamedTuple):
-    """Where and why a run ended early."""
+    """Time and cause of an early end of a run."""
 
     time: float
     cause: str
@@ -42,7 +42,7 @@ class Column(Quantity):
 
 
 class Columns(Mapping[str, Array]):
-    """Columns of one kind by their names; each array is made without a copy."""
+    """Columns of one kind by name, without copies."""
 
     def __init__(self, run: Run, kind: str) -> None:
         self._run = run
@@ -71,10 +71,10 @@ class Columns(Mapping[str, Array]):
 
 
 class Run:
-    """A run of a machine.
+    """Result of a simulation.
 
-    `run["twist"]` is a column by its name: a state, else an output, an energy or a sensitivity;
-    `run.states` and `run.outputs` hold those of one kind. Arrays are the memory of the run itself.
+    `run["twist"]` is a column by name: a state, else an output, an energy or a sensitivity.
+    `run.states` and `run.outputs` select one kind. Arrays are views of the run's memory.
     """
 
     def __init__(self, native: _machinist.Run) -> None:
@@ -90,7 +90,7 @@ class Run:
 
     @property
     def columns(self) -> tuple[Column, ...]:
-        """Name, unit, kind and meaning of every column."""
+        """Name, unit, kind and description of every column."""
         if self._columns is None:
             rows = self._native.columns()
             self._columns = tuple(Column(name, unit, doc, kind) for name, unit, kind, doc in rows)
@@ -103,12 +103,12 @@ class Run:
 
     @property
     def states(self) -> Columns:
-        """States by their names."""
+        """States by name."""
         return self._of("state")
 
     @property
     def outputs(self) -> Columns:
-        """Wanted outputs by their names."""
+        """Outputs by name."""
         return self._of("output")
 
     @property
@@ -118,16 +118,16 @@ class Run:
 
     @property
     def sensitivities(self) -> Columns:
-        """Derivatives that were asked for, `d(twist)/d(coupling.stiffness)`."""
+        """Requested derivatives, named as in `d(twist)/d(coupling.stiffness)`."""
         return self._of("sensitivity")
 
     def sensitivity(self, of: str, by: str) -> Array:
-        """d(of)/d(by) over time, of a state or an output by a parameter or an initial value."""
+        """d(of)/d(by) over time: state or output by parameter or initial value."""
         return self.sensitivities[f"d({of})/d({by})"]
 
     @property
     def y(self) -> Array:
-        """States over time as one array, states by times as in SciPy's results: a copy."""
+        """Copy of the states as one array of shape (states, times), as in SciPy's results."""
         return np.array([self.states[name] for name in self.states]).reshape(-1, len(self.t))
 
     def __getitem__(self, name: str) -> Array:
@@ -150,12 +150,12 @@ class Run:
 
     @property
     def machine(self) -> str:
-        """Name of the scene that was run."""
+        """Name of the scene."""
         return self._all_told()["machine"]
 
     @property
     def method(self) -> str:
-        """The method used."""
+        """Integration method used."""
         return self._all_told()["method"]
 
     @property
@@ -165,47 +165,47 @@ class Run:
 
     @property
     def work(self) -> dict[str, int]:
-        """What the run cost: steps, rejected steps, evaluations and so on."""
+        """Work counters: steps, rejected steps, evaluations and so on."""
         return dict(self._all_told()["work"])
 
     @property
     def notes(self) -> list[str]:
-        """What the method has to say of the run, mostly nothing."""
+        """Notes of the method on the run; usually empty."""
         return list(self._all_told()["notes"])
 
     @property
     def events(self) -> list[Happened]:
-        """Events that happened, in order."""
+        """Events in order of time."""
         return [Happened(*event) for event in self._all_told()["events"]]
 
     @property
     def stopped(self) -> Stop | None:
-        """Where and why the run ended before its end; nothing if it did not."""
+        """Time and cause of an early end; None for a complete run."""
         stopped = self._all_told()["stopped"]
         return None if stopped is None else Stop(*stopped)
 
     @property
     def drift(self) -> tuple[float, float] | None:
-        """How far the machine came off its constraints, before and after it was put back."""
+        """Constraint drift before and after projection, or None."""
         return self._all_told()["drift"]
 
     @property
     def energy_residual(self) -> float | None:
-        """Error of the energy account over the energy passed, if `energy_balance` was asked for."""
+        """Relative residual of the energy balance, if `energy_balance` was requested."""
         return self._all_told()["energy_residual"]
 
     @property
     def error(self) -> dict[str, float] | None:
-        """Estimated error of each column, if `error` or `accuracy` was asked for and it is known."""
+        """Estimated error of each column, if `error` or `accuracy` was requested and succeeded."""
         return self._all_told()["error"]
 
     @property
     def error_unknown(self) -> str | None:
-        """Why the error that was asked for is not known."""
+        """Reason why a requested error estimate is unavailable."""
         return self._all_told()["error_unknown"]
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Columns as a DataFrame over time; needs pandas. Units are in `attrs["units"]`."""
+        """Columns as a pandas DataFrame indexed by time, units in `attrs["units"]`."""
         import pandas
 
         frame = pandas.DataFrame(
@@ -215,22 +215,22 @@ class Run:
         return frame
 
     def to_polars(self) -> polars.DataFrame:
-        """Columns as a polars DataFrame with time first; needs polars."""
+        """Columns as a polars DataFrame, time first."""
         import polars
 
         return polars.DataFrame({"t": self.t, **self._by_name()})
 
     def _by_name(self) -> dict[str, Array]:
-        """Every column; a state keeps its name where an output has the same."""
+        """All columns by name; a state takes precedence over an output of the same name."""
         named: dict[str, Array] = {}
         for place, column in enumerate(self.columns):
             named.setdefault(column.name, self._native.values(place))
         return named
 
     def plot(self, columns: Sequence[str] | None = None) -> Picture:
-        """Columns over time, one panel for each unit; outputs unless told otherwise.
+        """Plot columns over time, one panel per unit; default: the outputs.
 
-        A notebook shows what is returned; `.save("run.svg")` writes it.
+        Notebooks display the result; `.save("run.svg")` writes it to a file.
         """
         names = list(columns) if columns is not None else list(self.outputs) or list(self.states)
         units = {column.name: column.unit for column in self.columns}
@@ -278,17 +278,17 @@ _HEADING = ("name", "unit", "kind", "least", "greatest", "last")
 
 
 class Picture:
-    """A drawing that notebooks show."""
+    """An SVG picture, displayed by notebooks."""
 
     def __init__(self, svg: str) -> None:
-        #: The drawing as SVG.
+        #: SVG source.
         self.svg = svg
 
     def _repr_svg_(self) -> str:
         return self.svg
 
     def save(self, path: str) -> None:
-        """Writes it to a file."""
+        """Write the picture to a file."""
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.svg)
 

@@ -1,4 +1,4 @@
-"""Which parameters matter for which outputs."""
+"""Relative sensitivities of outputs to parameters."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Effect:
-    """Change of an output, over its largest size, for a relative change of a parameter."""
+    """Change of an output relative to its largest magnitude, per relative parameter change."""
 
     parameter: str
     output: str
-    #: Over time.
+    #: Values over time.
     values: Array
-    #: Root of the mean square over the output times.
+    #: Root mean square over the output times.
     rms: float
-    #: The largest, with its sign, and when [s].
+    #: Value of the largest magnitude, with sign, and its time [s].
     largest: float
     at: float
-    #: At the end of the run.
+    #: Value at the end of the run.
     end: float
 
 
@@ -35,21 +35,21 @@ _HEADING = ("parameter", "output", "rms", "largest", "at [s]", "end")
 
 
 class Sensitivities:
-    """Relative effects of parameters on outputs, the largest first."""
+    """Relative effects of parameters on outputs, largest first."""
 
     def __init__(
         self, run: Run, values: dict[str, float], outputs: list[str], left_out: dict[str, str]
     ) -> None:
-        #: The run, with derivatives in units as its columns.
+        #: The run, whose columns include the derivatives in their units.
         self.run = run
-        #: Parameters that nothing is told of, and why.
+        #: Parameters left out, with reasons.
         self.left_out = left_out
         effects = [_effect(run, o, p, value) for o in outputs for p, value in values.items()]
-        #: Effects, the largest first.
+        #: Effects, largest first.
         self.effects: list[Effect] = sorted(effects, key=lambda effect: -effect.rms)
 
     def __getitem__(self, pair: tuple[str, str]) -> Effect:
-        """The effect on an output of a parameter."""
+        """Effect of a parameter on an output: `[output, parameter]`."""
         output, parameter = pair
         for effect in self.effects:
             if (effect.output, effect.parameter) == (output, parameter):
@@ -57,7 +57,7 @@ class Sensitivities:
         raise KeyError(pair)
 
     def plot(self, top: int = 6) -> Picture:
-        """The largest effects over time."""
+        """Plot the largest effects over time."""
         shown = self.effects[:top]
         panels: dict[str, list[tuple[str, Array]]] = {}
         for effect in shown:

@@ -1,8 +1,8 @@
-"""Results of sweeps as an Arrow table, and in a folder as Parquet files.
+"""Sweep results as an Arrow table and, in a folder, as Parquet files.
 
-A folder holds `sweep.json`, what the sweep is of, and files `part-FIRST-STOP.parquet`, each with
-neighbouring variants, written whole or not at all. What there is need not be run again; nor what is
-in one file of all variants, as the program writes it.
+A folder contains `sweep.json`, which identifies the sweep, and files `part-FIRST-STOP.parquet` with
+consecutive variants. Files are written atomically. A resumed sweep runs only the missing variants.
+It also accepts a single file with all variants, as written by the program.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _MANIFEST = "sweep.json"
 
 
 class Store:
-    """Where the pieces of a sweep go."""
+    """Storage of the chunks of a sweep."""
 
     def __init__(
         self,
@@ -73,7 +73,7 @@ class Store:
         )
 
     def _take(self, file: Path) -> None:
-        """Takes a file of all variants, if it is of this sweep."""
+        """Read a file with all variants, if it belongs to this sweep."""
         import pyarrow
         import pyarrow.parquet as parquet
 
@@ -88,7 +88,7 @@ class Store:
         self._pieces[0, self._count] = pyarrow.table(table.columns, schema=self._schema)
 
     def _require(self, told: dict[str, Any], place: Path, where: str) -> None:
-        """Refuses results of another sweep, and says by what it is another."""
+        """Reject results of another sweep, and name the differences."""
         found = _identity(told)
         if found == self._of:
             return
@@ -105,7 +105,7 @@ class Store:
         )
 
     def _open(self, folder: Path) -> None:
-        """Takes what is there, if it is of this sweep."""
+        """Read existing results, if they belong to this sweep."""
         import pyarrow.parquet as parquet
 
         manifest = folder / _MANIFEST
@@ -140,7 +140,7 @@ class Store:
             self._pieces[first, stop] = table
 
     def missing(self) -> list[tuple[int, int]]:
-        """Stretches of variants without results."""
+        """Ranges of variants without results."""
         gaps, reached = [], 0
         for first, stop in [*sorted(self._pieces), (self._count, self._count)]:
             if first > reached:
@@ -149,7 +149,7 @@ class Store:
         return gaps
 
     def add(self, piece: Piece) -> None:
-        """Takes results; in a folder they are there when this returns."""
+        """Add results; with a folder, they are on disk on return."""
         import pyarrow
         import pyarrow.parquet as parquet
 
@@ -175,20 +175,20 @@ class Store:
                 raise SweepError(str(error), file=str(file)) from error
 
     def table(self) -> pyarrow.Table:
-        """All results in the order of variants."""
+        """All results in the order of the variants."""
         import pyarrow
 
         tables = [table for _, table in sorted(self._pieces.items())]
         if not tables:
             return self._schema.empty_table()
-        # What made the parts may differ; what they are of does not.
+        # The provenance of parts may differ; the sweep is the same.
         metadata = self._schema.metadata
         tables = [table.replace_schema_metadata(metadata) for table in tables]
         return pyarrow.concat_tables(tables).combine_chunks()
 
 
 def _identity(sweep: dict[str, Any]) -> dict[str, Any]:
-    """What tells sweeps apart: of a design its numbers, whatever drew them."""
+    """Identity of a sweep; a design counts by its numbers, not by its sampler."""
     design = sweep.get("design") or {}
     return {**sweep, "design": {name: design.get(name) for name in ("names", "sha256")}}
 
@@ -203,7 +203,7 @@ def _units(model: Model, plan: Plan) -> dict[str, str]:
 
 
 def _write(path: Path, write: Any) -> None:
-    """Writes a file whole or not at all."""
+    """Write a file atomically."""
     beside = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     try:
         write(beside)

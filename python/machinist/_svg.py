@@ -1,4 +1,4 @@
-"""Courses over time as SVG: what notebooks show of a run without another package."""
+"""Plots as SVG, for notebooks without a plotting package."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 _WIDTH, _HEIGHT, _LEFT, _RIGHT, _GAP = 640, 130, 76, 14, 26
 _COLOURS = ("#1f5fa8", "#b5462f", "#3c7d3e", "#7a4f9c")
-#: Samples beyond this are drawn by the least and the greatest of each column of pixels.
+#: Beyond this number of samples, each pixel column shows its minimum and maximum.
 _MOST = 2 * _WIDTH
 
 
@@ -26,7 +26,7 @@ def plot(
     marks: Sequence[float] = (),
     log_x: bool = False,
 ) -> str:
-    """One panel for each unit, with curves by name, below each other; `marks` are times."""
+    """Stacked panels, one per unit, with named curves; `marks` are times."""
     height = 24 + len(panels) * (_HEIGHT + _GAP) + 16
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH} {height}" width="{_WIDTH}" '
@@ -107,7 +107,7 @@ def _path(
     at_y: Callable[[float], float],
     span: tuple[float, float],
 ) -> str:
-    """A line, broken where there is no number."""
+    """Path of a curve, interrupted at values that are not finite."""
     keep = _thinned(x, values, span)
     pieces, pen = [], "M"
     for place in keep:
@@ -120,7 +120,7 @@ def _path(
 
 
 def _thinned(x: Array, values: Array, span: tuple[float, float]) -> Sequence[int]:
-    """Places to draw: all, or first, least, greatest and last of each column of pixels."""
+    """Indices to draw: all, or first, minimum, maximum and last of each pixel column."""
     if len(x) <= _MOST:
         return range(len(x))
     wide = (span[1] - span[0]) or 1.0
@@ -145,7 +145,7 @@ def _limits(curves: Sequence[Array]) -> tuple[float, float]:
 
 
 def ticks(low: float, high: float, about: int) -> list[float]:
-    """Round numbers within a range."""
+    """Round tick values within a range."""
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
         return []
     rough = (high - low) / about

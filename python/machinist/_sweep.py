@@ -1,4 +1,4 @@
-"""Sweeps: many variants of a machine, on the threads of this process or on a Dask cluster."""
+"""Sweeps: many variants of a machine, on threads of this process or on a Dask cluster."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ if TYPE_CHECKING:
     from ._model import Model
 
 Array = NDArray[np.float64]
-#: Variants of the first pieces, by which the cost of one is measured.
+#: Number of variants in the first chunks, which measure the cost of a variant.
 FIRST = 16
 
 
 @dataclass(frozen=True)
 class Plan:
-    """What decides the numbers of a sweep besides the machine and the variants."""
+    """Settings that determine the results of a sweep, besides machine and variants."""
 
     names: tuple[str, ...]
     settings: dict[str, Any]
@@ -44,7 +44,7 @@ class Plan:
 
     @property
     def columns(self) -> tuple[str, ...]:
-        """Names of the columns of results."""
+        """Names of the result columns."""
         if not self.extremes:
             return self.wanted
         return tuple(f"{name}.{end}" for name in self.wanted for end in ("least", "greatest"))
@@ -52,14 +52,14 @@ class Plan:
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """Results of neighbouring variants."""
+    """Results of consecutive variants."""
 
     first: int
     variants: Array
     values: Array
     steps: NDArray[np.uint64]
     errors: list[str | None]
-    #: What it took [s].
+    #: Computing time [s].
     seconds: float = field(compare=False)
 
     def __len__(self) -> int:
@@ -67,7 +67,7 @@ class Piece:
 
 
 def run_piece(model: Model, plan: Plan, first: int, variants: Array, threads: int) -> Piece:
-    """Runs neighbouring variants, here and now."""
+    """Run consecutive variants in this process."""
     start = time.perf_counter()
     values, steps, errors = _machinist.sweep_piece(
         model._machine, plan.settings, list(plan.names), np.ascontiguousarray(variants),
@@ -93,24 +93,24 @@ def sweep(
     given: Mapping[str, float] | None = None,
     **settings: Any,
 ) -> Sweep:
-    """Runs many variants of a machine; a variant that fails is a row with its reason.
+    """Run many variants of a machine. The row of a failed variant contains the reason.
 
-    The numbers are to the last bit those of single runs, however many threads or workers there are.
+    The results equal those of single runs to the last bit, for any number of threads or workers.
 
-    :param model: the machine; each worker is sent it once.
+    :param model: the machine; it is sent to each worker once.
     :param space: ranges or values by parameter, with `kind`, `n` and `seed` as in
         :func:`machinist.design`; or a design.
-    :param outputs: outputs or states; all outputs unless told otherwise.
-    :param extremes: the least and the greatest value over the output times instead of the last.
-    :param path: a folder for results as Parquet files, or a file that `machinist sweep` wrote. What
-        is there already of this sweep is not run again; another sweep's is refused.
+    :param outputs: outputs or states; default: all outputs.
+    :param extremes: return minimum and maximum over the output times instead of the last value.
+    :param path: folder for results as Parquet files, or a file written by `machinist sweep`. An
+        existing sweep is resumed; results of another sweep are rejected.
     :param client: a Dask client. Without one, threads of this process run the variants.
-    :param threads: number of threads without a client; as many as there are cores unless told.
-    :param time_limit: seconds of computing that a variant may take.
-    :param chunk_seconds: variants are handed out in pieces that take about so long.
-    :param given: other values of parameters that do not vary.
-    :param settings: of every run, as those of :meth:`Model.simulate`. `points` are 2 unless
-        extremes are asked for.
+    :param threads: number of threads without a client; default: number of cores.
+    :param time_limit: limit of the computing time of a variant [s].
+    :param chunk_seconds: approximate computing time of a chunk of variants [s].
+    :param given: values of parameters that do not vary.
+    :param settings: settings of every run, as for :meth:`Model.simulate`. `points` defaults to 2
+        without `extremes`.
     """
     variants = space if isinstance(space, Design) else design(space, kind, n, seed=seed)
     for name in (*variants.names, *(given or {})):
@@ -126,7 +126,7 @@ def sweep(
     set_by = {"parameters": dict(given) if given else None, "time_limit": time_limit, **settings}
     set_by = {name: value for name, value in set_by.items() if value is not None}
     plan = Plan(variants.names, set_by, wanted, extremes)
-    # Refuses what makes no sense for any variant.
+    # Reject settings that are invalid for every variant.
     run_piece(model, plan, 0, variants.values[:0], 1)
 
     store = Store(path, model, variants, plan, provenance(model, variants, plan))
@@ -148,7 +148,7 @@ def sweep(
 
 
 def _notes(model: Model, plan: Plan, variants: Array) -> list[str]:
-    """What is to be said of all variants together."""
+    """Notes on the variants as a whole."""
     told = _machinist.negative_inertias(
         model._machine, plan.settings, list(plan.names), np.ascontiguousarray(variants)
     )
@@ -166,7 +166,7 @@ def _here(
     threads: int,
     seconds: float,
 ) -> Iterator[Piece]:
-    """Pieces on threads of this process, one after another."""
+    """Chunks run on threads of this process, one after another."""
     size = FIRST
     for first, last in missing:
         while first < last:
@@ -178,14 +178,14 @@ def _here(
 
 
 def next_size(size: int, piece: Piece, seconds: float) -> int:
-    """Variants of a piece that takes so many seconds, by what the last took; it grows at most
-    tenfold at once, as what is measured of few is not exact."""
+    """Number of variants in a chunk of the given duration, estimated from the last chunk. It grows
+    at most tenfold at a time, since the timing of few variants is inaccurate."""
     by_cost = seconds * len(piece) / max(piece.seconds, 1e-9)
     return max(1, min(round(by_cost), 10 * size))
 
 
 def provenance(model: Model, variants: Design, plan: Plan) -> dict[str, Any]:
-    """What results are of: what decides the numbers first, then what made them."""
+    """Provenance of results: first what determines them, then the software that computed them."""
     return {
         "sweep": {
             "model": model.name,
@@ -217,7 +217,7 @@ def _version(package: str) -> str | None:
 
 
 class Sweep:
-    """Results of a sweep: a row a variant, in the order of the design."""
+    """Results of a sweep: one row per variant, in the order of the design."""
 
     def __init__(
         self,
@@ -228,27 +228,27 @@ class Sweep:
         path: str | os.PathLike[str] | None,
         notes: list[str],
     ) -> None:
-        #: What was run.
+        #: Design of the sweep.
         self.design = variants
-        #: `variant`, parameters, results, `steps` and `error`, as an Arrow table.
+        #: Arrow table with `variant`, parameters, results, `steps` and `error`.
         self.table = table
-        #: Variants that this call ran; others were there.
+        #: Number of variants run by this call; the others existed already.
         self.ran = ran
-        #: What it took [s], and what its pieces took, one after another or side by side.
+        #: Wall-clock time [s], and total computing time of the chunks [s].
         self.seconds, self.computing = took
-        #: The folder or file of results, if there is one.
+        #: Folder or file of the results, or None.
         self.path = path
-        #: What is remarkable: variants with a mass of the wrong sign.
+        #: Warnings: variants with a negative mass.
         self.notes = notes
 
     @property
     def failed(self) -> dict[int, str]:
-        """Why variants have no results, by their numbers."""
+        """Reasons of failed variants, by variant number."""
         errors = self.table["error"].to_pylist()
         return {number: error for number, error in enumerate(errors) if error is not None}
 
     def __getitem__(self, name: str) -> Array:
-        """A column of parameters or results; NaN where a variant failed."""
+        """Column of a parameter or a result; NaN where a variant failed."""
         if name not in self.table.column_names:
             hint = _machinist.did_you_mean(str(name), self.table.column_names)
             raise UnknownNameError(f"the sweep has no column `{name}`{hint}")
@@ -258,11 +258,11 @@ class Sweep:
         return self.table.num_rows
 
     def to_pandas(self) -> pandas.DataFrame:
-        """As a pandas DataFrame."""
+        """Table as a pandas DataFrame."""
         return self.table.to_pandas()
 
     def to_polars(self) -> polars.DataFrame:
-        """As a polars DataFrame."""
+        """Table as a polars DataFrame."""
         import polars
 
         return polars.from_arrow(self.table)  # type: ignore[return-value]

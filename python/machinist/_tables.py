@@ -1,4 +1,4 @@
-"""Names with units and meanings, as text and as HTML."""
+"""Tables of names with units and descriptions, as text and HTML."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .errors import UnknownNameError
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number of a machine: its name, SI unit and meaning."""
+    """A quantity of a machine: name, SI unit and description."""
 
     name: str
     unit: str
@@ -24,8 +24,8 @@ class Quantity:
 class Parameter(Quantity):
     """A parameter with its value in the scene.
 
-    `tunable` says whether it may be changed between two pieces of a run and matters there:
-    rates, outputs or events depend on it, constraints do not.
+    `tunable` is true if the parameter may change between two segments of a run and has an effect
+    there: rates, outputs or events depend on it, constraints do not.
     """
 
     value: float
@@ -36,7 +36,7 @@ class Parameter(Quantity):
 class State(Quantity):
     """An entry of the state y = [q, q', z].
 
-    `kind` is position, velocity, first order, or mode: a whole number that events change.
+    `kind` is position, velocity, first order or mode (an integer that events change).
     """
 
     kind: str
@@ -45,14 +45,14 @@ class State(Quantity):
 
 @dataclass(frozen=True)
 class Event(Quantity):
-    """What happens where a guard passes zero."""
+    """Event at a zero crossing of a guard."""
 
 
 Row = TypeVar("Row", bound=Quantity)
 
 
 class Table(Mapping[str, Row], Generic[Row]):
-    """Quantities by their names, in the order of the machine."""
+    """Quantities by name, in the order of the machine."""
 
     def __init__(
         self, machine: str, what: str, rows: Sequence[Row], heading: Sequence[str]
@@ -74,11 +74,11 @@ class Table(Mapping[str, Row], Generic[Row]):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Their names."""
+        """Names of the quantities."""
         return tuple(self._places)
 
     def index(self, name: str) -> int:
-        """The place of a name, from 0."""
+        """Index of a name, from 0."""
         try:
             return self._places[name]
         except (KeyError, TypeError):
@@ -97,14 +97,14 @@ class Table(Mapping[str, Row], Generic[Row]):
 
 
 def told(value: object) -> str:
-    """A cell for people."""
+    """Text of a table cell."""
     if isinstance(value, bool):
         return "yes" if value else "no"
     return f"{value:.9g}" if isinstance(value, float) else str(value)
 
 
 def text(heading: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    """Lines of a table in columns."""
+    """Lines of a text table with aligned columns."""
     if not rows:
         return []
     table = [heading, *rows]
@@ -113,7 +113,7 @@ def text(heading: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def html(title: str, heading: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A table for notebooks."""
+    """HTML table for notebooks."""
     head = "".join(f"<th>{escape(name)}</th>" for name in heading)
     body = "".join(
         "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows

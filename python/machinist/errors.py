@@ -1,4 +1,4 @@
-"""What goes wrong, as exceptions: a message, and where there are some, a hint, a file, a line."""
+"""Exceptions of the package, with a message and optionally a hint, a file and a line."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ __all__ = [
 
 
 class MachinistError(Exception):
-    """Base of all that this package raises."""
+    """Base class of all exceptions of this package."""
 
-    #: What is wrong.
+    #: Description of the error.
     message: str
-    #: What may help, or nothing.
+    #: Suggested remedy, or None.
     hint: str | None
-    #: The file that is wrong, or nothing.
+    #: Invalid file, or None.
     file: str | None
-    #: The line in it, from 1, or nothing.
+    #: Line in the file, from 1, or None.
     line: int | None
 
     def __init__(
@@ -68,9 +68,9 @@ def _restored(
 
 
 class InputError(MachinistError, ValueError):
-    """What was asked for makes no sense."""
+    """An argument is invalid."""
 
-    #: What there are no derivatives by, and why, if that is what was asked for.
+    #: Name without derivatives and the reason, if the call requested derivatives by it.
     undifferentiable: tuple[str, str] | None = None
 
 
@@ -79,15 +79,15 @@ class UnknownNameError(InputError, KeyError):
 
 
 class ShapeError(InputError):
-    """An array has another shape than is needed."""
+    """An array has the wrong shape."""
 
 
 class ModelFileError(InputError):
-    """A file is no model, is damaged, or is of another version."""
+    """A file is not a model, is damaged or has another version."""
 
 
 class SpecError(InputError):
-    """A spec is wrong; `report` is all that the program says of it."""
+    """A spec is invalid; `report` is the complete output of the program."""
 
     report: str = ""
 
@@ -97,15 +97,15 @@ class ToolMissingError(MachinistError, FileNotFoundError):
 
 
 class StoppedError(MachinistError, RuntimeError):
-    """A run could not go on. `run` is what there is of it, `time` how far it came [s]."""
+    """A run stopped early. `run` is the partial run, `time` the time reached [s]."""
 
     time: float = float("nan")
     run: Run | None = None
 
 
 class AnalysisError(MachinistError, ArithmeticError):
-    """There is no equilibrium, or an analysis has no result."""
+    """No equilibrium exists, or an analysis has no result."""
 
 
 class SweepError(MachinistError, RuntimeError):
-    """A sweep cannot be stored or continued where it was to be."""
+    """A sweep cannot be stored or resumed at its path."""

@@ -1,9 +1,9 @@
 # %% [markdown]
 # # Machinist from Python
 #
-# A saw gin, a motor that drives a toothed cylinder through an elastic coupling, is built in. It runs up from
-# rest, and at 1.2 s the load engages. A file of one's own is loaded the same way: `machinist.load("drive.toml")`
-# where the program `machinist` is installed, `machinist.load("drive.model")` anywhere.
+# The built-in scene `saw_gin` is a motor that drives a toothed cylinder through an elastic coupling. It starts from
+# rest, and the load engages at 1.2 s. Load your own machine with `machinist.load("drive.toml")`, which requires the
+# program `machinist`, or with `machinist.load("drive.model")`, which does not.
 
 # %%
 import time
@@ -21,8 +21,8 @@ gin.parameters
 # %% [markdown]
 # ## A run
 #
-# What is not asked for is as the scene says: 2 s, 2001 points, relative tolerance 1e-8. Columns are NumPy arrays,
-# the memory of the run itself.
+# Omitted settings take the scene's values: 2 s, 2001 points, relative tolerance 1e-8. Columns are NumPy arrays that
+# view the run's memory.
 
 # %%
 run = gin.simulate()
@@ -32,15 +32,15 @@ run.plot(["motor_speed", "motor_torque", "coupling_torque", "twist"])
 run["twist"].max(), run.work["steps"], run.states["motor.omega"][-1]
 
 # %% [markdown]
-# Any parameter may be changed, and any initial value. `to_pandas` and `to_polars` make frames.
+# You can change every parameter and initial value. `to_pandas` and `to_polars` return data frames.
 
 # %%
 soft = gin.simulate(until=0.5, parameters={"coupling.stiffness": 1e4}, points=6)
 soft.to_pandas()[["twist", "coupling_torque"]]
 
 # %% [markdown]
-# What makes no sense is an exception that says so, and where it can, what was meant. A run that stops early
-# comes with what there is of it.
+# Invalid arguments raise an exception, which suggests the correct name where possible. The exception of a run that
+# stops early contains the partial run.
 
 # %%
 try:
@@ -55,17 +55,17 @@ except machinist.StoppedError as error:
     print(f"{len(error.run)} points until {error.run.t[-1]} s")
 
 # %% [markdown]
-# Events are listed. A mass bounces on a plate that shakes:
+# A run lists its events. Here a mass bounces on a shaken plate:
 
 # %%
 bounce = machinist.load("bouncing_mass").simulate()
 bounce.events[:3]
 
 # %% [markdown]
-# ## Another's method on our rate
+# ## External solvers
 #
-# `rate(t, y, p)` and `jacobian(t, y, p)` are plain functions of arrays, for SciPy's `solve_ivp` and whatever
-# else takes some. Beside it, a method of ours at the same tolerance; the reference is ours at 1e-13.
+# `rate(t, y, p)` and `jacobian(t, y, p)` are plain functions of arrays for SciPy's `solve_ivp` and similar solvers.
+# The comparison shows Machinist's methods at the same tolerance; the reference is Machinist's `dop853` at 1e-13.
 
 # %%
 from scipy.integrate import solve_ivp
@@ -104,7 +104,7 @@ for name, seconds, off in rows:
 assert all(off < 1e-5 for _, _, off in rows)
 
 # %% [markdown]
-# What it costs to call from Python, beside the same run with nothing in between:
+# The overhead of a call from Python, compared with the same run inside the native code:
 
 # %%
 ask = {"until": 0.05, "points": 11}
@@ -118,7 +118,7 @@ extra = 1e6 * (np.median(ours) - np.median(inside))
 print(f"{extra:.1f} microseconds more")
 
 # %% [markdown]
-# ## Natural motions and answers to disturbances
+# ## Eigenmodes and frequency responses
 
 # %%
 modes = gin.modes(slopes=["coupling.stiffness"])
@@ -132,17 +132,17 @@ coupled.slopes["coupling.stiffness"]
 gin.response("motor.phase_voltage", "coupling_torque")
 
 # %% [markdown]
-# ## What matters, and parameters from measurements
+# ## Sensitivities and parameter fits
 #
-# Derivatives along a run are exact, through events too. Effects are relative: the change of an output over its
-# largest size, for a relative change of a parameter.
+# Derivatives along a run are exact, also through events. Effects are relative: the change of an output relative to
+# its largest magnitude, per relative change of a parameter.
 
 # %%
 gin.sensitivities(until=1.0, points=201, outputs=["twist"])
 
 # %% [markdown]
-# A run with other values and some noise stands for a measurement; `fit` finds the values, and says how well the
-# data tell them. A pandas or polars frame does as well as columns by name.
+# Here a run with other parameter values and added noise replaces a measurement. `fit` estimates the values and their
+# confidence intervals. It accepts columns by name and pandas or polars data frames.
 
 # %%
 noise = np.random.default_rng(1)
@@ -157,10 +157,10 @@ print(fit)
 assert abs(fit.parameters["coupling.stiffness"] / 3e4 - 1) < 0.01
 
 # %% [markdown]
-# ## Many variants
+# ## Sweeps
 #
-# A sweep runs on all cores. The numbers are to the last bit those of single runs; a variant that fails is a row with
-# its reason. With `path`, results are kept as Parquet files, and what is there is not run again.
+# A sweep runs many variants on all cores. Its results equal those of single runs to the last bit. The row of a failed
+# variant contains the reason. With `path`, a sweep stores results as Parquet files and resumes from them.
 
 # %%
 import tempfile
@@ -174,7 +174,7 @@ swept
 gin.sweep(space, kind="sobol", n=512, outputs=["twist"], extremes=True, points=201, path=folder).ran
 
 # %% [markdown]
-# The same call with a Dask client runs on its workers: processes here, or machines of a cluster.
+# With a Dask client, the same call runs on its workers: here local processes, elsewhere machines of a cluster.
 
 # %%
 from dask.distributed import Client, LocalCluster

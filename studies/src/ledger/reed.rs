@@ -174,7 +174,7 @@ fn conclusion() -> Result<Vec<LedgerRow>, CheckFailure> {
         as_printed: Some(as_printed),
         consistent: Some(consistent),
         verdict,
-        ..of(at, "`reed_beat_up_one_sided`; `reed_beat_up` for a fell that also pulls", held)
+        ..of(at, "`reed_beat_up_one_sided`; pulling fell: `reed_beat_up`", held)
     };
     let mut rows = Vec::new();
     let figures = [
@@ -193,8 +193,7 @@ fn conclusion() -> Result<Vec<LedgerRow>, CheckFailure> {
     {
         for (figure, linear, machine) in [(first, soft, one_soft), (second, stiff, one_stiff)] {
             let [as_printed, consistent] = [linear, machine].map(|beat| beat.largest()[index]);
-            let words =
-                "the study plots curves without numbers; over one period of the drive".to_owned();
+            let words = "plotted without numbers; over one period of the drive".to_owned();
             rows.push(row(at, figure, unit, as_printed, consistent, words));
         }
     }
@@ -213,9 +212,9 @@ fn conclusion() -> Result<Vec<LedgerRow>, CheckFailure> {
             printed[index],
             ours[index],
             format!(
-                "the study concludes that the motion changes little and the stress markedly; this \
-             holds for a fell that only pushes: shaft {}, reed {}, stress {}; for a fell that \
-             also pulls the reed's angle changes by {}",
+                "concluded: the motion changes little, the stress markedly; true for a fell that \
+                 only pushes: shaft {}, reed {}, stress {}; with a fell that also pulls the reed \
+                 changes by {}",
                 told(ours[0]),
                 told(ours[1]),
                 told(ours[2]),

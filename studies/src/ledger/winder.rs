@@ -69,8 +69,8 @@ fn lift(figure: &'static str, share: f64) -> LedgerRow {
         unit: "rad",
         consistent: Some(HOLDER.unstable_lift(share)),
         verdict:
-            "not printed; below this lift the post falls onto its stop, above it the post lifts \
-             off; for our holder, a drum that drags to the right raises it"
+            "not printed; below it the post falls onto its stop, above it the post lifts off; in \
+             our holder a drum that drags to the right raises it"
                 .to_owned(),
         ..of(
             "figure 4",

@@ -36,8 +36,7 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
             printed: Some(printed),
             as_printed: Some(printed),
             consistent: Some(ours),
-            verdict: "as printed; for a range of frequencies, every operating frequency must keep \
-                      it while the package grows"
+            verdict: "as printed; every operating frequency must keep it while the package grows"
                 .to_owned(),
             ..LedgerRow::of(Study::Winder, "stages", "`machinist walk`", Held::Test(test))
         });

@@ -1,5 +1,5 @@
-"""A sweep on a Dask cluster of worker processes, one of which is killed, beside the same sweep on
-threads of this process: equal results, nothing run twice, and what the cluster costs.
+"""Compares a sweep on a Dask cluster, one of whose workers is killed, with the same sweep on
+threads of this process: equal results, no variant run twice, and the overhead of the cluster.
 
     python python/benches/cluster.py [VARIANTS] [WORKERS]
 """
@@ -24,8 +24,8 @@ SPACE = {"coupling.stiffness": (5e3, 1e5, "log"), "coupling.damping": (10.0, 500
 
 
 def cpu(client: Client) -> float:
-    """Seconds that processors have worked for this process, scheduler included, and workers: what
-    others do on the machine does not count."""
+    """CPU time [s] of this process, scheduler included, and of the workers, independent of other
+    load."""
     return time.process_time() + sum(client.run(time.process_time).values())
 
 

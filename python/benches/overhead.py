@@ -1,4 +1,4 @@
-"""What a run from Python costs beside the same run with nothing in between.
+"""Overhead of a run from Python, compared with the same run inside the native code.
 
     python python/benches/overhead.py
 """

@@ -1,20 +1,20 @@
-//! Numbers that Python hands over: arrays as they are, other sequences by way of one.
+//! Numbers passed from Python: arrays without conversion, other sequences via an array.
 
 use numpy::{PyArray1, PyReadonlyArray1, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::failure::Failure;
 
-/// Numbers in a row, borrowed if they lie in one.
+/// A vector of numbers, borrowed if it is contiguous.
 pub enum Numbers<'py> {
-    /// An array's own.
+    /// The memory of an array.
     Borrowed(PyReadonlyArray1<'py, f64>),
-    /// Gathered from what does not lie in a row.
+    /// A copy of values that are not contiguous.
     Owned(Vec<f64>),
 }
 
 impl Numbers<'_> {
-    /// Them.
+    /// The numbers as a slice.
     pub fn as_slice(&self) -> &[f64] {
         match self {
             // Others were gathered.
@@ -24,10 +24,10 @@ impl Numbers<'_> {
     }
 }
 
-/// The numbers of an array or a sequence, of one dimension and of this length if one is given.
+/// Numbers of a one-dimensional array or sequence, of the given length if any.
 ///
 /// # Errors
-/// `InputError` for what are no real numbers, `ShapeError` for another shape.
+/// `InputError` if a value is not a real number, `ShapeError` for a wrong shape.
 pub fn numbers<'py>(
     what: &str,
     given: &Bound<'py, PyAny>,
@@ -50,7 +50,7 @@ pub fn numbers<'py>(
     })
 }
 
-/// Numbers of another kind, which floats hold without loss.
+/// Numbers of another type, converted to floats without loss.
 fn converted<'py>(
     what: &str,
     given: &Bound<'py, PyAny>,
@@ -77,7 +77,7 @@ fn converted<'py>(
     Ok(floats.extract()?)
 }
 
-/// An array that has taken over a vector.
+/// Moves a vector into an array.
 pub fn array(py: Python<'_>, values: Vec<f64>) -> Bound<'_, PyArray1<f64>> {
     PyArray1::from_vec(py, values)
 }

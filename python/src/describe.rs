@@ -1,4 +1,4 @@
-//! All there is to say of a machine, by name.
+//! Description of a machine as a dictionary.
 
 use machinist_contract::{Simulator, StateKind};
 use pyo3::prelude::*;
@@ -6,7 +6,7 @@ use pyo3::types::PyDict;
 
 use crate::tunable::tunable;
 
-/// Names, units, meanings, defaults.
+/// Names, units, descriptions and defaults.
 pub fn describe<'py>(
     py: Python<'py>,
     simulator: &dyn Simulator<f64>,

@@ -6,25 +6,25 @@ use machinist::linear_analysis::LinearError;
 use machinist_model::file::FileError;
 use pyo3::prelude::*;
 
-/// Why nothing comes of a call.
+/// Reason for the failure of a call.
 #[derive(Debug)]
 pub enum Failure {
-    /// A run was refused or stopped.
+    /// A run was rejected or stopped.
     Simulate(SimulateError),
-    /// There is no linear analysis.
+    /// The linear analysis failed.
     Linear(LinearError),
-    /// Fields cannot be cut as wanted.
+    /// Fields cannot be discretized as requested.
     Field(FieldError),
-    /// Bytes are no model.
+    /// The bytes are not a model.
     File(FileError),
-    /// What was handed over makes no sense; the class of the exception, and what to say.
+    /// An argument is invalid; class and message of the exception.
     Refused(&'static str, String),
-    /// Python says so.
+    /// An exception raised by Python.
     Python(PyErr),
 }
 
 impl Failure {
-    /// Something that was handed over makes no sense.
+    /// Invalid argument.
     pub fn input(message: impl Into<String>) -> Self {
         Self::Refused("InputError", message.into())
     }
@@ -104,7 +104,7 @@ impl From<Failure> for PyErr {
     }
 }
 
-/// The class of exception that an error is.
+/// Exception class of an error.
 fn class_of(error: &SimulateError) -> &'static str {
     match error {
         SimulateError::UnknownParameter { .. }
@@ -117,7 +117,7 @@ fn class_of(error: &SimulateError) -> &'static str {
     }
 }
 
-/// An exception of the package.
+/// Creates an exception of the package.
 pub fn exception(py: Python<'_>, class: &str, message: &str) -> PyResult<PyErr> {
     let class = py.import("machinist.errors")?.getattr(class)?;
     Ok(PyErr::from_value(class.call1((message,))?))

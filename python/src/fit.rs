@@ -1,4 +1,4 @@
-//! Fits of parameters to what was measured.
+//! Fits of parameters to measurements.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -18,12 +18,12 @@ use crate::machine::Machine;
 use crate::patience::Patience;
 use crate::settings::Settings;
 
-/// A name, with bounds if there are any.
+/// A name, with optional bounds.
 type Asked = (String, Option<(f64, f64)>);
 /// Times, and columns by name.
 type Run<'py> = (Bound<'py, PyAny>, Vec<(String, Bound<'py, PyAny>)>);
 
-/// How a search is made.
+/// Settings of a search.
 struct Search {
     sigma: Vec<(String, f64)>,
     is_robust: bool,
@@ -31,7 +31,7 @@ struct Search {
     steps: usize,
 }
 
-/// What was found, as JSON, and why the search ended.
+/// Fits parameters; returns the findings as JSON and the reason for termination.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "called from one place, the package's own")]
 pub fn fit<'py>(
@@ -144,7 +144,7 @@ fn solved(
     Ok((fitted, findings))
 }
 
-/// A measured run with the noise that is known.
+/// A measured run with the known noise.
 fn experiment(number: usize, measured: &Measured, search: &Search) -> Experiment {
     let is_measured =
         |(name, _): &&(String, f64)| measured.columns.iter().any(|(column, _)| column == name);
@@ -153,7 +153,7 @@ fn experiment(number: usize, measured: &Measured, search: &Search) -> Experiment
     Experiment { noise, ..Experiment::new(&number.to_string(), measured.clone()) }
 }
 
-/// Times must ascend, from the start of the run on, and go beyond it.
+/// Requires times that ascend from the start of the run and end after it.
 fn require_times(measured: &[Measured], from: f64) -> Result<(), Failure> {
     for (number, run) in measured.iter().enumerate() {
         let mut latest = from;

@@ -1,15 +1,15 @@
-//! What of Machinist crosses to Python: machines with their functions, runs, linear analysis,
-//! fits and pieces of sweeps. Names, documentation and everything that is no number is on the
-//! other side, in the package `machinist`.
+//! Native part of the Python package: machines with their functions, runs, linear analysis, fits
+//! and chunks of sweeps. Names, documentation and everything non-numeric is in the Python package
+//! `machinist`.
 //!
 //! Layers, from below:
 //!
 //! - [`failure`]: errors as exceptions of the package;
-//! - [`arrays`]: numbers that Python hands over;
-//! - [`source`]: where a simulator comes from;
-//! - [`settings`]: what a run is asked for, by keywords;
-//! - [`patience`]: runs that are left on Ctrl-C;
-//! - [`machine`], [`run`], [`linear`], [`fit`], [`sweep`]: what Python sees.
+//! - [`arrays`]: numbers passed from Python;
+//! - [`source`]: sources of simulators;
+//! - [`settings`]: settings of a run, from keywords;
+//! - [`patience`]: interruption of runs by Ctrl-C;
+//! - [`machine`], [`run`], [`linear`], [`fit`], [`sweep`]: the interface for Python.
 
 mod arrays;
 mod describe;
@@ -50,7 +50,7 @@ mod _machinist {
     use pyo3::prelude::*;
     use pyo3::types::PyBytes;
 
-    /// Names of scenes that are built in, sorted.
+    /// Names of the built-in scenes, sorted.
     #[pyfunction]
     fn built_in_names() -> Vec<&'static str> {
         let mut names: Vec<_> = NAMES.iter().chain(FIELD_NAMES).copied().collect();
@@ -58,14 +58,14 @@ mod _machinist {
         names
     }
 
-    /// Names of methods, with their orders, whether they are implicit, and what they are for.
+    /// Name, order, implicitness and description of every method.
     #[pyfunction]
     fn methods() -> Vec<(&'static str, u32, bool, &'static str)> {
         let row = |m: Method| (m.name(), m.order(), m.is_implicit(), m.doc());
         Method::compiled_in().map(row).collect()
     }
 
-    /// The nearest of names that are known, as a question in parentheses, or nothing.
+    /// Nearest known name as a question in parentheses, or an empty string.
     #[pyfunction]
     fn did_you_mean(name: &str, known: Vec<String>) -> String {
         machinist::error::did_you_mean(name, known.iter().map(String::as_str))

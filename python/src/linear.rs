@@ -1,4 +1,4 @@
-//! Modes and frequency responses.
+//! Eigenmodes and frequency responses.
 
 use machinist::Simulation;
 use machinist::linear_analysis::{
@@ -13,13 +13,13 @@ use crate::machine::Machine;
 use crate::patience::Patience;
 use crate::settings::Settings;
 
-/// A run as set, looked at in a place.
+/// Operating point of a run.
 struct Looked {
     time: f64,
     state: Vec<f64>,
 }
 
-/// Finds the place and linearizes there, without holding the interpreter.
+/// Finds the operating point and linearizes there; releases the GIL.
 fn looked_at<T: Send>(
     py: Python<'_>,
     machine: &Machine,
@@ -44,19 +44,19 @@ fn looked_at<T: Send>(
     found?.map_err(|error: LinearError| error.into())
 }
 
-/// What is told of all modes.
+/// Data of all eigenmodes.
 struct Told {
     names: Vec<String>,
     coordinates: usize,
     modes: Vec<Mode>,
-    /// Names of parameters, and how each mode moves with them.
+    /// Parameters, and the derivatives of each eigenmode by them.
     by: Vec<String>,
     slopes: Vec<Result<Vec<[f64; 4]>, String>>,
-    /// Nothing where it would be too large.
+    /// `None` if it would be too large.
     matrix: Option<Vec<f64>>,
 }
 
-/// Natural motions of a machine where it is looked at, by name.
+/// Eigenmodes of a machine at an operating point, as a dictionary.
 #[pyfunction]
 pub fn modes<'py>(
     py: Python<'py>,
@@ -122,8 +122,8 @@ pub fn modes<'py>(
     Ok(answer)
 }
 
-/// Derivatives of real part, imaginary part, natural frequency and damping ratio, or why there
-/// are none.
+/// Derivatives of real part, imaginary part, natural frequency and damping ratio, or the reason
+/// why they do not exist.
 fn slopes_of(
     slopes: Result<Vec<machinist::linear_analysis::ModeSlope>, NoSlope>,
 ) -> Result<Vec<[f64; 4]>, String> {
@@ -138,12 +138,12 @@ fn slopes_of(
     }
 }
 
-/// (what varies, what answers, the unit of amplitudes, frequencies, amplitudes, phases, how fast
-/// a motion grows).
+/// (input, output, unit of amplitudes, [frequencies, amplitudes, phases], growth rate, frequency
+/// and value of the largest amplitude).
 type Answered<'py> =
     (String, String, String, [Bound<'py, PyAny>; 3], Option<f64>, Option<(f64, f64)>);
 
-/// How an output answers a parameter, or a force on a coordinate.
+/// Frequency response of an output to a parameter or to a force on a coordinate.
 #[pyfunction]
 pub fn response<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! Machines, as Python sees them.
+//! Machines for Python.
 
 use std::time::Instant;
 
@@ -25,9 +25,9 @@ pub struct Machine {
     defaults: Vec<f64>,
     states: usize,
     outputs: usize,
-    /// Of the model file; of emitted code, see [`fingerprint::of_behaviour`].
+    /// Hash of the model file; for emitted code see [`fingerprint::of_behaviour`].
     fingerprint: String,
-    /// (row, column) of the Jacobian's nonzeros.
+    /// (row, column) of the nonzeros of the Jacobian.
     pattern: Vec<(u32, u32)>,
 }
 
@@ -49,7 +49,7 @@ impl Machine {
         Ok(Self { source, defaults, states, outputs, fingerprint, pattern })
     }
 
-    /// Parameters, those of the scene if none are given.
+    /// Parameters; those of the scene if none are given.
     fn parameters<'a, 'py>(
         &'a self,
         given: Option<&Bound<'py, PyAny>>,
@@ -77,7 +77,7 @@ impl Parameters<'_, '_> {
 
 #[pymethods]
 impl Machine {
-    /// The scene of a name that is built in; nothing if there is none.
+    /// The built-in scene of this name, or `None`.
     #[staticmethod]
     fn built_in(
         name: &str,
@@ -88,7 +88,7 @@ impl Machine {
         source.map(|source| Self::new(source, None)).transpose()
     }
 
-    /// The scene of a model file's bytes.
+    /// The scene of a model file, from its bytes.
     #[staticmethod]
     fn of_model(
         bytes: &[u8],
@@ -100,7 +100,7 @@ impl Machine {
         Self::new(source, Some(fingerprint::of_bytes(bytes)))
     }
 
-    /// A hash of what it is.
+    /// Hash that identifies the machine.
     #[getter]
     fn fingerprint(&self) -> &str {
         &self.fingerprint
@@ -112,17 +112,17 @@ impl Machine {
         self.states
     }
 
-    /// Values of parameters as the scene has them.
+    /// Parameter values of the scene.
     fn defaults<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, &self.defaults)
     }
 
-    /// All there is to say of it, by name.
+    /// Description of the machine as a dictionary.
     fn describe<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.source.with(|simulator| describe(py, simulator, self.source.running()))?
     }
 
-    /// y' = f(t, y, p), into `out` if it is given.
+    /// Rate y' = f(t, y, p), written to `out` if given.
     #[pyo3(signature = (t, y, p=None, out=None))]
     fn rate<'py>(
         &self,
@@ -139,7 +139,7 @@ impl Machine {
         into_array(py, self.states, out, fill)
     }
 
-    /// Wanted outputs o(t, y, p).
+    /// Outputs o(t, y, p).
     #[pyo3(signature = (t, y, p=None, out=None))]
     fn outputs<'py>(
         &self,
@@ -156,7 +156,7 @@ impl Machine {
         into_array(py, self.outputs, out, fill)
     }
 
-    /// dy'/dy, dense, `states` by `states`.
+    /// Dense Jacobian dy'/dy, `states` by `states`.
     #[pyo3(signature = (t, y, p=None, out=None))]
     fn jacobian<'py>(
         &self,
@@ -189,12 +189,12 @@ impl Machine {
         Ok(matrix)
     }
 
-    /// Rows and columns of what may be nonzero in dy'/dy.
+    /// Rows and columns of the structural nonzeros of dy'/dy.
     fn jacobian_pattern(&self) -> (Vec<u32>, Vec<u32>) {
         self.pattern.iter().copied().unzip()
     }
 
-    /// The state that the scene begins with, before constraints and equilibria are looked for.
+    /// Initial state of the scene, before it is made to satisfy constraints or an equilibrium.
     #[pyo3(signature = (p=None))]
     fn initial_state<'py>(
         &self,
@@ -207,7 +207,7 @@ impl Machine {
         Ok(array(py, state))
     }
 
-    /// Times at which the rate jumps.
+    /// Times at which the rate is discontinuous.
     #[pyo3(signature = (p=None))]
     fn discontinuities<'py>(
         &self,
@@ -223,8 +223,7 @@ impl Machine {
         Ok(array(py, jumps))
     }
 
-    /// A run as set. The second of what is returned is the exception of a run that stopped, with
-    /// what there is of it first.
+    /// Simulates the machine. A run that stops early returns the partial run and the exception.
     fn simulate(
         &self,
         py: Python<'_>,
@@ -254,7 +253,7 @@ impl Machine {
         }
     }
 
-    /// Seconds that runs as set take, one after another, without Python in between.
+    /// Times of consecutive runs \[s\], without the overhead of Python.
     fn time_runs(
         &self,
         py: Python<'_>,
@@ -276,7 +275,7 @@ impl Machine {
     }
 }
 
-/// Fills an array: a new one, or the caller's.
+/// Fills a new array or the caller's.
 fn into_array<'py>(
     py: Python<'py>,
     length: usize,

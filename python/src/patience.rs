@@ -1,4 +1,4 @@
-//! Runs that are left on Ctrl-C.
+//! Interruption of runs by Ctrl-C.
 
 use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
@@ -6,21 +6,21 @@ use std::time::{Duration, Instant};
 use machinist::error::StopCause;
 use pyo3::prelude::*;
 
-/// Signals are looked for so often; Python handles them in its main thread alone.
+/// Interval between signal checks; Python handles signals in its main thread only.
 const PERIOD: Duration = Duration::from_millis(100);
-/// The clock is looked at once in so many steps.
+/// Number of steps between readings of the clock.
 const STEPS: u32 = 64;
 
-/// Asked after every step whether a run is to go on.
+/// Decides after every step whether a run continues.
 pub struct Patience {
     steps: Cell<u32>,
-    /// When to look for signals.
+    /// Time of the next signal check.
     next: Cell<Instant>,
     signal: RefCell<Option<PyErr>>,
 }
 
 impl Patience {
-    /// From now on, until a signal is raised.
+    /// Starts now and lasts until a signal is raised.
     pub fn new() -> Self {
         Self {
             steps: Cell::new(0),
@@ -29,7 +29,7 @@ impl Patience {
         }
     }
 
-    /// Why it has come to an end, if it has.
+    /// Reason for the interruption, if any.
     pub fn end(&self) -> Option<StopCause> {
         let steps = self.steps.get().wrapping_add(1);
         self.steps.set(steps);
@@ -46,10 +46,10 @@ impl Patience {
         Some(StopCause::Interrupted)
     }
 
-    /// What a handler of a signal raised, such as `KeyboardInterrupt`.
+    /// Passes on an exception of a signal handler.
     ///
     /// # Errors
-    /// That.
+    /// The exception, such as `KeyboardInterrupt`.
     pub fn require_quiet(&self) -> PyResult<()> {
         self.signal.take().map_or(Ok(()), Err)
     }

@@ -1,4 +1,4 @@
-//! What a run leaves, as Python sees it.
+//! Results of a run for Python.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -11,7 +11,7 @@ use pyo3::types::{IntoPyDict as _, PyDict};
 
 use crate::arrays::array;
 
-/// Numbers of a run: handed over to NumPy, without a copy, when they are first asked for.
+/// Numbers of a run, moved to NumPy on first access without a copy.
 enum Slot {
     Kept(Vec<f64>),
     Handed(Py<PyArray1<f64>>),
@@ -37,7 +37,7 @@ struct Named {
     doc: String,
 }
 
-/// A run: times and columns of numbers.
+/// A run: times and numeric columns.
 #[pyclass(frozen, module = "machinist._machinist")]
 pub struct Run {
     told: Told,
@@ -103,12 +103,12 @@ impl Run {
         self.slot(py, 0)
     }
 
-    /// (name, unit, kind, meaning) of every column.
+    /// (name, unit, kind, description) of every column.
     fn columns(&self) -> Vec<(&str, &str, &str, &str)> {
         self.columns.iter().map(|c| (&*c.name, &*c.unit, c.kind, &*c.doc)).collect()
     }
 
-    /// The values of a column, by its place.
+    /// Values of a column, by index.
     fn values<'py>(&self, py: Python<'py>, column: usize) -> PyResult<Bound<'py, PyArray1<f64>>> {
         if column < self.columns.len() {
             Ok(self.slot(py, column + 1))
@@ -117,7 +117,7 @@ impl Run {
         }
     }
 
-    /// What else there is to tell, by name.
+    /// All other results as a dictionary.
     fn told<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let Told { machine, title, method, rtol, work, notes, events, stopped, .. } = &self.told;
         let told = PyDict::new(py);

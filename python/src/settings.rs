@@ -1,4 +1,4 @@
-//! What a run is asked for, by keywords.
+//! Settings of a run, from keywords.
 
 use std::time::Duration;
 
@@ -10,12 +10,12 @@ use pyo3::types::{PyDict, PyMapping, PyString};
 use crate::arrays::numbers;
 use crate::failure::Failure;
 
-/// What a caller sets of a run; what is not set is as the scene says.
+/// Settings of a run; omitted ones take the scene's values.
 #[derive(Debug, Clone, Default)]
 pub struct Settings {
     /// All parameters in order.
     pub all_parameters: Option<Vec<f64>>,
-    /// Some of them by name.
+    /// Some parameters by name.
     pub parameters: Vec<(String, f64)>,
     initial: Vec<(String, f64)>,
     state: Option<Vec<f64>>,
@@ -31,18 +31,18 @@ pub struct Settings {
     energy_balance: bool,
     /// True to estimate the error.
     error: bool,
-    /// Error of the result to be met, as part of the largest value of a column.
+    /// Target error of the result, as a fraction of the largest value of a column.
     accuracy: Option<f64>,
     sensitivities: Vec<String>,
-    /// How long it may take.
+    /// Limit of the computing time.
     pub time_limit: Option<Duration>,
 }
 
 impl Settings {
-    /// Of keywords; `None` is as if it were not there.
+    /// Settings from keywords; `None` counts as omitted.
     ///
     /// # Errors
-    /// What a keyword is given makes no sense, or there is no such keyword.
+    /// A value is invalid, or a keyword is unknown.
     pub fn of(keywords: &Bound<'_, PyDict>) -> Result<Self, Failure> {
         let mut settings = Self::default();
         for (key, value) in keywords {
@@ -92,15 +92,15 @@ impl Settings {
         Ok(())
     }
 
-    /// Start time, if it is set \[s\].
+    /// Start time \[s\], if set.
     pub fn start(&self) -> Option<f64> {
         self.start
     }
 
-    /// A run so adjusted.
+    /// Applies the settings to a run.
     ///
     /// # Errors
-    /// Names that are not known.
+    /// A name is unknown.
     pub fn apply<'a>(&self, mut run: Simulation<'a>) -> Result<Simulation<'a>, SimulateError> {
         if let Some(all) = &self.all_parameters {
             run = run.parameters(all);
@@ -132,7 +132,7 @@ impl Settings {
         Ok(run.with_energy_balance(self.energy_balance))
     }
 
-    /// Runs, with an estimate of the error or to an accuracy if they are asked for.
+    /// Runs, with an error estimate or to an accuracy if requested.
     ///
     /// # Errors
     /// As [`Simulation::run`] and [`Simulation::run_to_accuracy`].
@@ -171,10 +171,10 @@ fn count(what: &str, value: &Bound<'_, PyAny>) -> Result<usize, Failure> {
     extracted(what, value, "a whole number from 0")
 }
 
-/// What a value is in Rust.
+/// Converts a value to its Rust type.
 ///
 /// # Errors
-/// It is something else.
+/// The value has another type.
 pub fn extracted<'a, 'py, T: FromPyObject<'a, 'py>>(
     what: &str,
     value: &'a Bound<'py, PyAny>,

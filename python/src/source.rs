@@ -1,4 +1,4 @@
-//! Where a simulator comes from.
+//! Sources of simulators.
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::sweep::{InLanes, Sweepable};
@@ -8,21 +8,21 @@ use machinist_scenes::scenes;
 
 use crate::failure::Failure;
 
-/// A simulator that threads may share, or what one is made of.
+/// A simulator that threads can share, or the data to create one.
 #[derive(Debug)]
 pub enum Source {
-    /// Built in, by a name that is known to be.
+    /// Built-in scene, by a known name.
     BuiltIn(&'static str),
-    /// Built in, with fields to be cut.
+    /// Built-in scene with fields to discretize.
     BuiltInFields(&'static str, Discretisation),
     /// Of a model.
     Model(Box<ModelSimulator>),
-    /// Of a model with fields to be cut.
+    /// Model with fields to discretize.
     Fields(Box<ModelSimulator>, Discretisation),
 }
 
 impl Source {
-    /// The scene of a name, if it is built in.
+    /// The built-in scene of a name, if it exists.
     ///
     /// # Errors
     /// Fields that cannot be cut as wanted.
@@ -57,7 +57,7 @@ impl Source {
         Ok(source)
     }
 
-    /// Does something with the simulator. Fields are cut anew each time.
+    /// Calls a function with the simulator. Discretizes fields anew each time.
     ///
     /// # Errors
     /// Fields that cannot be cut as wanted: not once a source has been made.
@@ -69,13 +69,13 @@ impl Source {
         }
     }
 
-    /// Its fields, cut once more.
+    /// Discretizes the fields again.
     ///
     /// # Errors
     /// Fields that cannot be cut as wanted: not once a source has been made.
     ///
     /// # Panics
-    /// If it has none.
+    /// If the source has no fields.
     pub fn cut(&self) -> Result<FieldSimulator<'_, f64>, Failure> {
         match self {
             Self::Fields(simulator, wanted) => {
@@ -94,7 +94,7 @@ impl Source {
         }
     }
 
-    /// It for many threads, if it has no fields.
+    /// The simulator for many threads, if it has no fields.
     pub fn shared(&self) -> Option<Shared<'_>> {
         match self {
             Self::BuiltIn(name) => Some(Shared::BuiltIn(name)),
@@ -103,7 +103,7 @@ impl Source {
         }
     }
 
-    /// How it runs.
+    /// Execution mode.
     pub fn running(&self) -> &'static str {
         match self {
             Self::BuiltIn(_) | Self::BuiltInFields(..) => "emitted",
@@ -115,14 +115,14 @@ impl Source {
     }
 }
 
-/// The simulator of a name that is known to be built in.
+/// The simulator of a built-in scene, by a known name.
 fn built_in(name: &str) -> &'static dyn Simulator<f64> {
     scenes::find_f64(name).expect("it was found before")
 }
 
-/// A machine without fields, which threads run at once.
+/// A machine without fields, which threads can run concurrently.
 pub enum Shared<'a> {
-    /// Built in, by its name.
+    /// Built-in scene, by name.
     BuiltIn(&'static str),
     /// Of a model.
     Model(&'a ModelSimulator),

@@ -1,4 +1,4 @@
-//! Pieces of sweeps: some variants of a machine, on threads of this process.
+//! Chunks of sweeps: consecutive variants of a machine, on threads of this process.
 
 use machinist::error::nearest;
 use machinist::sweep::{VariantRun, Wanted, each_on_its_own, one};
@@ -12,10 +12,10 @@ use crate::failure::Failure;
 use crate::machine::Machine;
 use crate::settings::Settings;
 
-/// Values of every variant, steps, and why it stopped if it did.
+/// Values, steps and reason of failure, if any, of every variant.
 type Piece<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u64>>, Vec<Option<String>>);
 
-/// Runs variants: rows of `values` are those of the parameters of these names.
+/// Runs variants: a row of `values` contains the parameters called `names`.
 #[pyfunction]
 #[pyo3(signature = (machine, settings, names, values, wanted, extremes, threads))]
 #[expect(clippy::too_many_arguments, reason = "called from one place, the package's own")]
@@ -70,7 +70,7 @@ pub fn sweep_piece<'py>(
     Ok((table, PyArray1::from_vec(py, steps), errors))
 }
 
-/// How many variants have a mass of the wrong sign, the first of them and what a run says of it.
+/// Number of variants with a negative mass, index of the first and the note of its run.
 #[pyfunction]
 #[expect(clippy::needless_pass_by_value, reason = "as Python hands it over")]
 pub fn negative_inertias(
@@ -91,7 +91,7 @@ pub fn negative_inertias(
     })
 }
 
-/// A row a variant, of as many numbers as there are names.
+/// One row per variant, with one number per name.
 fn rows(values: &PyReadonlyArray2<'_, f64>, names: &[String]) -> Result<Vec<Vec<f64>>, Failure> {
     if values.shape()[1] != names.len() {
         let message = format!("{} columns for {} parameters", values.shape()[1], names.len());
@@ -100,7 +100,7 @@ fn rows(values: &PyReadonlyArray2<'_, f64>, names: &[String]) -> Result<Vec<Vec<
     Ok(values.as_array().rows().into_iter().map(|row| row.to_vec()).collect())
 }
 
-/// What is wanted, and all parameters of every variant; refuses what no variant could do.
+/// Requested columns and all parameters of every variant; rejects settings invalid for all.
 fn prepared(
     simulator: &dyn Simulator<f64>,
     settings: &Settings,
@@ -157,7 +157,7 @@ fn prepared(
     Ok((Wanted { places, extremes }, rows.iter().map(variant).collect()))
 }
 
-/// Every variant's run, in order.
+/// Runs of all variants, in order.
 fn all_runs(
     machine: &Machine,
     settings: &Settings,
@@ -175,7 +175,7 @@ fn all_runs(
     Ok(sweep.each(|run| settings.apply(run.clone()).unwrap_or(run)).run())
 }
 
-/// A variant on its own, within the limit of time.
+/// Runs a single variant within the time limit.
 fn alone(
     simulator: &dyn Simulator<f64>,
     settings: &Settings,

@@ -1,14 +1,14 @@
-//! Which parameters a run depends on while it is under way.
+//! Parameters that can change during a run.
 
 use machinist_contract::Simulator;
 
-/// Whether a parameter may be changed between two pieces of a run, and matters there: rate,
-/// outputs, events or times of jumps depend on it, constraints do not. What matters at the start
-/// alone is not tunable, nor is what constraints are made of.
+/// Whether a parameter may change between two segments of a run and has an effect there: rate,
+/// outputs, events or times of discontinuities depend on it, constraints do not. Parameters that
+/// affect only the start or the constraints are not tunable.
 ///
-/// Every function is evaluated at the start with the parameter NaN: what depends on it is then
-/// NaN too. Rates are known by their pattern. A branch that is not taken at the start is not
-/// seen but there.
+/// Every function is evaluated at the start with the parameter set to NaN; a NaN result shows a
+/// dependence. Rates use their sparsity pattern. In other functions, branches not taken at the
+/// start are not seen.
 pub fn tunable(simulator: &dyn Simulator<f64>) -> Vec<bool> {
     let shape = simulator.shape();
     let start = simulator.run_defaults().from;

@@ -1,4 +1,4 @@
-"""What tests share: a machine that is built in, and one of a spec where the program is there."""
+"""Shared fixtures: a built-in machine, and one from a spec if the program is installed."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def gin() -> machinist.Model:
 
 @pytest.fixture(scope="session")
 def spec() -> Path:
-    """The spec of a scene that is built in too; without the program that derives, no test."""
+    """Spec of a scene that is also built in; skips the test without the program."""
     try:
         _derive.program()
     except machinist.ToolMissingError as error:

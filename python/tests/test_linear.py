@@ -1,4 +1,4 @@
-"""Modes and responses against closed forms and differences."""
+"""Eigenmodes and responses, compared with closed forms and finite differences."""
 
 from __future__ import annotations
 

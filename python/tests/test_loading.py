@@ -1,4 +1,4 @@
-"""Machines from names, model files and specs; what is none of these is refused by name."""
+"""Loading machines by name, from model files and from specs; errors for anything else."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def test_a_model_file_that_is_damaged_or_of_another_version_is_refused(model_fil
 
 
 def test_damaged_bytes_never_crash(model_file, tmp_path):
-    """Headers are mended, so that what is damaged is read."""
+    """Repairs the header, so that the damaged content is read."""
     import hashlib
 
     good = model_file.read_bytes()

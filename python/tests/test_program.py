@@ -1,4 +1,4 @@
-"""What the program writes is what the package writes, and is read here."""
+"""The program and the package write equal files, and the package reads both."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs: arrays, what is told of them, and what is refused."""
+"""Runs: arrays, metadata and rejected arguments."""
 
 from __future__ import annotations
 

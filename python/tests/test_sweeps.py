@@ -1,4 +1,4 @@
-"""Sweeps on threads: designs, results, folders of results, and variants that fail."""
+"""Sweeps on threads: designs, results, result folders and failing variants."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""The tutorial runs, and the notebook is its script.
+"""The tutorial runs, and the notebook matches its script.
 
-`MACHINIST_TUTORIAL=write python -m pytest tests/test_tutorial.py` writes the notebook again.
+`MACHINIST_TUTORIAL=write python -m pytest tests/test_tutorial.py` rewrites the notebook.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ FOLDER = Path(__file__).parents[1] / "tutorial"
 
 
 def cells() -> list[tuple[str, str]]:
-    """Kind and text of the script's cells."""
+    """Type and text of the script's cells."""
     found = []
     for part in (FOLDER / "tutorial.py").read_text(encoding="utf-8").split("# %%")[1:]:
         head, _, body = part.partition("\n")

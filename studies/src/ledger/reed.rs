@@ -72,7 +72,7 @@ fn scales() -> Vec<LedgerRow> {
                 "1",
                 xi * shaft.reed_position,
                 shaft.end_place(),
-                "printed with l0, as xi0, instead of l",
+                "defined with l0, as xi0, instead of l",
             )
         },
     ]

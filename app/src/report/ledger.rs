@@ -27,9 +27,9 @@ fn table(rows: &[LedgerRow]) -> Markup {
             table.ledger {
                 thead {
                     tr {
-                        th { "Study" } th { "At" } th { "What" } th { "Unit" } th.number { "Printed" }
-                        th.number { "As printed gives" } th.number { "Consistent" } th { "Reading" }
-                        th { "Where" } th { "Held by" }
+                        th { "Study" } th { "In the study" } th { "Subject" } th { "Unit" } th.number { "Printed" }
+                        th.number { "Result as printed" } th.number { "Consistent" } th { "Reading" }
+                        th { "In Machinist" } th { "Checked by" }
                     }
                 }
                 tbody {

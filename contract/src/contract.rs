@@ -1,41 +1,39 @@
-//! What every simulator offers: [`Describe`] (names, units, shapes, patterns)
-//! and [`Simulator`] (the numbers).
+//! The traits of every simulator: [`Describe`] (names, units, shapes, patterns) and [`Simulator`]
+//! (the numbers).
 
 use crate::Real;
 use crate::dual::Derivatives;
 use crate::linear::LinearEquations;
 use crate::taylor::TaylorSeries;
 
-/// Name, SI unit and meaning of one number of a simulator.
+/// Name, SI unit and meaning of a quantity of a simulator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Quantity<'a> {
-    /// The spec's own name, `instance.name`.
+    /// The name in the spec, `instance.name`.
     pub name: &'a str,
-    /// SI unit as the spec writes it; `1` for a pure number.
+    /// SI unit as written in the spec; `1` if dimensionless.
     pub unit: &'a str,
     /// One sentence of meaning.
     pub doc: &'a str,
 }
 
-/// How many of everything a simulator has.
+/// Numbers of states, parameters, outputs and discontinuities of a simulator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shape {
-    /// Generalized coordinates, n.
+    /// Number of generalized coordinates, n.
     pub coordinates: usize,
-    /// Positions in the state: n, less those left out because nothing depends on
-    /// them.
+    /// Number of positions in the state: n, without those that nothing depends on.
     pub positions: usize,
-    /// First-order states, m.
+    /// Number of first-order states, m.
     pub first_order: usize,
-    /// How many of the last entries of the state are only integrated: no rate
-    /// depends on them, so that an implicit method may leave them out of its
-    /// iteration.
+    /// Number of quadratures, which are the last entries of the state. No rate depends on them,
+    /// so an implicit method may leave them out of its iteration.
     pub quadratures: usize,
-    /// Parameters.
+    /// Number of parameters.
     pub parameters: usize,
-    /// Wanted outputs.
+    /// Number of outputs.
     pub outputs: usize,
-    /// Times at which the right-hand side jumps.
+    /// Number of times at which the right-hand side is discontinuous.
     pub discontinuities: usize,
 }
 
@@ -47,12 +45,12 @@ impl Shape {
     }
 }
 
-/// What an entry of the state is.
+/// Kind of an entry of the state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StateKind {
     /// A generalized coordinate, or the difference of two.
     Position,
-    /// A generalized velocity; velocities stand in the order of the coordinates.
+    /// A generalized velocity. Velocities have the order of the coordinates.
     Velocity,
     /// A first-order state.
     FirstOrder,
@@ -69,89 +67,88 @@ pub struct SparsityPattern<'a> {
     pub entries: &'a [(u32, u32)],
 }
 
-/// Which way a guard passes zero where its event happens.
+/// Direction in which a guard crosses zero to trigger its event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
-    /// From below to above.
+    /// From negative to positive.
     Rising,
-    /// From above to below.
+    /// From positive to negative.
     Falling,
-    /// Either way.
+    /// Both directions.
     Both,
 }
 
-/// What happens where a guard, an expression of time and state, passes zero: some
-/// entries of the state get new values at once.
+/// An event: at a zero crossing of its guard, an expression of time and state, some entries of
+/// the state are reset.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event<'a> {
-    /// The spec's own name, `instance.name`.
+    /// The name in the spec, `instance.name`.
     pub name: &'a str,
     /// One sentence of meaning.
     pub doc: &'a str,
-    /// Which way the guard passes zero.
+    /// Direction of the guard's zero crossing.
     pub direction: Direction,
-    /// Entries of the state with the values that they must have for the event to be
-    /// watched for; they are modes.
+    /// Modes (indices in the state) and the values they must have for the event to be active.
     pub when: &'a [(u32, f64)],
-    /// Entries of the state that the event sets, in the order of
-    /// [`Simulator::resets`].
+    /// Entries of the state that the event resets, in the order of [`Simulator::resets`].
     pub sets: &'a [u32],
 }
 
-/// What coordinates must fulfil: g(q, t) = 0, or a(q, t) q' + b(q, t) = 0. Its force on
-/// the coordinates is G^T lambda.
+/// A constraint on the coordinates: g(q, t) = 0, or a(q, t) q' + b(q, t) = 0. Its force on the
+/// coordinates is G^T lambda.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Constraint<'a> {
-    /// The spec's own name, `instance.name`.
+    /// The name in the spec, `instance.name`.
     pub name: &'a str,
-    /// SI unit of what is zero.
+    /// SI unit of the constrained expression.
     pub unit: &'a str,
     /// One sentence of meaning.
     pub doc: &'a str,
-    /// Whether it is of positions; else it is of velocities alone.
+    /// True for a constraint on positions; false for one on velocities alone.
     pub is_of_positions: bool,
-    /// Whether it holds in some modes only: in others its row of G is zero.
+    /// True if the constraint holds in some modes only. In the others its row of G is zero.
     pub in_modes: bool,
 }
 
 impl<'a> Constraint<'a> {
-    /// g(q, t) = 0.
+    /// Returns the constraint g(q, t) = 0.
     #[must_use]
     pub const fn of_positions(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
         Self { name, unit, doc, is_of_positions: true, in_modes: false }
     }
 
-    /// a(q, t) q' + b(q, t) = 0.
+    /// Returns the constraint a(q, t) q' + b(q, t) = 0.
     #[must_use]
     pub const fn of_velocities(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
         Self { name, unit, doc, is_of_positions: false, in_modes: false }
     }
 
-    /// g(q, t) = 0 in some modes only.
+    /// Returns the constraint g(q, t) = 0 that holds in some modes only.
     #[must_use]
     pub const fn of_positions_in_modes(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
         Self { name, unit, doc, is_of_positions: true, in_modes: true }
     }
 
-    /// a(q, t) q' + b(q, t) = 0 in some modes only.
+    /// Returns the constraint a(q, t) q' + b(q, t) = 0 that holds in some modes only.
     #[must_use]
     pub const fn of_velocities_in_modes(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
         Self { name, unit, doc, is_of_positions: false, in_modes: true }
     }
 }
 
-/// The run a scene asks for unless told otherwise.
+/// Default settings of a scene's run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RunDefaults<'a> {
     /// Start time \[s\].
     pub from: f64,
     /// End time \[s\].
     pub until: f64,
-    /// Number of output times, both ends included; equally spaced unless `times` are given.
+    /// Number of output times, both ends included. They are equally spaced unless `times` is
+    /// given.
     pub points: usize,
-    /// Output times \[s\] where they are not equally spaced, increasing; else empty.
+    /// Output times \[s\], increasing, if they are not equally spaced; else empty.
     pub times: &'a [f64],
-    /// Relative tolerance; the absolute one is this times the scale of the state.
+    /// Relative tolerance. The absolute tolerance is this times the scale of the state.
     pub rtol: f64,
     /// Name of the method.
     pub method: &'a str,
@@ -169,7 +166,7 @@ pub struct Energy<R> {
 }
 
 impl<R: Real> Energy<R> {
-    /// T + V + stored.
+    /// Returns T + V + stored.
     #[must_use]
     pub fn total(&self) -> R {
         self.kinetic + self.potential + self.stored
@@ -181,24 +178,24 @@ impl<R: Real> Energy<R> {
 pub struct PowerBalance<R> {
     /// dE/dt by the chain rule over the emitted energy and rate.
     pub stored_rate: R,
-    /// Power of generalized forces, of supplies and of explicit time dependence.
+    /// Power of generalized forces, supplies and explicit time dependence.
     pub supplied: R,
     /// Power lost: q' dD/dq' and the losses of first-order states.
     pub dissipated: R,
 }
 
 impl<R: Real> PowerBalance<R> {
-    /// dE/dt - supplied + dissipated; zero up to rounding.
+    /// Returns dE/dt - supplied + dissipated, which is zero up to rounding.
     #[must_use]
     pub fn residual(&self) -> R {
         self.stored_rate - self.supplied + self.dissipated
     }
 }
 
-/// Why values of parameters make no machine.
+/// Reason why parameter values do not describe a machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Refusal<'a> {
-    /// The rule for the value: `the ratio of port \`gear.a\` is a number other than 0`.
+    /// The rule that the value breaks: `the ratio of port \`gear.a\` is a number other than 0`.
     pub rule: &'a str,
     /// The value.
     pub value: f64,
@@ -206,19 +203,19 @@ pub struct Refusal<'a> {
 
 /// Names, units, shapes and structure of a simulator.
 pub trait Describe {
-    /// The scene's name, a valid identifier.
+    /// Returns the scene's name, a valid identifier.
     fn name(&self) -> &str;
-    /// One line for people.
+    /// Returns a title of one line.
     fn title(&self) -> &str;
-    /// Number of coordinates, states, parameters, outputs.
+    /// Returns the numbers of coordinates, states, parameters and outputs.
     fn shape(&self) -> Shape;
-    /// The `index`-th state.
+    /// Returns the `index`-th state.
     ///
     /// # Panics
     /// If `index` is not below `shape().states()`; likewise below.
     fn state(&self, index: usize) -> Quantity<'_>;
-    /// What the `index`-th state is. Positions come first, then velocities, then
-    /// first-order states, unless a simulator says otherwise.
+    /// Returns the kind of the `index`-th state. By default positions come first, then
+    /// velocities, then first-order states.
     fn state_kind(&self, index: usize) -> StateKind {
         let Shape { positions, coordinates, .. } = self.shape();
         match index {
@@ -227,96 +224,97 @@ pub trait Describe {
             _ => StateKind::FirstOrder,
         }
     }
-    /// The `index`-th generalized coordinate, in the state or not. The `index`-th
-    /// state unless a simulator, whose positions are fewer, says otherwise.
+    /// Returns the `index`-th generalized coordinate, in the state or not. By default it is the
+    /// `index`-th state; simulators with fewer positions override this.
     fn coordinate(&self, index: usize) -> Quantity<'_> {
         self.state(index)
     }
-    /// Typical size of the `index`-th state, which scales its absolute tolerance.
+    /// Returns the typical size of the `index`-th state, which scales its absolute tolerance.
     fn state_scale(&self, index: usize) -> f64;
-    /// The `index`-th parameter.
+    /// Returns the `index`-th parameter.
     fn parameter(&self, index: usize) -> Quantity<'_>;
-    /// Value of the `index`-th parameter in the spec.
+    /// Returns the value of the `index`-th parameter in the spec.
     fn parameter_default(&self, index: usize) -> f64;
-    /// The `index`-th output.
+    /// Returns the `index`-th output.
     fn output(&self, index: usize) -> Quantity<'_>;
-    /// Whether the `index`-th output answers to a force at once: by accelerations or by forces of
-    /// constraints.
+    /// Reports whether the `index`-th output has direct feedthrough of forces, by accelerations
+    /// or constraint forces.
     fn output_answers_at_once(&self, _index: usize) -> bool {
         false
     }
-    /// Nonzeros of dy'/dy, `states` by `states`.
+    /// Returns the nonzeros of dy'/dy, `states` by `states`.
     fn rate_jacobian_pattern(&self) -> SparsityPattern<'_>;
-    /// Nonzeros of dy'/dp, `states` by `parameters`.
+    /// Returns the nonzeros of dy'/dp, `states` by `parameters`.
     fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_>;
-    /// Nonzeros of M, `coordinates` by `coordinates`, both triangles.
+    /// Returns the nonzeros of M, `coordinates` by `coordinates`, both triangles.
     fn mass_matrix_pattern(&self) -> SparsityPattern<'_>;
-    /// Entries of the state that may be coupled with any other, ascending, where the
-    /// Jacobian of the rest is banded in the order of positions, velocities and
-    /// first-order states; nothing where there is no such structure.
+    /// Returns the entries of the state that may be coupled with any other, ascending. Without
+    /// them the Jacobian is banded in the order of positions, velocities and first-order states.
+    /// `None` if there is no such structure.
     fn border(&self) -> Option<&[u32]> {
         None
     }
-    /// Run defaults of the spec.
+    /// Returns the default run settings of the spec.
     fn run_defaults(&self) -> RunDefaults<'_>;
-    /// Number of events; none, unless a simulator says otherwise.
+    /// Returns the number of events, by default 0.
     fn events(&self) -> usize {
         0
     }
-    /// The `index`-th event.
+    /// Returns the `index`-th event.
     fn event(&self, index: usize) -> Event<'_> {
         panic!("there is no event {index}")
     }
-    /// Whether the `index`-th state is a mode: a whole number that only events
-    /// change. Its rate is zero.
+    /// Reports whether the `index`-th state is a mode: a whole number that only events change.
+    /// Its rate is zero.
     fn is_mode(&self, _index: usize) -> bool {
         false
     }
-    /// Number of guards of kinks: what passes zero where the rate, continuous or not, is not
-    /// smooth, in state or time; none, unless a simulator says otherwise.
+    /// Returns the number of guards of switching surfaces, by default 0. Such a guard crosses
+    /// zero where the rate is not smooth in state or time, whether it is continuous there or not.
     fn kinks(&self) -> usize {
         0
     }
-    /// Number of constraints, m; none, unless a simulator says otherwise. The state of
-    /// a simulator with constraints holds all coordinates, in order.
+    /// Returns the number of constraints, m, by default 0. The state of a simulator with
+    /// constraints holds all coordinates, in order.
     fn constraints(&self) -> usize {
         0
     }
-    /// The `index`-th constraint.
+    /// Returns the `index`-th constraint.
     fn constraint(&self, index: usize) -> Constraint<'_> {
         panic!("there is no constraint {index}")
     }
-    /// Nonzeros of G = dg'/dq', `constraints` by `coordinates`.
+    /// Returns the nonzeros of G = dg'/dq', `constraints` by `coordinates`.
     fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
         SparsityPattern { rows: 0, columns: self.shape().coordinates, entries: &[] }
     }
-    /// Whether runs start in the equilibrium near the initial state, and not in that itself.
+    /// Reports whether runs start in the equilibrium near the initial state instead of that
+    /// state.
     fn starts_in_equilibrium(&self) -> bool {
         false
     }
-    /// Why some values of the parameters make no machine, as the spec would be refused with them;
-    /// nothing if they do, or if it is not known.
+    /// Returns the reason why the spec would be rejected with these parameter values. `None` if
+    /// they are valid, or if this is unknown.
     fn refusal(&self, _parameters: &[f64]) -> Option<Refusal<'_>> {
         None
     }
-    /// True if the spec has a parameter of this name on which nothing depends, so that the simulator
-    /// has it not.
+    /// Reports whether the spec has a parameter of this name that nothing depends on, which the
+    /// simulator therefore leaves out.
     fn is_unused(&self, _parameter: &str) -> bool {
         false
     }
-    /// True if no power is supplied or dissipated at any state and time, for these parameters;
-    /// nothing if it is not known. Events may change the energy all the same.
+    /// Reports whether no power is supplied or dissipated at any state and time, for these
+    /// parameters. `None` if this is unknown. Events may change the energy nevertheless.
     fn conserves_energy(&self, _parameters: &[f64]) -> Option<bool> {
         None
     }
-    /// Whether the initial value of the `index`-th state is given; if not, it is a guess
-    /// from which one is looked for that fulfils the constraints.
+    /// Reports whether the initial value of the `index`-th state is given. If not, it is a guess
+    /// from which values that fulfil the constraints are computed.
     fn is_given(&self, _index: usize) -> bool {
         true
     }
 }
 
-/// What [`Simulator::prepared_jacobians`] gives, by the functions of the two.
+/// Computes [`Simulator::prepared_jacobians`] by separate calls for the two Jacobians.
 #[inline]
 pub fn jacobians_apart<R: Real>(
     simulator: &(impl Simulator<R> + ?Sized),
@@ -332,27 +330,26 @@ pub fn jacobians_apart<R: Real>(
     simulator.prepared_parameter_jacobian(time, state, parameters, constants, by_parameters);
 }
 
-/// The numbers of a simulator: the functions of their table
-/// ([`for_each_function`](crate::for_each_function)), and what else there may be. Slices
-/// have the lengths of [`Shape`] and of the patterns; every method writes all of its output
-/// slice.
+/// Numerical functions of a simulator: those of the table
+/// ([`for_each_function`](crate::for_each_function)), and optional ones. Slices have the lengths
+/// of [`Shape`] and of the patterns. Every method writes all of its output slice.
 ///
 /// # Panics
 /// Every method panics if a slice has another length than stated.
 pub trait Simulator<R: Real>: Describe {
     crate::for_each_function! { [crate::functions::methods] }
-    /// How many constants [`Simulator::prepare`] computes; 0 if it has none.
+    /// Returns the number of constants that [`Simulator::prepare`] computes; 0 if there are none.
     fn constants(&self) -> usize {
         0
     }
-    /// What rate and Jacobians need of the parameters, `constants` long: once a run, for
-    /// [`Simulator::prepared_rate`], [`Simulator::prepared_rate_jacobian`],
+    /// Computes the `constants` that rate and Jacobians need of the parameters. It is called once
+    /// a run, for [`Simulator::prepared_rate`], [`Simulator::prepared_rate_jacobian`],
     /// [`Simulator::prepared_parameter_jacobian`] and [`Simulator::prepared_jacobians`].
     fn prepare(&self, _parameters: &[R], _constants: &mut [R]) {}
-    /// `dy'/dy` and `dy'/dp` by constants, values of the one behind those of the other, to the
-    /// last bit as [`Simulator::prepared_rate_jacobian`] and
-    /// [`Simulator::prepared_parameter_jacobian`] give them: for sensitivities, which need both at
-    /// every state. What both need may be computed once.
+    /// Computes the values of `dy'/dy`, followed by those of `dy'/dp`, from constants. They are
+    /// bitwise equal to the results of [`Simulator::prepared_rate_jacobian`] and
+    /// [`Simulator::prepared_parameter_jacobian`]. Sensitivities need both at every state; common
+    /// parts may be computed once.
     fn prepared_jacobians(
         &self,
         time: R,
@@ -363,24 +360,24 @@ pub trait Simulator<R: Real>: Describe {
     ) {
         jacobians_apart(self, time, state, parameters, constants, values);
     }
-    /// Taylor series of the solution, where the simulator has them.
+    /// Returns the Taylor series of the solution, if the simulator has them.
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         None
     }
-    /// What its equations are excited by, if they are linear with constant
-    /// coefficients.
+    /// Returns the excitation of the equations, if they are linear with constant coefficients.
     fn linear(&self) -> Option<&dyn LinearEquations<R>> {
         None
     }
-    /// Its functions on dual numbers, for sensitivities along a run: `Some(self)` of a
-    /// simulator on any [`Real`].
+    /// Returns the functions on dual numbers, for sensitivities along a run. It is `Some(self)`
+    /// for a simulator on any [`Real`].
     fn derivatives(&self) -> Option<&dyn Derivatives> {
         None
     }
 }
 
-/// What variants side by side ask of their machine; all else is asked of it one variant at a time. Every
-/// simulator has it, and who makes `&dyn SideBySide` of one compiles no more than this in lanes.
+/// Functions that are evaluated for several variants side by side, in lanes. All others are
+/// called one variant at a time. Every simulator implements this trait; through `&dyn SideBySide`
+/// only these functions are compiled for lanes.
 pub trait SideBySide<R: Real>: Describe {
     /// As [`Simulator::constants`].
     fn constants(&self) -> usize;

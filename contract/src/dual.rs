@@ -4,14 +4,14 @@
 //! f(a + e b) = f(a) + e f'(a) b,   e^2 = 0
 //! ```
 //!
-//! What is computed on them has its derivatives to rounding, by the chain rule, without any
-//! difference of close numbers; values are those of `f64`, to the last bit.
+//! Computations on dual numbers give derivatives exact to rounding, by the chain rule, without
+//! differences of close numbers. Values are bitwise equal to those of `f64`.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::{CubicTable, Real, Simulator};
 
-/// A number and its slopes in so many directions at once. Comparisons and `abs` go by the value.
+/// A number and its derivatives in several directions. Comparisons and `abs` use the value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dual {
     /// The number.
@@ -21,21 +21,22 @@ pub struct Dual {
 }
 
 impl Dual {
-    /// Directions carried side by side.
+    /// Number of directions.
     pub const DIRECTIONS: usize = 4;
 
-    /// A number that depends on nothing.
+    /// Returns a number whose derivatives are zero.
     #[must_use]
     pub const fn constant(value: f64) -> Self {
         Self { value, slopes: [0.0; Self::DIRECTIONS] }
     }
 
-    /// f(a) + e f'(a) b from f(a) and f'(a). Where b is zero the slope is zero, also of a
-    /// function that is vertical there.
+    /// Returns f(a) + e f'(a) b from f(a) and f'(a). If b is zero the derivative is zero, even if
+    /// the function is vertical there.
     #[inline(always)]
     fn chain(self, value: f64, slope: f64) -> Self {
         let by = |b: f64| if b == 0.0 { 0.0 } else { slope * b };
-        // Written out, as below: closures over arrays are most of what a scene on these takes to compile.
+        // Written out, as below: closures over arrays take most of the compile time of a scene on
+        // dual numbers.
         let [a, b, c, d] = self.slopes;
         Self { value, slopes: [by(a), by(b), by(c), by(d)] }
     }
@@ -186,7 +187,7 @@ impl Real for Dual {
         self.chain(Real::cosh(self.value), Real::sinh(self.value))
     }
 
-    /// With slope 1/cosh^2, where 1 - tanh^2 would cancel.
+    /// The derivative is 1/cosh^2, because 1 - tanh^2 would cancel.
     fn tanh(self) -> Self {
         let cosh = Real::cosh(self.value);
         self.chain(Real::tanh(self.value), 1.0 / (cosh * cosh))
@@ -198,7 +199,8 @@ impl Real for Dual {
     }
 }
 
-/// A function of a simulator of which derivatives are wanted besides dy'/dy and dy'/dp.
+/// A function of a simulator that may be differentiated on dual numbers, besides dy'/dy and
+/// dy'/dp.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the function of the table of this name")]
 pub enum DualFunction {
@@ -214,11 +216,11 @@ pub enum DualFunction {
     MassMatrix,
 }
 
-/// Functions of a simulator on dual numbers: what sensitivities along a run take. Everything
-/// that runs on any [`Real`] has them; [`Simulator::derivatives`] hands them over.
+/// Functions of a simulator on dual numbers, for sensitivities along a run. Every simulator on
+/// any [`Real`] has them; [`Simulator::derivatives`] returns them.
 pub trait Derivatives {
-    /// As the function of the simulator, on dual numbers; those of parameters alone read
-    /// neither time nor state.
+    /// Evaluates the function of the simulator on dual numbers. Functions of parameters alone
+    /// read neither time nor state.
     ///
     /// # Panics
     /// If a slice has another length than the simulator's function takes.
@@ -266,7 +268,7 @@ mod tests {
         Dual { value, slopes: [1.0, -2.0, 0.0, 0.5] }
     }
 
-    /// Slopes against central differences, and values against those of `f64`.
+    /// Compares derivatives with central differences, and values with those of `f64`.
     #[test]
     #[allow(clippy::float_cmp, reason = "values are the same to the last bit")]
     fn every_function_has_its_slope() {
@@ -297,7 +299,7 @@ mod tests {
             for x in [0.04, 0.3, 0.9] {
                 let found = dual(along(x));
                 assert_eq!(found.value, real(x), "{name} at {x}");
-                // Of fourth order.
+                // Central difference of fourth order.
                 let h = 1e-3 * x;
                 let near = |k: f64| real(x + k * h) - real(x - k * h);
                 let slope = (8.0 * near(1.0) - near(2.0)) / (12.0 * h);

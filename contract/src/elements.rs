@@ -1,9 +1,9 @@
-//! The loops over the elements of a field, which know nothing of the scene.
+//! Loops over the elements of a field, independent of the scene.
 
 use crate::Real;
 use crate::field::{FieldPoint, FieldScene, MAX_POINTS};
 
-/// Gauss-Lobatto points of the unit interval and the shape functions on them.
+/// Gauss-Lobatto points of the unit interval and their shape functions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rule<'a> {
     /// Points, both ends included; p + 1.
@@ -16,13 +16,13 @@ pub struct Rule<'a> {
 }
 
 impl Rule<'_> {
-    /// p + 1.
+    /// Returns the number of points, p + 1.
     #[must_use]
     pub fn len(&self) -> usize {
         self.points.len()
     }
 
-    /// Never: a rule has both ends.
+    /// Returns false: a rule has both ends.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.points.is_empty()
@@ -33,45 +33,45 @@ impl Rule<'_> {
     }
 }
 
-/// A stretch of a field between two neighbouring places, cut into equal elements.
+/// A segment of a field between two neighbouring places, divided into equal elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Segment {
-    /// Indices of its ends in the bounds of the field's segments.
+    /// Indices of its ends among the bounds of the field's segments.
     pub bounds: [u32; 2],
-    /// Number of its elements.
+    /// Number of elements.
     pub elements: u32,
-    /// Its first node.
+    /// Index of the first node.
     pub first_node: u32,
 }
 
-/// The elements of one field: segments one after another, which share their ends.
+/// The elements of one field: consecutive segments that share their ends.
 #[derive(Debug, Clone, Copy)]
 pub struct Elements<'a, R> {
-    /// Which field.
+    /// Index of the field.
     pub field: usize,
     /// Points and shape functions.
     pub rule: Rule<'a>,
     /// The segments.
     pub segments: &'a [Segment],
-    /// x of the ends of segments, 0 first and l last.
+    /// x of the ends of the segments, from 0 to l.
     pub bounds: &'a [R],
 }
 
 /// One element.
 #[derive(Debug, Clone, Copy)]
 pub struct Element<R> {
-    /// Its first node.
+    /// Index of the first node.
     pub first_node: usize,
-    /// x of its start.
+    /// x of the start.
     pub start: R,
-    /// Its length h.
+    /// Length h.
     pub length: R,
-    /// Segment it belongs to, and its number in it.
+    /// Index of its segment, and index within the segment.
     pub place: [usize; 2],
 }
 
 impl<R: Real> Elements<'_, R> {
-    /// All elements, by x.
+    /// Iterates over all elements, ordered by x.
     pub fn iter(&self) -> impl Iterator<Item = Element<R>> + '_ {
         let step = self.rule.len() - 1;
         self.segments.iter().enumerate().flat_map(move |(index, segment)| {
@@ -86,7 +86,7 @@ impl<R: Real> Elements<'_, R> {
         })
     }
 
-    /// The elements on both sides of a bound, before it and after it.
+    /// Returns the elements before and after a bound.
     #[must_use]
     pub fn beside(&self, bound: usize) -> [Option<Element<R>>; 2] {
         let step = self.rule.len() - 1;
@@ -104,25 +104,25 @@ impl<R: Real> Elements<'_, R> {
         [before.and_then(|index| element(index, last(index))), element(bound, 0)]
     }
 
-    /// Length of the elements of a segment.
+    /// Returns the length of the elements of a segment.
     fn length(&self, segment: &Segment) -> R {
         let [start, end] = segment.bounds.map(|bound| self.bounds[bound as usize]);
         (end - start) / R::literal(f64::from(segment.elements))
     }
 
-    /// Number of nodes.
+    /// Returns the number of nodes.
     #[must_use]
     pub fn nodes(&self) -> usize {
         let elements: u32 = self.segments.iter().map(|segment| segment.elements).sum();
         elements as usize * (self.rule.len() - 1) + 1
     }
 
-    /// x of the points of an element.
+    /// Returns x of a point of an element.
     fn x(&self, element: &Element<R>, point: usize) -> R {
         element.start + element.length * R::literal(self.rule.points[point])
     }
 
-    /// x of every node.
+    /// Computes x of every node.
     pub fn places(&self, x: &mut [R]) {
         for element in self.iter() {
             for point in 0..self.rule.len() {
@@ -131,7 +131,7 @@ impl<R: Real> Elements<'_, R> {
         }
     }
 
-    /// u, u_x, u_t and u_xt at a point of an element, from the values at the nodes.
+    /// Returns u, u_x, u_t and u_xt at a point of an element, from the values at the nodes.
     #[must_use]
     pub fn point(&self, element: &Element<R>, point: usize, u: &[R], v: &[R]) -> FieldPoint<R> {
         let [mut u_x, mut v_x] = [R::literal(0.0); 2];
@@ -144,16 +144,16 @@ impl<R: Real> Elements<'_, R> {
         [u[here], u_x / element.length, v[here], v_x / element.length]
     }
 
-    /// u_x at the first or last node of an element, from what acts in the section there
-    /// if that node has this acceleration:
+    /// Returns u_x at the first or last node of an element, from the section force there for a
+    /// given acceleration of the node:
     ///
     /// ```text
     /// M_i u_i'' = F_i - [f_1 l_i]      M_i and F_i of this element alone
     /// ```
     ///
-    /// It is as exact as u is, where the slope of the shape functions loses an order and
-    /// more, and fits what is joined to the node to the last digit. f_1 is taken for
-    /// linear in u_x between the two.
+    /// The result is as accurate as u, whereas the derivative of the shape functions loses an
+    /// order or more. It agrees with the force on the joined part to the last digit. f_1 is taken
+    /// as linear in u_x between the two.
     #[must_use]
     pub fn slope_of_section<S: FieldScene<R> + ?Sized>(
         &self,
@@ -185,7 +185,7 @@ impl<R: Real> Elements<'_, R> {
         at[1] + R::select_less(zero, by_slope.abs(), change, zero)
     }
 
-    /// The part of the length that is a node's, one entry a node.
+    /// Computes the length assigned to each node.
     pub fn lengths(&self, lengths: &mut [R]) {
         lengths.fill(R::literal(0.0));
         for element in self.iter() {
@@ -196,7 +196,7 @@ impl<R: Real> Elements<'_, R> {
         }
     }
 
-    /// M, one entry a node.
+    /// Computes M, one entry per node.
     pub fn inertia<S: FieldScene<R> + ?Sized>(&self, scene: &S, p: &[R], inertia: &mut [R]) {
         inertia.fill(R::literal(0.0));
         for element in self.iter() {
@@ -209,7 +209,7 @@ impl<R: Real> Elements<'_, R> {
         }
     }
 
-    /// F, one entry a node.
+    /// Computes F, one entry per node.
     pub fn force<S: FieldScene<R> + ?Sized>(
         &self,
         scene: &S,
@@ -228,7 +228,7 @@ impl<R: Real> Elements<'_, R> {
         }
     }
 
-    /// Adds what densities of force at one point are on the nodes of its element.
+    /// Adds the nodal forces of the force densities at one point of an element.
     fn spread(&self, element: &Element<R>, point: usize, [f_0, f_1]: [R; 2], force: &mut [R]) {
         let weight = R::literal(self.rule.weights[point]);
         let here = &mut force[element.first_node + point];
@@ -240,8 +240,8 @@ impl<R: Real> Elements<'_, R> {
         }
     }
 
-    /// dF/du and dF/du_t of every element: calls `add(e, i, j, by_u, by_u_t)` for the
-    /// derivatives of the force on the i-th node with respect to the j-th of the e-th
+    /// Computes dF/du and dF/du_t of every element. It calls `add(e, i, j, by_u, by_u_t)` with
+    /// the derivatives of the force on the i-th node with respect to the j-th node of the e-th
     /// element.
     pub fn force_jacobian<S: FieldScene<R> + ?Sized>(
         &self,
@@ -268,7 +268,7 @@ impl<R: Real> Elements<'_, R> {
         }
     }
 
-    /// One entry of the two matrices of an element, from the Jacobians at its points.
+    /// Returns one entry of the two matrices of an element, from the Jacobians at its points.
     fn entry(&self, element: &Element<R>, at_points: &[[R; 8]], i: usize, j: usize) -> [R; 2] {
         let weight = |point: usize| R::literal(self.rule.weights[point]);
         let slope = |point: usize, node: usize| R::literal(self.rule.slope(point, node));
@@ -288,8 +288,8 @@ impl<R: Real> Elements<'_, R> {
         entries
     }
 
-    /// Integrals over the field of energies and powers: kinetic, potential, rate of
-    /// the potential, supplied, dissipated.
+    /// Integrates energies and powers over the field: kinetic, potential, rate of the potential,
+    /// supplied, dissipated.
     #[must_use]
     pub fn energy_and_power<S: FieldScene<R> + ?Sized>(
         &self,
@@ -314,7 +314,7 @@ impl<R: Real> Elements<'_, R> {
         sums
     }
 
-    /// Partial derivative of F with respect to time.
+    /// Computes the partial derivative of F with respect to time.
     pub fn force_by_time<S: FieldScene<R> + ?Sized>(
         &self,
         scene: &S,
@@ -333,9 +333,9 @@ impl<R: Real> Elements<'_, R> {
         }
     }
 
-    /// Derivatives of M and F with respect to the k-th of the field's parameters, the
-    /// nodes moving with it: `slopes` are the derivatives of the bounds. `inertia` and
-    /// `force` have an entry a node, `gradient` is as long as that of the force.
+    /// Computes the derivatives of M and F with respect to the k-th parameter of the field, on
+    /// which the nodes' places depend: `slopes` are the derivatives of the bounds. `inertia` and
+    /// `force` have an entry per node, `gradient` is as long as that of the force.
     pub fn by_parameter<S: FieldScene<R> + ?Sized>(
         &self,
         scene: &S,

@@ -1,22 +1,21 @@
-//! Linear equations with a matrix whose pattern is known beforehand, solved by elimination along
-//! the diagonal: which entries to combine is a list that was worked out once, so that a step in
-//! real time takes the same operations every time, and nothing that is structurally zero is
-//! touched.
+//! Elimination along the diagonal for linear equations with a known sparsity pattern. The entries
+//! to combine are listed in advance, so every real-time step takes the same operations and skips
+//! structural zeros.
 //!
 //! ```text
 //! W = L U,  L with ones on its diagonal      W x = b
 //! ```
 //!
-//! Rows are not exchanged. That is sound for `W = I - g h J` where h is small beside the times in
-//! which the motion grows, and is checked by nobody: a pivot of zero gives numbers that are not
+//! Rows are not exchanged. That is sound for `W = I - g h J` if h is small compared with the
+//! times in which the motion grows. Nothing checks this: a zero pivot gives numbers that are not
 //! finite.
 
 use crate::Real;
 
-/// The elimination of one unknown.
+/// Elimination of one unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Pivot {
-    /// Place of the entry on the diagonal.
+    /// Place of the diagonal entry.
     pub place: u32,
     /// End of its rows in [`Elimination::rows`].
     pub rows_end: u32,
@@ -29,13 +28,13 @@ pub struct Pivot {
 pub struct Unknown {
     /// The unknown.
     pub row: u32,
-    /// Place of its entry on the diagonal.
+    /// Place of its diagonal entry.
     pub diagonal: u32,
     /// Ends of its terms in [`Elimination::lower`] and [`Elimination::upper`].
     pub terms_end: [u32; 2],
 }
 
-/// A list of what to do. Places are those of the entries of `W` and of what fills in.
+/// A list of operations. Places are those of the entries of `W` and of its fill-in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Elimination<'a> {
     /// Number of places.
@@ -44,23 +43,24 @@ pub struct Elimination<'a> {
     pub entries: &'a [u32],
     /// Unknowns in the order in which they are eliminated.
     pub pivots: &'a [Pivot],
-    /// Places that are divided by the pivot.
+    /// Places of entries that are divided by the pivot.
     pub rows: &'a [u32],
-    /// (place, factor, other factor): the first less the product of the others.
+    /// (place, factor, other factor): the product of the factors is subtracted from the entry at
+    /// the place.
     pub products: &'a [(u32, u32, u32)],
-    /// Unknowns in the same order.
+    /// Unknowns in the order of elimination.
     pub unknowns: &'a [Unknown],
-    /// (place, unknown) of what stands left of the diagonal, unknown after unknown.
+    /// (place, unknown) of the entries left of the diagonal, unknown by unknown.
     pub lower: &'a [(u32, u32)],
-    /// The same right of it, the last unknown first.
+    /// The same right of the diagonal, from the last unknown to the first.
     pub upper: &'a [(u32, u32)],
 }
 
 impl Elimination<'_> {
-    /// Factors `W = I - scale J` of the nonzeros of `J`.
+    /// Factors `W = I - scale J`, given the nonzeros of `J`.
     ///
     /// # Panics
-    /// If there are fewer places or values than the list mentions.
+    /// If there are fewer places or values than the list refers to.
     #[inline]
     pub fn factor<R: Real>(&self, scale: R, jacobian: &[R], factors: &mut [R]) {
         factors[..self.places].fill(R::literal(0.0));
@@ -74,7 +74,7 @@ impl Elimination<'_> {
         let (mut row, mut product) = (0, 0);
         for pivot in self.pivots {
             let by = R::literal(1.0) / factors[pivot.place as usize];
-            // Kept for the substitution, which would divide by it.
+            // The reciprocal is kept for the substitution, which would divide by the pivot.
             factors[pivot.place as usize] = by;
             while row < pivot.rows_end as usize {
                 let place = self.rows[row] as usize;
@@ -118,7 +118,7 @@ impl Elimination<'_> {
         }
     }
 
-    /// Operations of [`Elimination::factor`] and of [`Elimination::solve`].
+    /// Returns the number of operations of [`Elimination::factor`] and of [`Elimination::solve`].
     #[must_use]
     pub fn operations(&self) -> [usize; 2] {
         let factor =

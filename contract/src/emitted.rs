@@ -1,20 +1,20 @@
-//! What emitted modules are made of: descriptions with one row a line, and the items that
+//! Building blocks of emitted modules: descriptions with one row per line, and the items that
 //! follow from them.
 
 use crate::{Event, Quantity, Shape, StateKind};
 
-/// What is known of an entry of the state.
+/// Description of an entry of the state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StateRow<'a> {
     /// Name, unit and meaning.
     pub quantity: Quantity<'a>,
-    /// What it is.
+    /// Kind of the entry.
     pub kind: StateKind,
     /// Typical size, which scales its absolute tolerance.
     pub scale: f64,
-    /// Whether it is a whole number that only events change.
+    /// True for a mode, a whole number that only events change.
     pub is_mode: bool,
-    /// Whether its initial value is given, so that constraints may not move it.
+    /// True if the initial value is given, so that constraints do not change it.
     pub is_given: bool,
 }
 
@@ -23,38 +23,38 @@ impl<'a> StateRow<'a> {
         Self { quantity, kind, scale, is_mode: false, is_given: true }
     }
 
-    /// A position, or the difference of two.
+    /// Returns the row of a position, or of the difference of two.
     #[must_use]
     pub const fn position(scale: f64, quantity: Quantity<'a>) -> Self {
         Self::of(StateKind::Position, scale, quantity)
     }
 
-    /// A velocity.
+    /// Returns the row of a velocity.
     #[must_use]
     pub const fn velocity(scale: f64, quantity: Quantity<'a>) -> Self {
         Self::of(StateKind::Velocity, scale, quantity)
     }
 
-    /// A first-order state.
+    /// Returns the row of a first-order state.
     #[must_use]
     pub const fn first_order(scale: f64, quantity: Quantity<'a>) -> Self {
         Self::of(StateKind::FirstOrder, scale, quantity)
     }
 
-    /// A mode.
+    /// Returns the row of a mode.
     #[must_use]
     pub const fn mode(scale: f64, quantity: Quantity<'a>) -> Self {
         Self { is_mode: true, ..Self::first_order(scale, quantity) }
     }
 
-    /// The same, if its initial value is but a guess.
+    /// Returns the row with its initial value marked as a guess.
     #[must_use]
     pub const fn guess(self) -> Self {
         Self { is_given: false, ..self }
     }
 }
 
-/// How many of everything there is, as far as the rows of the states tell.
+/// Returns the shape, as far as the rows of the states determine it.
 #[must_use]
 pub const fn shape_of(states: &[StateRow<'_>]) -> Shape {
     let mut shape = Shape {
@@ -78,7 +78,7 @@ pub const fn shape_of(states: &[StateRow<'_>]) -> Shape {
     shape
 }
 
-/// How many new values events give to states.
+/// Returns the number of values that events reset.
 #[must_use]
 pub const fn resets_of(events: &[Event<'_>]) -> usize {
     let (mut resets, mut index) = (0, 0);
@@ -89,7 +89,7 @@ pub const fn resets_of(events: &[Event<'_>]) -> usize {
     resets
 }
 
-/// The numbers of a slice, as many as there are.
+/// Returns a slice as an array of `N` numbers.
 ///
 /// # Panics
 /// If the slice has another length; likewise below.
@@ -99,7 +99,7 @@ pub fn array_of<R, const N: usize>(values: &[R]) -> &[R; N] {
     values.try_into().expect("there are as many numbers as the simulator says")
 }
 
-/// Places for numbers, as many as there are.
+/// Returns a mutable slice as an array of `N` numbers.
 ///
 /// # Panics
 /// As [`array_of`].
@@ -109,14 +109,14 @@ pub fn places_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
     values.try_into().expect("there are as many places as the simulator has numbers")
 }
 
-/// `Parameters<R>`, whose default holds the values of the rows; their number `PARAMETERS`;
-/// and what `simulator!` needs of them. A row is
+/// Defines `Parameters<R>`, whose default holds the values of the rows, their number
+/// `PARAMETERS`, and what `simulator!` needs of them. A row is
 ///
 /// ```text
 /// field: value, "unit", "spec.name", "meaning";
 /// ```
 ///
-/// with `as "documentation"` behind it where name, meaning and unit are not fit for Markdown.
+/// followed by `as "documentation"` if name, meaning and unit are not valid Markdown.
 #[macro_export]
 macro_rules! parameters {
     ($($name:ident: $value:expr, $unit:literal, $path:literal, $doc:literal $(as $markdown:literal)?;)*) => {
@@ -139,13 +139,14 @@ macro_rules! parameters {
     };
 }
 
-/// `Outputs<R>`, their number `OUTPUTS`, and what `simulator!` needs of them. A row is
+/// Defines `Outputs<R>`, their number `OUTPUTS`, and what `simulator!` needs of them. A row is
 ///
 /// ```text
 /// field: "unit", "spec.name", "meaning";
 /// ```
 ///
-/// with `at_once` before the unit where accelerations or forces of constraints are in it.
+/// with `at_once` before the unit if the output has feedthrough by accelerations or constraint
+/// forces.
 #[macro_export]
 macro_rules! outputs {
     ($(
@@ -162,7 +163,8 @@ macro_rules! outputs {
     };
 }
 
-/// `Constants<R>`, what parameters alone decide, and their number `CONSTANTS`, from names.
+/// Defines `Constants<R>`, which depend on parameters only, and their number `CONSTANTS`, from
+/// names.
 #[macro_export]
 macro_rules! constants {
     ($($name:ident),+ $(,)?) => {
@@ -175,15 +177,15 @@ macro_rules! constants {
     };
 }
 
-/// The length `STATES` of the state, the index of each of its entries in the module `state`,
-/// and what `simulator!` needs of them. A row is
+/// Defines the length `STATES` of the state, the index of each of its entries in the module
+/// `state`, and what `simulator!` needs of them. A row is
 ///
 /// ```text
 /// INDEX: position, scale, "unit", "spec.name", "meaning";
 /// ```
 ///
-/// where `position` may be `velocity`, `first_order` or `mode`, each with `guess` behind it
-/// where the initial value is not given.
+/// where `position` may be `velocity`, `first_order` or `mode`, followed by `guess` if the
+/// initial value is not given.
 #[macro_export]
 macro_rules! states {
     ($(
@@ -192,9 +194,9 @@ macro_rules! states {
     )*) => {
         /// Length of the state y.
         pub const STATES: usize = STATE_ROWS.len();
-        /// Generalized coordinates, n.
+        /// Number of generalized coordinates, n.
         pub const COORDINATES: usize = $crate::emitted::shape_of(STATE_ROWS).coordinates;
-        /// Where to find what in the state.
+        /// Indices of the entries of the state.
         pub mod state {
             #[allow(clippy::upper_case_acronyms, non_camel_case_types, dead_code)]
             enum Place { $($name),* }
@@ -212,7 +214,8 @@ macro_rules! states {
     };
 }
 
-/// Generalized coordinates of a simulator whose state does not begin with them. A row is
+/// Defines the generalized coordinates of a simulator whose state does not begin with them. A row
+/// is
 ///
 /// ```text
 /// "spec.name", "unit", "meaning";
@@ -225,8 +228,8 @@ macro_rules! coordinates {
     };
 }
 
-/// Events: `EVENT_SHAPES`, their number `EVENTS`, and that of the values they set, `RESETS`.
-/// A row is
+/// Defines the events `EVENT_SHAPES`, their number `EVENTS`, and the number of values they reset,
+/// `RESETS`. A row is
 ///
 /// ```text
 /// "spec.name": Rising, when [(mode, value), ..], sets [entry, ..], "meaning";
@@ -234,11 +237,11 @@ macro_rules! coordinates {
 #[macro_export]
 macro_rules! events {
     ($($path:literal: $direction:ident, when [$($when:tt)*], sets [$($set:tt)*], $doc:literal;)*) => {
-        /// Events.
+        /// Number of events.
         pub const EVENTS: usize = EVENT_SHAPES.len();
-        /// States that events set, those of all events.
+        /// Number of values that all events reset.
         pub const RESETS: usize = $crate::emitted::resets_of(EVENT_SHAPES);
-        /// What happens where guards pass zero.
+        /// Description of the events.
         pub const EVENT_SHAPES: &[$crate::Event<'static>] = &[$($crate::Event {
             name: $path,
             doc: $doc,
@@ -249,7 +252,7 @@ macro_rules! events {
     };
 }
 
-/// Constraints: `CONSTRAINT_SHAPES` and their number `CONSTRAINTS`. A row is
+/// Defines the constraints `CONSTRAINT_SHAPES` and their number `CONSTRAINTS`. A row is
 ///
 /// ```text
 /// "spec.name": of_positions, "unit", "meaning";
@@ -259,15 +262,15 @@ macro_rules! events {
 #[macro_export]
 macro_rules! constraints {
     ($($path:literal: $kind:ident, $unit:literal, $doc:literal;)*) => {
-        /// Constraints.
+        /// Number of constraints.
         pub const CONSTRAINTS: usize = CONSTRAINT_SHAPES.len();
-        /// What coordinates must fulfil.
+        /// Description of the constraints.
         pub const CONSTRAINT_SHAPES: &[$crate::Constraint<'static>] =
             &[$($crate::Constraint::$kind($path, $unit, $doc)),*];
     };
 }
 
-/// Structural nonzeros, row by row:
+/// Defines structural nonzeros, row by row:
 ///
 /// ```text
 /// /// Nonzeros of M.
@@ -288,7 +291,7 @@ macro_rules! patterns {
     )*};
 }
 
-/// What a quantity is, in Markdown.
+/// Documents a quantity in Markdown.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __meaning {
@@ -303,7 +306,7 @@ macro_rules! __meaning {
     };
 }
 
-/// A struct of numbers that converts from and to an array.
+/// Defines a struct of numbers that converts from and to an array.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __record {
@@ -319,14 +322,14 @@ macro_rules! __record {
         #[doc = $meaning]
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct $record<R> {
-            /// Nothing; there are no numbers here.
+            /// Marker of the number type; there are no numbers here.
             pub real: ::core::marker::PhantomData<R>,
         }
         $crate::__conversions! { $record $length $count }
     };
 }
 
-/// A value of such a struct.
+/// Returns a value of such a struct.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __new_record {
@@ -348,7 +351,7 @@ macro_rules! __conversions {
             NAMES.len()
         };
         impl<R: $crate::Real> $record<R> {
-            /// From the numbers in their order.
+            /// Returns the struct made of the numbers in their order.
             #[must_use]
             #[inline]
             pub fn from_array(values: [R; $length]) -> Self {
@@ -357,13 +360,13 @@ macro_rules! __conversions {
                 let _ = &values;
                 $crate::__new_record! { $($name: values[Place::$name as usize]),* }
             }
-            /// The numbers in their order.
+            /// Returns the numbers in their order.
             #[must_use]
             #[inline]
             pub fn to_array(self) -> [R; $length] {
                 [$(self.$name),*]
             }
-            /// From a slice of the numbers in their order.
+            /// Returns the struct made of a slice of the numbers in their order.
             ///
             /// # Panics
             /// If it has another length.

@@ -1,5 +1,5 @@
-//! Exponential function and hyperbolic tangent by arithmetic alone: the same to the last
-//! bit with and without `std`, and for several numbers side by side.
+//! Exponential function and hyperbolic tangent by arithmetic alone: bitwise equal with and
+//! without `std`, and for several numbers side by side.
 //!
 //! ```text
 //! x = n ln 2 + r + tail       n whole, |r| <= ln(2)/2
@@ -7,18 +7,18 @@
 //! tanh x = E/(E + 2)          E = e^(2 |x|) - 1 = 2^n p + (2^n - 1)
 //! ```
 //!
-//! with ln 2 in two parts, of which the first has so few digits that n times it is exact.
-//! E is never the difference of close numbers, so small x lose no digits. The error of the
+//! ln 2 is split into two parts, of which the first has so few digits that its product with n is
+//! exact. E is never the difference of close numbers, so small x lose no digits. The error of the
 //! exponential is below one unit in the last place, that of the tangent about two at most.
 //!
-//! Source: the argument reduction is that of fdlibm (Sun Microsystems, 1993), `__ieee754_exp`;
-//! q is the polynomial of degree 9 that is nearest to (e^r - 1 - r)/r^2, by Remez's
-//! exchange in fifty digits; it errs by 4e-18 of e^r.
+//! Source: the argument reduction is that of fdlibm (Sun Microsystems, 1993), `__ieee754_exp`. q
+//! is the minimax polynomial of degree 9 for (e^r - 1 - r)/r^2, by Remez's exchange in fifty
+//! digits; its error is 4e-18 of e^r.
 
 use crate::Real;
 use crate::digits::{Digits, ROUNDING};
 
-/// ln 2: 32 bits, the rest.
+/// ln 2: the first 32 bits, the rest.
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
 /// e^r = 1 + r + sum of `SERIES[k] r^(k + 2)`.
@@ -35,17 +35,17 @@ const SERIES: [f64; 10] = [
     2.500_006_162_553_128e-8,
 ];
 
-/// Below the first the exponential is zero, above the second it is infinite.
+/// Bounds: below the first the exponential is zero, above the second it is infinite.
 const ENDS: [f64; 2] = [-750.0, 710.0];
 
-/// Beyond it the tangent is one to the last bit.
+/// Argument beyond which the tangent is one to the last bit.
 const SATURATED: f64 = 22.0;
 
-/// Numbers not farther from zero than this have exponentials that [`exponential_near`] finds.
+/// Largest absolute value that [`exponential_near`] accepts.
 pub const NEAR: f64 = 700.0;
 
-/// The exponential function not farther than [`NEAR`], with fewer operations and the bits of
-/// [`exponential`].
+/// Computes the exponential function up to [`NEAR`], with fewer operations than [`exponential`]
+/// and bitwise equal to it.
 #[must_use]
 #[inline(always)]
 pub fn exponential_near<R: Digits>(x: R) -> R {
@@ -53,29 +53,29 @@ pub fn exponential_near<R: Digits>(x: R) -> R {
     (R::literal(1.0) + (r + rest)) * R::power_of_two(n)
 }
 
-/// The exponential function.
+/// Computes the exponential function.
 #[must_use]
 #[inline(always)]
 pub fn exponential<R: Digits>(x: R) -> R {
     let l = R::literal;
     let [lowest, highest] = [l(ENDS[0]), l(ENDS[1])];
-    // Written so that what is no number stays none.
+    // Written so that NaN stays NaN.
     let x = R::select_less(x, lowest, lowest, x);
     let x = R::select_less(highest, x, highest, x);
     let (n, r, rest) = reduced(x);
-    // In two steps, because 2^n alone may be too large or too small to be a number.
+    // In two steps, because 2^n alone may overflow or underflow.
     let half = round(n * l(0.5));
     let scaled = (l(1.0) + (r + rest)) * R::power_of_two(half);
     scaled * R::power_of_two(n - half)
 }
 
-/// The hyperbolic tangent.
+/// Computes the hyperbolic tangent.
 #[must_use]
 #[inline(always)]
 pub fn hyperbolic_tangent<R: Digits>(x: R) -> R {
     let l = R::literal;
     let size = x.abs();
-    // Written so that what is no number stays none.
+    // Written so that NaN stays NaN.
     let near = R::select_less(l(SATURATED), size, l(SATURATED), size);
     let (n, r, rest) = reduced(near + near);
     let power = R::power_of_two(n);
@@ -86,18 +86,18 @@ pub fn hyperbolic_tangent<R: Digits>(x: R) -> R {
     (e / (e + l(2.0))).with_sign_of(x)
 }
 
-/// n, r and e^(r + tail) - 1 - r of a number.
+/// Returns n, r and e^(r + tail) - 1 - r of a number.
 #[inline(always)]
 fn reduced<R: Digits>(x: R) -> (R, R, R) {
     let l = R::literal;
     let (ln_2, ln_2_rest) = (l(LN_2[0]), l(LN_2[1]));
-    // One by one, as in `sine`.
+    // Literals are made one by one, as in `sine`.
     let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = SERIES;
     let n = x.mul_add(l(core::f64::consts::LOG2_E), l(ROUNDING)) - l(ROUNDING);
     let near = (-n).mul_add(ln_2, x);
     let r = (-n).mul_add(ln_2_rest, near);
     let tail = (-n).mul_add(ln_2_rest, near - r);
-    // Side by side rather than one after the other.
+    // Terms are computed side by side, not one after the other.
     let z = r * r;
     let w = z * z;
     let low = z.mul_add(l(c3).mul_add(r, l(c2)), l(c1).mul_add(r, l(c0)));
@@ -117,12 +117,12 @@ mod tests {
 
     use super::*;
 
-    /// The sum of two numbers, the second what the first leaves out: 106 bits.
+    /// Double-double number: the second part is the rounding error of the first; 106 bits.
     #[derive(Debug, Clone, Copy)]
     struct Double(f64, f64);
 
     impl Double {
-        /// a + b of numbers, nothing lost.
+        /// Returns the exact sum a + b.
         fn sum(a: f64, b: f64) -> Self {
             let s = a + b;
             let part = s - a;
@@ -150,7 +150,7 @@ mod tests {
         }
     }
 
-    /// n and e^r - 1 of x = n ln 2 + r, by the series of the exponential.
+    /// Returns n and e^r - 1 of x = n ln 2 + r, by the series of the exponential.
     fn by_series(x: f64) -> (f64, Double) {
         let n = f64::round(x / LN_2_NEAREST);
         let ln_2 = Double(LN_2_NEAREST, 2.319_046_813_846_299_6e-17);
@@ -164,7 +164,7 @@ mod tests {
         (n, power)
     }
 
-    /// e^x 2^-n, and n.
+    /// Returns e^x 2^-n, and n.
     fn exact_exponential(x: f64) -> (Double, f64) {
         let (n, power) = by_series(x);
         (Double(1.0, 0.0).plus(power), n)
@@ -178,13 +178,13 @@ mod tests {
         if x < 0.0 { Double(-tangent.0, -tangent.1) } else { tangent }
     }
 
-    /// How many units in the last place a number is from the exact one.
+    /// Returns the difference from the exact value in units in the last place.
     fn units(found: f64, exact: Double) -> f64 {
         let unit = exact.0.abs().next_up() - exact.0.abs();
         ((found - exact.0 - exact.1) / unit).abs()
     }
 
-    /// Numbers of all sizes and both signs, few where functions are flat.
+    /// Returns numbers of all sizes and both signs, few of them where the functions are flat.
     fn numbers(largest: f64) -> impl Iterator<Item = f64> {
         let spaced = (0..20_000).map(move |k| largest * (f64::from(k) + 0.377) / 20_000.0);
         let near_one = (0..20_000).map(|k| f64::from(k) * 1.01e-4);
@@ -197,7 +197,7 @@ mod tests {
     fn the_exponential_is_right_to_a_unit_in_the_last_place() {
         for x in numbers(700.0) {
             let (exact, n) = exact_exponential(x);
-            // 2^-n in two steps, as n may be 1010.
+            // 2^-n in two steps, because n may be 1010.
             let half = f64::round(0.5 * n);
             let found = exponential(x) * (-half).exp2() * (half - n).exp2();
             assert!(units(found, exact) < 0.9, "e^{x:e}: {found:e} {exact:?}");
@@ -212,7 +212,8 @@ mod tests {
             let found = exponential(x) * 2.0_f64.powi(-600) * (600.0 - n).exp2();
             assert!(units(found, exact) < 0.9, "e^{x:e}");
         }
-        // Below the normal numbers a unit is as large as it is at their end.
+        // Below the normal numbers a unit in the last place is that of the smallest normal
+        // number.
         for x in [-708.5, -710.3, -720.0, -735.1, -744.0, -745.0] {
             let (exact, n) = exact_exponential(x);
             let unit = f64::from_bits(1);

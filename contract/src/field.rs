@@ -1,8 +1,8 @@
-//! Fields: what a scene with distributed parameters offers, and the loops over the
-//! elements of a field, which know nothing of the scene.
+//! Fields: the interface of a scene with distributed parameters, and loops over the elements of a
+//! field that are independent of the scene.
 //!
-//! A field u(x, t), 0 <= x <= l, is given by densities of T, V, D and Q. What a scene
-//! emits are functions at one point ([`FieldScene`]):
+//! A field u(x, t), 0 <= x <= l, is given by densities of T, V, D and Q. A scene emits functions
+//! at one point ([`FieldScene`]):
 //!
 //! ```text
 //! m   = d2T/du_t2
@@ -10,8 +10,8 @@
 //! f_1 = dL/du_x - dD/du_xt
 //! ```
 //!
-//! An element of length h and order p has p + 1 nodes at the Gauss-Lobatto points, at
-//! which its energies are integrated too ([`Rule`]). Virtual work gives
+//! An element of length h and order p has p + 1 nodes at the Gauss-Lobatto points, where its
+//! energies are integrated too ([`Rule`]). Virtual work gives
 //!
 //! ```text
 //! M_i u_i'' = F_i
@@ -19,16 +19,16 @@
 //! F_i = sum over elements of h w_i f_0(x_i) + sum over points q of w_q f_1(x_q) l_i'(q)
 //! ```
 //!
-//! with l_i' on the unit interval. M is diagonal, and errors of smooth solutions and of
-//! frequencies fall with h^(2p).
+//! with l_i' on the unit interval. M is diagonal. Errors of smooth solutions and of frequencies
+//! decrease with h^(2p).
 //!
-//! Nodes at which the machine takes hold of the field are coordinates of the machine.
-//! The field hands M_i and F_i of such a node to the machine as two of its parameters,
-//! and the slopes on both sides of it as two more.
+//! Nodes at which the machine is attached to the field are coordinates of the machine. The field
+//! passes M_i and F_i of such a node to the machine as two of its parameters, and the slopes on
+//! both sides of it as two more.
 //!
-//! Source: Maday, Patera, "Spectral element methods for the incompressible
-//! Navier-Stokes equations", 1989; Cohen, "Higher-order numerical methods for
-//! transient wave equations", 2002, on the mass at the nodes.
+//! Source: Maday, Patera, "Spectral element methods for the incompressible Navier-Stokes
+//! equations", 1989; for the mass at the nodes, Cohen, "Higher-order numerical methods for
+//! transient wave equations", 2002.
 
 pub use crate::elements::{Element, Elements, Rule, Segment};
 use crate::{Quantity, Real, Simulator};
@@ -36,17 +36,17 @@ use crate::{Quantity, Real, Simulator};
 /// Highest order of an element.
 pub const MAX_ORDER: usize = 16;
 
-/// Points of an element at most.
+/// Maximum number of points of an element.
 pub const MAX_POINTS: usize = MAX_ORDER + 1;
 
-/// Parameters that a field hands to the machine at each attachment: inertia of the
+/// Number of parameters that a field passes to the machine at each attachment: inertia of the
 /// node, force on it, slopes before and after it.
 pub const HANDED: usize = 4;
 
 /// u, u_x, u_t and u_xt at a point.
 pub type FieldPoint<R> = [R; 4];
 
-/// Where on its field an attachment is.
+/// Location of an attachment on its field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FieldPlace {
     /// At x = 0.
@@ -57,12 +57,12 @@ pub enum FieldPlace {
     End,
 }
 
-/// A place at which the machine takes hold of a field.
+/// A point at which the machine is attached to a field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FieldAttachment {
-    /// Index of the machine's coordinate; none where the field is held at zero.
+    /// Index of the machine's coordinate; `None` if the field is fixed at zero.
     pub coordinate: Option<u32>,
-    /// Where it is.
+    /// Location on the field.
     pub place: FieldPlace,
     /// Its x in the spec \[m\].
     pub at: f64,
@@ -81,47 +81,47 @@ pub struct FieldDescription<'a> {
     pub slope: Quantity<'a>,
     /// Typical sizes of u and u_t.
     pub scale: [f64; 2],
-    /// Whether u = 0 at x = 0 and at x = l.
+    /// True at x = 0 and at x = l, respectively, if u = 0 there.
     pub fixed: [bool; 2],
     /// l in the spec \[m\].
     pub length: f64,
-    /// Attachments in the order of their x.
+    /// Attachments, ordered by x.
     pub attachments: &'a [FieldAttachment],
-    /// Parameters on which anything of the field depends.
+    /// Parameters that the field depends on.
     pub parameters: &'a [u32],
-    /// Elements unless told otherwise.
+    /// Default number of elements.
     pub elements: usize,
-    /// Their order unless told otherwise.
+    /// Default order of the elements.
     pub order: usize,
 }
 
-/// How a number at a point of a field varies.
+/// Variability of a number at a point of a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Variation {
-    /// It is zero.
+    /// The number is zero.
     Zero,
-    /// Parameters alone decide it.
+    /// It depends on parameters only.
     Constant,
     /// It depends on motion, place or time.
     Varying,
 }
 
-/// What is known of the forces of a field before any number is.
+/// Structure of a field's forces, known without evaluating them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ForceStructure {
-    /// Whether f_0 and f_1 are linear in u, u_x, u_t and u_xt, without anything else, and
-    /// the same at all times.
+    /// True if f_0 and f_1 are linear in u, u_x, u_t and u_xt, depend on nothing else and do not
+    /// change with time.
     pub linear: bool,
-    /// Whether f_0 depends on u, u_t, x and t only and f_1 on u_x and u_xt only.
+    /// True if f_0 depends on u, u_t, x and t only and f_1 on u_x and u_xt only.
     pub local: bool,
-    /// f_0 and f_1.
+    /// Variability of f_0 and f_1.
     pub forces: [Variation; 2],
-    /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
+    /// Variability of the derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
     pub derivatives: [Variation; 8],
 }
 
 impl ForceStructure {
-    /// That of any forces.
+    /// Structure that makes no assumption on the forces.
     pub const UNKNOWN: Self = Self {
         linear: false,
         local: false,
@@ -129,8 +129,8 @@ impl ForceStructure {
         derivatives: [Variation::Varying; 8],
     };
 
-    /// Whether the force on a node depends on u, and whether on u_t, of itself or of the
-    /// other nodes of its elements.
+    /// Returns whether the force on a node depends on u, and whether on u_t: of the node itself,
+    /// or of the other nodes of its elements.
     #[must_use]
     pub fn reaches(&self, itself: bool) -> [bool; 2] {
         let of_others = |by: usize| [1, 4, 5].iter().any(|entry| self.is_there(by + entry));
@@ -142,27 +142,26 @@ impl ForceStructure {
     }
 }
 
-/// A scene with fields: a machine, and functions at a point of each field. As a
-/// [`Simulator`] it is the machine alone, with what the fields hand over among its
-/// parameters, after all others.
+/// A scene with fields: a machine, and functions at a point of each field. As a [`Simulator`] it
+/// is the machine alone; the parameters passed by fields come after all others.
 ///
-/// `p` holds all parameters of the machine; x is in \[m\]. Slices have the lengths
-/// stated, with k the number of [`FieldDescription::parameters`].
+/// `p` holds all parameters of the machine; x is in \[m\]. Slices have the stated lengths, with k
+/// the number of [`FieldDescription::parameters`].
 ///
 /// # Panics
-/// If there is no field of the number, or a slice has another length than stated.
+/// If there is no field with this index, or a slice has a wrong length.
 pub trait FieldScene<R: Real>: Simulator<R> + Sync {
-    /// Number of fields.
+    /// Returns the number of fields.
     fn fields(&self) -> usize;
-    /// The `index`-th field.
+    /// Returns the `index`-th field.
     fn field(&self, index: usize) -> FieldDescription<'_>;
-    /// m.
+    /// Computes m.
     fn field_inertia(&self, index: usize, x: R, p: &[R]) -> R;
-    /// dm/dx, then dm/dp; 1 + k.
+    /// Computes dm/dx, then dm/dp; 1 + k values.
     fn field_inertia_gradient(&self, index: usize, x: R, p: &[R], gradient: &mut [R]);
-    /// \[f_0, f_1\].
+    /// Computes \[f_0, f_1\].
     fn field_force(&self, index: usize, time: R, x: R, point: &FieldPoint<R>, p: &[R]) -> [R; 2];
-    /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
+    /// Computes the derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
     fn field_force_jacobian(
         &self,
         index: usize,
@@ -171,7 +170,8 @@ pub trait FieldScene<R: Real>: Simulator<R> + Sync {
         point: &FieldPoint<R>,
         p: &[R],
     ) -> [R; 8];
-    /// Derivatives of f_0 and f_1 with respect to x, then to t, then to p; 2 (2 + k).
+    /// Computes the derivatives of f_0 and f_1 with respect to x, then to t, then to p; 2 (2 + k)
+    /// values.
     fn field_force_gradient(
         &self,
         index: usize,
@@ -181,36 +181,36 @@ pub trait FieldScene<R: Real>: Simulator<R> + Sync {
         p: &[R],
         gradient: &mut [R],
     );
-    /// Kinetic and potential energy a length \[J/m\].
+    /// Computes kinetic and potential energy per length \[J/m\].
     fn field_energy(&self, index: usize, time: R, x: R, point: &FieldPoint<R>, p: &[R]) -> [R; 2];
-    /// Rate of the potential energy, power supplied and power dissipated, a length
+    /// Computes the rate of the potential energy, power supplied and power dissipated, per length
     /// \[W/m\].
     fn field_power(&self, index: usize, time: R, x: R, point: &FieldPoint<R>, p: &[R]) -> [R; 3];
-    /// x of the attachments, then l.
+    /// Computes x of the attachments, then l.
     fn field_places(&self, index: usize, p: &[R], places: &mut [R]);
-    /// Their derivatives with respect to p, row by row.
+    /// Computes the derivatives of these places with respect to p, row by row.
     fn field_places_gradient(&self, index: usize, p: &[R], gradient: &mut [R]);
-    /// u and u_t at the start.
+    /// Computes the initial u and u_t.
     fn field_initial(&self, index: usize, x: R, p: &[R]) -> [R; 2];
 
-    /// Whether the machine's Jacobian or time derivative depends on forces that fields hand
-    /// over, as where inertia moves.
+    /// Reports whether the machine's Jacobian or time derivative depends on forces passed by
+    /// fields, as with variable inertia.
     fn jacobian_reads_forces(&self) -> bool {
         true
     }
-    /// What is known of its forces. Where they are local, each may be asked for alone, at
-    /// many points in one call: by the functions below, which mean nothing for any other
-    /// field. Slices are as long as there are points.
+    /// Returns the structure of the field's forces. If they are local, each can be computed
+    /// alone, for many points in one call, by the functions below. Those are undefined for any
+    /// other field. Slices have one entry per point.
     fn force_structure(&self, _index: usize) -> ForceStructure {
         ForceStructure::UNKNOWN
     }
-    /// m at many places.
+    /// Computes m at many places.
     fn field_inertias(&self, index: usize, x: &[R], p: &[R], inertias: &mut [R]) {
         for (inertia, x) in inertias.iter_mut().zip(x) {
             *inertia = self.field_inertia(index, *x, p);
         }
     }
-    /// f_0 where x, u and u_t are these.
+    /// Computes f_0 for given x, u and u_t.
     fn field_forces_on_values(
         &self,
         index: usize,
@@ -224,7 +224,7 @@ pub trait FieldScene<R: Real>: Simulator<R> + Sync {
             *force = self.field_force(index, time, *x, &[*u, zero, *u_t, zero], p)[0];
         }
     }
-    /// df_0/du and df_0/du_t.
+    /// Computes df_0/du and df_0/du_t.
     fn field_forces_on_values_jacobian(
         &self,
         index: usize,
@@ -240,7 +240,8 @@ pub trait FieldScene<R: Real>: Simulator<R> + Sync {
             (*by_u, *by_u_t) = (by[0], by[2]);
         }
     }
-    /// df_0/dt; `gradient` is room for one of [`FieldScene::field_force_gradient`].
+    /// Computes df_0/dt; `gradient` is workspace for one call of
+    /// [`FieldScene::field_force_gradient`].
     fn field_forces_on_values_by_time(
         &self,
         index: usize,
@@ -255,7 +256,7 @@ pub trait FieldScene<R: Real>: Simulator<R> + Sync {
             *by_time = gradient[2];
         }
     }
-    /// f_1 where u_x and u_xt are these.
+    /// Computes f_1 for given u_x and u_xt.
     fn field_forces_on_slopes(
         &self,
         index: usize,
@@ -268,7 +269,7 @@ pub trait FieldScene<R: Real>: Simulator<R> + Sync {
             *force = self.field_force(index, zero, zero, &[zero, *u_x, zero, *u_xt], p)[1];
         }
     }
-    /// df_1/du_x and df_1/du_xt.
+    /// Computes df_1/du_x and df_1/du_xt.
     fn field_forces_on_slopes_jacobian(
         &self,
         index: usize,
@@ -286,7 +287,7 @@ pub trait FieldScene<R: Real>: Simulator<R> + Sync {
     }
 }
 
-/// What an emitted scene says to a number that none of its fields has.
+/// Panics for a field index that an emitted scene does not have.
 ///
 /// # Panics
 /// Always.

@@ -1,7 +1,8 @@
-//! `FieldScene` of an emitted module, from its descriptions and the modules of its fields.
+//! Implementation of `FieldScene` for an emitted module, from its descriptions and the modules of
+//! its fields.
 
 /// Implements [`FieldScene`](crate::field::FieldScene) by the modules of the fields, whose
-/// functions are named as its methods:
+/// functions have the names of its methods:
 ///
 /// ```text
 /// field_scene! {
@@ -16,7 +17,7 @@
 /// }
 /// ```
 ///
-/// with a row `at` for every attachment.
+/// with a row `at` for each attachment.
 #[macro_export]
 macro_rules! field_scene {
     (
@@ -288,7 +289,7 @@ macro_rules! field_scene {
     };
 }
 
-/// Functions for many points are those of local forces alone.
+/// Selects the functions for many points, which exist for local forces only.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __if_local {

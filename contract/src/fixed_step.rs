@@ -1,19 +1,19 @@
-//! Steps of a fixed length, for real time: no allocation, no iteration without a bound, the same
-//! operations at every step in which no event happens.
+//! Fixed-step integration for real time: no allocation, no unbounded iteration, and the same
+//! operations in every step without events.
 //!
 //! Emitted C99 takes the same steps with the same operations in the same order.
 //!
 //! - [`FixedMethod`]: Heun (order 2), Runge-Kutta (order 4), and a linearly implicit Rosenbrock
 //!   method (order 2, L-stable).
-//! - Guards are looked at once a step. Where one passes zero, the root of the cubic through its
-//!   values and rates at both ends of the step says when; a shorter step leads there, new values
-//!   are given, and what is left of the step follows.
-//! - Constraints are met again after each step by one step of Newton's method for positions and
-//!   one for velocities.
+//! - Guards are evaluated once a step. If one crosses zero, its time is the root of the cubic
+//!   through the guard's values and rates at both ends of the step. A shorter step ends there,
+//!   the event resets the state, and the rest of the step follows.
+//! - Constraints are fulfilled again after each step by one step of Newton's method for positions
+//!   and one for velocities.
+//! - Times at which the rate is discontinuous end parts of a step too.
 //!
-//! - Times at which the rate jumps end parts of a step too.
-//!
-//! Kinks are passed over: there the error of a step is of the second order of its length.
+//! Switching surfaces are not located. There the error of a step is of second order in its
+//! length.
 
 mod events;
 mod projection;
@@ -22,11 +22,11 @@ use crate::elimination::Elimination;
 use crate::{Real, Simulator};
 use projection::Projection;
 
-/// A number that steps of a fixed length are taken in.
+/// Number type of fixed-step integration.
 pub trait StepNumber: Real + PartialOrd {
-    /// Distance of one to the next number.
+    /// Distance from one to the next number.
     const EPSILON: f64;
-    /// Binary digits of a number.
+    /// Number of binary digits.
     const DIGITS: u32;
 }
 
@@ -40,15 +40,15 @@ impl StepNumber for f32 {
     const DIGITS: u32 = f32::MANTISSA_DIGITS;
 }
 
-/// Method of a step.
+/// Method of a step, with its data for a machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FixedMethod<'a> {
-    /// Heun's method, of order 2: two rates.
+    /// Heun's method, of order 2: two evaluations of the rate.
     Heun,
-    /// The classical Runge-Kutta method, of order 4: four rates.
+    /// The classical Runge-Kutta method, of order 4: four evaluations of the rate.
     RungeKutta4,
-    /// A Rosenbrock method of order 2 (ROS2 with `g = 1 - 1/sqrt 2`, L-stable): two rates, one
-    /// Jacobian, one elimination with two right sides.
+    /// A Rosenbrock method of order 2 (ROS2 with `g = 1 - 1/sqrt 2`, L-stable). It takes two
+    /// rates, one Jacobian, and one elimination with two right sides.
     ///
     /// ```text
     /// (I - g h J) k1 = f(t, y) + g h f_t
@@ -61,7 +61,7 @@ pub enum FixedMethod<'a> {
     Rosenbrock2(Elimination<'a>),
 }
 
-/// The methods by name, before the pattern of a machine is known.
+/// Name of a method, before the pattern of a machine is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StepMethod {
     /// [`FixedMethod::RungeKutta4`].
@@ -74,10 +74,10 @@ pub enum StepMethod {
 }
 
 impl StepMethod {
-    /// All of them.
+    /// All methods.
     pub const ALL: [Self; 3] = [Self::RungeKutta4, Self::Heun, Self::Rosenbrock2];
 
-    /// Its name on the command line.
+    /// Returns its name on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -87,7 +87,7 @@ impl StepMethod {
         }
     }
 
-    /// Its description, as part of a sentence.
+    /// Returns its description, as part of a sentence.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {
@@ -97,7 +97,7 @@ impl StepMethod {
         }
     }
 
-    /// The method for a machine whose `I - g h J` this eliminates.
+    /// Returns the method for a machine, given the elimination for its `I - g h J`.
     #[must_use]
     pub fn with(self, elimination: Elimination<'_>) -> FixedMethod<'_> {
         match self {
@@ -111,7 +111,7 @@ impl StepMethod {
 /// `1 - 1/sqrt 2`.
 pub const ROSENBROCK_GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
 
-/// A machine that runs by steps of a fixed length.
+/// A machine that runs by steps of fixed length.
 pub struct FixedSteps<'a, R: Real> {
     /// The machine.
     pub simulator: &'a dyn Simulator<R>,
@@ -119,17 +119,18 @@ pub struct FixedSteps<'a, R: Real> {
     pub parameters: &'a [R],
     /// Result of [`Simulator::prepare`] for them.
     pub constants: &'a [R],
-    /// Method of a step.
+    /// Method of the steps.
     pub method: FixedMethod<'a>,
-    /// Largest number of parts of a step: events and times at which the rate jumps end one.
+    /// Largest number of parts of a step. Events and times at which the rate is discontinuous end
+    /// a part.
     pub parts_a_step: usize,
 }
 
-/// Numbers and signs that steps are computed in, as many as [`FixedSteps::room`] says.
+/// Workspace for numbers and signs, of the sizes that [`FixedSteps::room`] returns.
 pub struct Room<'w, R> {
     /// Numbers.
     pub numbers: &'w mut [R],
-    /// Signs; the first, one for each event, are the sides on which guards are, and are kept from
+    /// Signs. The first ones, one for each event, are the signs of the guards; they are kept from
     /// step to step.
     pub signs: &'w mut [i8],
 }
@@ -137,13 +138,13 @@ pub struct Room<'w, R> {
 /// Outcome of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stepped {
-    /// After so many events.
+    /// The step ended after this number of events.
     Events(usize),
-    /// There were more parts than may be; what passes zero after them happens in the next step.
+    /// The limit of parts was reached. Later zero crossings are handled in the next step.
     TooManyParts,
 }
 
-/// Rest of a slice whose parts are handed out.
+/// Rest of a slice that is divided into parts.
 struct Rest<'w, T>(&'w mut [T]);
 
 impl<'w, T> Rest<'w, T> {
@@ -155,8 +156,8 @@ impl<'w, T> Rest<'w, T> {
     }
 }
 
-/// The time of a run by steps, to the last digit however many there are: what a sum leaves out is
-/// kept for the next one.
+/// The time of a run by steps, with compensated summation: the rounding error of each sum is
+/// added to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clock<R> {
     time: R,
@@ -164,13 +165,13 @@ pub struct Clock<R> {
 }
 
 impl<R: Real> Clock<R> {
-    /// At a time.
+    /// Returns a clock at the given time.
     #[must_use]
     pub fn new(time: R) -> Self {
         Self { time, rest: R::literal(0.0) }
     }
 
-    /// The time.
+    /// Returns the time.
     #[must_use]
     pub fn time(&self) -> R {
         self.time
@@ -195,14 +196,14 @@ struct Scratch<'w, R> {
     projection: Projection<'w, R>,
 }
 
-/// Length until just before a jump: there the rate has not jumped yet.
+/// Returns the length until just before a discontinuity, where the rate still has its old value.
 fn before_jump<R: StepNumber>(now: R, left: R, jump: R) -> R {
     let zero = R::literal(0.0);
     let length = (jump - R::literal(R::EPSILON) * (jump.abs() + left)) - now;
     if zero < length { length } else { zero }
 }
 
-/// `out = state + h slope`.
+/// Computes `out = state + h slope`.
 #[inline]
 fn ahead<R: Real>(out: &mut [R], state: &[R], h: R, slope: &[R]) {
     for ((out, &state), &slope) in out.iter_mut().zip(state).zip(slope) {
@@ -210,7 +211,7 @@ fn ahead<R: Real>(out: &mut [R], state: &[R], h: R, slope: &[R]) {
     }
 }
 
-/// `sum = sum + h slope`.
+/// Computes `sum = sum + h slope`.
 #[inline]
 fn add<R: Real>(sum: &mut [R], h: R, slope: &[R]) {
     for (sum, &slope) in sum.iter_mut().zip(slope) {
@@ -219,7 +220,7 @@ fn add<R: Real>(sum: &mut [R], h: R, slope: &[R]) {
 }
 
 impl<R: StepNumber> FixedSteps<'_, R> {
-    /// Numbers and signs that [`Room`] must have.
+    /// Returns the numbers and signs that [`Room`] must have.
     #[must_use]
     pub fn room(&self) -> [usize; 2] {
         let states = self.simulator.shape().states();
@@ -235,7 +236,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         3 * states + jacobian + places + Projection::<R>::room(self.simulator)
     }
 
-    /// Numbers of a Jacobian and of its factors.
+    /// Returns the numbers of a Jacobian and of its factors.
     fn implicit_room(&self) -> [usize; 2] {
         match &self.method {
             FixedMethod::Rosenbrock2(of) => {
@@ -258,7 +259,11 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         }
     }
 
-    /// Advances a state by a step, with the events that happen within it.
+    /// Advances a state by a step and handles the events within it.
+    ///
+    /// # Panics
+    /// If there is less room than [`FixedSteps::room`] says, or the state has another length than
+    /// the machine's.
     ///
     /// # Panics
     /// If there is less room than [`FixedSteps::room`] says, or the state has another length than
@@ -299,13 +304,14 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         stepped
     }
 
-    /// Parts of a step that suffice where each event happens once in it and the rate jumps once.
+    /// Returns a sufficient number of parts for steps with each event once and one discontinuity
+    /// of the rate.
     #[must_use]
     pub fn enough_parts(simulator: &dyn Simulator<R>) -> usize {
         simulator.events() + usize::from(simulator.shape().discontinuities > 0) + 1
     }
 
-    /// The first of the times at which the rate jumps that is after `now` and not after `until`.
+    /// Returns the first discontinuity of the rate after `now` and up to `until`.
     fn next_jump(&self, now: R, until: R, times: &mut [R]) -> Option<R> {
         self.simulator.discontinuities(self.parameters, times);
         let mut first = None;
@@ -321,7 +327,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         self.simulator.prepared_rate(time, state, self.parameters, self.constants, rate);
     }
 
-    /// One step without a look at events, onto the constraints.
+    /// Takes one step without events and projects the result onto the constraints.
     fn advance(&self, time: R, h: R, state: &[R], end: &mut [R], scratch: &mut Scratch<'_, R>) {
         match &self.method {
             FixedMethod::Heun => self.heun(time, h, state, end, scratch),
@@ -331,7 +337,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         self.project(time + h, end, scratch);
     }
 
-    /// Puts a state back onto the constraints, if there are any.
+    /// Projects a state onto the constraints, if there are any.
     fn project(&self, time: R, state: &mut [R], scratch: &mut Scratch<'_, R>) {
         if self.simulator.constraints() > 0 {
             scratch.projection.project(self, time, state);
@@ -385,7 +391,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         of.solve(factors, slope);
         ahead(stage, state, h, slope);
         ahead(end, state, R::literal(1.5) * h, slope);
-        // The second right side is made in place of k1 and of the time derivative.
+        // The second right side overwrites k1 and the time derivative.
         for (first, by_time) in slope.iter_mut().zip(sum.iter()) {
             *first = -(R::literal(2.0) * *first) - scale * *by_time;
         }

@@ -1,10 +1,10 @@
-//! The table of functions: what every simulator computes, listed once.
+//! The table of functions: everything that simulators compute, listed once.
 //!
-//! The methods of [`Simulator`](crate::Simulator), the rows of models, the methods of those
-//! who interpret or compile them, and the signatures and docs of emitted code all follow from
-//! it. A new function is a row here and what computes it.
+//! The methods of [`Simulator`](crate::Simulator), the rows of models, the methods of their
+//! interpreters and compilers, and the signatures and docs of emitted code follow from this
+//! table. A new function takes a row here and an implementation.
 
-/// Calls a macro with the table of functions, after arguments of one's own:
+/// Calls a macro with the table of functions, after further arguments:
 ///
 /// ```text
 /// for_each_function! { [my_macro] arguments }
@@ -12,15 +12,15 @@
 /// my_macro! { [arguments] every { ROWS } events { ROWS } constraints { ROWS } kinks { ROWS } }
 /// ```
 ///
-/// Rows stand in groups: those of every simulator, of those with events, of those with
-/// constraints, of those whose rate has kinks. A row is
+/// Rows are grouped: functions of every simulator, of those with events, of those with
+/// constraints, and of those whose rate has switching surfaces. A row is
 ///
 /// ```text
 /// { Id name Reads [result] [prepared] "few signs" "documentation" }
 /// ```
 ///
-/// where `Reads` is `Parameters` or `Motion` (time, state and parameters); `prepared` is the
-/// name of the same by constants computed once a run, or nothing; and the result is
+/// where `Reads` is `Parameters` or `Motion` (time, state and parameters). `prepared` is the name
+/// of the same function with constants computed once a run, or empty. The result is
 ///
 /// ```text
 /// [numbers LENGTH]               as many numbers as the constant of that name says
@@ -95,8 +95,8 @@ macro_rules! for_each_function {
     };
 }
 
-/// Methods of [`Simulator`](crate::Simulator): those of every simulator have to be written,
-/// those of events, constraints and kinks compute nothing unless written.
+/// Defines the methods of [`Simulator`](crate::Simulator). Those of every simulator are required;
+/// the others compute nothing by default.
 macro_rules! methods {
     (
         []

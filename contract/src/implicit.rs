@@ -1,55 +1,54 @@
-//! Derivatives of what solves linear equations, by the factors that solved them.
+//! Derivatives of the solution of linear equations, by the factors that solved them.
 //!
-//! Of `K x = b` with factors of `K` at hand, the derivatives with respect to many
-//! numbers `s` are
+//! For `K x = b` with known factors of `K`, the derivatives with respect to many numbers `s` are
 //!
 //! ```text
 //! K dx/ds = db/ds - (dK/ds) x
 //! ```
 //!
-//! one right side for each `s` and the same matrix for all, so the factorization is
-//! neither differentiated nor repeated: [`substitute`] solves for all columns at once, by
-//! steps that were worked out when the equations were derived and touch nothing that is
-//! structurally zero.
+//! with one right side for each `s` and the same matrix for all. The factorization is neither
+//! differentiated nor repeated: [`substitute`] solves for all columns at once. Its steps are
+//! planned when the equations are derived, and skip structural zeros.
 
 use crate::Real;
 
-/// Columns that are solved side by side; twice as many where there are so many, as many sums
-/// as half the registers of two numbers hold, and half as many where there are no more.
+/// Number of columns that are solved side by side: as many sums as half of the two-number
+/// registers hold. Twice as many are taken if there are enough columns, half as many if there are
+/// no more.
 pub const LANES: usize = 8;
 
 /// One step of a substitution: `x_row = scale x_row - sum of factor x_from`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step<'a> {
-    /// The row that changes.
+    /// Row that changes.
     pub row: u32,
-    /// Which factor it is scaled by before, if by any.
+    /// Index of the factor that scales the row first, if any.
     pub scale: Option<u32>,
-    /// (which factor, from which other row) of each product.
+    /// (index of the factor, other row) of each product.
     pub terms: &'a [(u32, u32)],
 }
 
 impl<'a> Step<'a> {
-    /// `x_row -= sum of factor x_from`.
+    /// Returns the step `x_row -= sum of factor x_from`.
     #[must_use]
     pub const fn less(row: u32, terms: &'a [(u32, u32)]) -> Self {
         Self { row, scale: None, terms }
     }
 
-    /// `x_row = scale x_row - sum of factor x_from`.
+    /// Returns the step `x_row = scale x_row - sum of factor x_from`.
     #[must_use]
     pub const fn scaled(row: u32, scale: u32, terms: &'a [(u32, u32)]) -> Self {
         Self { row, scale: Some(scale), terms }
     }
 }
 
-/// Solves for all columns of `x` at once, in place: right sides before, solution after.
-/// `factors` are what steps multiply by.
+/// Solves for all columns of `x` at once, in place: right sides before, solution after. `factors`
+/// are the values that steps refer to.
 ///
-/// A column gets the same bits whatever stands beside it.
+/// The bits of a column do not depend on the other columns.
 ///
 /// # Panics
-/// If a step mentions a row or a factor that is not there.
+/// If a step refers to a row or a factor that does not exist.
 #[inline]
 #[allow(clippy::needless_pass_by_value, reason = "an iterator, cloned for each group of columns")]
 pub fn substitute<'s, R: Real, const COLUMNS: usize>(
@@ -76,7 +75,7 @@ pub fn substitute<'s, R: Real, const COLUMNS: usize>(
     }
 }
 
-/// All steps in `WIDTH` columns.
+/// Takes all steps in `WIDTH` columns.
 #[inline(always)]
 fn side_by_side<'s, R: Real, const COLUMNS: usize, const WIDTH: usize>(
     steps: impl Iterator<Item = Step<'s>>,

@@ -1,7 +1,7 @@
-//! Bringing an emitted file into a crate of one's own.
+//! Inclusion of an emitted file in another crate.
 
-/// Includes `$OUT_DIR/<name>.rs`, which `machinist_codegen::Build` wrote from the
-/// scene of that name.
+/// Includes `$OUT_DIR/<name>.rs`, which `machinist_codegen::Build` wrote for the scene of that
+/// name.
 ///
 /// ```text
 /// mod drive {
@@ -11,8 +11,8 @@
 /// let rate = drive::rate(time, &state, &parameters);
 /// ```
 ///
-/// The names within are the spec's own and the bodies are as long as the
-/// equations, so lints of style are not asked about them.
+/// Names come from the spec, and functions are as long as the equations, so style lints are
+/// switched off inside.
 #[macro_export]
 macro_rules! include_scene {
     ($name:literal) => {

@@ -1,10 +1,10 @@
-//! What simulators emitted by Machinist and those who run them agree on.
+//! The contract between simulators emitted by Machinist and the programs that run them.
 //!
-//! This crate is `no_std`, allocates nothing and depends on nothing but `core`
-//! (and `libm` where there is no `std`).
+//! This crate is `no_std`, allocates nothing and depends only on `core` (and on `libm` where
+//! there is no `std`).
 //!
-//! Signs and names, fixed once: a scene has `n` generalized coordinates `q`
-//! with velocities `q'`, and `m` first-order states `z`. Its state is
+//! Signs and names are fixed for all simulators. A scene has `n` generalized coordinates `q` with
+//! velocities `q'`, and `m` first-order states `z`. Its state is
 //!
 //! ```text
 //! y = [q_1 .. q_n, q'_1 .. q'_n, z_1 .. z_m]        length 2 n + m
@@ -12,10 +12,10 @@
 //! y' = [q', M^-1 f, h]
 //! ```
 //!
-//! less what the scene's outputs do not need: a position that nothing depends on
-//! is not in the state, of positions that matter only relative to each other there
-//! are only the relative ones, and what is only integrated for an output stands
-//! last. [`Shape`] counts, and [`Describe::state`] names what there is.
+//! without the entries that the scene's outputs do not need. A position that nothing depends on
+//! is left out, and positions that matter only relative to each other are replaced by their
+//! differences. States that are only integrated for an output come last. [`Shape`] counts the
+//! entries, and [`Describe::state`] names them.
 #![no_std]
 #![forbid(unsafe_code)]
 #[cfg(feature = "std")]

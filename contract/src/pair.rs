@@ -4,7 +4,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::Real;
 
-/// Two numbers, each as it would be alone, to the last bit.
+/// Two numbers, each bitwise equal to the result of computing it alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(transparent)]
 pub struct F64x2(pub [f64; 2]);
@@ -45,7 +45,7 @@ impl Neg for F64x2 {
     }
 }
 
-/// Functions of each number.
+/// Defines functions that apply to each number.
 macro_rules! functions {
     ($($function:ident),*) => {
         $(

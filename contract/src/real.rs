@@ -1,4 +1,4 @@
-//! The numbers emitted code computes with.
+//! Number types of emitted code.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -8,11 +8,11 @@ use crate::exponential::{NEAR, exponential, exponential_near, hyperbolic_tangent
 use crate::side_by_side::{hyperbolic_tangents, sines_and_cosines};
 use crate::sine::{FARTHEST, sine_and_cosine};
 
-/// A real number type that emitted code can run on: `f64` and `f32` here,
-/// complex-step, lanes or double-double elsewhere.
+/// A real number type for emitted code: `f64` and `f32` here, complex-step, lanes or
+/// double-double elsewhere.
 ///
-/// There is no branch on a comparison, only [`Real::select_less`], so that a
-/// type may hold several values at once.
+/// Comparisons do not branch; [`Real::select_less`] selects a value, so a type may hold several
+/// values at once.
 #[allow(clippy::return_self_not_must_use, reason = "functions here read like operators")]
 pub trait Real:
     Copy
@@ -23,38 +23,37 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The nearest value to a literal.
+    /// Returns the number nearest to a literal.
     fn literal(value: f64) -> Self;
-    /// `if lhs < rhs { then } else { otherwise }`.
+    /// Returns `if lhs < rhs { then } else { otherwise }`.
     fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self;
-    /// `self factor + summand`, in one operation and rounded once where the target the
-    /// program is compiled for has one (`-C target-cpu=native`), else in two.
+    /// Returns `self factor + summand`. It is fused, with one rounding, if the compile target has
+    /// the instruction (`-C target-cpu=native`); else it takes two operations.
     #[inline(always)]
     fn mul_add(self, factor: Self, summand: Self) -> Self {
         self * factor + summand
     }
-    /// `self + a b`, rounded as [`Real::mul_add`] is.
+    /// Returns `self + a b`, rounded as by [`Real::mul_add`].
     #[inline(always)]
     fn add_product(self, a: Self, b: Self) -> Self {
         a.mul_add(b, self)
     }
-    /// `self - a b`, likewise.
+    /// Returns `self - a b`, rounded likewise.
     #[inline(always)]
     fn sub_product(self, a: Self, b: Self) -> Self {
         (-a).mul_add(b, self)
     }
-    /// Integer power, by repeated squaring, so that it is the same to the last
-    /// bit with and without `std`.
+    /// Returns an integer power. Repeated squaring makes it bitwise equal with and without `std`.
     fn powi(self, exponent: i32) -> Self {
         power_by_squaring(self, exponent)
     }
-    /// Real power of a positive base.
+    /// Returns the real power of a positive base.
     fn powf(self, exponent: Self) -> Self;
     /// Square root.
     fn sqrt(self) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
-    /// The largest whole number that is not above it.
+    /// Returns the largest whole number not above this one.
     fn floor(self) -> Self;
     /// Exponential function.
     fn exp(self) -> Self;
@@ -69,7 +68,8 @@ pub trait Real:
     fn sin_cos(self) -> (Self, Self) {
         (self.sin(), self.cos())
     }
-    /// Sines and cosines, side by side where the type has a way; the same bits either way.
+    /// Returns sines and cosines, side by side if the type supports it, with the same bits either
+    /// way.
     #[inline(always)]
     fn sin_cos_each<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
         angles.map(Self::sin_cos)
@@ -88,16 +88,15 @@ pub trait Real:
     fn cosh(self) -> Self;
     /// Hyperbolic tangent.
     fn tanh(self) -> Self;
-    /// Hyperbolic tangents, likewise side by side.
+    /// Returns hyperbolic tangents, likewise side by side.
     #[inline(always)]
     fn tanh_each<const N: usize>(arguments: [Self; N]) -> [Self; N] {
         arguments.map(Self::tanh)
     }
-    /// Value (`order` 0) or derivative of a table at `argument`.
+    /// Returns the value (`order` 0) or derivative of a table at `argument`.
     ///
-    /// Walks the whole table without a branch, so that it holds for types that
-    /// carry several values. Types of one value override it by
-    /// [`CubicTable::search`], which gives the same to the last bit.
+    /// Walks the whole table without a branch, as types with several values require. Types of one
+    /// value override it by [`CubicTable::search`], which is bitwise equal.
     fn interpolate(table: &CubicTable<'_>, order: u32, argument: Self) -> Self {
         table.walk(order, argument)
     }
@@ -117,7 +116,7 @@ macro_rules! implement_real {
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, summand: Self) -> Self {
-                // Without the instruction the fused function is a slow emulation.
+                // Without the instruction, fused multiply-add is a slow emulation.
                 #[cfg(all(feature = "std", target_feature = "fma"))]
                 { <$float>::mul_add(self, factor, summand) }
                 #[cfg(not(all(feature = "std", target_feature = "fma")))]
@@ -193,7 +192,7 @@ fn sine_and_cosine_far_away(x: f64) -> (f64, f64) {
     }
 }
 
-/// Integer power by repeated squaring; unrolled where the exponent is known.
+/// Returns an integer power by repeated squaring; unrolled if the exponent is known.
 #[inline]
 fn power_by_squaring<R: Real>(base: R, exponent: i32) -> R {
     let mut power = R::literal(1.0);

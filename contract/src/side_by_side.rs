@@ -1,9 +1,9 @@
-//! Functions of several numbers at once, four by four, as wide as the target has vectors.
+//! Functions of several numbers at once, in groups of four, with the vector width of the target.
 //!
-//! Every number gets the bits it would get alone. Functions of four are not inlined:
-//! among other code compilers take their loops apart again. They take their numbers one by
-//! one, in registers: numbers that are written one by one and read as a vector make the
-//! processor wait.
+//! Every number gets the bits it would get alone. Functions of four are not inlined, because
+//! compilers split their loops again within other code. Numbers are passed one by one, in
+//! registers: the processor would stall on numbers that are written one by one and read as a
+//! vector.
 
 use core::array::from_fn;
 
@@ -11,7 +11,7 @@ use crate::Real;
 use crate::exponential::hyperbolic_tangent;
 use crate::sine::{FARTHEST, sine_and_cosine};
 
-/// Sine and cosine of every number.
+/// Returns sine and cosine of every number.
 #[inline(always)]
 pub fn sines_and_cosines<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     let mut pairs = [(0.0, 0.0); N];
@@ -24,7 +24,7 @@ pub fn sines_and_cosines<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     pairs
 }
 
-/// Hyperbolic tangent of every number.
+/// Returns the hyperbolic tangent of every number.
 #[inline(always)]
 pub fn hyperbolic_tangents<const N: usize>(arguments: [f64; N]) -> [f64; N] {
     let mut tangents = [0.0; N];
@@ -37,8 +37,8 @@ pub fn hyperbolic_tangents<const N: usize>(arguments: [f64; N]) -> [f64; N] {
     tangents
 }
 
-/// Hands over four numbers after the other, with where they begin; the last is repeated
-/// where there are none left.
+/// Passes the numbers on in groups of four, each with its first index. The last group is filled
+/// up with its last number.
 #[inline(always)]
 fn by_fours<const N: usize>(numbers: &[f64; N], mut take: impl FnMut(usize, [f64; 4])) {
     for first in (0..N).step_by(4) {
@@ -72,7 +72,7 @@ fn hyperbolic_tangent_of_four(a: f64, b: f64, c: f64, d: f64) -> [f64; 4] {
 mod tests {
     use super::*;
 
-    /// Angles of which one is so large that another way is taken.
+    /// Returns angles, of which one may be so large that another algorithm is used.
     fn angles<const N: usize>(far_away: bool) -> [f64; N] {
         from_fn(|index| match index {
             2 if far_away => 3e8,

@@ -1,8 +1,8 @@
 //! `Describe` and `Simulator` of an emitted module, from its descriptions and free functions.
 
-/// The unit struct that stands for a machine, with the traits of the contract, by what
-/// `parameters!`, `outputs!`, `states!` and `patterns!` have defined and by free functions
-/// named as in the [table](crate::for_each_function):
+/// Defines the unit struct of a machine with the traits of the contract. It uses the definitions
+/// of `parameters!`, `outputs!`, `states!` and `patterns!`, and free functions named as in the
+/// [table](crate::for_each_function):
 ///
 /// ```text
 /// simulator! {
@@ -14,10 +14,11 @@
 /// }
 /// ```
 ///
-/// Parts are what not every machine has, each followed by a semicolon: `coordinates`
-/// (see `coordinates!`), `events`, `constraints`, `equilibrium`, `kinks COUNT`, `prepared` (see `constants!`)
-/// with `jacobians_at_once` where `prepared_jacobians` gives both Jacobians or `jacobians_apart`,
-/// `series LANES` or `series LANES Bends` (as many sums of products an order), and `linear`.
+/// Parts are optional features of a machine, each followed by a semicolon: `coordinates` (see
+/// `coordinates!`), `events`, `constraints`, `equilibrium`, `kinks COUNT`, `prepared` (see
+/// `constants!`), `series LANES` or `series LANES Bends` (that many sums of products per order),
+/// and `linear`. `prepared` takes `jacobians_at_once` if `prepared_jacobians` computes both
+/// Jacobians, else `jacobians_apart`.
 #[macro_export]
 macro_rules! simulator {
     (
@@ -32,10 +33,10 @@ macro_rules! simulator {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
         pub struct $machine;
 
-        /// Times at which the right-hand side jumps.
+        /// Number of times at which the right-hand side is discontinuous.
         pub const DISCONTINUITIES: usize = $discontinuities;
 
-        /// The run the spec asks for.
+        /// Default settings of the run.
         pub const RUN_DEFAULTS: $crate::RunDefaults<'static> = $crate::RunDefaults {
             from: $from,
             until: $until,
@@ -116,7 +117,7 @@ macro_rules! simulator {
     };
 }
 
-/// What a part adds to `Describe`.
+/// Implements the methods of `Describe` for a part.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __describe_part {
@@ -157,7 +158,7 @@ macro_rules! __describe_part {
     ($other:ident) => {};
 }
 
-/// What a part adds to `Simulator`.
+/// Implements the methods of `Simulator` for a part.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __simulate_part {
@@ -186,7 +187,7 @@ macro_rules! __simulate_part {
     };
     (jacobians_at_once) => {
         $crate::__simulate_part! { by_constants prepared_jacobians }
-        // By the method, as the free functions below.
+        // Calls the method, as the free functions below do.
         fn prepared_parameter_jacobian(
             &self,
             time: R,
@@ -224,7 +225,7 @@ macro_rules! __simulate_part {
     ($other:ident) => {};
 }
 
-/// What a part adds besides.
+/// Defines further items for a part.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __part {
@@ -253,8 +254,8 @@ way."
             "`dy'/dp`, by constants that [`prepare`] computes on the way."
         }
     };
-    // By the method, so that nothing but that calls the function, which is then compiled into it
-    // and reads parameters and constants from where they are.
+    // Calls the method, so that it is the only caller of the function. The function is then
+    // inlined into it and reads parameters and constants in place.
     (
         by_constants $machine:ident $name:ident $prepared:ident $length:expr; $doc:literal
     ) => {
@@ -322,13 +323,13 @@ way."
         }
     };
     ($machine:ident kinks $count:literal) => {
-        /// Guards of kinks of the rate.
+        /// Number of guards of switching surfaces of the rate.
         pub const KINKS: usize = $count;
     };
     ($machine:ident $other:ident) => {};
 }
 
-/// Methods that call the free functions of a group of the table.
+/// Defines methods that call the free functions of a group of the table.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __delegate {

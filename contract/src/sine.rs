@@ -1,22 +1,22 @@
-//! Sine and cosine by arithmetic alone: the same to the last bit with and without
-//! `std`, on every machine, and for several numbers side by side.
+//! Sine and cosine by arithmetic alone: bitwise equal with and without `std`, on every machine,
+//! and for several numbers side by side.
 //!
 //! ```text
 //! x = n pi/2 + r + tail      n whole, |r| <= pi/4
 //! ```
 //!
-//! with pi/2 in three parts, of which the first two have so few digits that n times
-//! them is exact. Sine and cosine of r are polynomials, and n says which is which. The
-//! error is below one unit in the last place.
+//! pi/2 is split into three parts, of which the first two have so few digits that their products
+//! with n are exact. Sine and cosine of r are polynomials; n decides which is which. The error is
+//! below one unit in the last place.
 //!
-//! Source: the argument reduction and the polynomials are those of fdlibm (Sun
-//! Microsystems, 1993), `__ieee754_rem_pio2`, `__kernel_sin` and `__kernel_cos`, here
-//! without branches and with fused products where the target has them.
+//! Source: the argument reduction and the polynomials are those of fdlibm (Sun Microsystems,
+//! 1993), `__ieee754_rem_pio2`, `__kernel_sin` and `__kernel_cos`, without branches and with
+//! fused products if the target has them.
 
 use crate::Real;
 use crate::digits::{Digits, ROUNDING};
 
-/// Farther from zero than this, n would need more digits than are kept for it.
+/// Largest absolute argument. Beyond it, n would need more digits than are reserved for it.
 pub const FARTHEST: f64 = 1e6;
 
 /// pi/2: 33 bits, the next 33 bits, the rest.
@@ -43,7 +43,7 @@ const COSINE: [f64; 6] = [
     -1.135_964_755_778_819_5e-11,
 ];
 
-/// Sine and cosine of a number not farther from zero than [`FARTHEST`].
+/// Returns sine and cosine of a number not farther from zero than [`FARTHEST`].
 #[must_use]
 #[inline(always)]
 pub fn sine_and_cosine<R: Digits>(x: R) -> (R, R) {
@@ -58,7 +58,7 @@ pub fn sine_and_cosine<R: Digits>(x: R) -> (R, R) {
     R::turn(digits, sine, cosine)
 }
 
-/// x - n pi/2 and, with the other sign, what its last digit leaves out.
+/// Returns x - n pi/2 and its rounding error with the opposite sign.
 #[inline(always)]
 fn remainder<R: Real>(x: R, n: R) -> (R, R) {
     let l = R::literal;
@@ -68,10 +68,10 @@ fn remainder<R: Real>(x: R, n: R) -> (R, R) {
     (r, n.mul_add(l(rest), n.mul_add(l(second), r - near)))
 }
 
-// Literals are made one by one: what `array::map` gives is not always inlined, and moves
-// lanes through memory; a loop over them keeps compilers from seeing vectors elsewhere.
+// Literals are made one by one: the result of `array::map` is not always inlined and moves lanes
+// through memory, and a loop over them prevents vectorization elsewhere.
 
-/// sin(r + tail) = sin r + tail cos r, of -tail cos r and r^2.
+/// Returns sin(r + tail) = sin r + tail cos r, given -tail cos r and r^2.
 #[inline(always)]
 fn sine<R: Real>(r: R, minus_rest: R, z: R) -> R {
     let l = R::literal;
@@ -79,11 +79,11 @@ fn sine<R: Real>(r: R, minus_rest: R, z: R) -> R {
     let w = z * z;
     let high = w.mul_add(l(s6).mul_add(z, l(s5)), l(s4).mul_add(z, l(s3)));
     let p = w.mul_add(high, l(s2).mul_add(z, l(s1)));
-    // Subtracted, so that zero keeps its sign.
+    // Subtracted, so zero keeps its sign.
     r - (-(z * r)).mul_add(p, minus_rest)
 }
 
-/// cos(r + tail) = cos r - tail sin r, of -tail r, r^2, and 1 - r^2/2 with r^2/2.
+/// Returns cos(r + tail) = cos r - tail sin r, given -tail r, r^2, and 1 - r^2/2 with r^2/2.
 #[inline(always)]
 fn cosine<R: Real>(rest: R, z: R, near: R, below_one: R) -> R {
     let l = R::literal;
@@ -99,13 +99,13 @@ fn cosine<R: Real>(rest: R, z: R, near: R, below_one: R) -> R {
 mod tests {
     use super::*;
 
-    /// Units in the last place between two numbers.
+    /// Returns the distance between two numbers in units in the last place.
     fn units(a: f64, b: f64) -> u64 {
         let place = |x: f64| if x < 0.0 { -(x.abs().to_bits() as i64) } else { x.to_bits() as i64 };
         place(a).abs_diff(place(b))
     }
 
-    /// Numbers all over the range: equally spaced, and around multiples of pi/4.
+    /// Returns numbers all over the range: equally spaced, and around multiples of pi/4.
     fn numbers() -> impl Iterator<Item = f64> {
         let spaced = (-40_000..=40_000).map(|k| f64::from(k) * 5e-4 * (1.0 + f64::from(k) * 1e-5));
         let eighth = core::f64::consts::FRAC_PI_4;

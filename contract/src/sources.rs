@@ -1,6 +1,6 @@
-//! The text of this crate, for who compiles an emitted scene without Cargo.
+//! The source text of this crate, for compiling an emitted scene without Cargo.
 
-/// Files of this crate: path below `src`, text.
+/// Files of this crate: path below `src`, and text.
 pub const SOURCES: &[(&str, &str)] = &[
     ("lib.rs", include_str!("lib.rs")),
     ("contract.rs", include_str!("contract.rs")),

@@ -2,28 +2,28 @@
 
 use crate::Real;
 
-/// A natural cubic spline through measured points, twice continuously
-/// differentiable, constant beyond its ends.
+/// A natural cubic spline through measured points, twice continuously differentiable, constant
+/// beyond its ends.
 ///
 /// On the k-th interval, with u = x - x_k:
 /// `y = c[0] + c[1] u + c[2] u^2 + c[3] u^3`.
 #[derive(Debug, Clone, Copy)]
 pub struct CubicTable<'a> {
-    /// Abscissae x_0 < x_1 < ... < x_N.
+    /// Abscissas x_0 < x_1 < ... < x_N.
     pub knots: &'a [f64],
-    /// Coefficients of each interval, N of them.
+    /// Coefficients of the N intervals.
     pub coefficients: &'a [[f64; 4]],
 }
 
 impl CubicTable<'_> {
-    /// Value (`order` 0) or derivative of the given order at `argument`.
+    /// Returns the value (`order` 0) or derivative of the given order at `argument`.
     #[must_use]
     pub fn evaluate<R: Real>(&self, order: u32, argument: R) -> R {
         R::interpolate(self, order, argument)
     }
 
-    /// [`CubicTable::evaluate`] for types that carry several values: walks every
-    /// interval with [`Real::select_less`]; cost is linear in the table's length.
+    /// Computes [`CubicTable::evaluate`] for types that carry several values. It walks every
+    /// interval with [`Real::select_less`]; its cost is linear in the table's length.
     #[must_use]
     pub fn walk<R: Real>(&self, order: u32, argument: R) -> R {
         let (Some(first), Some(last)) = (self.knots.first(), self.knots.last()) else {
@@ -38,14 +38,14 @@ impl CubicTable<'_> {
         R::select_less(argument, R::literal(*last), value, self.beyond(order, *last))
     }
 
-    /// [`CubicTable::evaluate`] for types of one value: finds the interval by
-    /// bisection; cost is logarithmic in the table's length.
+    /// Computes [`CubicTable::evaluate`] for types of one value. It finds the interval by
+    /// bisection; its cost is logarithmic in the table's length.
     #[must_use]
     pub fn search<R: Real + PartialOrd>(&self, order: u32, argument: R) -> R {
         let (Some(first), Some(last)) = (self.knots.first(), self.knots.last()) else {
             return R::literal(0.0);
         };
-        // Written so that a NaN goes the way it goes in `walk`.
+        // Written so that NaN takes the same path as in `walk`.
         let is_below = |knot: f64| argument < R::literal(knot);
         if !is_below(*last) {
             return self.beyond(order, *last);
@@ -74,7 +74,7 @@ impl CubicTable<'_> {
     }
 }
 
-/// Derivative of the given order of c0 + c1 u + c2 u^2 + c3 u^3.
+/// Returns the derivative of the given order of c0 + c1 u + c2 u^2 + c3 u^3.
 fn polynomial<R: Real>(c: &[f64; 4], order: u32, u: R) -> R {
     let [c0, c1, c2, c3] = c.map(R::literal);
     let (two, three, six) = (R::literal(2.0), R::literal(3.0), R::literal(6.0));
@@ -92,7 +92,7 @@ fn polynomial<R: Real>(c: &[f64; 4], order: u32, u: R) -> R {
 mod tests {
     use super::CubicTable;
 
-    /// Natural spline through (0, 0), (1, 1), (3, 0): worked out by hand.
+    /// Natural spline through (0, 0), (1, 1), (3, 0), computed by hand.
     ///
     /// Second derivatives m_0 = m_2 = 0 and, with h_0 = 1, h_1 = 2,
     /// 2 (h_0 + h_1) m_1 = 6 ((0 - 1)/2 - (1 - 0)/1), so m_1 = -3/2.

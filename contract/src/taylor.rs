@@ -1,37 +1,36 @@
-//! Taylor series of solutions: the contract, and what emitted recurrences are
-//! made of.
+//! Taylor series of solutions: the contract, and the building blocks of emitted recurrences.
 //!
-//! With normalized coefficients `y = sum_k y_k (t - t_0)^k` the k-th coefficient
-//! of y' = f is `(k + 1) y_(k+1)`, and every operation within f is a recurrence
-//! of its operands' coefficients. What costs is the products,
+//! With normalized coefficients `y = sum_k y_k (t - t_0)^k`, the k-th coefficient of y' = f is
+//! `(k + 1) y_(k+1)`, and every operation within f is a recurrence of its operands' coefficients.
+//! Products dominate the cost:
 //!
 //! ```text
 //! (a b)_k = a_0 b_k + a_k b_0 + sum_(j=1..k-1) a_j b_(k-j)
 //! ```
 //!
-//! The sum reads nothing newer than order k - 1, so the sums of all products of
-//! an order are formed at once, side by side in [`Lanes`], before the order's
-//! chain of dependent operations begins.
+//! The sum reads nothing newer than order k - 1. So the sums of all products of an order are
+//! formed at once, side by side in [`Lanes`], before the order's chain of dependent operations
+//! begins.
 
 use core::mem::size_of;
 
 use crate::Real;
 
-/// Series of the solution through a state; an emitted simulator has them, one
-/// written by hand need not.
+/// Series of the solution through a state. Emitted simulators may have them; handwritten ones
+/// need not.
 pub trait TaylorSeries<R: Real> {
-    /// Numbers of workspace that [`TaylorSeries::series`] asks for.
+    /// Returns the size of the workspace of [`TaylorSeries::series`].
     fn series_workspace(&self, order: usize) -> usize;
 
-    /// Normalized coefficients of the solution through `state` at `time`, order
-    /// after order, each `states` long, beginning with the state itself. The
-    /// highest order is what `coefficients` has room for.
+    /// Computes the normalized coefficients of the solution through `state` at `time`, order by
+    /// order, each `states` long, beginning with the state itself. The length of `coefficients`
+    /// determines the highest order.
     ///
-    /// The branch of every `select_less` and the interval of every table are
-    /// those at `time`, so the series holds as far as they do.
+    /// The branch of every `select_less` and the interval of every table are those at `time`; the
+    /// series is valid as long as they do not change.
     ///
     /// # Panics
-    /// If `coefficients` is empty or no multiple of the states long, or if
+    /// If `coefficients` is empty or its length is not a multiple of the number of states, or if
     /// `workspace` is shorter than [`TaylorSeries::series_workspace`] says.
     fn series(
         &self,
@@ -42,34 +41,34 @@ pub trait TaylorSeries<R: Real> {
         workspace: &mut [R],
     );
 
-    /// Where the motion may bend unforeseen.
+    /// Returns the kinds of bends that the coefficients do not announce.
     fn bends(&self) -> Bends {
         Bends::Nowhere
     }
 }
 
-/// Where a motion may bend so that no coefficient tells of it from afar: a step by the
-/// series may then pass the place unseen.
+/// Kinds of bends of a motion that no coefficient announces from afar. A step by the series may
+/// pass such a place unnoticed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Bends {
-    /// What is near shows in how coefficients grow.
+    /// None: the growth of the coefficients shows whatever is near.
     Nowhere,
-    /// Where a function that is flat on both sides, such as tanh, turns from one to the
-    /// other: there it is analytic.
+    /// At functions that are flat on both sides, such as tanh, between the two. They are analytic
+    /// there.
     Saturates,
-    /// Also at branches that depend on the state and at knots of tables.
+    /// Also at branches that depend on the state, and at knots of tables.
     Corners,
 }
 
 /// Sums of `N` products of series, side by side.
 ///
-/// The sums of an order are formed from their middle outwards: what is known for long
-/// comes first, and what the order before has just given comes last. The coefficients of
-/// the last two orders are kept at hand besides, for they are still on their way to memory
-/// as single numbers and cannot be read from there as a block.
+/// The sums of an order are formed from their middle outwards: values known for long come first,
+/// those of the preceding order last. The coefficients of the last two orders are kept at hand
+/// too, because they are still being written to memory one by one and cannot yet be read as a
+/// block.
 #[derive(Debug)]
 pub struct Lanes<'a, R, const N: usize> {
-    /// Order after order.
+    /// Left coefficients, order by order.
     left: &'a mut [R],
     right: &'a mut [R],
     /// Left and right coefficients of the newest order, and of the one before.
@@ -78,13 +77,13 @@ pub struct Lanes<'a, R, const N: usize> {
 }
 
 impl<'a, R: Real, const N: usize> Lanes<'a, R, N> {
-    /// Numbers of workspace of lanes up to `order`.
+    /// Returns the size of the workspace of lanes up to `order`.
     #[must_use]
     pub const fn workspace(order: usize) -> usize {
         2 * N * order
     }
 
-    /// Lanes up to `order`, and the workspace that is left.
+    /// Returns lanes up to `order`, and the rest of the workspace.
     ///
     /// # Panics
     /// If `workspace` is too short.
@@ -97,15 +96,15 @@ impl<'a, R: Real, const N: usize> Lanes<'a, R, N> {
         (Self { left, right, newest: none, before: none }, workspace)
     }
 
-    /// Takes the coefficients of one order.
+    /// Sets the coefficients of one order.
     #[allow(clippy::needless_range_loop, reason = "what is stored and where, by one index")]
     #[inline(always)]
     pub fn set(&mut self, order: usize, left: [R; N], right: [R; N]) {
         self.before = self.newest;
         self.newest = [left, right];
-        // One by one, each with its own check: compilers that see neighbours being stored
-        // compute them as vectors, and shuffling in the chain of an order costs more than
-        // is gained.
+        // One by one, each with its own check: compilers that see neighbours being stored compute
+        // them as vectors, and the shuffles in the chain of an order cost more than the vectors
+        // gain.
         for lane in 0..N {
             self.left[order * N + lane] = left[lane];
         }
@@ -114,7 +113,7 @@ impl<'a, R: Real, const N: usize> Lanes<'a, R, N> {
         }
     }
 
-    /// `sum_(j=1..order-1) left_j right_(order-j)` in every lane.
+    /// Returns `sum_(j=1..order-1) left_j right_(order-j)` of every lane.
     #[must_use]
     #[inline(always)]
     pub fn sums(&self, order: usize) -> [R; N] {
@@ -173,7 +172,7 @@ fn add_products<R: Real, const N: usize>(sums: &mut [R; N], left: &[R; N], right
     }
 }
 
-/// `k` and `1/k` for the order k.
+/// Returns `k` and `1/k` for the order k.
 #[must_use]
 #[inline(always)]
 #[allow(clippy::cast_precision_loss, reason = "orders are small")]
@@ -182,7 +181,7 @@ pub fn order_and_inverse<R: Real>(order: usize) -> (R, R) {
     (order, R::literal(1.0) / order)
 }
 
-/// The polynomial at `time` after the start of the step.
+/// Computes the polynomial at `time` after the start of the step.
 pub fn value<R: Real>(coefficients: &[R], time: R, value: &mut [R]) {
     let states = value.len();
     let mut orders = coefficients.chunks_exact(states).rev();
@@ -194,21 +193,21 @@ pub fn value<R: Real>(coefficients: &[R], time: R, value: &mut [R]) {
     }
 }
 
-/// `L D L^T` of a symmetric matrix, without pivoting: for a mass matrix, which
-/// is positive definite. Of a small one the inverse is kept instead: products with it wait
-/// for one another half as long as substitutions do.
+/// Factors `L D L^T` of a symmetric positive definite matrix, such as a mass matrix, without
+/// pivoting. For a small matrix the inverse is kept instead: its products have half as long a
+/// dependency chain as substitutions.
 #[derive(Debug, Clone, Copy)]
 pub struct Factored<R, const N: usize> {
     /// L below the diagonal, 1/D on it; or the inverse.
     factors: [[R; N]; N],
 }
 
-/// Largest matrix of which the inverse is kept.
+/// Largest matrix whose inverse is kept.
 const MOST_INVERTED: usize = 6;
 
 #[allow(clippy::needless_range_loop, reason = "rows and columns of one matrix")]
 impl<R: Real, const N: usize> Factored<R, N> {
-    /// Factors a matrix, of which the lower triangle is read.
+    /// Factors a matrix, of which only the lower triangle is read.
     #[must_use]
     #[inline]
     pub fn new(mut matrix: [[R; N]; N]) -> Self {
@@ -233,7 +232,7 @@ impl<R: Real, const N: usize> Factored<R, N> {
         Self { factors: core::array::from_fn(|column| substitute(&matrix, unit(column))) }
     }
 
-    /// The solution of `matrix x = right_side`.
+    /// Returns the solution of `matrix x = right_side`.
     #[must_use]
     #[inline(always)]
     pub fn solve(&self, right_side: [R; N]) -> [R; N] {
@@ -251,7 +250,7 @@ impl<R: Real, const N: usize> Factored<R, N> {
     }
 }
 
-/// The solution of `L D L^T x = right_side`.
+/// Returns the solution of `L D L^T x = right_side`.
 #[allow(clippy::needless_range_loop, reason = "rows and columns of one matrix")]
 fn substitute<R: Real, const N: usize>(factors: &[[R; N]; N], mut right_side: [R; N]) -> [R; N] {
     for column in 0..N {

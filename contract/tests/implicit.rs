@@ -1,10 +1,10 @@
-//! The solve of many columns by steps against elimination of a dense matrix.
+//! Compares the solution of many columns by steps with elimination of a dense matrix.
 
 #![allow(clippy::needless_range_loop, reason = "matrices are written as in the formulas")]
 
 use machinist_contract::implicit::{Step, substitute};
 
-/// Numbers between -1 and 1, the same in every run.
+/// Pseudorandom numbers between -1 and 1, the same in every run.
 struct Numbers(u64);
 
 impl Numbers {
@@ -20,7 +20,7 @@ type Matrix = Vec<Vec<f64>>;
 /// A step that owns its terms: row, scale, terms.
 type Owned = (u32, Option<u32>, Vec<(u32, u32)>);
 
-/// L D L^T without pivoting, as steps on nonzeros of L and the factors they multiply by.
+/// Returns L D L^T without pivoting, as steps on nonzeros of L, and their factors.
 fn factored(matrix: &Matrix) -> (Vec<Owned>, Vec<f64>) {
     let n = matrix.len();
     let (mut lower, mut diagonal) = (vec![vec![0.0; n]; n], vec![0.0; n]);
@@ -55,7 +55,7 @@ fn factored(matrix: &Matrix) -> (Vec<Owned>, Vec<f64>) {
     (steps, factors)
 }
 
-/// Gaussian elimination with pivoting.
+/// Solves by Gaussian elimination with pivoting.
 fn eliminated(matrix: &Matrix, side: &[f64]) -> Vec<f64> {
     let n = matrix.len();
     let (mut a, mut x) = (matrix.clone(), side.to_vec());
@@ -87,7 +87,7 @@ fn solved<const COLUMNS: usize>(matrix: &Matrix, sides: &Matrix) -> Matrix {
     x.iter().map(|row| row.to_vec()).collect()
 }
 
-/// Positive definite, some of its couplings missing.
+/// Returns a positive definite matrix, some of its couplings missing.
 fn mass(n: usize, density: f64, numbers: &mut Numbers) -> Matrix {
     let mut matrix = vec![vec![0.0; n]; n];
     for i in 0..n {
@@ -103,7 +103,7 @@ fn mass(n: usize, density: f64, numbers: &mut Numbers) -> Matrix {
     matrix
 }
 
-/// A mass matrix bordered by constraints on two or three coordinates each.
+/// Returns a mass matrix bordered by constraints on two or three coordinates each.
 fn saddle(n: usize, constraints: usize, numbers: &mut Numbers) -> Matrix {
     let mut matrix = mass(n, 0.2, numbers);
     for row in &mut matrix {

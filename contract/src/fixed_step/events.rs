@@ -1,15 +1,15 @@
-//! Events within a step of a fixed length.
+//! Events within a fixed step.
 
 use super::{FixedSteps, Rest, Room, Scratch, StepNumber, Stepped, before_jump};
 use crate::Direction;
 
-/// Guards and their rates, at the start or the end of a part of a step.
+/// Values and rates of the guards, at the start or the end of a part of a step.
 struct Guards<'w, R> {
     values: &'w mut [R],
     rates: &'w mut [R],
 }
 
-/// Data of every event within a step.
+/// Workspace for the events within a step.
 struct Watch<'w, R> {
     sides: &'w mut [i8],
     passed: &'w mut [i8],
@@ -22,19 +22,19 @@ struct Watch<'w, R> {
     values: &'w mut [R],
 }
 
-/// 1 of a number above zero, -1 below, 0 else.
+/// Returns 1 for a positive number, -1 for a negative one, else 0.
 fn sign_of<R: StepNumber>(x: R) -> i8 {
     let zero = R::literal(0.0);
     i8::from(zero < x) - i8::from(x < zero)
 }
 
-/// True if a guard is beyond zero by no more than its rate takes back within h: at zero.
+/// Reports whether a guard counts as zero: its rate takes it back to zero within h.
 fn comes_back<R: StepNumber>(guard: R, rate: R, h: R) -> bool {
     sign_of(guard) * sign_of(rate) < 0 && guard.abs() <= h * rate.abs()
 }
 
-/// Share of a step of length h at which a guard passes zero: the root of the cubic through its
-/// values and rates at both ends, by as many bisections as a number has digits.
+/// Returns the fraction of a step of length h at which a guard crosses zero. It is the root of
+/// the cubic through values and rates at both ends, found by one bisection for each binary digit.
 fn passing<R: StepNumber>(side: i8, h: R, guard: [R; 2], rate: [R; 2]) -> R {
     let l = R::literal;
     let (mut low, mut high) = (l(0.0), l(1.0));
@@ -53,7 +53,7 @@ fn passing<R: StepNumber>(side: i8, h: R, guard: [R; 2], rate: [R; 2]) -> R {
 }
 
 impl<R: StepNumber> FixedSteps<'_, R> {
-    /// 1 where an event happens as its guard rises, -1 as it falls, 0 for both.
+    /// Returns 1 if the event happens as its guard rises, -1 as it falls, 0 for both.
     fn direction(&self, event: usize) -> i8 {
         match self.simulator.event(event).direction {
             Direction::Rising => 1,
@@ -78,7 +78,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         direction != 0 && sign_of(guard) == direction
     }
 
-    /// True if an event sets a mode that it is watched for in.
+    /// Reports whether an event changes a mode in which it is active.
     fn ends_its_mode(&self, event: usize) -> bool {
         let event = self.simulator.event(event);
         event.when.iter().any(|(entry, _)| event.sets.contains(entry))
@@ -89,8 +89,8 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         self.simulator.guard_rates(time, state, self.parameters, guards.rates);
     }
 
-    /// Gives the new values of an event; `values` has a place for each entry of the state, of
-    /// which resets may be more or fewer.
+    /// Applies the resets of an event. `values` has room for as many values as the state has
+    /// entries; the number of resets may be larger or smaller.
     fn apply(&self, event: usize, time: R, state: &mut [R], values: &mut [R]) {
         let before = |event: usize| self.simulator.event(event).sets.len();
         let first: usize = (0..event).map(before).sum();
@@ -100,7 +100,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         }
     }
 
-    /// Number of values that events set.
+    /// Returns the number of values that events reset.
     pub(super) fn resets(&self) -> usize {
         (0..self.simulator.events()).map(|event| self.simulator.event(event).sets.len()).sum()
     }
@@ -121,8 +121,8 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         }
     }
 
-    /// Sets right modes that contradict their guards, and sees on which side of zero guards are:
-    /// to be called once before the first step, and whenever a state was changed by hand.
+    /// Corrects modes that contradict their guards, and records the signs of the guards. Call it
+    /// once before the first step, and whenever a state was changed by hand.
     ///
     /// # Panics
     /// As [`FixedSteps::step`].
@@ -142,8 +142,8 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         self.look((time, h), state, &mut watch);
     }
 
-    /// An event that leaves the modes it is watched for in and whose guard is beyond zero happens
-    /// at once, if it is asked for. Gives the number of those that did.
+    /// Triggers events that leave the modes in which they are active and whose guard is beyond
+    /// zero, if requested. Returns their number.
     fn settle_asked(
         &self,
         (time, h): (R, R),
@@ -184,7 +184,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         happened
     }
 
-    /// Sees on which side of zero every guard is after events.
+    /// Records the signs of all guards after events.
     fn look(&self, (time, h): (R, R), state: &[R], watch: &mut Watch<'_, R>) {
         self.look_at(time, state, &mut watch.end);
         for event in 0..self.simulator.events() {
@@ -205,7 +205,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         }
     }
 
-    /// Gives new values where guards have passed zero, at the end of a part of a step.
+    /// Resets the state where guards have crossed zero, at the end of a part of a step.
     fn happen(
         &self,
         (time, h): (R, R),
@@ -232,9 +232,9 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         happened
     }
 
-    /// Marks guards that pass zero until the end of a part of a step. One that was at zero, and
-    /// whose event ends the mode it is watched for in, has passed when it is beyond: a state beyond
-    /// is none of that mode. Gives whether there are any.
+    /// Marks guards that cross zero up to the end of a part of a step, and reports whether there
+    /// are any. A guard that started at zero, and whose event ends a mode in which it is active,
+    /// has crossed when it is beyond zero: no state of that mode is there.
     fn pass(&self, state: &[R], watch: &mut Watch<'_, R>) -> bool {
         let mut found = false;
         for event in 0..self.simulator.events() {
@@ -248,7 +248,8 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         found
     }
 
-    /// The share of a part of a step at which the first of the marked guards passes.
+    /// Returns the fraction of a part of a step at which the first of the marked guards crosses
+    /// zero.
     fn first_share(&self, h: R, watch: &mut Watch<'_, R>) -> R {
         let mut first = R::literal(1.0);
         for event in (0..self.simulator.events()).filter(|event| watch.passed[*event] != 0) {
@@ -261,7 +262,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         first
     }
 
-    /// A part of a step after which nothing more happens within it.
+    /// Accepts a part of a step without further events.
     fn accept(&self, end: &[R], watch: &mut Watch<'_, R>) {
         for event in 0..self.simulator.events() {
             let side = sign_of(watch.end.values[event]);

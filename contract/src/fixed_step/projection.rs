@@ -1,9 +1,10 @@
-//! One step of Newton's method each that puts positions and velocities back onto constraints.
+//! Projection of positions and of velocities onto constraints, by one step of Newton's method
+//! each.
 
 use super::{FixedSteps, Rest, StepNumber};
 use crate::{Real, Simulator};
 
-/// Scratch space of the shifts.
+/// Workspace of the projection.
 pub(super) struct Projection<'w, R> {
     /// The matrix of `[M, G^T; G, 0]`, row by row.
     matrix: &'w mut [R],
@@ -13,7 +14,7 @@ pub(super) struct Projection<'w, R> {
     slopes: &'w mut [R],
 }
 
-/// Which level is put back.
+/// Level of the constraints to be fulfilled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Level {
     Positions,
@@ -21,7 +22,7 @@ enum Level {
 }
 
 impl<'w, R: StepNumber> Projection<'w, R> {
-    /// Numbers that it takes.
+    /// Returns the number of numbers that the workspace takes.
     pub(super) fn room(simulator: &dyn Simulator<R>) -> usize {
         let [size, constraints, mass, slopes] = sizes(simulator);
         size * size + size + constraints + mass + slopes
@@ -58,7 +59,8 @@ impl<'w, R: StepNumber> Projection<'w, R> {
         }
     }
 
-    /// The shortest shift, as the mass matrix measures it: `M d + G^T mu = 0`, `G d = off`.
+    /// Computes the smallest change in the norm of the mass matrix: `M d + G^T mu = 0`, `G d =
+    /// off`.
     fn shortest(&mut self, of: &FixedSteps<'_, R>, time: R, state: &[R]) {
         let simulator = of.simulator;
         let [size, constraints, ..] = sizes(simulator);
@@ -86,7 +88,7 @@ impl<'w, R: StepNumber> Projection<'w, R> {
             if holds {
                 self.shift[row] = self.off[constraint];
             } else {
-                // In these modes it does not hold.
+                // The constraint does not hold in these modes.
                 self.matrix[row * size + row] = R::literal(1.0);
             }
         }
@@ -94,7 +96,8 @@ impl<'w, R: StepNumber> Projection<'w, R> {
     }
 }
 
-/// Coordinates and constraints together, constraints, nonzeros of M and G.
+/// Returns the numbers of coordinates plus constraints, of constraints, and of nonzeros of M and
+/// G.
 fn sizes<R: Real>(simulator: &dyn Simulator<R>) -> [usize; 4] {
     let constraints = simulator.constraints();
     if constraints == 0 {
@@ -109,8 +112,8 @@ fn sizes<R: Real>(simulator: &dyn Simulator<R>) -> [usize; 4] {
     ]
 }
 
-/// Solves `a x = b` in place by elimination with exchange of rows. Unknowns of rows that vanish
-/// but for rounding, as of constraints that repeat others, are zero.
+/// Solves `a x = b` in place by elimination with row exchanges. Unknowns of rows that vanish up
+/// to rounding, as for redundant constraints, are zero.
 fn eliminate<R: StepNumber>(a: &mut [R], b: &mut [R]) {
     let size = b.len();
     let zero = R::literal(0.0);

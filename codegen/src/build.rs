@@ -1,4 +1,4 @@
-//! Scenes emitted by a crate's own `build.rs`.
+//! Emission of scenes by a crate's own `build.rs`.
 //!
 //! ```no_run
 //! // build.rs
@@ -28,9 +28,9 @@ use crate::write::{WriteError, refuse_foreign, write_within};
 use machinist_algebra::cas::Algebra;
 use machinist_model::Model;
 
-/// Emits scenes to `OUT_DIR`, one file a scene, for a build script. They are derived by our own
-/// algebra, or by Symbolica with the feature `symbolica`, by which a second build waits for the
-/// first.
+/// Emits scenes to `OUT_DIR` in a build script, one file per scene. They are derived by
+/// Machinist's own algebra, or by Symbolica with the feature `symbolica`. Symbolica makes a
+/// second build wait for the first.
 #[derive(Debug, Clone, Default)]
 #[must_use = "nothing is emitted until `compile`"]
 pub struct Build {
@@ -39,7 +39,7 @@ pub struct Build {
 }
 
 impl Build {
-    /// A build of no scenes yet.
+    /// Returns a build without scenes.
     pub fn new() -> Self {
         Self::default()
     }
@@ -50,25 +50,24 @@ impl Build {
         self
     }
 
-    /// Adds the specs of several scenes.
+    /// Adds the specs of several scenes, likewise.
     pub fn scenes<P: Into<PathBuf>>(mut self, paths: impl IntoIterator<Item = P>) -> Self {
         self.scenes.extend(paths.into_iter().map(Into::into));
         self
     }
 
-    /// Writes to this folder instead of `OUT_DIR`.
+    /// Sets the folder to write to, instead of `OUT_DIR`.
     pub fn out_dir(mut self, folder: impl Into<PathBuf>) -> Self {
         self.out_dir = Some(folder.into());
         self
     }
 
-    /// Emits `<scene>.rs` for every scene, named as its spec names it, and tells
-    /// Cargo every file that was read. Files that would not change are not
-    /// touched.
+    /// Emits `<scene>.rs` for every scene, named as in its spec, and tells Cargo every file that
+    /// was read. Unchanged files are not touched.
     ///
     /// # Errors
-    /// [`BuildError`]: a mistake in a spec, two scenes of one name, or a file
-    /// that cannot be written. Nothing is written then, but for the last.
+    /// [`BuildError`]: a mistake in a spec, two scenes of one name, or a file that cannot be
+    /// written. Only in the last case may other files have been written.
     pub fn compile(&self) -> Result<(), BuildError> {
         let folder = self.folder()?;
         let texts = self.texts()?;
@@ -87,7 +86,7 @@ impl Build {
         folder.ok_or(BuildError::NoFolder)
     }
 
-    /// The text of every scene by its name.
+    /// Returns the text of every scene by its name.
     fn texts(&self) -> Result<BTreeMap<String, String>, BuildError> {
         let options = EmitOptions::for_build_script();
         let mut texts = BTreeMap::new();
@@ -104,9 +103,8 @@ impl Build {
     }
 }
 
-/// A scene to its model, with word to Cargo of the files that took part. A
-/// scene that fails needs the spec itself only: Cargo runs a build script that
-/// has failed again in any case.
+/// Derives the model of a scene, and tells Cargo the files that were read. If the scene fails,
+/// only the spec itself is named: Cargo runs a failed build script again in any case.
 fn generate(scene: &Path) -> Result<Model, BuildError> {
     println!("cargo:rerun-if-changed={}", scene.display());
     let system = pipeline::check(scene)?;
@@ -130,8 +128,8 @@ fn generate(scene: &Path) -> Result<Model, BuildError> {
     Ok(model)
 }
 
-/// Why scenes could not be emitted by a build script. Its `Debug` form is the
-/// report for people, because that is what Cargo shows when `main` returns it.
+/// Error of a build script that emits scenes. Its `Debug` form is a readable report, because
+/// Cargo shows that when `main` returns it.
 #[derive(thiserror::Error)]
 pub enum BuildError {
     /// A spec is wrong.
@@ -154,7 +152,7 @@ pub enum BuildError {
     /// A file cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
-    /// There is no folder to write to.
+    /// No folder to write to is known.
     #[error("OUT_DIR is not set: call this from a build script, or name a folder with `out_dir`")]
     NoFolder,
 }

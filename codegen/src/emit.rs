@@ -1,8 +1,8 @@
-//! From a [`Model`](machinist_model::Model) to text, one folder a target; from equations to documents.
+//! Emission of a [`Model`](machinist_model::Model) as text, one folder per target, and of
+//! equations as documents.
 //!
-//! Excluded: reading specs, algebra, and files (see [`crate::write`]). Emission
-//! decides names and layout only; what is computed, and in which order, is the
-//! tape's.
+//! Excluded: reading specs, algebra, and files (see [`crate::write`]). Emission decides names and
+//! layout only; the tape determines the operations and their order.
 
 pub mod c99;
 pub mod document;
@@ -13,43 +13,44 @@ pub mod text;
 
 use machinist_model::Malformed;
 
-/// Where emitted Rust lives and how it is made again.
+/// Location and origin of emitted Rust.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct EmitOptions {
-    /// The command that makes the file again, for its header.
+    /// The command that updates the file, for its header.
     pub command: String,
-    /// Whether the crate that the files are in has a feature for each scene.
+    /// True if the crate of the files has a feature for each scene.
     pub scene_features: bool,
 }
 
 impl EmitOptions {
-    /// For modules of a crate of scenes, as `machinist gen` writes them.
+    /// Returns the options for modules of a crate of scenes, as `machinist gen` writes them.
     #[must_use]
     pub fn for_scenes() -> Self {
         Self { command: "cargo run --release -- gen".to_owned(), scene_features: true }
     }
 
-    /// For files in the `OUT_DIR` of a crate that depends on `machinist-contract`.
+    /// Returns the options for files in the `OUT_DIR` of a crate that depends on
+    /// `machinist-contract`.
     #[must_use]
     pub fn for_build_script() -> Self {
         Self { command: "cargo build".to_owned(), scene_features: false }
     }
 }
 
-/// What makes a model impossible to emit. None of these comes from a spec that
-/// has passed its checks; they keep a mistake of an earlier stage out of the text.
+/// Reason why a model cannot be emitted. No spec that has passed its checks leads to such an
+/// error; the checks guard against defects of earlier stages.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EmitError {
     /// A literal is infinite or not a number.
     #[error("{place}: {value} is not a finite number, so it cannot be emitted")]
     NotFinite {
-        /// The function or quantity the number stands in.
+        /// The function or quantity that contains the number.
         place: String,
         /// The number.
         value: f64,
     },
-    /// A name is no Rust identifier.
+    /// A name is not a Rust identifier.
     #[error("the name `{name}` is no Rust identifier")]
     Identifier {
         /// The name.
@@ -60,7 +61,7 @@ pub enum EmitError {
     NamedTwice {
         /// The name.
         name: String,
-        /// What both are.
+        /// The kind of both.
         kind: &'static str,
     },
     /// A target has no way to express a part of the model.
@@ -72,10 +73,10 @@ pub enum EmitError {
     /// The model breaks a rule of models.
     #[error("{0}")]
     Malformed(#[from] Malformed),
-    /// The emitted tokens are no Rust module.
+    /// The emitted tokens are not a Rust module.
     #[error("the emitted module does not parse: {reason}")]
     Unparsable {
-        /// What the parser says.
+        /// The message of the parser.
         reason: String,
     },
 }

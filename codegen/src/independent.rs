@@ -1,12 +1,12 @@
-//! A second derivation, independent of the first: the motion of a composed scene by
-//! derivatives of its Lagrangian as numbers, held against a simulator of the same scene.
+//! A second, independent derivation: the motion of a composed scene by numerical derivatives of
+//! its Lagrangian, compared with a simulator of the same scene.
 //!
-//! Of the line from spec to model it shares what reads and joins a spec, nothing after that:
-//! no computer algebra, no mechanics, no reduction, no graph, no factorization. What is wrong
-//! in one of those shows as a difference; what is wrong in a spec does not.
+//! It shares only the reading and composing of specs with the pipeline: no computer algebra, no
+//! mechanics, no reduction, no graph, no factorization. A mistake in one of those shows as a
+//! difference; a mistake in a spec does not.
 //!
-//! Excluded: Symbolica (it never runs here), speed, fields (they are cut into coordinates
-//! before, by [`elements`]).
+//! Excluded: Symbolica (it never runs here), speed, and fields (which [`elements`] divides into
+//! coordinates beforehand).
 
 mod compare;
 pub mod elements;

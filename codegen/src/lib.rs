@@ -1,7 +1,7 @@
-//! The half of Machinist that derives: spec text to a [`Model`](machinist_model::Model), and
-//! a model to emitted Rust.
+//! The generator of Machinist: derives a [`Model`](machinist_model::Model) from spec text, and
+//! emits a model as Rust or C99.
 //!
-//! The straight line is [`pipeline`]; each stage takes the previous one's type.
+//! [`pipeline`] is the sequence of stages; each takes the result of the preceding one.
 
 mod build;
 pub mod emit;

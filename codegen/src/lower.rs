@@ -1,4 +1,4 @@
-//! Linearized equations to a model: one tape for each function.
+//! Lowering of linearized equations to a model, with one tape per function.
 
 mod along;
 pub mod angles;

@@ -1,5 +1,5 @@
-//! Mechanics: a Lagrangian system to equations of motion, to what is needed of them, to
-//! their partial derivatives.
+//! Mechanics: equations of motion of a Lagrangian system, their reduction, and their partial
+//! derivatives.
 
 pub mod constraint;
 pub mod density;

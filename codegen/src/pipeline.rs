@@ -1,11 +1,11 @@
-//! The straight line, from spec text to a model.
+//! The stages from spec text to a model.
 //!
 //! ```text
 //! spec text -> SceneSpec -> LagrangianSystem -> EquationsOfMotion
 //!   -> (reduce) -> Linearization -> Model -> emitted Rust, and all that runs models
 //! ```
 //!
-//! A step of reduction may give another system; then equations are derived again, here and
+//! A reduction step may give another system. Its equations are then derived again, here and
 //! nowhere else.
 
 use std::path::Path;
@@ -25,16 +25,16 @@ use crate::scene::system::LagrangianSystem;
 use crate::spec::diagnostic::{Diagnostic, Diagnostics};
 use crate::{lower, scene, spec};
 
-/// A scene file to its model, of the whole scene or of what its outputs need, derived by the
-/// default algebra.
+/// Derives the model of a scene file by the default algebra: of the whole scene, or of what its
+/// outputs need.
 ///
 /// # Errors
-/// With file, line, span and hint for whatever is wrong in the spec.
+/// [`Diagnostics`] with file, line, span and hint for each mistake in the spec.
 pub fn generate(scene: &Path, keep: Keep) -> Result<Model, Diagnostics> {
     compile(check(scene)?, keep)
 }
 
-/// A checked scene to its model, derived by the default algebra.
+/// Derives the model of a checked scene by the default algebra.
 ///
 /// # Errors
 /// As [`generate`].
@@ -42,7 +42,7 @@ pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Model, Diagnostic
     compile_by(Algebra::default(), system, keep)
 }
 
-/// A checked scene to its model, derived by an algebra of one's choice.
+/// Derives the model of a checked scene by a given algebra.
 ///
 /// # Errors
 /// As [`generate`].
@@ -55,7 +55,7 @@ pub fn compile_by(
     needed.lower()
 }
 
-/// The equations of the whole scene, and those of what is kept, linearized.
+/// Returns the equations of the whole scene, and the linearized equations of what is kept.
 fn reduced_by(
     algebra: Algebra,
     system: LagrangianSystem,
@@ -72,7 +72,7 @@ fn reduced_by(
     })?
 }
 
-/// The equations of what is kept.
+/// Returns the equations of what is kept.
 fn reduce(
     cas: &mut Cas,
     whole: &EquationsOfMotion,
@@ -93,13 +93,13 @@ fn reduce(
     Ok(equations)
 }
 
-/// What may be left out of a system: what a field holds on to is not seen in the
-/// machine's own equations.
+/// Returns how far a system may be reduced: the machine's own equations do not show what its
+/// fields depend on.
 fn possible(system: &LagrangianSystem, keep: Keep) -> Keep {
     if system.fields.is_empty() { keep } else { Keep::All }
 }
 
-/// Equations with their derivatives, of the machine and of its fields.
+/// Linearized equations of the machine, and the equations of its fields.
 struct Linear {
     machine: Linearization,
     fields: Vec<FieldEquations>,
@@ -112,8 +112,8 @@ impl Linear {
     }
 
     /// # Errors
-    /// If a number of the equations is none: each is finite in the spec, and what is computed
-    /// of them need not be.
+    /// If a number in the equations is not finite. All numbers of the spec are finite, but
+    /// results of computations with them may overflow.
     fn lower(&self) -> Result<Model, Diagnostics> {
         let mut model = lower::lower(&self.machine);
         let fields = self.machine.equations.system.fields.iter().zip(&self.fields);
@@ -128,51 +128,51 @@ impl Linear {
     }
 }
 
-/// A scene's models, of the whole and after each step of reduction.
+/// Models of a scene: the whole, and after each step of reduction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Stages {
-    /// Nothing left out.
+    /// The model of the whole scene.
     pub whole: Model,
-    /// After each step that changed anything, that step and what is left.
+    /// Each reduction step that changed anything, with its result.
     pub steps: Vec<(Keep, Model)>,
 }
 
 impl Stages {
-    /// The last of them.
+    /// Returns the last model.
     #[must_use]
     pub fn needed(&self) -> &Model {
         self.steps.last().map_or(&self.whole, |(_, model)| model)
     }
 }
 
-/// Everything that is derived of a scene, for people and for machines.
+/// All results of deriving a scene, for reading and for further processing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Derivation {
-    /// What worked it out.
+    /// The algebra that derived them.
     pub algebra: Algebra,
     /// Models, step by step.
     pub stages: Stages,
     /// The equations of the whole scene as text.
     pub text: Document,
-    /// The same as LaTeX.
+    /// The same equations as LaTeX.
     pub latex: Document,
-    /// Who needs whom.
+    /// Dependencies between the quantities.
     pub dependencies: Dependencies,
 }
 
-/// The part of a [`Derivation`] that is wanted first: the model to run, and equations for people.
+/// The first results of a [`Derivation`]: the model to run, and equations to read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
     /// The model of what is kept.
     pub model: Model,
     /// The equations of the whole scene as LaTeX.
     pub latex: Document,
-    /// Who needs whom.
+    /// Dependencies between the quantities.
     pub dependencies: Dependencies,
 }
 
-/// A checked scene to its outline, worked out by an algebra of one's choice. The model is the last one
-/// of the [`Stages`] that [`derivation_by`] gives; those before it are not derived.
+/// Derives the outline of a checked scene by a given algebra. Its model is the last one of the
+/// [`Stages`] that [`derivation_by`] returns; the preceding ones are not derived.
 ///
 /// # Errors
 /// As [`generate`].
@@ -190,7 +190,7 @@ pub fn outline_by(
     })
 }
 
-/// A checked scene to all that is derived of it, reduced step by step up to `keep`.
+/// Derives everything of a checked scene, reduced step by step up to `keep`.
 ///
 /// # Errors
 /// As [`generate`].
@@ -228,7 +228,7 @@ pub fn derivation_by(
     })
 }
 
-/// A scene file to one Lagrangian system, names and dimensions checked.
+/// Reads a scene file as one Lagrangian system, with names and dimensions checked.
 ///
 /// # Errors
 /// As [`generate`].
@@ -237,7 +237,7 @@ pub fn check(scene: &Path) -> Result<LagrangianSystem, Diagnostics> {
     scene::compose(&spec)
 }
 
-/// A scene file to its equations of motion, for people to read.
+/// Derives the equations of motion of a scene file, to be read.
 ///
 /// # Errors
 /// As [`generate`].
@@ -251,8 +251,8 @@ pub fn derive(scene: &Path) -> Result<EquationsOfMotion, Diagnostics> {
     })?
 }
 
-/// Refuses what has no value for any state: checks of the spec see each expression as it
-/// is written, this sees what became of them.
+/// Rejects equations that have no value at any state. The checks of the spec see each expression
+/// as written; this one sees the result of the derivation.
 fn defined(cas: &mut Cas) -> Result<(), Diagnostics> {
     if !cas.was_undefined() {
         return Ok(());
@@ -262,7 +262,7 @@ fn defined(cas: &mut Cas) -> Result<(), Diagnostics> {
     Err(Diagnostic::of_file("", message.to_owned(), help).into())
 }
 
-/// Refuses coordinates that neither an inertia nor a constraint decides.
+/// Rejects coordinates that neither an inertia nor a constraint determines.
 fn decided(equations: &EquationsOfMotion) -> Result<(), Diagnostics> {
     let Some(undecided) = equations.undecided() else { return Ok(()) };
     let coordinates = &equations.system.coordinates;
@@ -277,13 +277,13 @@ fn decided(equations: &EquationsOfMotion) -> Result<(), Diagnostics> {
     Err(Diagnostic::of_file("", message, help).into())
 }
 
-/// A model with word of what made it.
+/// Returns a model with the name of its generator.
 #[must_use]
 pub fn stamped(algebra: Algebra, model: Model, keep: Keep) -> Stamped {
     Stamped { generator: format!("{GENERATOR} {}, {}", algebra.name(), keep.name()), model }
 }
 
-/// The generator of models: name, version, and the hash of its own text.
+/// The generator of models: name, version, and the hash of its own source text.
 pub const GENERATOR: &str = concat!(
     env!("CARGO_PKG_NAME"),
     " ",

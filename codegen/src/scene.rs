@@ -1,8 +1,7 @@
-//! Units joined into one system, checked.
+//! Composition of units into one checked system.
 //!
-//! Excluded: text (it has been read by [`crate::spec`]) and calculus (it comes
-//! after, in the derivation). What leaves this room has no names to look up, no
-//! joints and no dimensions any more.
+//! Excluded: text, which [`crate::spec`] has read, and calculus, which is part of the derivation.
+//! The result has no names to resolve, no joints and no dimensions.
 
 pub(crate) mod along;
 mod assemble;
@@ -28,12 +27,12 @@ use crate::spec::diagnostic::{Diagnostic, Diagnostics, Mistake};
 use crate::spec::stack;
 use machinist_algebra::expr::ParameterId;
 
-/// Checks a scene and joins its units: instances get their parameters and inputs,
-/// joined coordinates become one, energies are summed, forces act by virtual work.
+/// Checks a scene and composes its units: instances get their parameters and inputs, joined
+/// coordinates become one, energies are summed, forces act by virtual work.
 ///
 /// # Errors
-/// Every mistake of the spec that its text alone does not show, each at the term
-/// or name that is wrong; see "What is checked" of the spec language.
+/// All mistakes in the spec that its text alone does not show, each at the wrong term or name;
+/// see "What is checked" of the spec language.
 pub fn compose(spec: &SceneSpec) -> Result<LagrangianSystem, Diagnostics> {
     stack::with_room(|| join(spec)).map_err(|_| Diagnostic::no_thread())?
 }

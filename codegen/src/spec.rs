@@ -1,7 +1,7 @@
-//! Spec text to a tree of plain data in which every part knows its place.
+//! Reading of spec text into a tree of plain data with source spans.
 //!
-//! Excluded: meanings. Names are not looked up, dimensions not compared, joints
-//! not followed; [`crate::scene`] does that.
+//! Excluded: meanings. Resolving names, comparing dimensions and following joints is left to
+//! [`crate::scene`].
 
 mod array;
 pub mod card;
@@ -54,21 +54,20 @@ use machinist_model::Direction;
 
 /// Reads a scene, the units it names, and the tables they name.
 ///
-/// A unit is looked for in `[define.NAME]` of the scene, as `NAME.toml` beside it,
-/// as `../units/NAME.toml`, and among the units that come with Machinist.
+/// A unit is searched in `[define.NAME]` of the scene, as `NAME.toml` beside it, as
+/// `../units/NAME.toml`, and among the units that come with Machinist.
 ///
 /// # Errors
-/// Everything that can be told from the text alone: files that are missing, too
-/// long or no TOML, unknown keys, wrong types, names that are none, expressions
-/// that do not parse, tables that are not sorted.
+/// All mistakes that the text alone shows: files that are missing, too long or not TOML, unknown
+/// keys, wrong types, invalid names, expressions that do not parse, tables that are not sorted.
 pub fn load_scene(path: &Path) -> Result<SceneSpec, Diagnostics> {
     stack::with_room(|| loader::load(path)).map_err(|_| Diagnostic::no_thread())?
 }
 
-/// Reads a scene that comes with Machinist; no file is opened.
+/// Reads a scene that comes with Machinist. No file is opened.
 ///
 /// # Errors
-/// As [`load_scene`]; nothing is wrong with the scenes of the library.
+/// As [`load_scene`]; the scenes of the library have no mistakes.
 pub fn load_library_scene(scene: &LibraryScene) -> Result<SceneSpec, Diagnostics> {
     stack::with_room(|| loader::load_library(scene)).map_err(|_| Diagnostic::no_thread())?
 }
@@ -76,21 +75,21 @@ pub fn load_library_scene(scene: &LibraryScene) -> Result<SceneSpec, Diagnostics
 /// A scene as written, with everything it refers to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneSpec {
-    /// Every file read.
+    /// All files read.
     pub sources: Sources,
     /// The scene's name.
     pub name: Spanned<String>,
-    /// One line for people.
+    /// Title of one line.
     pub title: String,
-    /// What the machine is.
+    /// Description of the machine.
     pub doc: String,
-    /// Where the equations come from.
+    /// Source of the equations.
     pub source: String,
-    /// The units in use, in the order first named.
+    /// The units in use, in the order of their first mention.
     pub units: Vec<UnitSpec>,
-    /// Instances of units, each followed by what is inside it.
+    /// Instances of units, each followed by the instances inside it.
     pub instances: Vec<InstanceSpec>,
-    /// Joints between ports; those of connectors are one for each of their ports.
+    /// Joints between ports. A joint of connectors is one joint for each pair of ports.
     pub joints: Vec<JointSpec>,
     /// The scene's own parameters.
     pub parameters: Vec<ParameterSpec>,
@@ -104,30 +103,29 @@ pub struct SceneSpec {
     pub power: PowerSpec,
     /// Generalized forces on ports.
     pub forces: Vec<PortForceSpec>,
-    /// Events of the scene, on `instance.name`.
+    /// Events of the scene, for `instance.name`.
     pub events: Vec<EventSpec>,
-    /// Constraints of the scene, of `instance.name`.
+    /// Constraints of the scene, for `instance.name`.
     pub constraints: Vec<ConstraintSpec>,
-    /// Dry friction of the scene, of `instance.name`.
+    /// Dry friction of the scene, for `instance.name`.
     pub frictions: Vec<FrictionSpec>,
     /// Initial values, by `instance.name`.
     pub initial: Vec<(Spanned<String>, Formula)>,
-    /// Whether runs start in the equilibrium near these.
+    /// True if runs start in the equilibrium near the initial values.
     pub starts_in_equilibrium: bool,
-    /// Initial values from which those that the constraints give are looked for,
-    /// likewise.
+    /// Guesses of the initial values that the constraints determine, by `instance.name`.
     pub guess: Vec<(Spanned<String>, Formula)>,
     /// Wanted outputs.
     pub outputs: Vec<OutputSpec>,
-    /// What the run is held against.
+    /// Checks of the run against references.
     pub checks: Vec<CheckSpec>,
     /// Parameters that runs may change; all, if not given.
     pub tunable: Option<Vec<Spanned<String>>>,
-    /// Instances to be taken for rigid.
+    /// Instances that are approximated as rigid.
     pub rigid: Vec<Spanned<String>>,
-    /// Largest relative error of an output allowed for it.
+    /// Largest relative error of an output that this approximation may cause.
     pub freeze_tolerance: f64,
-    /// The run asked for.
+    /// Settings of the run.
     pub run: RunSpec,
     /// Tables read from CSV files.
     pub tables: Vec<CsvTable>,
@@ -136,17 +134,17 @@ pub struct SceneSpec {
 /// A declared unit of measure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Declared {
-    /// The unit that values are in, as written.
+    /// The unit of measure of the values, as written.
     pub text: String,
-    /// Its meaning.
+    /// Dimension and exponent of rad.
     pub unit: Unit,
-    /// How much of the coherent unit it is.
+    /// Conversion factor to the coherent unit.
     pub factor: Factor,
-    /// Where it stands.
+    /// Source span.
     pub span: Span,
 }
 
-/// An expression, or a bare number in the unit of what it is for.
+/// An expression, or a bare number in the unit of its quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Formula {
     /// A number.
@@ -158,14 +156,14 @@ pub enum Formula {
 /// A parameter's value.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
-    /// A finite number, in the unit that the parameter is declared in.
+    /// A finite number, in the declared unit of the parameter.
     Number(f64),
     /// An expression of parameters, in SI units.
     Expression(Ast),
 }
 
 impl Formula {
-    /// Where it stands.
+    /// Returns the source span.
     #[must_use]
     pub fn span(&self) -> Span {
         match self {
@@ -175,42 +173,42 @@ impl Formula {
     }
 }
 
-/// A part of a machine as written.
+/// A unit as written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UnitSpec {
-    /// The name it was looked for by.
+    /// The name by which it was searched.
     pub name: String,
-    /// The file it stands in.
+    /// The file that defines it.
     pub file: FileId,
-    /// One line for people.
+    /// Title of one line.
     pub title: String,
-    /// What it is.
+    /// Description.
     pub doc: String,
-    /// Where the equations come from.
+    /// Source of the equations.
     pub source: String,
-    /// What it is drawn as, if it says so.
+    /// Its symbol in drawings, if given.
     pub symbol: Option<Symbol>,
     /// Generalized coordinates.
     pub coordinates: Vec<CoordinateSpec>,
-    /// Fields, by their densities.
+    /// Fields, given by their densities.
     pub fields: Vec<FieldSpec>,
-    /// What joints take hold of.
+    /// Ports.
     pub ports: Vec<PortSpec>,
-    /// Ports of what is inside that are ports of the unit too.
+    /// Ports of inner instances that are ports of the unit too.
     pub exposed: Vec<ExposedSpec>,
-    /// Several ports that joints take hold of together.
+    /// Connectors, which group several ports.
     pub connectors: Vec<ConnectorSpec>,
     /// Parameters.
     pub parameters: Vec<ParameterSpec>,
-    /// Signals that the scene binds.
+    /// Inputs, which the scene binds.
     pub inputs: Vec<InputSpec>,
     /// Named expressions.
     pub helpers: Vec<DefinitionSpec>,
     /// First-order states.
     pub states: Vec<StateSpec>,
-    /// What happens where an expression passes zero.
+    /// Events.
     pub events: Vec<EventSpec>,
-    /// What coordinates must fulfil.
+    /// Constraints.
     pub constraints: Vec<ConstraintSpec>,
     /// Dry friction.
     pub frictions: Vec<FrictionSpec>,
@@ -220,14 +218,14 @@ pub struct UnitSpec {
     pub power: PowerSpec,
     /// Generalized forces.
     pub forces: Vec<ForceSpec>,
-    /// What it offers to scenes.
+    /// Outputs that scenes may use.
     pub outputs: Vec<DefinitionSpec>,
-    /// Of an assembly, what it is made of; values at the start of what is its own too.
+    /// Parts of an assembly, and initial values, also of the unit's own states.
     pub inside: Inside,
 }
 
 impl UnitSpec {
-    /// Whether it is made of other units.
+    /// Reports whether it is made of other units.
     #[must_use]
     pub fn is_assembly(&self) -> bool {
         !self.inside.instances.is_empty()
@@ -239,9 +237,9 @@ impl UnitSpec {
 pub struct CoordinateSpec {
     /// Its name.
     pub name: Spanned<String>,
-    /// Name of its velocity.
+    /// Name of the velocity.
     pub velocity: Spanned<String>,
-    /// Name of its acceleration.
+    /// Name of the acceleration.
     pub acceleration: Spanned<String>,
     /// Unit of the coordinate.
     pub unit: Declared,
@@ -249,44 +247,44 @@ pub struct CoordinateSpec {
     pub doc: String,
     /// Typical sizes of coordinate and velocity.
     pub scale: [f64; 2],
-    /// Whether it is held at zero, with everything that is joined to it.
+    /// True if it is fixed at zero, with everything that is joined to it.
     pub is_fixed: bool,
 }
 
-/// What a joint takes hold of.
+/// A port, to which joints connect.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PortSpec {
     /// Its name.
     pub name: Spanned<String>,
-    /// What goes through it.
+    /// Kind.
     pub kind: Spanned<PortKind>,
-    /// The coordinate it moves with; of a port on a field, one of the port's name.
+    /// The coordinate it moves with; for a port on a field, one of the port's name.
     pub coordinate: Spanned<String>,
-    /// The port moves by so much for one of the coordinate; `None` for 1.
+    /// Displacement of the port per displacement of the coordinate; `None` for 1.
     pub ratio: Option<Formula>,
-    /// Where on a field it is, if it is on one.
+    /// Place on a field, for a port on one.
     pub attachment: Option<AttachmentSpec>,
 }
 
-/// A port of what is inside an assembly that is a port of the assembly.
+/// A port of an inner instance that is a port of the assembly.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExposedSpec {
-    /// What the assembly calls it.
+    /// Its name in the assembly.
     pub name: Spanned<String>,
     /// `part.port`, or a connector.
     pub of: Spanned<String>,
 }
 
-/// Several ports that joints take hold of together: a point of a plane, a phase.
+/// Several ports that joints connect together, such as a point of a plane or an electrical phase.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConnectorSpec {
     /// Its name.
     pub name: Spanned<String>,
-    /// The unit's ports that it is, in the order in which joints pair them.
+    /// Ports of the unit, in the order in which joints pair them.
     pub ports: Vec<Spanned<String>>,
 }
 
-/// What goes through a port.
+/// Kind of a port, given by its coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PortKind {
     /// An angle.
@@ -298,14 +296,14 @@ pub enum PortKind {
 }
 
 impl PortKind {
-    /// The kinds by name.
+    /// All kinds by name.
     pub const ALL: [(&'static str, PortKind); 3] = [
         ("rotational", PortKind::Rotational),
         ("translational", PortKind::Translational),
         ("electrical", PortKind::Electrical),
     ];
 
-    /// The spec's word for it.
+    /// Returns the name in specs.
     #[must_use]
     pub fn name(self) -> &'static str {
         Self::ALL[self as usize].0
@@ -319,7 +317,7 @@ pub struct ParameterSpec {
     pub name: Spanned<String>,
     /// Its value.
     pub value: Value,
-    /// Its unit; models have it in the coherent one.
+    /// Its unit. Models contain the value in the coherent unit.
     pub unit: Declared,
     /// Meaning.
     pub doc: String,
@@ -358,26 +356,26 @@ pub struct StateSpec {
     pub unit: Declared,
     /// Meaning.
     pub doc: String,
-    /// Its rate; that of a mode is 0.
+    /// Its rate; 0 for a mode.
     pub rate: Ast,
-    /// Whether it is a mode.
+    /// True for a mode.
     pub is_mode: bool,
-    /// Its initial value, 0 if absent.
+    /// Its initial value; 0 if absent.
     pub initial: Option<Formula>,
     /// Typical size.
     pub scale: f64,
 }
 
-/// What happens where an expression passes zero.
+/// An event, triggered by the zero crossing of an expression.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EventSpec {
     /// Its name.
     pub name: Spanned<String>,
-    /// The expression, of any dimension.
+    /// The guard, an expression of any dimension.
     pub guard: Ast,
-    /// Which way the guard passes zero.
+    /// Direction of the zero crossing.
     pub direction: Direction,
-    /// Modes with the values that they must have for the event to happen.
+    /// Modes and the values they must have for the event to happen.
     pub when: Vec<(Spanned<String>, i32)>,
     /// Coordinates, velocities, states and modes with their new values.
     pub set: Vec<(Spanned<String>, Formula)>,
@@ -385,29 +383,29 @@ pub struct EventSpec {
     pub doc: String,
 }
 
-/// What coordinates must fulfil.
+/// A constraint on coordinates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConstraintSpec {
-    /// Its name, which stands for its multiplier too.
+    /// Its name, also that of its multiplier.
     pub name: Spanned<String>,
-    /// What is to be zero, of any dimension.
+    /// The expression that is to be zero, of any dimension.
     pub expression: Ast,
-    /// Modes with the values that they must have for it to hold.
+    /// Modes and the values they must have for the constraint to hold.
     pub when: Vec<(Spanned<String>, i32)>,
     /// Meaning.
     pub doc: String,
-    /// The friction that it is of, if it holds while that sticks.
+    /// The friction whose sticking it describes, if any.
     pub friction: Option<Spanned<String>>,
 }
 
-/// Dry friction: what is not said by its mode, constraint, helpers and events.
+/// Dry friction: the data that its mode, constraint, helpers and events do not contain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrictionSpec {
-    /// How fast it slides, s, linear in velocities.
+    /// Sliding speed s, linear in velocities.
     pub speed: Ast,
-    /// Its force F while it slides, 0 while it does not: Q_j = F ds/dq'_j.
+    /// Force F while sliding, else 0: Q_j = F ds/dq'_j.
     pub slide: Ast,
-    /// All of its force, with that of the constraint while it sticks, under its name.
+    /// The total force, including that of the constraint while sticking, under its name.
     pub force: DefinitionSpec,
 }
 
@@ -427,29 +425,30 @@ pub struct EnergySpec {
 /// Power of the first-order states.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PowerSpec {
-    /// Supplied to them.
+    /// Power supplied to them.
     pub supplied: Option<Ast>,
-    /// Lost by them.
+    /// Power lost by them.
     pub dissipated: Option<Ast>,
 }
 
-/// What a force acts on.
+/// Target of a force.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Acts {
     /// A coordinate of a unit, or a port of a scene by `instance.port`.
     On(Spanned<String>),
-    /// A length or an angle: Q of each coordinate is the force times the rate of this by it.
+    /// A length or an angle. Q of each coordinate is the force times the derivative of this
+    /// expression by the coordinate.
     Along(Ast),
 }
 
 /// A generalized force of a unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForceSpec {
-    /// The coordinate it acts on, or what it does work along.
+    /// The coordinate it acts on, or the expression along which it does work.
     pub acts: Acts,
     /// Q.
     pub expression: Ast,
-    /// Whether it only converts energy of the first-order states.
+    /// True if it only converts energy of the first-order states.
     pub conversion: bool,
     /// Meaning.
     pub doc: String,
@@ -458,36 +457,36 @@ pub struct ForceSpec {
 /// An instance of a unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InstanceSpec {
-    /// Its name, behind that of the assembly that it is inside: `gearbox.gear`.
+    /// Its name, preceded by that of its assembly: `gearbox.gear`.
     pub name: Spanned<String>,
-    /// The assembly that it is inside, whose names its values are made of; an earlier one of
+    /// The assembly that contains it and whose names its values refer to; an earlier one of
     /// [`SceneSpec::instances`].
     pub parent: Option<usize>,
     /// Index in [`SceneSpec::units`].
     pub unit: usize,
-    /// Values other than the unit's, also of what is inside it: `gear.ratio`.
+    /// Values that replace the unit's, also for inner instances: `gear.ratio`.
     pub parameters: Vec<(Spanned<String>, Value)>,
     /// Expressions for the inputs.
     pub inputs: Vec<(Spanned<String>, Formula)>,
-    /// How its fields are cut into elements.
+    /// Division of its fields into elements.
     pub fields: Vec<DiscretisationSpec>,
 }
 
-/// Two ports of which the first follows the second by a ratio.
+/// Two ports joined with a ratio: the first follows the second.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointSpec {
-    /// `instance.port`, twice.
+    /// The two ports, each as `instance.port`.
     pub connect: [Spanned<String>; 2],
     /// Ratio, 1 if absent.
     pub ratio: Option<Formula>,
-    /// The assembly in [`SceneSpec::instances`] that it is inside, if it is inside one.
+    /// The assembly in [`SceneSpec::instances`] that contains it, if any.
     pub within: Option<usize>,
 }
 
 /// A generalized force of the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PortForceSpec {
-    /// The port it acts on, or what it does work along.
+    /// The port it acts on, or the expression along which it does work.
     pub acts: Acts,
     /// Q.
     pub expression: Ast,
@@ -498,19 +497,19 @@ pub struct PortForceSpec {
 /// A wanted output.
 #[derive(Debug, Clone, PartialEq)]
 pub enum OutputSpec {
-    /// Something of an instance under another name.
+    /// A quantity of an instance under another name.
     Alias {
         /// The output's name.
         name: Spanned<String>,
-        /// What it is.
+        /// The quantity.
         of: Ast,
     },
-    /// An expression of its own.
+    /// An expression.
     Definition(DefinitionSpec),
 }
 
 impl OutputSpec {
-    /// The output's name.
+    /// Returns the output's name.
     #[must_use]
     pub fn name(&self) -> &Spanned<String> {
         match self {
@@ -520,24 +519,24 @@ impl OutputSpec {
     }
 }
 
-/// At which times a run tells what there is.
+/// Output times of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SamplingSpec {
-    /// So many, equally spaced, both ends included.
+    /// This number of times, equally spaced, both ends included.
     Even(usize),
-    /// So many, the start among them; from one to the next, the time since the start grows by one
-    /// ratio, from the one given here.
+    /// This number of times, including the start. The time since the start grows by a constant
+    /// ratio, beginning with the given time.
     Ratios(usize, Formula),
-    /// These.
+    /// The given times.
     Listed(Vec<Formula>),
 }
 
-/// The run a scene asks for, in range.
+/// Settings of a scene's run, checked for their ranges.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunSpec {
     /// Start time \[s\], of parameters; 0 if not given.
     pub from: Option<Formula>,
-    /// End time \[s\], likewise; of a list of output times, the last.
+    /// End time \[s\], likewise; for a list of output times, the last of them.
     pub until: Option<Formula>,
     /// Output times.
     pub sampling: SamplingSpec,

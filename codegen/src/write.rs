@@ -1,9 +1,9 @@
-//! Emitted text to files, or the check that files are what would be emitted.
+//! Writes emitted text to files, or checks that files are up to date.
 //!
-//! Excluded: what the text says. A file is written only if it changes, whole or
-//! not at all, and only within the folder given, but for the manifest of the crate
-//! that the folder belongs to; nothing is ever deleted, and nothing overwritten that
-//! Machinist has not written itself: all targets are looked at before any is written.
+//! Excluded: the contents of the text. A file is written only if it changes, and then as a whole.
+//! All files are within the given folder, except for the manifest of its crate. Nothing is
+//! deleted, and no file is overwritten that Machinist has not written itself: all targets are
+//! checked before the first is written.
 
 mod features;
 
@@ -18,10 +18,10 @@ use crate::emit::rust::{MARK, emit, emit_index};
 use crate::emit::{EmitError, EmitOptions};
 use machinist_model::Model;
 
-/// The command that mends emitted scenes which are not fresh.
+/// The command that updates emitted scenes.
 pub const MENDING_COMMAND: &str = "cargo run --release -- gen";
 
-/// Whether to write or only to compare.
+/// Choice between writing and comparing only.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// Write what has changed.
@@ -30,38 +30,38 @@ pub enum Mode {
     Check,
 }
 
-/// What [`write_if_changed`] did.
+/// Result of [`write_if_changed`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Written {
     /// The file did not exist.
     Created,
-    /// The file said something else.
+    /// The file had other contents.
     Changed,
-    /// The file says the same; it has not been touched.
+    /// The file had the same contents and was not touched.
     Unchanged,
 }
 
-/// How a file compares with the text it should hold.
+/// Result of comparing a file with the text it should contain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Freshness {
-    /// It holds the text.
+    /// The file contains the text.
     Fresh,
-    /// It holds something else.
+    /// The file has other contents.
     Stale,
     /// There is no such file.
     Missing,
 }
 
-/// What [`emit_scenes`] found and did.
+/// Result of [`emit_scenes`].
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Summary {
-    /// Names of all files of the scenes, sorted, with what was done.
+    /// Names of all files of the scenes, sorted, with the action taken.
     pub files: Vec<(String, Written)>,
-    /// Emitted files of scenes that are no more; a person may delete them.
+    /// Emitted files of scenes that no longer exist. They may be deleted by hand.
     pub orphans: Vec<String>,
 }
 
-/// Why emitted files could not be written, or are not as they should be.
+/// Error of writing or comparing emitted files.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
     /// A model cannot be emitted.
@@ -69,7 +69,7 @@ pub enum WriteError {
     Emit {
         /// The scene.
         scene: String,
-        /// What is wrong with it.
+        /// The reason.
         source: EmitError,
     },
     /// A file cannot be read or written.
@@ -77,32 +77,31 @@ pub enum WriteError {
     Io {
         /// The file.
         path: PathBuf,
-        /// What the operating system says.
+        /// The error of the operating system.
         source: io::Error,
     },
     /// Files in the way that Machinist has not written. Nothing was written.
     #[error("{}", describe_foreign(.files))]
     Foreign {
-        /// Their paths, with what they are.
+        /// Their paths, and their kinds.
         files: Vec<(PathBuf, &'static str)>,
     },
-    /// A file is missing, not what is emitted, or of a scene that is no more.
+    /// A file is missing, out of date, or belongs to a scene that no longer exists.
     #[error("{}", describe_not_fresh(.files, .orphans))]
     NotFresh {
-        /// Names of files, with what is wrong.
+        /// Names of files, with their state.
         files: Vec<(String, Freshness)>,
-        /// Emitted files of scenes that are no more.
+        /// Emitted files of scenes that no longer exist.
         orphans: Vec<String>,
     },
 }
 
-/// Emits every model to `<scene>.rs` in `folder`, and `mod.rs` that lists them. If
-/// `folder` is `src/scenes` of a crate with a feature `scenes`, its manifest gets one
-/// feature for each.
+/// Emits every model to `<scene>.rs` in `folder`, and `mod.rs` that lists them. If `folder` is
+/// `src/scenes` of a crate with a feature `scenes`, its manifest gets one feature per scene.
 ///
 /// # Errors
-/// [`WriteError`]; in [`Mode::Check`], [`WriteError::NotFresh`] names every file
-/// that is not fresh, and the command that mends them.
+/// [`WriteError`]; in [`Mode::Check`], [`WriteError::NotFresh`] names every file that is out of
+/// date, and the command that updates them.
 pub fn emit_scenes(folder: &Path, models: &[Model], mode: Mode) -> Result<Summary, WriteError> {
     let manifest = manifest(folder, models)?;
     let texts = texts(models, manifest.is_some())?;
@@ -155,13 +154,13 @@ pub fn emit_c99(
     Ok(Summary { files: files.collect::<Result<_, WriteError>>()?, orphans: Vec::new() })
 }
 
-/// The manifest of a crate.
+/// File name of the manifest of a crate.
 const MANIFEST: &str = "Cargo.toml";
 
-/// Refuses to write where something else is than an emitted file.
+/// Rejects targets that exist and are not emitted files.
 ///
 /// # Errors
-/// [`WriteError::Foreign`] with every such target.
+/// [`WriteError::Foreign`] with all such targets.
 pub(crate) fn refuse_foreign<'a>(
     targets: impl Iterator<Item = (&'a Path, &'a str)>,
 ) -> Result<(), WriteError> {
@@ -181,7 +180,7 @@ pub(crate) fn refuse_foreign<'a>(
     if files.is_empty() { Ok(()) } else { Err(WriteError::Foreign { files }) }
 }
 
-/// Writes `text` to `file`, a plain file name, in `folder`, which is made if need be.
+/// Writes `text` to `file`, a plain file name, in `folder`, which is created if necessary.
 ///
 /// # Errors
 /// [`WriteError::Io`], also if `file` would lie outside of `folder`.
@@ -192,12 +191,12 @@ pub fn write_within(folder: &Path, file: &str, text: &str) -> Result<Written, Wr
     write_if_changed(&path, text).map_err(failed)
 }
 
-/// Writes `text` to `path` unless that is what the file holds. A reader sees the
-/// old file or the new one, never a part: the text goes to a file beside it,
-/// which then takes its name.
+/// Writes `text` to `path` unless the file already contains it. Readers see the old file or the
+/// new one, never a part: the text is written to a temporary file, which then replaces the old
+/// one.
 ///
 /// # Errors
-/// What the operating system says; the old file is then as it was.
+/// The error of the operating system. The old file is then unchanged.
 pub fn write_if_changed(path: &Path, text: &str) -> io::Result<Written> {
     let written = match check(path, text)? {
         Freshness::Fresh => return Ok(Written::Unchanged),
@@ -212,10 +211,10 @@ pub fn write_if_changed(path: &Path, text: &str) -> io::Result<Written> {
     Ok(written)
 }
 
-/// Compares a file with the text it should hold.
+/// Compares a file with the text it should contain.
 ///
 /// # Errors
-/// What the operating system says if the file exists but cannot be read.
+/// The error of the operating system if the file exists but cannot be read.
 pub fn check(path: &Path, text: &str) -> io::Result<Freshness> {
     match fs::read(path) {
         Ok(bytes) if bytes == text.as_bytes() => Ok(Freshness::Fresh),
@@ -225,7 +224,7 @@ pub fn check(path: &Path, text: &str) -> io::Result<Freshness> {
     }
 }
 
-/// File names and texts of all scenes and their index, sorted by name.
+/// Returns file names and texts of all scenes and of their index, sorted by name.
 fn texts(models: &[Model], scene_features: bool) -> Result<Vec<(String, String)>, WriteError> {
     let options = EmitOptions { scene_features, ..EmitOptions::for_scenes() };
     let refer = |scene: &str, source| WriteError::Emit { scene: scene.to_owned(), source };
@@ -243,7 +242,7 @@ fn texts(models: &[Model], scene_features: bool) -> Result<Vec<(String, String)>
     Ok(texts)
 }
 
-/// The manifest of the crate that `folder` belongs to, with a feature for each scene.
+/// Returns the manifest of the crate that contains `folder`, with a feature for each scene.
 fn manifest(
     folder: &Path,
     models: &[Model],
@@ -276,7 +275,7 @@ fn check_all(
     }
 }
 
-/// Emitted files in `folder` that no model gives any more, sorted.
+/// Returns the emitted files in `folder` that belong to no model, sorted.
 fn orphans(folder: &Path, texts: &[(String, String)]) -> Result<Vec<String>, WriteError> {
     let failed = |source| WriteError::Io { path: folder.to_owned(), source };
     let entries = match fs::read_dir(folder) {
@@ -298,13 +297,13 @@ fn orphans(folder: &Path, texts: &[(String, String)]) -> Result<Vec<String>, Wri
     Ok(orphans)
 }
 
-/// Whether a file begins as emitted files do.
+/// Reports whether a file begins as emitted files do.
 fn is_emitted(path: &Path) -> bool {
     let marks = [MARK.to_owned(), format!("/* {}", c99::MARK), format!("# {}", c99::MARK)];
     fs::read(path).is_ok_and(|bytes| marks.iter().any(|mark| bytes.starts_with(mark.as_bytes())))
 }
 
-/// The path of a plain file name in a folder.
+/// Returns the path of a plain file name in a folder.
 fn path_within(folder: &Path, file: &str) -> Result<PathBuf, WriteError> {
     let path = folder.join(file);
     let mut components = Path::new(file).components();
@@ -320,14 +319,14 @@ fn path_within(folder: &Path, file: &str) -> Result<PathBuf, WriteError> {
     }
 }
 
-/// A nameless file with the permissions any new file gets.
+/// Creates a temporary file with the default permissions of new files.
 fn new_file_in(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".machinist-").suffix(".part");
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt as _;
-        // The user's mask takes away from this, as it does everywhere else.
+        // The umask of the user is applied to this, as usual.
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(folder)

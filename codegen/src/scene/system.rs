@@ -1,7 +1,7 @@
-//! A scene composed and resolved: one Lagrangian system.
+//! A composed scene with all names resolved: one Lagrangian system.
 //!
-//! Excluded: units of the scene as separate things, joints (their coordinates
-//! are identified), names to look up, dimensions (they have been checked).
+//! Excluded: units of the scene as separate things, joints (their coordinates are identified),
+//! names to look up, dimensions (they have been checked).
 
 use num_rational::BigRational;
 
@@ -23,12 +23,13 @@ pub struct Coordinate {
     pub position: Quantity,
     /// q'.
     pub velocity: Quantity,
-    /// Names of the other port angles identified with this one, with the factor
-    /// by which they follow it, for documents: (`coupling.input.angle`, factor).
+    /// Names of other port coordinates identified with this one, and the factors by which they
+    /// follow it, for documents: (`coupling.input.angle`, factor).
     pub identified: Vec<(String, Expr)>,
     /// Initial position and velocity; of parameters only.
     pub initial: [Expr; 2],
-    /// Whether the spec gives them, so that constraints may not move them.
+    /// True for position and velocity, respectively, if the spec gives them, so that constraints
+    /// may not change them.
     pub is_given: [bool; 2],
     /// Typical sizes of position and velocity, for absolute tolerances.
     pub scale: [f64; 2],
@@ -45,32 +46,32 @@ pub struct FirstOrderState {
     pub initial: Expr,
     /// Typical size, for absolute tolerance.
     pub scale: f64,
-    /// Whether it is a mode: a whole number, of rate 0, that only events change.
+    /// True for a mode: a whole number, of rate 0, that only events change.
     pub is_mode: bool,
 }
 
-/// What happens where a guard passes zero.
+/// An event at the zero crossing of a guard.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Event {
-    /// What it is called.
+    /// Its name.
     pub name: Name,
     /// One sentence of meaning; may be empty.
     pub doc: String,
-    /// The expression that passes zero.
+    /// The guard.
     pub guard: Expr,
-    /// Which way.
+    /// Direction of the zero crossing.
     pub direction: Direction,
-    /// Modes with the values that they must have for it to happen.
+    /// Modes and the values they must have for the event to happen.
     pub when: Vec<(FirstOrderId, i32)>,
-    /// Coordinates, velocities and first-order states with their new values, all of
-    /// the state before.
+    /// Coordinates, velocities and first-order states with their new values, which are
+    /// expressions of the state before the event.
     pub set: Vec<(Symbol, Expr)>,
 }
 
-/// What coordinates must fulfil: g(q, t) = 0, or a(q, t) q' + b(q, t) = 0.
+/// A constraint: g(q, t) = 0, or a(q, t) q' + b(q, t) = 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constraint {
-    /// What it is called.
+    /// Its name.
     pub name: Name,
     /// One sentence of meaning; may be empty.
     pub doc: String,
@@ -78,22 +79,22 @@ pub struct Constraint {
     pub unit: String,
     /// g, or a q' + b.
     pub expr: Expr,
-    /// Which of the two.
+    /// True for g, a constraint on positions.
     pub is_of_positions: bool,
-    /// Modes with the values that they must have for it to hold; always, if there are none.
+    /// Modes and the values they must have for the constraint to hold; empty if it always holds.
     pub when: Vec<(FirstOrderId, i32)>,
-    /// True if it never holds, because it follows from others: these carry its force.
+    /// True if the constraint is redundant and never holds. Others carry its force.
     pub is_dropped: bool,
 }
 
 impl Constraint {
-    /// True if it holds whatever the modes are.
+    /// Reports whether the constraint holds in all modes.
     #[must_use]
     pub fn holds_always(&self) -> bool {
         self.when.is_empty() && !self.is_dropped
     }
 
-    /// 1 while it holds, else 0.
+    /// Returns 1 while the constraint holds, else 0.
     #[must_use]
     pub fn holds(&self) -> Expr {
         if self.is_dropped {
@@ -115,30 +116,30 @@ impl Constraint {
 /// A parameter with its value in the spec.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameter {
-    /// What it is.
+    /// Name, unit and meaning.
     pub quantity: Quantity,
     /// Its value in SI units.
     pub value: f64,
-    /// Whether runs may give it another value; if not, it becomes a number.
+    /// True if runs may change the value; if not, it becomes a number.
     pub tunable: bool,
 }
 
 /// A named expression: a helper of a unit, or an output of the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Definition {
-    /// What it is.
+    /// Name, unit and meaning.
     pub quantity: Quantity,
-    /// What it stands for.
+    /// The expression that the name stands for.
     pub expr: Expr,
 }
 
-/// Generalized force on one coordinate.
+/// The generalized force on one coordinate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GeneralizedForce {
-    /// All of Q.
+    /// The total force Q.
     pub total: Expr,
-    /// The part that only converts energy between the first-order states and the
-    /// mechanics (a motor's torque); it supplies nothing.
+    /// The part that only converts energy between the first-order states and the mechanics, such
+    /// as a motor's torque. It supplies no energy.
     pub conversion: Expr,
 }
 
@@ -147,40 +148,40 @@ pub struct GeneralizedForce {
 pub struct Spring {
     /// The instance.
     pub instance: String,
-    /// Its part of V.
+    /// Its contribution to V.
     pub potential: Expr,
 }
 
-/// A one-dimensional field u(x, t) by its densities a length.
+/// A one-dimensional field u(x, t), given by its densities per length.
 ///
-/// Densities have symbols of their own: `Coordinate(0)` is u, `Coordinate(1)` its
-/// derivative u_x, `Velocity(0)` and `Velocity(1)` are the rates of both, and
-/// `FirstOrder(0)` is x. Parameters and time are those of the scene.
+/// Densities have their own symbols: `Coordinate(0)` is u, `Coordinate(1)` its derivative u_x,
+/// `Velocity(0)` and `Velocity(1)` are the rates of both, and `FirstOrder(0)` is x. Parameters
+/// and time are those of the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
     /// u, u_x, u_t, u_xt and x.
     pub quantities: [Quantity; 5],
     /// Typical sizes of u and u_t.
     pub scale: [f64; 2],
-    /// T a length; quadratic in u_t.
+    /// T per length; quadratic in u_t.
     pub kinetic: Expr,
-    /// V a length.
+    /// V per length.
     pub potential: Expr,
-    /// D a length.
+    /// D per length.
     pub dissipation: Expr,
-    /// Q a length.
+    /// Q per length.
     pub force: Expr,
-    /// u and u_t at the start, of x and parameters.
+    /// Initial u and u_t, of x and parameters.
     pub initial: [Expr; 2],
-    /// The field lies over 0 <= x <= length.
+    /// Length; the field extends over 0 <= x <= length.
     pub length: Expr,
-    /// Its value in the spec \[m\].
+    /// Value of the length in the spec \[m\].
     pub length_value: f64,
-    /// Places at which the machine takes hold of the field, by x.
+    /// Places at which the machine is attached to the field, ordered by x.
     pub attachments: Vec<Attachment>,
-    /// Whether the field is held at zero at its start and end.
+    /// True for start and end, respectively, if the field is fixed at zero there.
     pub fixed: [bool; 2],
-    /// Elements unless a run says otherwise.
+    /// Default number of elements.
     pub elements: usize,
     /// Order of the elements.
     pub order: usize,
@@ -188,27 +189,27 @@ pub struct Field {
 
 /// A place on a field whose u is a coordinate of the machine.
 ///
-/// The machine's part of the node is like any other: it has an inertia and a force,
-/// both of which the field computes and hands over as parameters.
+/// The node is like any other coordinate of the machine. The field computes its inertia and force
+/// and passes them as parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attachment {
     /// Its name.
     pub name: Name,
-    /// The coordinate; none where the field is held at zero.
+    /// The coordinate; `None` where the field is fixed at zero.
     pub coordinate: Option<CoordinateId>,
     /// x, of parameters.
     pub at: Expr,
-    /// Where that is.
+    /// Location on the field.
     pub place: Place,
     /// x in the spec \[m\].
     pub x: f64,
-    /// The first of four numbers that the field hands over: inertia of the node,
-    /// force on it, u_x before it and after it.
+    /// The first of four numbers that the field passes: inertia of the node, force on it, u_x
+    /// before it and after it.
     pub handed: HandedId,
 }
 
-/// What a run of the scene is held against. It takes no part in the equations: its
-/// parameters and tables are its own.
+/// A check of a run against a reference. It does not take part in the equations: its parameters
+/// and tables are its own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
     /// Its name.
@@ -217,61 +218,61 @@ pub struct Check {
     pub of: String,
     /// Its unit.
     pub unit: String,
-    /// Where the reference is from.
+    /// Source of the reference.
     pub source: String,
-    /// Largest error that passes, relative to the largest value of the reference.
+    /// Tolerance of the error, relative to the largest value of the reference.
     pub tolerance: f64,
-    /// Largest error that passes beside that.
+    /// Tolerance of the absolute error, in addition to the relative one.
     pub absolute: Option<f64>,
-    /// What it should be.
+    /// The reference.
     pub reference: Reference,
 }
 
-/// What a quantity is held against.
+/// Reference of a check.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Reference {
-    /// An expression of time, of `parameters` by their place there, and of `tables`.
+    /// An expression of time, of `parameters` by their index there, and of `tables`.
     Closed {
-        /// As the spec writes it.
+        /// The expression as written in the spec.
         text: String,
-        /// What it stands for.
+        /// The expression.
         expr: Expr,
-        /// Those that it mentions.
+        /// The parameters that it uses.
         parameters: Vec<Parameter>,
-        /// Those of the scene up to the last that it mentions.
+        /// The tables of the scene up to the last that it uses.
         tables: Vec<Table>,
     },
-    /// Times, increasing, and values.
+    /// Values at increasing times: (time, value).
     Values(Vec<[f64; 2]>),
 }
 
-/// A requirement on a value that is made of parameters.
+/// A requirement on a value computed from parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Required {
     /// The value; of parameters only.
     pub expr: Expr,
-    /// In words, and which values do.
+    /// The requirement, as a bound and in words.
     pub requirement: Requirement,
 }
 
 impl Required {
-    /// That a value fulfils a bound, for people by `rule`.
+    /// Returns the requirement that a value fulfils a bound, which `rule` describes in words.
     #[must_use]
     pub fn new(expr: &Expr, bound: Bound, rule: impl Into<String>) -> Self {
         Required { expr: expr.clone(), requirement: Requirement { rule: rule.into(), bound } }
     }
 }
 
-/// One Lagrangian system: L = T - V, D, Q, and first-order states.
+/// A Lagrangian system: L = T - V, D, Q, and first-order states.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LagrangianSystem {
     /// The scene's name, a Rust identifier.
     pub name: String,
-    /// One line for people.
+    /// Title of one line.
     pub title: String,
-    /// What the machine is; several lines.
+    /// Description of the machine; several lines.
     pub doc: String,
-    /// Where the equations come from.
+    /// Source of the equations.
     pub source: String,
     /// q.
     pub coordinates: Vec<Coordinate>,
@@ -279,17 +280,17 @@ pub struct LagrangianSystem {
     pub first_order: Vec<FirstOrderState>,
     /// p.
     pub parameters: Vec<Parameter>,
-    /// What fields hand to the machine, port by port.
+    /// Parameters that fields pass to the machine, port by port.
     pub handed: Vec<Parameter>,
     /// T.
     pub kinetic: Expr,
     /// V.
     pub potential: Expr,
-    /// V by instances, for those that have one.
+    /// V of each instance that has a potential energy.
     pub springs: Vec<Spring>,
     /// D.
     pub dissipation: Expr,
-    /// Q, one for each coordinate.
+    /// Q of each coordinate.
     pub generalized_force: Vec<GeneralizedForce>,
     /// Energy of the first-order states.
     pub stored_energy: Expr,
@@ -297,65 +298,66 @@ pub struct LagrangianSystem {
     pub supplied_power: Expr,
     /// Power lost by the first-order states.
     pub dissipated_power: Expr,
-    /// Helper expressions by name, helpers within helpers already put in; their
-    /// names are given to equal subexpressions of the emitted code.
+    /// Named helper expressions, with inner helpers already substituted. The names are given to
+    /// equal subexpressions of the emitted code.
     pub helpers: Vec<Definition>,
     /// Wanted outputs.
     pub outputs: Vec<Definition>,
-    /// What a run is held against.
+    /// Checks of runs against references.
     pub checks: Vec<Check>,
     /// Tables that expressions refer to.
     pub tables: Vec<Table>,
-    /// Times at which the right-hand side jumps; of parameters only.
+    /// Times at which the right-hand side is discontinuous; of parameters only.
     pub discontinuities: Vec<Expr>,
-    /// What happens where guards pass zero.
+    /// Events.
     pub events: Vec<Event>,
-    /// What coordinates must fulfil.
+    /// Constraints.
     pub constraints: Vec<Constraint>,
-    /// The run unless told otherwise.
+    /// Default settings of the run.
     pub run: RunDefaults,
-    /// Approximations wanted.
+    /// Approximations of instances as rigid.
     pub freeze: Freeze,
-    /// Fields, whose places are coordinates of the machine.
+    /// Fields, whose attachments are coordinates of the machine.
     pub fields: Vec<Field>,
-    /// Whether runs start in the equilibrium near the initial values.
+    /// True if runs start in the equilibrium near the initial values.
     pub starts_in_equilibrium: bool,
-    /// Warnings about its spec.
+    /// Warnings about the spec.
     pub warnings: Vec<Diagnostic>,
-    /// Requirements on values made of parameters, also at other values than those of the spec.
+    /// Requirements on values computed from parameters. Runs with other parameter values are
+    /// checked against them too.
     pub requirements: Vec<Required>,
-    /// Every file read, in the order read.
+    /// All files read, in the order of reading.
     pub files: Vec<SourceFile>,
 }
 
 impl Event {
-    /// Its guard and its new values.
+    /// Iterates over its guard and its new values.
     pub fn exprs(&self) -> impl Iterator<Item = &Expr> {
         std::iter::once(&self.guard).chain(self.set.iter().map(|(_, value)| value))
     }
 
-    /// Likewise.
+    /// Iterates over the same, mutably.
     pub fn exprs_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
         std::iter::once(&mut self.guard).chain(self.set.iter_mut().map(|(_, value)| value))
     }
 }
 
 impl LagrangianSystem {
-    /// The parameter of an id.
+    /// Returns the parameter of an id.
     #[must_use]
     pub fn parameter(&self, id: ParameterId) -> &Parameter {
         &self.parameters[id.0 as usize]
     }
 
-    /// Value of an expression of parameters at their values in the spec; NaN if it depends
-    /// on anything else.
+    /// Evaluates an expression of parameters at their values in the spec. The result is NaN if
+    /// the expression depends on anything else.
     #[must_use]
     pub fn value(&self, expr: &Expr) -> f64 {
         evaluate(expr, &|id| self.parameter(id).value)
     }
 
-    /// Drops a constraint that follows from others, as long as some parameters are those of the
-    /// spec.
+    /// Drops a redundant constraint, which follows from others as long as the parameters in
+    /// `needs` keep their values in the spec.
     pub fn drop_constraint(&mut self, name: &str, needs: &[String]) {
         let found = self.constraints.iter_mut().find(|constraint| constraint.name.path == name);
         let Some(constraint) = found else { return };
@@ -375,13 +377,14 @@ impl LagrangianSystem {
         }
     }
 
-    /// An expression without the parameters that the spec sets to zero: a mass of 0 is none.
+    /// Returns an expression without the parameters that the spec sets to zero, such as a mass of
+    /// 0.
     #[must_use]
     pub fn given(&self, expr: &Expr) -> Expr {
         without_zeros(expr, |id| self.parameter(id).value)
     }
 
-    /// Every expression of the self.
+    /// Returns all expressions of the system.
     pub fn exprs_mut(&mut self) -> Vec<&mut Expr> {
         let mut all = vec![
             &mut self.kinetic,
@@ -412,7 +415,7 @@ impl LagrangianSystem {
     }
 }
 
-/// An expression with 0 for each parameter whose value is zero.
+/// Returns an expression with 0 for each parameter whose value is zero.
 #[must_use]
 pub fn without_zeros(expr: &Expr, value: impl Fn(ParameterId) -> f64) -> Expr {
     expr.replace(&|symbol| match symbol {

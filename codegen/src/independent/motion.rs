@@ -1,13 +1,13 @@
-//! The motion of a system from its energies alone, by numbers that carry derivatives.
+//! Motion of a system from its energies alone, by numbers that carry derivatives.
 //!
 //! ```text
 //! d/dt dL/dq' - dL/dq + dD/dq' - Q - G^T lambda = 0        L = T - V
 //! ```
 //!
-//! L is evaluated along the motion q + q' s, z + h s, t + s, moved by one velocity: the mixed
-//! derivative is d/dt dL/dq' but for its part in q'', whose factor is the mixed derivative
-//! by two velocities. A constraint is evaluated along the motion twice: what is then mixed is
-//! g'' but for its part in q''.
+//! L is evaluated along the motion q + q' s, z + h s, t + s, and in the direction of one
+//! velocity. The mixed derivative is d/dt dL/dq' without its part in q'', whose factor is the
+//! mixed derivative by two velocities. A constraint is evaluated along the motion twice; its
+//! mixed derivative is g'' without its part in q''.
 
 use machinist_algebra::expr::{ConstraintId, CoordinateId, FirstOrderId, Symbol};
 use machinist_contract::Real;
@@ -35,19 +35,19 @@ pub struct Place<R> {
 }
 
 impl<R: Real> Place<R> {
-    /// Where nothing has a value but parameters.
+    /// Returns a place where only parameters have values.
     pub fn of_parameters(parameters: Vec<R>) -> Self {
         let time = R::literal(f64::NAN);
         Self { time, q: Vec::new(), v: Vec::new(), z: Vec::new(), parameters }
     }
 }
 
-/// How a system moves at a place.
+/// Motion of a system at a place.
 #[derive(Debug, Clone)]
 pub struct Motion<R> {
     /// q''.
     pub accelerations: Vec<Rounded<R>>,
-    /// lambda; 0 of a constraint that does not hold.
+    /// lambda; 0 for a constraint that does not hold.
     pub multipliers: Vec<Rounded<R>>,
     /// h.
     pub rates: Vec<Rounded<R>>,
@@ -62,10 +62,10 @@ struct Held<R> {
     is_dropped: bool,
 }
 
-/// A system made ready to be evaluated.
+/// A system prepared for evaluation.
 #[derive(Debug, Clone)]
 pub struct Machine<R> {
-    /// The nearest `f64`.
+    /// Conversion to the nearest `f64`.
     pub to_f64: fn(R) -> f64,
     tables: Vec<Table>,
     coordinates: usize,
@@ -75,22 +75,22 @@ pub struct Machine<R> {
     rates: Vec<Formula<Rounded<R>>>,
     is_mode: Vec<bool>,
     constraints: Vec<Held<R>>,
-    /// Potentials of springs that are taken for rigid.
+    /// Potentials of springs that are approximated as rigid.
     rigid: Vec<Formula<Rounded<R>>>,
 }
 
-/// Where to.
+/// Direction of a derivative.
 #[derive(Clone, Copy)]
 enum Direction<'a, R> {
     Nowhere,
-    /// By one symbol.
+    /// In the direction of one symbol.
     One(Symbol),
     /// Along the motion, with these rates of first-order states.
     Motion(&'a [Rounded<R>]),
 }
 
 impl<R: Real> Machine<R> {
-    /// Of a system without fields; `to_f64` gives the nearest `f64`.
+    /// Prepares a system without fields; `to_f64` returns the nearest `f64`.
     pub fn new(system: &LagrangianSystem, to_f64: fn(R) -> f64) -> Self {
         let mut lagrangian = Formula::new(&system.kinetic);
         lagrangian.add(&system.potential, -1.0);
@@ -116,7 +116,7 @@ impl<R: Real> Machine<R> {
         }
     }
 
-    /// q'', lambda and h; nothing where the equations do not determine them.
+    /// Returns q'', lambda and h; `None` if the equations do not determine them.
     pub fn motion(&self, place: &Place<R>) -> Option<Motion<R>> {
         let n = self.coordinates;
         let rates: Vec<Rounded<R>> =
@@ -156,10 +156,10 @@ impl<R: Real> Machine<R> {
         Some(Motion { accelerations: (0..n).map(solved).collect(), multipliers, rates })
     }
 
-    /// Constraints that hold and have a force, with their rows of G: first those that always do;
-    /// then those that do in modes, but for what repeats others and leaves the force to them.
+    /// Returns the constraints that hold and have a force, with their rows of G. Constraints that
+    /// always hold come first, then those that hold in modes, without redundant ones.
     fn holding(&self, place: &Place<R>, masses: &[Vec<R>]) -> Vec<(usize, Vec<R>)> {
-        /// What is left of a row of length 1 by rounding, and more.
+        /// Bound of the rounding error that remains of a row of length 1.
         const NOTHING: f64 = 1e-9;
         let mass = |i: usize| self.size(masses[i][i]);
         let scale = |i: usize| if mass(i) > 0.0 { mass(i).sqrt().recip() } else { 1.0 };
@@ -187,9 +187,9 @@ impl<R: Real> Machine<R> {
         found
     }
 
-    /// What the forces on a coordinate would do to it alone, and the force of a constraint if
-    /// there were no other: so large is what a solution is put together from, also where all
-    /// of it cancels.
+    /// Returns the accelerations that the forces on each coordinate would cause alone, and the
+    /// force of each constraint if there were no other. They are the size of the terms that a
+    /// solution is computed from, even if these cancel.
     fn sizes_alone(&self, matrix: &[Vec<R>], right: &[Rounded<R>]) -> Vec<f64> {
         let n = self.coordinates;
         let entry = |i: usize, j: usize| self.size(matrix[i][j]);
@@ -208,7 +208,7 @@ impl<R: Real> Machine<R> {
         alone
     }
 
-    /// An expression of a place, and of the motion there if it is given.
+    /// Evaluates an expression at a place, and with the motion there if it is given.
     pub fn value(
         &self,
         formula: &Formula<Rounded<R>>,
@@ -219,7 +219,7 @@ impl<R: Real> Machine<R> {
         sum(formula.terms.iter().map(|term| term.value(&self.tables, &at).value))
     }
 
-    /// g of a constraint of positions, and g' of any; nothing of one that does not hold.
+    /// Returns g of a constraint on positions, and g' of any; `None` if it does not hold.
     pub fn held(&self, constraint: usize, place: &Place<R>) -> Option<[Rounded<R>; 2]> {
         if !self.holds(constraint, place) {
             return None;
@@ -243,20 +243,20 @@ impl<R: Real> Machine<R> {
             })
     }
 
-    /// M, each entry by itself: that it is symmetric is not taken for granted.
+    /// Returns M, with each entry computed by itself: its symmetry is not assumed.
     fn masses(&self, place: &Place<R>) -> Vec<Vec<R>> {
         let n = self.coordinates;
         (0..n).map(|i| (0..n).map(|j| self.mass(i, j, place)).collect()).collect()
     }
 
-    /// d2L/dq_i' dq_j'.
+    /// Returns d2L/dq_i' dq_j'.
     fn mass(&self, i: usize, j: usize, place: &Place<R>) -> R {
         let directions = [i, j].map(|i| Direction::One(velocity(i)));
         let terms = self.each(&self.lagrangian, place, directions);
         sum(terms.map(|term| signed(term.ab, 1.0))).value
     }
 
-    /// dL/dq_i - d/dt dL/dq_i' - dD/dq_i' + Q_i, without q''.
+    /// Returns dL/dq_i - d/dt dL/dq_i' - dD/dq_i' + Q_i, without q''.
     fn force(&self, i: usize, place: &Place<R>, h: &[Rounded<R>]) -> Rounded<R> {
         let by = |symbol| [Direction::One(symbol), Direction::Nowhere];
         let slopes = self.each(&self.lagrangian, place, by(coordinate(i)));
@@ -269,7 +269,7 @@ impl<R: Real> Machine<R> {
         sum(parts.chain([self.value(&self.forces[i], place, None)]))
     }
 
-    /// A constraint's row of G.
+    /// Returns a constraint's row of G.
     fn normal(&self, constraint: usize, place: &Place<R>) -> Vec<R> {
         let Held { formula, is_of_positions, .. } = &self.constraints[constraint];
         let symbol = if *is_of_positions { coordinate } else { velocity };
@@ -280,7 +280,7 @@ impl<R: Real> Machine<R> {
         (0..self.coordinates).map(slope).collect()
     }
 
-    /// gamma: minus what g'' is without q''.
+    /// Returns gamma: -g'' without its part in q''.
     fn bend(&self, constraint: usize, place: &Place<R>, h: &[Rounded<R>]) -> Rounded<R> {
         let Held { formula, is_of_positions, .. } = &self.constraints[constraint];
         let along = Direction::Motion(h);
@@ -293,8 +293,8 @@ impl<R: Real> Machine<R> {
         }
     }
 
-    /// What two coordinates that a rigid spring holds keep to: dV/dq is normal to where they
-    /// may move, wherever the spring is not at rest.
+    /// Returns the constraint normals that replace rigid springs: dV/dq is normal to the
+    /// directions that remain free, wherever the spring is not relaxed.
     pub fn normals(&self, place: &Place<R>) -> Option<Vec<Vec<R>>> {
         let normal = |spring: &Formula<Rounded<R>>| {
             let mut away = place.clone();
@@ -312,7 +312,7 @@ impl<R: Real> Machine<R> {
         self.rigid.iter().map(normal).collect()
     }
 
-    /// Every term that changes along the directions that are given.
+    /// Evaluates all terms that change in the given directions.
     fn each<'a>(
         &'a self,
         formula: &'a Formula<Rounded<R>>,
@@ -337,7 +337,7 @@ impl<R: Real> Machine<R> {
         })
     }
 
-    /// How fast a symbol changes along a direction.
+    /// Returns the rate of change of a symbol in a direction.
     fn part(
         &self,
         symbol: Symbol,
@@ -368,7 +368,7 @@ fn length(vector: &[f64]) -> f64 {
     vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
 }
 
-/// A row times a column.
+/// Returns the product of a row and a column.
 fn product<R: Real>(row: &[R], column: &[Rounded<R>]) -> Rounded<R> {
     sum(row.iter().zip(column).map(|(factor, part)| Rounded {
         value: *factor * part.value,
@@ -393,7 +393,7 @@ fn velocity(i: usize) -> Symbol {
     Symbol::Velocity(CoordinateId(i as u32))
 }
 
-/// The value of a symbol; NaN of one that has none there.
+/// Returns the value of a symbol; NaN if it has none there.
 fn get<R: Real>(symbol: Symbol, place: &Place<R>, motion: Option<&Motion<R>>) -> Rounded<R> {
     let entry = |all: &[R], index: u32| all.get(index as usize).copied().map(Rounded::new);
     let solved = |of: fn(&Motion<R>) -> &Vec<Rounded<R>>, index: u32| {

@@ -1,40 +1,40 @@
-//! What the structure of a model allows: which parts are constant, linear or
-//! apart from each other, and how often each operation has to be done.
+//! Structure of a model: constant, linear and independent parts, and how often each operation has
+//! to be done.
 //!
-//! Excluded: doing anything about it; this only tells.
+//! Excluded: use of the structure. This module only reports it.
 
 use machinist_model::{Dependence, MatrixTape, Model, NodeId, Op, Tape, needed_nodes};
 
-/// Operations of a tape by how often their operands change.
+/// Numbers of operations of a tape, by how often their operands change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Frequency {
-    /// Of parameters only: once a run.
+    /// Operations on parameters only, needed once a run.
     pub once: usize,
-    /// Of time and parameters only: once for each time, whatever the state.
+    /// Operations on time and parameters only, needed once for each time, whatever the state.
     pub by_time: usize,
-    /// Of the state: at every evaluation.
+    /// Operations on the state, needed at every evaluation.
     pub by_state: usize,
 }
 
-/// What a model's structure is.
+/// Structure of a model.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Structure {
-    /// Coordinates, the rows of M.
+    /// Number of coordinates, the rows of M.
     pub coordinates: usize,
-    /// Whether no entry of M depends on state or time.
+    /// True if no entry of M depends on state or time.
     pub constant_mass: bool,
-    /// Whether M has entries on its diagonal only.
+    /// True if M has entries on its diagonal only.
     pub diagonal_mass: bool,
-    /// Entries of dy'/dy that depend on parameters only, of how many.
+    /// Number of entries of dy'/dy that depend on parameters only, and of all entries.
     pub constant_jacobian: (usize, usize),
-    /// Entries of the state whose rate is a y + b(t), with a of parameters only.
+    /// Entries of the state whose rate is a y + b(t), where a depends on parameters only.
     pub linear_rows: Vec<u32>,
-    /// Those among them whose rates need no entry but each other: a linear
-    /// time-invariant part, which could be integrated apart and first.
+    /// Entries among them whose rates depend only on each other: a linear time-invariant part,
+    /// which could be integrated separately and first.
     pub linear_part: Vec<u32>,
-    /// Whether y' does not depend on time by itself.
+    /// True if y' does not depend explicitly on time.
     pub autonomous: bool,
-    /// Entries of the state in groups that do not depend on each other.
+    /// Groups of entries of the state that do not depend on each other.
     pub subsystems: Vec<Vec<u32>>,
     /// Operations of y'.
     pub rate: Frequency,
@@ -43,7 +43,7 @@ pub struct Structure {
 }
 
 impl Structure {
-    /// Looks at a model.
+    /// Analyses a model.
     #[must_use]
     pub fn of(model: &Model) -> Self {
         let mass = &model.mass_matrix;
@@ -65,7 +65,7 @@ impl Structure {
         }
     }
 
-    /// Whether y' is A y + b(t) with A of parameters only.
+    /// Reports whether y' is A y + b(t), where A depends on parameters only.
     #[must_use]
     pub fn is_linear(&self) -> bool {
         let states: usize = self.subsystems.iter().map(Vec::len).sum();
@@ -97,14 +97,15 @@ impl Frequency {
     }
 }
 
-/// Entries of a matrix that depend on parameters only.
+/// Returns the number of entries of a matrix that depend on parameters only.
 fn constants(matrix: &MatrixTape) -> usize {
     let dependence = Dependence::of(&matrix.tape);
     matrix.tape.results.iter().filter(|id| !dependence.on_anything(**id)).count()
 }
 
-/// Rows of dy'/dy of parameters only, but for rates that jump at a state: where the
-/// slope of each side is constant, that of the rate is not.
+/// Returns the rows of dy'/dy that depend on parameters only, without those of rates that are
+/// discontinuous in the state: even if the derivative is constant on each side, the rate is not
+/// linear.
 fn linear_rows(model: &Model) -> Vec<u32> {
     let jacobian = &model.rate_jacobian;
     let dependence = Dependence::of(&jacobian.tape);
@@ -118,8 +119,8 @@ fn linear_rows(model: &Model) -> Vec<u32> {
     (0..model.states.len() as u32).filter(|row| is_linear(*row)).collect()
 }
 
-/// For each node, whether it depends on a comparison or an interval of a table that the
-/// state decides.
+/// For each node, reports whether it depends on a comparison or an interval of a table that the
+/// state selects.
 fn switched(tape: &Tape) -> Vec<bool> {
     let dependence = Dependence::of(tape);
     let on_state = |id: NodeId| dependence.on_state(id);
@@ -135,8 +136,8 @@ fn switched(tape: &Tape) -> Vec<bool> {
     switched
 }
 
-/// The entries of the state that each result of a tape reads, in order. More than the
-/// nonzeros of its derivatives: those of a jump are zero on both sides of it.
+/// Returns the entries of the state that each result of a tape reads, in order. They are more
+/// than the nonzeros of its derivatives: those of a discontinuity are zero on both sides.
 fn reads(tape: &Tape) -> Vec<Vec<u32>> {
     let of = |result: &NodeId| {
         let (mut open, mut seen) = (vec![*result], vec![false; tape.nodes.len()]);
@@ -158,7 +159,7 @@ fn reads(tape: &Tape) -> Vec<Vec<u32>> {
     tape.results.iter().map(of).collect()
 }
 
-/// The largest part of `rows` whose rates read entries of that part only.
+/// Returns the largest part of `rows` whose rates read only entries of that part.
 fn closed_part(reads: &[Vec<u32>], rows: &[u32]) -> Vec<u32> {
     let mut part = rows.to_vec();
     loop {
@@ -170,7 +171,7 @@ fn closed_part(reads: &[Vec<u32>], rows: &[u32]) -> Vec<u32> {
     }
 }
 
-/// Connected parts of the state, by what each rate reads.
+/// Returns the connected parts of the state, according to the entries that each rate reads.
 fn subsystems(reads: &[Vec<u32>]) -> Vec<Vec<u32>> {
     let count = reads.len();
     let mut group: Vec<usize> = (0..count).collect();
@@ -222,7 +223,7 @@ mod tests {
 
     #[test]
     fn parts_are_what_reads_nothing_else() {
-        // 0 and 1 read each other, 2 reads 1, 3 itself; all but 1 are linear.
+        // 0 and 1 read each other, 2 reads 1, 3 reads itself; all but 1 are linear.
         let reads = [vec![1], vec![0], vec![1, 2], vec![3]];
         assert_eq!(closed_part(&reads, &[0, 2, 3]), [3]);
         assert_eq!(closed_part(&reads, &[0, 1, 2]), [0, 1, 2]);
@@ -241,7 +242,7 @@ mod tests {
             Op::Add(NodeId(1), NodeId(3)),
             Op::Mul(NodeId(0), NodeId(4)),
             Op::Neg(NodeId(5)),
-            // Nobody needs it.
+            // An unused operation.
             Op::Neg(NodeId(0)),
         ];
         let tape = tape(&ops, &[3, 6, 4]);

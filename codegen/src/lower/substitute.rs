@@ -1,26 +1,26 @@
-//! The linear equations of q'' and -lambda, factored block by block on the graph, and the
-//! steps of a substitution with these factors.
+//! Factorization, block by block on the graph, of the linear equations of q'' and -lambda, and
+//! the substitution steps with these factors.
 //!
-//! The steps are written down once. Done on the graph they give the accelerations; as data
-//! they give derivatives of them with respect to many numbers at once: see
+//! The steps are listed once. Carried out on the graph they give the accelerations. As data they
+//! give derivatives of the accelerations with respect to many numbers at once: see
 //! [`machinist_contract::implicit`](machinist_model::Solve).
 //!
-//! Rows are the coordinates, then the constraints. Right sides are `f` and `gamma` in their
-//! rows, of a pinned block `gamma` alone; afterwards the rows of coordinates hold q'', those
-//! of constraints that are left -lambda.
+//! Rows are the coordinates, then the constraints. Right sides are `f` and `gamma` in their rows,
+//! and `gamma` alone for a pinned block. After the substitution the rows of coordinates contain
+//! q'', and the remaining rows of constraints -lambda.
 //!
-//! Where some motion has no kinetic energy of its own (a rod without mass between two joints),
-//! M has no factors, though the whole may be regular. Then
+//! If some motion has no kinetic energy of its own (such as a massless rod between two joints), M
+//! has no factors, though the whole matrix may be regular. Then
 //!
 //! ```text
 //! | M + G^T W G  G^T | | q''     |   | f + G^T W gamma |
 //! | G             0  | | -lambda | = | gamma           |
 //! ```
 //!
-//! is solved instead, which has the same solution, whatever the weights W are: the first
-//! equation differs by G^T W times the second. It is positive definite at every state where
-//! the whole is regular, which no order of pivots is (Benzi, Golub and Liesen, Acta Numerica
-//! 14, 2005, section 5.3). Weights are as large as M beside G, in any units.
+//! is solved instead. It has the same solution for any weights W: the first equation differs by
+//! G^T W times the second. M + G^T W G is positive definite at every state where the whole is
+//! regular, which no order of pivots guarantees (Benzi, Golub and Liesen, Acta Numerica 14, 2005,
+//! section 5.3). The weights make G^T W G as large as M, in any units.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -36,47 +36,47 @@ use crate::lower::nonzeros::Nonzeros;
 pub struct Step {
     /// The row that changes.
     pub row: usize,
-    /// What it is scaled by before.
+    /// Factor that scales the row first, if any.
     pub scale: Option<NodeId>,
-    /// (factor, from which row)
+    /// (factor, other row)
     pub terms: Vec<(NodeId, usize)>,
 }
 
 impl Step {
-    /// What it multiplies by.
+    /// Iterates over its factors.
     pub fn factors(&self) -> impl Iterator<Item = NodeId> {
         self.scale.into_iter().chain(self.terms.iter().map(|(factor, _)| *factor))
     }
 }
 
-/// Factors of the bordered matrix, and how to solve with them.
+/// Factors of the bordered matrix, and the steps of solving with them.
 pub struct Substitution {
     /// M bordered by G.
     matrix: Nonzeros,
-    /// Rows of the matrix that are coordinates.
+    /// Number of coordinates, which are the first rows of the matrix.
     coordinates: usize,
-    /// Whether M has no factors.
+    /// True if M has no factors.
     is_singular: bool,
     blocks: Blocks,
     factors: Vec<BlockFactors>,
-    /// What gives the accelerations.
+    /// Steps that give the accelerations.
     pub steps: Vec<Step>,
-    /// Of each row the steps that read it.
+    /// For each row, the steps that read it.
     readers: Vec<Vec<usize>>,
-    /// Whether a row is that of a pinned coordinate.
+    /// For each row, true if it is that of a pinned coordinate.
     is_pinned: Vec<bool>,
 }
 
-/// What solves a pinned block.
+/// Factors of a pinned block.
 enum BlockFactors {
     /// -1/G of a block of one.
     One(NodeId),
-    /// Of the block bordered by its part of M, which keeps a factorization without
+    /// Factors of the block bordered by its part of M, which makes a factorization without
     /// pivoting as safe as that of the whole.
     Bordered(Factorization),
 }
 
-/// A block, ready to be solved for.
+/// A block, ready to be solved.
 struct Bordered {
     rows: Vec<usize>,
     steps: Vec<Step>,
@@ -90,9 +90,9 @@ struct Weighed {
     factor: NodeId,
 }
 
-/// Adds G^T W G to the M of a bordered matrix of which the first `free` rows are M, by the
-/// constraints that always hold. A weight is the sum of M's diagonal over that of G G^T's
-/// entry: nothing that is zero at a state where all is regular.
+/// Adds G^T W G to the M of a bordered matrix, for the constraints that always hold. The first
+/// `free` rows are M. A weight is the sum of M's diagonal divided by the constraint's entry of G
+/// G^T, which is nonzero at every state where the whole matrix is regular.
 fn stiffen(graph: &mut Graph, matrix: &mut Nonzeros, free: usize) -> Vec<Weighed> {
     let zero = graph.literal(0.0);
     let sum = |graph: &mut Graph, parts: Vec<NodeId>| {
@@ -125,13 +125,13 @@ fn stiffen(graph: &mut Graph, matrix: &mut Nonzeros, free: usize) -> Vec<Weighed
 }
 
 impl Substitution {
-    /// Factors a matrix of which the first `coordinates` rows are M, which may be singular
-    /// where the whole is not.
+    /// Factors a matrix of which the first `coordinates` rows are M, which may be singular even
+    /// if the whole is regular.
     pub fn new(graph: &mut Graph, matrix: Nonzeros, coordinates: usize, is_singular: bool) -> Self {
         let held: Vec<Vec<usize>> = (coordinates..matrix.len())
             .map(|row| matrix.row(row).range(..coordinates).map(|(column, _)| *column).collect())
             .collect();
-        // A constraint that holds in some modes only has an entry on the diagonal, and decides
+        // A constraint that holds in some modes only has an entry on the diagonal, and determines
         // nothing by itself.
         let always: Vec<usize> = (0..held.len())
             .filter(|row| matrix.get(coordinates + row, coordinates + row).is_none())
@@ -198,7 +198,8 @@ impl Substitution {
         block.constraints.iter().map(move |constraint| first + constraint)
     }
 
-    /// Rows of a block with their factors, and steps on right sides before these are used.
+    /// Returns the rows of a block with their factors, and adds steps on right sides that precede
+    /// them.
     fn bordered(&self, graph: &mut Graph, block: &Block) -> Bordered {
         let constraints = self.constraint_rows(block);
         let rows: Vec<usize> = block.coordinates.iter().copied().chain(constraints).collect();
@@ -228,7 +229,7 @@ impl Substitution {
         }
     }
 
-    /// Takes what is known of other coordinates to the right side of a row.
+    /// Moves known coordinates to the right side of a row.
     fn couple(&mut self, row: usize, known: &[usize]) {
         let entry = |column: &usize| Some((self.matrix.get(row, *column)?, *column));
         let terms = known.iter().filter_map(entry).collect();
@@ -249,7 +250,7 @@ impl Substitution {
         }
     }
 
-    /// q'', then -lambda, of `f` and `gamma`.
+    /// Returns q'', then -lambda, for right sides `f` and `gamma`.
     pub fn solve(&self, graph: &mut Graph, right_side: &[NodeId]) -> Vec<NodeId> {
         let zero = graph.literal(0.0);
         let sides = right_side.iter().copied().enumerate().collect();
@@ -259,8 +260,8 @@ impl Substitution {
             x[row] = value;
         }
         let n = self.coordinates;
-        // Of pinned blocks from the last to the first, G_b^T (-lambda_b) is what is left of
-        // the equations of motion.
+        // For pinned blocks from the last to the first, G_b^T (-lambda_b) is the residual of the
+        // equations of motion.
         let mut known = self.blocks.free.constraints.clone();
         for (block, factors) in self.blocks.pinned.iter().zip(&self.factors).rev() {
             let constraints = || self.constraint_rows(block);
@@ -300,8 +301,8 @@ impl Substitution {
         x
     }
 
-    /// q'' in the rows of coordinates, of `f` and `gamma`; the rows of constraints hold
-    /// -lambda of those only that no pinned block has. Rows that are not there are zero, before
+    /// Returns q'' in the rows of coordinates, for right sides `f` and `gamma`. The rows of
+    /// constraints contain -lambda for those in no pinned block. Missing rows are zero, before
     /// and after.
     pub fn accelerations(
         &self,
@@ -310,7 +311,7 @@ impl Substitution {
     ) -> BTreeMap<usize, NodeId> {
         let zero = graph.literal(0.0);
         x.retain(|row, value| self.is_read(*row) && !graph.is_zero(*value));
-        // Most of a column of a Jacobian is zero, and most steps do nothing to it.
+        // Most of a column of a Jacobian is zero, and most steps do not change it.
         let mut open: BTreeSet<usize> =
             x.keys().flat_map(|row| self.readers[*row].iter().copied()).collect();
         while let Some(place) = open.pop_first() {
@@ -338,15 +339,15 @@ impl Substitution {
         x
     }
 
-    /// Whether a row of right sides has a say in accelerations.
+    /// Reports whether a row of right sides affects the accelerations.
     #[must_use]
     pub fn is_read(&self, row: usize) -> bool {
         !self.is_pinned[row]
     }
 }
 
-/// Blocks by the constraints that always hold; the others are left to the free block, behind
-/// them: what repeats constraints is one that does not always hold.
+/// Returns the blocks of the constraints that always hold. The others are appended to the free
+/// block, because a redundant constraint may only be one that does not always hold.
 fn blocks_of(held: &[Vec<usize>], always: &[usize], coordinates: usize) -> Blocks {
     let rows: Vec<Vec<usize>> = always.iter().map(|row| held[*row].clone()).collect();
     let mut found = blocks(&rows, coordinates);
@@ -366,16 +367,16 @@ mod tests {
     use machinist_model::Op;
     use machinist_model::evaluate::{Evaluator, Inputs};
 
-    /// M (diagonal but for one coupling) and G of a machine whose first two coordinates are
-    /// pinned one by one, the next two together, and three left with one constraint.
+    /// M (diagonal except for one coupling) and G of a machine. The first two coordinates are
+    /// pinned one by one, the next two together, and three with one constraint remain.
     const MASS: [(usize, usize); 8] =
         [(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (1, 4)];
     const BORDER: [&[usize]; 5] = [&[0], &[0, 1], &[1, 2, 3], &[2, 3], &[3, 4, 5]];
     const N: usize = 7;
     const SIZE: usize = N + BORDER.len();
 
-    /// The bordered matrix in numbers, and where it is not zero. Some coordinates may have no
-    /// inertia: of each block one, and two of those that are free.
+    /// Returns the bordered matrix in numbers, and its nonzeros. In the singular case some
+    /// coordinates have no inertia: one of each block, and two of the free ones.
     fn numbers(is_singular: bool) -> [[f64; SIZE]; SIZE] {
         let mut matrix = [[0.0; SIZE]; SIZE];
         let mut set = |i: usize, j: usize, value| {
@@ -409,7 +410,7 @@ mod tests {
         values
     }
 
-    /// A graph whose state is the entries of the matrix, then the right side.
+    /// Returns a graph whose state is the entries of the matrix, then the right side.
     fn built(is_singular: bool) -> (Graph, Substitution, Vec<NodeId>, Vec<f64>) {
         let mut graph = Graph::new();
         let zero = graph.literal(0.0);
@@ -449,7 +450,7 @@ mod tests {
         let (graph, substitution, ..) = built(false);
         assert!((0..4).all(|row| !substitution.is_read(row)));
         assert!((4..SIZE).all(|row| substitution.is_read(row)));
-        // A column for each row of right sides that is read.
+        // One column for each row of right sides that is read.
         let sides = (4..SIZE).map(|row| (row, row)).collect();
         let needed = needed(&substitution.steps, &sides, &(0..N).collect());
         let columns = |row: usize| needed.columns[&row].iter().copied().collect::<Vec<_>>();

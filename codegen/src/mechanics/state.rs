@@ -1,8 +1,7 @@
-//! What a simulator integrates: the entries of the state y, in order.
+//! State vector of a simulator: the entries of y, in order.
 //!
-//! Before anything is left out, y = \[q, q', z\]. After it, positions that
-//! nothing depends on are gone, others are relative ones, and what is only
-//! integrated for an output stands last.
+//! Before reduction y = \[q, q', z\]. After it, positions that nothing depends on are gone,
+//! others are relative, and entries that are only integrated for an output come last.
 
 use crate::scene::system::LagrangianSystem;
 use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
@@ -13,23 +12,22 @@ use machinist_model::Quantity;
 pub struct State {
     /// Name, unit and meaning.
     pub quantity: Quantity,
-    /// What it is, and so how it changes.
+    /// Kind of the entry, which determines its rate.
     pub motion: Motion,
-    /// Value at the start; of parameters only.
+    /// Initial value; of parameters only.
     pub initial: Expr,
     /// Typical size, for absolute tolerance.
     pub scale: f64,
 }
 
-/// What an entry of the state is.
+/// Kind of an entry of the state.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motion {
-    /// A position, or a position relative to another; expressions call it by its
-    /// coordinate.
+    /// A position, or a position relative to another. Its symbol is that of its coordinate.
     Position {
         /// The coordinate.
         coordinate: CoordinateId,
-        /// Its rate: of velocities and parameters only.
+        /// Its rate, of velocities and parameters only.
         rate: Expr,
     },
     /// A generalized velocity; its rate is the acceleration.
@@ -43,13 +41,13 @@ pub enum Motion {
 pub struct Layout {
     /// Positions, velocities, first-order states, then quadratures.
     pub states: Vec<State>,
-    /// How many of the last entries are quadratures: no rate depends on them, so
-    /// that an implicit method may leave them out of its iteration.
+    /// Number of quadratures, which are the last entries. No rate depends on them, so an implicit
+    /// method may leave them out of its iteration.
     pub quadratures: usize,
 }
 
 impl Motion {
-    /// What expressions call the entry.
+    /// Returns the entry's symbol in expressions.
     #[must_use]
     pub fn symbol(&self) -> Symbol {
         match *self {
@@ -59,7 +57,7 @@ impl Motion {
         }
     }
 
-    /// The rate of a position.
+    /// Returns the rate of a position.
     #[must_use]
     pub fn rate(&self) -> Option<&Expr> {
         match self {
@@ -77,7 +75,7 @@ impl Motion {
 }
 
 impl Layout {
-    /// \[q, q', z\] of a system, nothing left out.
+    /// Returns the complete state \[q, q', z\] of a system.
     #[must_use]
     pub fn of_all(system: &LagrangianSystem) -> Self {
         let coordinates = || system.coordinates.iter().zip(0..);
@@ -106,37 +104,37 @@ impl Layout {
         Layout { states, quadratures: 0 }
     }
 
-    /// Number of entries.
+    /// Returns the number of entries.
     #[must_use]
     pub fn len(&self) -> usize {
         self.states.len()
     }
 
-    /// Whether there is nothing to integrate.
+    /// Reports whether there is nothing to integrate.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.states.is_empty()
     }
 
-    /// Number of positions among the entries.
+    /// Returns the number of positions among the entries.
     #[must_use]
     pub fn positions(&self) -> usize {
         let is_position = |state: &&State| matches!(state.motion, Motion::Position { .. });
         self.states.iter().filter(is_position).count()
     }
 
-    /// Whether the entries are \[q, q', z\] of a system, all coordinates in order.
+    /// Reports whether the entries are \[q, q', z\] of a system, all coordinates in order.
     #[must_use]
     pub fn is_of_all(&self, system: &LagrangianSystem) -> bool {
         self.quantities().eq(Layout::of_all(system).quantities())
     }
 
-    /// What expressions call the entries, in order.
+    /// Iterates over the symbols of the entries, in order.
     pub fn symbols(&self) -> impl Iterator<Item = Symbol> {
         self.states.iter().map(|state| state.motion.symbol())
     }
 
-    /// The quantities, in order.
+    /// Iterates over the quantities, in order.
     pub fn quantities(&self) -> impl Iterator<Item = &Quantity> {
         self.states.iter().map(|state| &state.quantity)
     }

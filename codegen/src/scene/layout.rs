@@ -1,5 +1,4 @@
-//! Where everything of a scene is: names to indices, before any expression is
-//! read.
+//! Layout of a scene: names and their indices, found before any expression is read.
 
 use std::collections::HashMap;
 
@@ -18,10 +17,10 @@ use machinist_algebra::expr::{
 use machinist_contract::field::HANDED;
 use machinist_model::Place;
 
-/// Named things that all instances may have together.
+/// Maximum number of named things of all instances together.
 const MAX_NAMES: usize = 100_000;
 
-/// What a name stands for; indices are of the unit's or the scene's own lists.
+/// Meaning of a name; indices are those of the unit's or the scene's lists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Local {
     Coordinate(usize),
@@ -32,9 +31,9 @@ pub enum Local {
     State(usize),
     Helper(usize),
     Output(usize),
-    /// Stands for the multiplier.
+    /// The multiplier of a constraint.
     Constraint(usize),
-    /// Stands for its force, whether it slides or sticks.
+    /// The force of dry friction, sliding or sticking.
     Friction(usize),
     /// A field, or its rate.
     Field(usize, FieldPart),
@@ -44,7 +43,7 @@ pub enum Local {
     Place,
 }
 
-/// What of a field a name stands for; the numbers are those of the density's symbols.
+/// Part of a field that a name stands for. The numbers are those of the density's symbols.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FieldPart {
     Value,
@@ -53,31 +52,31 @@ pub enum FieldPart {
     GradientRate,
 }
 
-/// Before a port, towards x = 0, or after it.
+/// Side of a port: before it, towards x = 0, or after it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     Before,
     After,
 }
 
-/// Whose names an expression uses.
+/// Scope of the names in an expression.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Scope {
     Scene,
     Instance(usize),
     /// A density of a field: names of its unit, the field and x.
     Density(usize, usize),
-    /// The start of a field along x: names of the scene, and x.
+    /// The initial values of a field along x: names of the scene, and x.
     Profile,
 }
 
 impl Scope {
-    /// That of what stands within an assembly, or else in the scene.
+    /// Returns the scope of an assembly, or else of the scene.
     pub fn within(assembly: Option<usize>) -> Scope {
         assembly.map_or(Scope::Scene, Scope::Instance)
     }
 
-    /// The scope without the names of fields.
+    /// Returns the scope without the names of fields.
     pub fn base(self) -> Scope {
         match self {
             Scope::Density(instance, _) => Scope::Instance(instance),
@@ -98,7 +97,7 @@ pub struct Attachment {
     /// Its value in the spec \[m\].
     pub x: f64,
     pub place: Place,
-    /// The field is held at zero here.
+    /// True if the field is fixed at zero here.
     pub fixed: bool,
 }
 
@@ -110,12 +109,12 @@ pub struct Names {
 }
 
 impl Names {
-    /// What a name stands for.
+    /// Returns the meaning of a name.
     pub fn get(&self, name: &str) -> Option<Local> {
         self.by_name.get(name).map(|(local, _)| *local)
     }
 
-    /// The names, in the order of the spec.
+    /// Iterates over the names, in the order of the spec.
     pub fn iter(&self) -> impl Iterator<Item = &str> {
         self.order.iter().map(String::as_str)
     }
@@ -133,7 +132,7 @@ impl Names {
     }
 }
 
-/// How a coordinate of an instance follows a coordinate of the scene.
+/// Relation of a coordinate of an instance to the scene's coordinate that it follows.
 #[derive(Debug, Clone)]
 pub struct Link {
     pub id: CoordinateId,
@@ -141,34 +140,34 @@ pub struct Link {
     pub factor: Option<Expr>,
 }
 
-/// Indices of everything of a scene.
+/// Indices of all quantities of a scene.
 #[derive(Debug)]
 pub struct Layout {
     pub units: Vec<Names>,
     pub scene: Names,
-    /// First coordinate, parameter, state and constraint of each instance.
+    /// Index of the first coordinate, parameter, state and constraint of each instance.
     first: Vec<[usize; 4]>,
-    /// Ids of the parameters that are numbers, of all parameters of scene and instances.
+    /// Ids of the parameters that are numbers, among all parameters of scene and instances.
     parameters: Vec<Option<ParameterId>>,
-    /// First-order states, and constraints, of all instances.
+    /// Numbers of first-order states, and of constraints, of all instances.
     states: usize,
     constraints: usize,
-    /// How each coordinate of each instance follows one of the scene.
+    /// Relation of each coordinate of each instance to one of the scene.
     pub links: Vec<Link>,
-    /// For each coordinate of the scene, the one that stands for it.
+    /// For each coordinate of the scene, the one that represents it.
     pub representatives: Vec<usize>,
     /// Ports on fields, in the order of instances, fields and x.
     pub attachments: Vec<Attachment>,
-    /// For each coordinate of each instance, what it is attached to.
+    /// For each coordinate of each instance, its attachment, if any.
     attached: Vec<Option<usize>>,
-    /// Likewise, whether it is held at zero.
+    /// For each coordinate of each instance, true if it is fixed at zero.
     held: Vec<bool>,
     /// Requirements on ratios, and on lengths and places of fields.
     pub required: Vec<Required>,
 }
 
 impl Layout {
-    /// Indices of a scene in which nothing is joined yet.
+    /// Returns the indices of a scene before anything is joined.
     pub fn new(spec: &SceneSpec, mistakes: &mut Vec<Mistake>) -> Self {
         let units: Vec<Names> = spec.units.iter().map(|unit| unit_names(unit, mistakes)).collect();
         for (unit, names) in spec.units.iter().zip(&units) {
@@ -234,7 +233,7 @@ impl Layout {
         }
     }
 
-    /// Takes the ports on fields in.
+    /// Adds the ports on fields.
     pub fn attach(&mut self, spec: &SceneSpec, attachments: Vec<Attachment>) {
         for (index, attachment) in attachments.iter().enumerate() {
             let unit = spec.instances[attachment.instance].unit;
@@ -247,22 +246,22 @@ impl Layout {
         self.attachments = attachments;
     }
 
-    /// The place on a field that a coordinate is, if it is one.
+    /// Returns the attachment of a coordinate that is a place on a field.
     pub fn attachment(&self, slot: usize) -> Option<&Attachment> {
         self.attached[slot].map(|index| &self.attachments[index])
     }
 
-    /// Whether a coordinate is held at zero.
+    /// Reports whether a coordinate is fixed at zero.
     pub fn is_fixed(&self, slot: usize) -> bool {
         self.is_held(slot) || self.is_fixed_end(slot)
     }
 
-    /// Whether it is the end of a field that is fixed.
+    /// Reports whether a coordinate is a fixed end of a field.
     fn is_fixed_end(&self, slot: usize) -> bool {
         self.attachment(slot).is_some_and(|attachment| attachment.fixed)
     }
 
-    /// Whether its unit, or what it is joined to, fixes a coordinate.
+    /// Reports whether a coordinate is fixed by its unit or by the parts it is joined to.
     pub fn is_held(&self, slot: usize) -> bool {
         self.held[slot]
     }
@@ -272,23 +271,24 @@ impl Layout {
         self.held[slot] = true;
     }
 
-    /// A number that a field hands to the machine: inertia of the node, force on it,
-    /// slopes before and after it.
+    /// Returns the id of a number that a field passes to the machine: inertia of the node, force
+    /// on it, slopes before and after it.
     pub fn handed(attachment: usize, which: usize) -> HandedId {
         HandedId((HANDED * attachment + which) as u32)
     }
 
-    /// The attachment of a port.
+    /// Returns the attachment of a port.
     pub fn attachment_of(&self, instance: usize, port: usize) -> Option<usize> {
         self.attachments.iter().position(|at| (at.instance, at.port) == (instance, port))
     }
 
-    /// Index of a coordinate of an instance among those of all instances.
+    /// Returns the index of a coordinate of an instance among those of all instances.
     pub fn slot(&self, instance: usize, coordinate: usize) -> usize {
         self.first[instance][0] + coordinate
     }
 
-    /// Id of a parameter, none if it is given by others; those of the scene come first.
+    /// Returns the id of a parameter; `None` if it is computed from others. Parameters of the
+    /// scene come first.
     pub fn parameter(&self, scope: Scope, index: usize) -> Option<ParameterId> {
         let first = match scope.base() {
             Scope::Instance(instance) => self.first[instance][1],
@@ -297,7 +297,7 @@ impl Layout {
         self.parameters[first + index]
     }
 
-    /// Id of a first-order state; those of the scene come last.
+    /// Returns the id of a first-order state; those of the scene come last.
     pub fn state(&self, scope: Scope, index: usize) -> FirstOrderId {
         let first = match scope.base() {
             Scope::Instance(instance) => self.first[instance][2],
@@ -306,7 +306,7 @@ impl Layout {
         FirstOrderId((first + index) as u32)
     }
 
-    /// Id of a constraint; those of the scene come last.
+    /// Returns the id of a constraint; those of the scene come last.
     pub fn constraint(&self, scope: Scope, index: usize) -> ConstraintId {
         let first = match scope.base() {
             Scope::Instance(instance) => self.first[instance][3],
@@ -315,24 +315,25 @@ impl Layout {
         ConstraintId((first + index) as u32)
     }
 
-    /// Instance and index of a slot.
+    /// Returns instance and index of a slot.
     pub fn coordinate(&self, slot: usize) -> (usize, usize) {
         let instance = self.first.partition_point(|first| first[0] <= slot).saturating_sub(1);
         (instance, slot - self.first[instance][0])
     }
 
-    /// How a coordinate of an instance follows one of the scene.
+    /// Returns the relation of a coordinate of an instance to one of the scene.
     pub fn link(&self, instance: usize, coordinate: usize) -> &Link {
         &self.links[self.slot(instance, coordinate)]
     }
 
-    /// Q on a coordinate of an instance as it acts on the scene's, by virtual work.
+    /// Returns the factor of Q on the scene's coordinate, for Q on an instance's coordinate, by
+    /// virtual work.
     pub fn factor(link: &Link) -> Expr {
         link.factor.clone().unwrap_or_else(|| integer(1))
     }
 }
 
-/// A coordinate of an instance, by slot.
+/// Returns the coordinate of an instance, by slot.
 pub fn coordinate_spec<'a>(
     spec: &'a SceneSpec,
     layout: &Layout,
@@ -342,7 +343,7 @@ pub fn coordinate_spec<'a>(
     &spec.units[spec.instances[instance].unit].coordinates[index]
 }
 
-/// The instance of a name.
+/// Finds the instance of a name.
 pub fn find_instance(spec: &SceneSpec, name: &str, span: Span) -> Result<usize, Box<Mistake>> {
     let found = spec.instances.iter().position(|instance| instance.name.value == name);
     found.ok_or_else(|| {
@@ -352,7 +353,7 @@ pub fn find_instance(spec: &SceneSpec, name: &str, span: Span) -> Result<usize, 
     })
 }
 
-/// The instance of a path that an assembly writes, or any other unit: of what is inside it.
+/// Finds the instance of a path within a unit.
 pub fn find_inside(
     spec: &SceneSpec,
     assembly: usize,
@@ -374,7 +375,7 @@ pub fn find_inside(
     })
 }
 
-/// The port of a path `instance.port`, and its coordinate's slot.
+/// Finds the port of a path `instance.port`, and its coordinate's slot.
 pub fn find_port<'a>(
     spec: &'a SceneSpec,
     layout: &Layout,
@@ -408,7 +409,7 @@ pub fn find_port<'a>(
     }
 }
 
-/// A coordinate that a unit does not have.
+/// Returns the mistake of a coordinate that a unit does not have.
 pub fn unknown_coordinate(name: &Spanned<String>, unit: &UnitSpec) -> Mistake {
     let message = format!("unknown coordinate {}", quoted(&name.value));
     let names = unit.coordinates.iter().map(|c| c.name.value.as_str());
@@ -469,7 +470,7 @@ fn unit_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) -> Names {
     names
 }
 
-/// A port's coordinate exists and is of the dimension of its kind.
+/// Checks that a port's coordinate exists and has the dimension of its kind.
 fn check_port(port: &PortSpec, unit: &UnitSpec, names: &Names, mistakes: &mut Vec<Mistake>) {
     let Some(Local::Coordinate(index)) = names.get(&port.coordinate.value) else {
         mistakes.push(unknown_coordinate(&port.coordinate, unit));

@@ -1,4 +1,4 @@
-//! What a user wants to know of a unit that comes with Machinist, as plain text.
+//! Reference cards of the units that come with Machinist, as plain text.
 
 use crate::spec::diagnostic::{Diagnostics, FileId, Span};
 use crate::spec::fields::Findings;
@@ -9,46 +9,46 @@ use crate::spec::{
 };
 use machinist_model::Direction;
 
-/// A unit by its name, ports, numbers and equations, all as its spec writes them.
+/// Name, ports, numbers and equations of a unit, as written in its spec.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Card {
-    /// What scenes call it.
+    /// Name of the unit in scenes.
     pub name: String,
-    /// One line for people.
+    /// Title of one line.
     pub title: String,
-    /// What it is.
+    /// Description.
     pub doc: String,
-    /// Where its equations come from.
+    /// Source of its equations.
     pub source: String,
-    /// Name, kind, and what it moves by.
+    /// Ports: name, kind and displacement.
     pub ports: Vec<[String; 3]>,
-    /// Several ports that joints take hold of together, and which.
+    /// Connectors: name, and the ports they group.
     pub connectors: Vec<[String; 2]>,
-    /// Of an assembly, its parts: name, unit, and values other than the unit's.
+    /// Parts of an assembly: name, unit, and values other than the unit's.
     pub parts: Vec<[String; 3]>,
-    /// Of an assembly, joints of its parts.
+    /// Joints between the parts of an assembly.
     pub joints: Vec<[String; 2]>,
-    /// Name, value, unit and meaning.
+    /// Parameters: name, value, unit and meaning.
     pub parameters: Vec<[String; 4]>,
-    /// Name, unit and meaning.
+    /// Inputs: name, unit and meaning.
     pub inputs: Vec<[String; 3]>,
-    /// Name and meaning.
+    /// Modes: name and meaning.
     pub modes: Vec<[String; 2]>,
-    /// Left side, right side, unit and meaning.
+    /// Equations: left side, right side, unit and meaning.
     pub equations: Vec<[String; 4]>,
-    /// What passes zero, what is set then, and meaning.
+    /// Events: guard, resets and meaning.
     pub events: Vec<[String; 3]>,
-    /// Name, unit and meaning, with those of helpers.
+    /// Outputs and helpers: name, unit and meaning.
     pub outputs: Vec<[String; 3]>,
-    /// A scene of a few lines that uses it.
+    /// Short example scene that uses the unit.
     pub example: Option<&'static str>,
 }
 
 impl Card {
-    /// What a unit's spec says.
+    /// Reads the spec of a unit of the library.
     ///
     /// # Errors
-    /// What is wrong with the spec; nothing is, with units of the library.
+    /// The mistakes in the spec; units of the library have none.
     pub fn of(library: &LibraryUnit) -> Result<Self, Diagnostics> {
         let mut sources = Sources::beside(std::path::Path::new("unit.toml"));
         let file: FileId = sources.embed(&format!("units/{}.toml", library.name), library.text);
@@ -62,7 +62,7 @@ impl Card {
     }
 }
 
-/// The text that spans are of.
+/// The text that spans refer to.
 struct Reader(&'static str);
 
 impl Reader {
@@ -214,7 +214,7 @@ impl Reader {
     }
 }
 
-/// A port of an assembly.
+/// Describes a port of an assembly.
 fn exposed(port: &ExposedSpec) -> [String; 3] {
     [port.name.value.clone(), "of a part".to_owned(), port.of.value.clone()]
 }
@@ -224,7 +224,7 @@ fn connector(connector: &ConnectorSpec) -> [String; 2] {
     [connector.name.value.clone(), ports.join(", ")]
 }
 
-/// A number as people write it.
+/// Formats a number for reading.
 fn number(value: f64) -> String {
     let size = value.abs();
     if value != 0.0 && !(1e-3..1e5).contains(&size) {

@@ -1,20 +1,20 @@
-//! What is wrong with a spec, where, and how to mend it.
+//! Diagnostics of specs: what is wrong, where, and how to mend it.
 //!
-//! Excluded: absolute paths (files go by their labels), colours and times, so
-//! that the same mistake always reads the same.
+//! Excluded: absolute paths (files are named by their labels), colours and times, so equal
+//! mistakes give equal reports.
 
 use std::fmt;
 use std::ops::Range;
 
 use miette::{LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 
-/// Errors reported of one spec before the rest is left out.
+/// Maximum number of errors reported for one spec.
 const MAX_REPORTED: usize = 50;
-/// Columns of a rendered report.
+/// Width of a rendered report in columns.
 const WIDTH: usize = 100;
-/// Lines kept before and after a mistake.
+/// Lines of context before and after a mistake.
 const CONTEXT: usize = 3;
-/// Bytes of a line shown at most; longer ones are cut around the mistake.
+/// Maximum number of bytes shown of a line. Longer lines are cut around the mistake.
 const LONG_LINE: usize = 160;
 
 /// Index of a source text of a scene.
@@ -33,49 +33,49 @@ pub struct Span {
 }
 
 impl Span {
-    /// The bytes `range` of `file`.
+    /// Returns the span of the bytes `range` of `file`.
     #[must_use]
     pub fn new(file: FileId, range: Range<usize>) -> Self {
         Span { file, start: range.start as u32, end: range.end as u32 }
     }
 
-    /// The smallest span over `self` and `other` of the same file.
+    /// Returns the smallest span over `self` and `other` of the same file.
     #[must_use]
     pub fn to(self, other: Span) -> Self {
         Span { file: self.file, start: self.start.min(other.start), end: self.end.max(other.end) }
     }
 }
 
-/// A value with the place it was read from.
+/// A value with its source span.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spanned<T> {
     /// The value.
     pub value: T,
-    /// Where it stands.
+    /// Source span.
     pub span: Span,
 }
 
-/// A mistake found at a span, before the text around it is attached.
+/// A mistake at a span, before the text around it is attached.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Mistake {
-    /// What is wrong, one sentence.
+    /// The mistake in one sentence.
     pub message: String,
-    /// Where.
+    /// The span.
     pub span: Span,
-    /// What stands there, a few words.
+    /// Label of the span, a few words.
     pub label: String,
     /// How to mend it; may be empty.
     pub help: String,
 }
 
 impl Mistake {
-    /// A mistake at `span`.
+    /// Returns a mistake at `span`.
     #[must_use]
     pub fn new(span: Span, message: impl Into<String>, label: impl Into<String>) -> Self {
         Mistake { message: message.into(), span, label: label.into(), help: String::new() }
     }
 
-    /// The same with a hint.
+    /// Adds a hint.
     #[must_use]
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = help.into();
@@ -86,7 +86,7 @@ impl Mistake {
 /// One error or warning of a spec, ready to be shown.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnostic {
-    /// What is wrong, one sentence.
+    /// The mistake in one sentence.
     pub message: String,
     /// Label of the file, `scenes/saw_gin.toml`.
     pub file: String,
@@ -94,17 +94,17 @@ pub struct Diagnostic {
     pub line: usize,
     /// Column of the mistake in characters, from 1; 0 likewise.
     pub column: usize,
-    /// What stands at the span.
+    /// Label of the span.
     pub label: Box<str>,
     /// How to mend it.
     pub help: Option<String>,
-    /// True for a warning: the spec may stay as it is.
+    /// True for a warning: the spec is accepted as it is.
     pub is_warning: bool,
     source: Option<Box<Excerpt>>,
 }
 
 impl Diagnostic {
-    /// An error of a whole file, which has no text to show.
+    /// Returns an error of a whole file, without an excerpt.
     #[must_use]
     pub fn of_file(file: &str, message: impl Into<String>, help: impl Into<String>) -> Self {
         let help = help.into();
@@ -120,13 +120,13 @@ impl Diagnostic {
         }
     }
 
-    /// The system granted no thread to work on.
+    /// Returns the error that the system granted no thread to work on.
     #[must_use]
     pub fn no_thread() -> Self {
         Diagnostic::of_file("", "the system grants no thread to read the spec with", "")
     }
 
-    /// The mistake with the text around it; `label` names the file.
+    /// Returns the mistake with the text around it; `label` names the file.
     #[must_use]
     pub fn of_text(mistake: &Mistake, label: &str, text: &str) -> Self {
         let start = floor_boundary(text, mistake.span.start as usize);
@@ -145,22 +145,22 @@ impl Diagnostic {
         }
     }
 
-    /// The same as a warning.
+    /// Returns the diagnostic as a warning.
     #[must_use]
     pub fn as_warning(self) -> Self {
         Diagnostic { is_warning: true, ..self }
     }
 }
 
-/// The lines around a mistake. Long ones are cut and control characters replaced,
-/// so that a report stays readable and cannot steer a terminal.
+/// Lines around a mistake. Long lines are cut and control characters replaced, so a report stays
+/// readable and cannot control a terminal.
 #[derive(Debug, Clone, PartialEq)]
 struct Excerpt {
     name: String,
     text: String,
-    /// Lines of the file before the first one kept.
+    /// Number of lines of the file before the first one kept.
     lines_before: usize,
-    /// The mistake, in bytes of `text`.
+    /// Span of the mistake, in bytes of `text`.
     range: Range<usize>,
 }
 
@@ -210,7 +210,7 @@ impl SourceCode for Excerpt {
     }
 }
 
-/// The part of a line that is shown; around the mistake, if it is `inside`.
+/// Returns the part of a line that is shown, around the byte `inside` if given.
 fn window(line: &str, inside: Option<usize>) -> Range<usize> {
     let window = match inside {
         _ if line.len() <= LONG_LINE => 0..line.len(),
@@ -220,7 +220,7 @@ fn window(line: &str, inside: Option<usize>) -> Range<usize> {
     floor_boundary(line, window.start)..floor_boundary(line, window.end)
 }
 
-/// ASCII control characters as `?`, which keeps byte offsets.
+/// Replaces ASCII control characters by `?`, which keeps byte offsets.
 fn harmless(c: char) -> char {
     if c.is_ascii_control() && c != '\n' && c != '\t' { '?' } else { c }
 }
@@ -273,13 +273,13 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
-    /// The errors, at most fifty of them.
+    /// Returns the errors, at most fifty.
     #[must_use]
     pub fn errors(&self) -> &[Diagnostic] {
         &self.errors
     }
 
-    /// A report without colour, the same on every machine.
+    /// Renders a report without colour, equal on all machines.
     #[must_use]
     pub fn render(&self) -> String {
         let theme = miette::GraphicalTheme::unicode_nocolor();
@@ -287,7 +287,7 @@ impl Diagnostics {
             .with_width(WIDTH)
             .without_syntax_highlighting();
         let mut report = String::new();
-        // Writing to a string cannot fail; a report cut short is still a report.
+        // Writing to a string cannot fail. A partial report is still a report.
         if handler.render_report(&mut report, self).is_err() {
             report.push_str(&self.to_string());
         }

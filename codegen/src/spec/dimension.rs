@@ -1,18 +1,16 @@
-//! Dimensions: exponents of the SI base units, and of coherent units beside rad.
+//! Dimensions: exponents of the SI base units, and of the coherent units with rad.
 //!
 //! Excluded: text and factors, see [`measure`](super::measure).
 //!
 //! # Angles
-//! rad has no dimension, so plain dimensions do not tell a spring's energy
-//! `c*phi^2/2` from its torque `c*phi`, with c in N m/rad. [`Unit`] therefore
-//! keeps the exponent of rad beside the dimension, and [`Angular`] follows it
-//! through products and powers. Demanding equal exponents of all terms would
-//! refuse sound specs: `c*phi^2/2` has rad^1, `J*omega^2/2` rad^2,
-//! `m*g*l*(1 - cos(phi))` rad^0. One rule is enough to catch a missing square and
-//! lets those pass: **a term of an energy is a torque if it holds a stiffness (a
-//! factor whose unit is J/rad^p) times an odd power, at most p, of angles, and
-//! nothing else that moves.** A pitch in m/rad is no stiffness, and a stiffness
-//! times (1 - cos(n phi)) holds no power of an angle.
+//! rad has no dimension, so plain dimensions do not distinguish a spring's energy `c*phi^2/2`
+//! from its torque `c*phi`, with c in N m/rad. [`Unit`] therefore keeps the exponent of rad
+//! beside the dimension, and [`Angular`] follows it through products and powers. Requiring equal
+//! exponents of all terms would reject sound specs: `c*phi^2/2` has rad^1, `J*omega^2/2` rad^2,
+//! `m*g*l*(1 - cos(phi))` rad^0. One rule catches a missing square and accepts those: **a term of
+//! an energy is a torque if it contains a stiffness (a factor whose unit is J/rad^p) times an odd
+//! power, at most p, of angles, and nothing else that moves.** A pitch in m/rad is not a
+//! stiffness, and a stiffness times (1 - cos(n phi)) contains no power of an angle.
 
 use std::fmt;
 
@@ -22,9 +20,9 @@ use super::measure::dimension_of;
 
 /// Names of the base units, in the order of [`Dimension`].
 const BASES: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
-/// Parts that an exponent of a dimension is counted in: halves to eighths, and what divides this.
+/// Denominator of the exponents of a dimension: it allows halves to eighths, and other divisors.
 const PARTS: i32 = 840;
-/// Exponents, in parts of a dimension or halves of rad, beyond which a unit is refused.
+/// Limit of exponents, in parts of a dimension or halves of rad. Beyond it a unit is rejected.
 const MAX_PARTS: i32 = 1 << 24;
 
 /// Exponents of kg, m, s, A, K, mol, cd, in parts of 840.
@@ -36,12 +34,12 @@ pub struct Dimension([i32; 7]);
 pub struct Unit {
     /// Exponents of the base units.
     pub dimension: Dimension,
-    /// Exponent of rad, counted in halves; it is no part of the dimension.
+    /// Exponent of rad, counted in halves. It is not part of the dimension.
     pub rad: i32,
 }
 
 impl Dimension {
-    /// The dimension of a pure number.
+    /// Dimension of a dimensionless number.
     pub const ONE: Dimension = Dimension([0; 7]);
     /// Joule.
     pub const ENERGY: Dimension = Dimension::whole([1, 2, -2, 0, 0, 0, 0]);
@@ -56,7 +54,7 @@ impl Dimension {
     /// Weber, volt second.
     pub const FLUX: Dimension = Dimension::whole([1, 2, -2, -1, 0, 0, 0]);
 
-    /// Dimension of a product; `None` if an exponent is beyond all reason.
+    /// Returns the dimension of a product; `None` if an exponent is too large.
     #[must_use]
     pub fn times(self, other: Dimension) -> Option<Dimension> {
         let mut product = self;
@@ -66,8 +64,8 @@ impl Dimension {
         Some(product)
     }
 
-    /// Dimension of the power `numerator/denominator`; `None` if an exponent is
-    /// no multiple of 1/840, or beyond all reason.
+    /// Returns the dimension of the power `numerator/denominator`; `None` if an exponent is not a
+    /// multiple of 1/840, or too large.
     #[must_use]
     pub fn power(self, numerator: i32, denominator: i32) -> Option<Dimension> {
         let mut power = self;
@@ -81,13 +79,13 @@ impl Dimension {
         Some(power)
     }
 
-    /// Dimension of a quotient; `None` as for [`Dimension::times`].
+    /// Returns the dimension of a quotient; `None` as for [`Dimension::times`].
     #[must_use]
     pub fn over(self, other: Dimension) -> Option<Dimension> {
         self.times(other.power(-1, 1)?)
     }
 
-    /// As a unit of measure: `N`, `kg m`, `1`.
+    /// Formats the dimension as a unit of measure: `N`, `kg m`, `1`.
     #[must_use]
     pub fn as_unit(self) -> String {
         let text = self.to_string();
@@ -98,7 +96,7 @@ impl Dimension {
         }
     }
 
-    /// By whole exponents of the base units.
+    /// Returns the dimension with these whole exponents of the base units.
     pub(super) const fn whole(exponents: [i32; 7]) -> Dimension {
         let [kg, m, s, a, k, mol, cd] = exponents;
         let parts = [kg * PARTS, m * PARTS, s * PARTS, a * PARTS, k * PARTS, mol * PARTS];
@@ -106,7 +104,7 @@ impl Dimension {
         Dimension([kg, m, s, a, k, mol, cd * PARTS])
     }
 
-    /// The base units alone: `kg m^2/s^2`.
+    /// Formats the dimension in base units: `kg m^2/s^2`.
     fn base_units(self) -> String {
         let part = |sign: i32| {
             let factors = BASES.iter().zip(self.0).filter(|(_, e)| e * sign > 0);
@@ -132,7 +130,7 @@ fn bounded(parts: i32) -> Option<i32> {
 }
 
 impl fmt::Display for Dimension {
-    /// `J = kg m^2/s^2`, or the base units alone, or `a pure number`.
+    /// Writes `J = kg m^2/s^2`, or the base units alone, or `a pure number`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         const NAMED: [&str; 10] = ["N", "J", "W", "Pa", "V", "ohm", "F", "H", "Wb", "C"];
         if *self == Dimension::ONE {
@@ -147,7 +145,7 @@ impl fmt::Display for Dimension {
 }
 
 impl Unit {
-    /// Exponents of kg, m, s, A, K, mol, cd and rad; nothing if one is a fraction.
+    /// Returns the exponents of kg, m, s, A, K, mol, cd and rad; `None` if one is a fraction.
     #[must_use]
     pub fn whole_exponents(self) -> Option<[i32; 8]> {
         let whole = |parts: i32, of: i32| (parts % of == 0).then_some(parts / of);
@@ -159,17 +157,17 @@ impl Unit {
         Some(exponents)
     }
 
-    /// The unit per second.
+    /// Returns the unit divided by `s^order`.
     ///
     /// # Errors
-    /// `None` if an exponent is beyond all reason.
+    /// `None` if an exponent is too large.
     #[must_use]
     pub fn per_second(self, order: i32) -> Option<Unit> {
         let dimension = self.dimension.over(Dimension::TIME.power(order, 1)?)?;
         Some(Unit { dimension, rad: self.rad })
     }
 
-    /// The power `numerator/denominator` of the unit; `None` as for [`Dimension::power`].
+    /// Returns the power `numerator/denominator` of the unit; `None` as for [`Dimension::power`].
     #[must_use]
     pub fn power(self, numerator: i32, denominator: i32) -> Option<Unit> {
         let dimension = self.dimension.power(numerator, denominator)?;
@@ -178,7 +176,7 @@ impl Unit {
         Some(Unit { dimension, rad: bounded(rad / denominator)? }).filter(|_| whole)
     }
 
-    /// The unit times a power of another; `None` if an exponent is beyond all reason.
+    /// Returns the unit times a power of another; `None` if an exponent is too large.
     #[must_use]
     pub fn times(self, other: Unit, exponent: i32) -> Option<Unit> {
         let dimension = self.dimension.times(other.dimension.power(exponent, 1)?)?;
@@ -187,21 +185,21 @@ impl Unit {
     }
 }
 
-/// Powers of angles in an expression, as far as a product shows them.
+/// Powers of angles in an expression, as far as products show them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Angular {
     /// Exponent of rad from angles and their rates, in halves.
     pub angle: i32,
     /// Exponent of 1/rad from stiffnesses, in halves.
     pub stiffness: i32,
-    /// Something else moves: a length, a charge, a function of an angle, or a sum
-    /// of unlike terms.
+    /// True if something else moves: a length, a charge, a function of an angle, or a sum of
+    /// unlike terms.
     pub other: bool,
 }
 
 impl Angular {
-    /// Of a quantity with a declared unit; `moves` for coordinates, velocities,
-    /// states and what is made of them.
+    /// Returns the powers of a quantity with a declared unit. `moves` is true for coordinates,
+    /// velocities, states and expressions of them.
     #[must_use]
     pub fn of(unit: Unit, moves: bool) -> Angular {
         let stiff = unit.rad < 0 && unit.dimension == Dimension::ENERGY;
@@ -212,13 +210,13 @@ impl Angular {
         }
     }
 
-    /// Of a function, whose argument may move.
+    /// Returns the powers of a function, whose argument may move.
     #[must_use]
     pub fn of_function(moves: bool) -> Angular {
         Angular { angle: 0, stiffness: 0, other: moves }
     }
 
-    /// Of a product.
+    /// Returns the powers of a product.
     #[must_use]
     pub fn times(self, factor: Angular) -> Angular {
         Angular {
@@ -228,7 +226,7 @@ impl Angular {
         }
     }
 
-    /// Of a power.
+    /// Returns the powers of a power.
     #[must_use]
     pub fn power(self, numerator: i32, denominator: i32) -> Angular {
         let scaled = |e: i32| e.saturating_mul(numerator).checked_div(denominator).unwrap_or(0);
@@ -236,7 +234,7 @@ impl Angular {
         Angular { angle, stiffness, other: self.other }
     }
 
-    /// Of a sum: plain numbers take the exponents of the rest.
+    /// Returns the powers of a sum, where plain numbers take the exponents of the other terms.
     #[must_use]
     pub fn plus(self, term: Angular) -> Angular {
         match (self, term) {
@@ -247,7 +245,7 @@ impl Angular {
         }
     }
 
-    /// Whether a term of an energy is rather a torque; see the module's text.
+    /// Reports whether a term of an energy is a torque instead; see the module documentation.
     #[must_use]
     pub fn is_torque(self) -> bool {
         let odd = self.angle % 4 == 2;

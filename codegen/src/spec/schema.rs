@@ -1,11 +1,11 @@
-//! What a spec may hold, for editors: found by asking the parser.
+//! The schema of specs for editors, found by probing the parser.
 //!
-//! Nothing of the language is written down here a second time. A spec of one value is read, with
-//! a string, a number, a list and so on in its place; what the parser then says, and which keys it
-//! asks for, is the shape of that place, and so on with every key. See [`Shape::of_scene`].
+//! The language is not described here a second time. A spec of one value is read, with a string,
+//! a number, a list and so on in its place. The parser's messages, and the keys it requests, give
+//! the shape of that place, and then of every key in it. See [`Shape::of_scene`].
 //!
-//! Excluded: whatever depends on more than one place, such as names that must be known, and
-//! what strings mean.
+//! Excluded: whatever depends on more than one place, such as names that must be known, and the
+//! meaning of strings.
 
 use crate::spec::diagnostic::{FileId, Span, Spanned};
 use crate::spec::fields::{Findings, TableRead};
@@ -13,7 +13,7 @@ use crate::spec::toml::{Entry, Tree};
 use crate::spec::{PortKind, Symbol, distributed, scene, unit};
 use machinist_model::Direction;
 
-/// What may stand at a place of a spec.
+/// Shape of the values allowed at a place of a spec.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Shape {
     /// A string.
@@ -22,22 +22,22 @@ pub enum Shape {
     Choice(Vec<&'static str>),
     /// A number.
     Number,
-    /// true or false.
+    /// `true` or `false`.
     Boolean,
-    /// A list of this.
+    /// A list of values of this shape.
     List(Box<Shape>),
     /// A table with these keys and no others.
     Table(Vec<Key>),
-    /// A table with names of the user's for keys.
+    /// A table whose keys are names chosen by the user.
     Named {
-        /// Whether the keys have to be identifiers.
+        /// True if the keys have to be identifiers.
         identifiers: bool,
-        /// Keys that have a meaning of their own.
+        /// Keys with a meaning of their own.
         known: Vec<Key>,
-        /// What stands under the others.
+        /// Shape of the values under all other keys.
         of: Box<Shape>,
     },
-    /// One of several.
+    /// One of several shapes.
     Any(Vec<Shape>),
 }
 
@@ -46,14 +46,14 @@ pub enum Shape {
 pub struct Key {
     /// The key.
     pub name: String,
-    /// What stands under it.
+    /// Shape of its value.
     pub shape: Shape,
-    /// Whether it must be there, whatever else is.
+    /// True if the key is always required.
     pub is_required: bool,
 }
 
 impl Shape {
-    /// Of a scene's file.
+    /// Returns the shape of a scene file.
     #[must_use]
     pub fn of_scene() -> Self {
         let mut shape = Asking(read_scene).shape(&[]);
@@ -64,7 +64,7 @@ impl Shape {
         shape
     }
 
-    /// Of a unit's file.
+    /// Returns the shape of a unit file.
     #[must_use]
     pub fn of_unit() -> Self {
         Asking(read_unit).shape(&[])
@@ -85,23 +85,23 @@ fn read_unit(tree: &Spanned<Tree>, found: &mut Findings) {
 }
 
 const FILE: FileId = FileId(0);
-/// A name that no table knows.
+/// A name that no table uses as a key.
 const NAME: &str = "some_name";
 
-/// A reader that is asked.
+/// A reader of specs that is probed.
 struct Asking(fn(&Spanned<Tree>, &mut Findings));
 
-/// A step into a spec.
+/// A step on the path into a spec.
 #[derive(Debug, Clone)]
 enum Step {
-    /// Into a table, where another key may have to be for this one to be asked for.
+    /// Into a table, with another key that may have to be present for this one to be requested.
     Key(String, Option<String>),
     /// Into a list.
     Item,
 }
 
 impl Asking {
-    /// What may stand at a place.
+    /// Returns the shape of the values allowed at a place.
     fn shape(&self, place: &[Step]) -> Shape {
         let mut shapes = Vec::new();
         if self.takes(place, text()) {
@@ -125,14 +125,14 @@ impl Asking {
         }
     }
 
-    /// Whether a value is of a kind that may stand at a place.
+    /// Reports whether a value is of a kind allowed at a place.
     fn takes(&self, place: &[Step], value: Tree) -> bool {
         let found = self.ask(place, value);
         let is_wrong = |label: &str| label.starts_with("this is ") || label == "not a table";
         !found.mistakes.iter().any(|mistake| mistake.span == PROBED && is_wrong(&mistake.label))
     }
 
-    /// The words that may stand at a place, if not any string may.
+    /// Returns the words allowed at a place, unless any string is.
     fn choices(&self, place: &[Step]) -> Option<Vec<&'static str>> {
         let found = self.ask(place, text());
         let is_unknown = |label: &str| label == "unknown";
@@ -159,7 +159,7 @@ impl Asking {
         words
     }
 
-    /// The table that may stand at a place.
+    /// Returns the shape of a table at a place.
     fn table(&self, place: &[Step]) -> Shape {
         let Some(bare) = self.keys(place, &[]) else { return self.named(place) };
         let mut keys: Vec<(&str, Option<String>)> =
@@ -182,8 +182,8 @@ impl Asking {
         Shape::Table(keys.into_iter().map(key).collect())
     }
 
-    /// Keys that are asked for in a table which has some; nothing of a table whose keys are
-    /// names.
+    /// Returns the keys that are requested in a table with some keys present. `None` for a table
+    /// whose keys are names.
     fn keys(&self, place: &[Step], present: &[&str]) -> Option<TableRead> {
         let entries = present.iter().map(|key| entry(key, elsewhere(text())));
         let found = self.ask(place, Tree::Table(entries.collect()));
@@ -207,7 +207,7 @@ impl Asking {
                     let beside = beside.iter().map(|key| entry(key, elsewhere(text())));
                     Tree::Table(beside.chain([entry(key, tree)]).collect())
                 }
-                // Places in the plane, rows and joints are lists of two.
+                // Points in the plane, rows and joints are lists of two.
                 Step::Item => Tree::List(vec![tree.clone(), tree]),
             });
         }
@@ -217,14 +217,14 @@ impl Asking {
     }
 }
 
-/// Whether a place is a path of names, `gearbox.gear.phi`, that goes on as far as a scene has
-/// assemblies in assemblies: longer ones are written in quotes.
+/// Reports whether a place is a path of names, `gearbox.gear.phi`, at the depth limit. Nested
+/// assemblies make paths of any length; longer ones are written in quotes.
 fn is_long_path(place: &[Step]) -> bool {
     let is_name = |step: &&Step| matches!(step, Step::Key(key, _) if key == NAME);
     place.iter().rev().take_while(is_name).count() > 3
 }
 
-/// Where what is asked about stands.
+/// Span of the probed value.
 const PROBED: Span = Span { file: FILE, start: 1, end: 2 };
 
 fn elsewhere(value: Tree) -> Spanned<Tree> {

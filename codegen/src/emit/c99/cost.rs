@@ -1,5 +1,5 @@
-//! Operations of a step: those of a step in which nothing happens, and the largest number there
-//! may be. They follow from the tapes, and from how often a step calls each function.
+//! Number of operations of a step: of a step without events, and the maximum. They follow from
+//! the tapes, and from how often a step calls each function.
 
 use machinist_contract::fixed_step::StepMethod;
 use machinist_contract::implicit::LANES;
@@ -7,42 +7,44 @@ use machinist_model::functions::FunctionId;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Elimination, Model, operations};
 
-/// Numbers of calls of a step: of functions of the machine, and of projections onto constraints.
+/// Numbers of calls in a step, of functions of the machine and of projections onto constraints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct StepCalls {
-    /// Of [`FunctionId::Rate`].
+    /// Calls of [`FunctionId::Rate`].
     pub rates: usize,
-    /// Of [`FunctionId::RateJacobian`] and [`FunctionId::TimeDerivative`].
+    /// Calls of [`FunctionId::RateJacobian`] and [`FunctionId::TimeDerivative`].
     pub jacobians: usize,
-    /// Of [`FunctionId::Guards`].
+    /// Calls of [`FunctionId::Guards`].
     pub guards: usize,
-    /// Of [`FunctionId::GuardRates`].
+    /// Calls of [`FunctionId::GuardRates`].
     pub guard_rates: usize,
-    /// Of [`FunctionId::Resets`].
+    /// Calls of [`FunctionId::Resets`].
     pub resets: usize,
-    /// Of [`FunctionId::Discontinuities`].
+    /// Calls of [`FunctionId::Discontinuities`].
     pub discontinuities: usize,
     /// Projections onto the constraints.
     pub projections: usize,
 }
 
-/// Operations of a step; a sine or a root is one.
+/// Numbers of operations of a step; a sine or a root counts as one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct StepCost {
-    /// Of a step without events and jumps.
+    /// Operations of a step without events and discontinuities.
     pub usual: usize,
-    /// Of any step.
+    /// Maximum number of operations of a step.
     pub most: usize,
-    /// Parts that a step may have.
+    /// Maximum number of parts of a step.
     pub parts: usize,
 }
 
-/// Parts of a step: up to each event once, up to one jump, and what is left.
+/// Returns the maximum number of parts of a step: one for each event, one for a discontinuity,
+/// and the rest.
 pub(super) fn parts(model: &Model) -> usize {
     model.events.len() + usize::from(!model.discontinuities.results.is_empty()) + 1
 }
 
-/// Calls of a step without events and jumps, and the largest number of each.
+/// Returns the calls of a step without events and discontinuities, and the maximum number of
+/// each.
 #[must_use]
 pub fn step_calls(model: &Model, method: StepMethod) -> [StepCalls; 2] {
     let events = model.events.len();
@@ -64,7 +66,7 @@ pub fn step_calls(model: &Model, method: StepMethod) -> [StepCalls; 2] {
         projections: is_constrained,
     };
     let (parts, rounds) = (parts(model), 2 * events);
-    // With events a part is stepped twice, to its end and to what happens first in it.
+    // With events, a part is stepped twice: to its end, and to the first event in it.
     let steps = parts * (1 + has_events);
     let most = StepCalls {
         rates: steps * stages,
@@ -78,7 +80,7 @@ pub fn step_calls(model: &Model, method: StepMethod) -> [StepCalls; 2] {
     [usual, most]
 }
 
-/// Operations of a step.
+/// Returns the number of operations of a step.
 #[must_use]
 pub fn step_cost(model: &Model, method: StepMethod) -> StepCost {
     let [usual, most] = step_calls(model, method).map(|calls| cost(model, method, &calls));
@@ -122,7 +124,7 @@ fn cost(model: &Model, method: StepMethod, calls: &StepCalls) -> usize {
         let residuals = of(FunctionId::ConstraintValues) + of(FunctionId::ConstraintRates);
         2 * twice + residuals + 2 * model.coordinates.len() + 4
     };
-    // The search for the root of a guard: 26 operations a digit of a number.
+    // Finding the root of a guard takes 26 operations per digit of a number.
     let roots = if calls.resets > 0 { parts(model) * model.events.len() * 53 * 26 } else { 0 };
     let when_there = |count: usize, id: FunctionId| if count > 0 { count * of(id) } else { 0 };
     calls.rates * of(FunctionId::Rate)

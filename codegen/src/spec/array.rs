@@ -1,8 +1,8 @@
 //! Rows of equal instances: `count = 10` makes `disc_1` to `disc_10` of `disc`.
 //!
-//! What is said of them once, with the index `i` (`disc[i].b`, `disc[i+1].a`), is said for each
-//! `i` for which all that it names is there. Within expressions `i` is the number itself.
-//! After this nothing has an index any more.
+//! A statement with the index `i` (`disc[i].b`, `disc[i+1].a`) is repeated for each `i` for which
+//! all names in it exist. Within expressions `i` is the number itself. The result contains no
+//! index.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -14,15 +14,15 @@ use crate::spec::inside::{Inside, InstanceText};
 use crate::spec::names::quoted;
 use crate::spec::{Acts, Formula, JointSpec, PortForceSpec, Value};
 
-/// Instances that a row may have.
+/// Maximum number of instances of a row.
 pub const MOST: f64 = 10_000.0;
 /// The name of the index.
 const INDEX: &str = "i";
 
-/// How many instances each row has.
+/// Number of instances of each row.
 type Counts = BTreeMap<String, i64>;
 
-/// Makes one of each for every index; `names` are those that the index must not have.
+/// Repeats each statement for all of its indices; `names` are names that the index must not have.
 pub fn unroll<'n>(
     inside: &mut Inside,
     forces: &mut Vec<PortForceSpec>,
@@ -117,7 +117,7 @@ impl Unroll<'_> {
         all
     }
 
-    /// The indices for which all paths are there; none, once, of paths without an index.
+    /// Returns the indices for which all paths exist; a single `None` for paths without an index.
     fn indices(&mut self, paths: &[&Spanned<String>]) -> Vec<Option<i64>> {
         let mut indices: Option<RangeInclusive<i64>> = None;
         for path in paths {
@@ -144,7 +144,7 @@ impl Unroll<'_> {
     }
 }
 
-/// A row and what is added to the index, of `row[i]`, `row[i+1].port`, `row[i - 2]`.
+/// Returns the row and the offset of the index, for `row[i]`, `row[i+1].port`, `row[i - 2]`.
 fn indexed(path: &str) -> Option<(&str, i64)> {
     let (row, rest) = path.split_once('[')?;
     let (index, _) = rest.split_once(']')?;
@@ -161,8 +161,8 @@ fn indexed(path: &str) -> Option<(&str, i64)> {
     Some((row, sign * size))
 }
 
-/// `row[i+1].port` as `row_4.port` where `i` is 3, and `row[3].port` as `row_3.port`; likewise
-/// what stands in brackets further on.
+/// Writes `row[i+1].port` as `row_4.port` if `i` is 3, and `row[3].port` as `row_3.port`;
+/// likewise later brackets.
 fn plain(path: &str, index: Option<i64>) -> String {
     let Some((row, rest)) = path.split_once('[') else { return path.to_owned() };
     let Some((inside, rest)) = rest.split_once(']') else { return path.to_owned() };
@@ -174,7 +174,7 @@ fn plain(path: &str, index: Option<i64>) -> String {
     }
 }
 
-/// `row[3].port` as `row_3.port`.
+/// Writes `row[3].port` as `row_3.port`.
 pub fn numbered(path: &str) -> String {
     plain(path, None)
 }
@@ -184,7 +184,7 @@ fn at(path: &Spanned<String>, index: Option<i64>) -> Spanned<String> {
 }
 
 impl InstanceText {
-    /// The instance of a row with this index.
+    /// Returns the instance of a row with this index.
     fn at(&self, index: i64) -> InstanceText {
         let name = format!("{}_{index}", self.name.value);
         let parameters = self.parameters.iter().map(|(name, value)| {
@@ -207,7 +207,7 @@ impl InstanceText {
 }
 
 impl Formula {
-    /// The formula for an index, if there is one.
+    /// Returns the formula for an index, if there is one.
     fn for_index(&self, index: Option<i64>) -> Formula {
         index.map_or_else(|| self.clone(), |index| self.at(index))
     }
@@ -221,7 +221,7 @@ impl Formula {
 }
 
 impl Ast {
-    /// The instances of rows that it names by an index.
+    /// Returns the rows that it refers to by an index.
     fn rows(&self) -> Vec<Spanned<String>> {
         let mut rows = Vec::new();
         self.visit(&mut |part| {
@@ -234,7 +234,7 @@ impl Ast {
         rows
     }
 
-    /// The expression for an index.
+    /// Returns the expression for an index.
     fn at(&self, index: i64) -> Ast {
         let of = |ast: &Ast| ast.at(index);
         let boxed = |ast: &Ast| Box::new(ast.at(index));

@@ -1,4 +1,4 @@
-//! Checks of a scene: what its run is held against.
+//! Checks of a scene: references for its run.
 
 use crate::spec::array;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
@@ -14,24 +14,24 @@ pub struct CheckSpec {
     pub name: Spanned<String>,
     /// The output or state that is checked.
     pub of: Spanned<String>,
-    /// What it should be.
+    /// The reference.
     pub reference: ReferenceSpec,
-    /// Largest error that passes, relative to the largest value of the reference.
+    /// Tolerance of the error, relative to the largest value of the reference.
     pub tolerance: f64,
-    /// Largest error that passes beside that, in the unit of what is checked.
+    /// Tolerance of the absolute error in addition, in the unit of the checked quantity.
     pub absolute: Option<f64>,
-    /// Where the reference is from.
+    /// Source of the reference.
     pub source: String,
 }
 
-/// What a quantity is held against.
+/// Reference of a check.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ReferenceSpec {
     /// An expression of time and parameters, and its text.
     Closed(Ast, String),
-    /// Times, each with its value, in SI units.
+    /// Values at times, in SI units.
     Values(Vec<(Spanned<f64>, f64)>),
-    /// A column of a CSV file, over its first one.
+    /// A column of a CSV file, as a function of the first column.
     Column {
         /// The file.
         csv: Spanned<String>,
@@ -65,7 +65,7 @@ pub fn check(entry: &Entry, found: &mut Findings) -> Option<CheckSpec> {
     })
 }
 
-/// The one of the three kinds that is there.
+/// Reads the one reference that is given, of three kinds.
 fn reference(name: Span, fields: &mut Fields<'_>) -> Option<ReferenceSpec> {
     let [expression, values, csv] = ["expression", "values", "csv"].map(|key| fields.take(key));
     let column = if csv.is_some() { fields.require("column") } else { None };
@@ -95,7 +95,7 @@ fn reference(name: Span, fields: &mut Fields<'_>) -> Option<ReferenceSpec> {
     }
 }
 
-/// `[[t, value], ...]`, times increasing.
+/// Reads `[[t, value], ...]`, times increasing.
 fn pairs(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<Vec<(Spanned<f64>, f64)>> {
     let Tree::List(rows) = &tree.value else {
         return fields.wrong(tree, "values", "a list of [t, value]");
@@ -126,7 +126,7 @@ fn pairs(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<Vec<(Spanned<f
     Some(pairs)
 }
 
-/// A finite number above 0, if it is there.
+/// Reads a finite number above 0, if present.
 fn above_zero(key: &'static str, fields: &mut Fields<'_>) -> Option<f64> {
     let number = fields.number(key)?;
     if number.value > 0.0 {
@@ -137,7 +137,7 @@ fn above_zero(key: &'static str, fields: &mut Fields<'_>) -> Option<f64> {
     None
 }
 
-/// One line that says where the reference is from.
+/// Reads the source of the reference, one line.
 fn source(fields: &mut Fields<'_>) -> Option<String> {
     let text = fields.required_text("source")?;
     let line = text.value.trim();

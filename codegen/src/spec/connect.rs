@@ -1,7 +1,6 @@
-//! Connectors and ports of assemblies taken apart: what is left are joints of one port with one.
+//! Expansion of connectors and of ports of assemblies into joints of single ports.
 //!
-//! Excluded: paths of no port, which stay as they are written; the scene says what is wrong with
-//! them.
+//! Excluded: paths that name no port. They stay as written, and the scene reports them.
 
 use std::collections::HashMap;
 
@@ -9,7 +8,7 @@ use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::names::{did_you_mean, quoted};
 use crate::spec::{Acts, InstanceSpec, JointSpec, PortForceSpec, UnitSpec};
 
-/// The joints, each of two ports of parts; forces of the scene act on such ports too.
+/// Returns the joints, each of two ports of parts, and expands forces of the scene on such ports.
 pub fn ports_of(
     units: &[UnitSpec],
     instances: &[InstanceSpec],
@@ -42,7 +41,7 @@ pub fn ports_of(
     all
 }
 
-/// Connectors are of the unit's ports, and no two of them have one name.
+/// Checks that connectors contain only ports of the unit, and that their names are distinct.
 fn check_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) {
     let ports = || {
         let own = unit.ports.iter().map(|port| port.name.value.as_str());
@@ -70,7 +69,7 @@ fn check_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) {
     }
 }
 
-/// A force that would act on a connector.
+/// Returns the mistake of a force on a connector.
 fn of_several(port: &Spanned<String>, ports: &[String]) -> Mistake {
     let message = format!("a force acts on one port, and {} is a connector", quoted(&port.value));
     let help = format!("it is of {}", ports.join(", "));
@@ -84,7 +83,7 @@ struct Ports<'a> {
 }
 
 impl Ports<'_> {
-    /// The ports of parts that a path stands for; none, if it is of no port.
+    /// Returns the ports of parts that a path stands for; `None` if it names no port.
     fn ports(&self, path: &str) -> Option<Vec<String>> {
         let (instance, name) = path.rsplit_once('.')?;
         let unit = &self.units[self.instances[*self.by_name.get(instance)?].unit];
@@ -95,9 +94,9 @@ impl Ports<'_> {
         self.port(unit, instance, name)
     }
 
-    /// Likewise of what is no connector of the unit itself.
+    /// Returns the same for a path that is not a connector of the unit itself.
     fn port(&self, unit: &UnitSpec, instance: &str, name: &str) -> Option<Vec<String>> {
-        // What a path names in an assembly is further inside, so that this ends.
+        // A path in an assembly names something further inside, so the recursion ends.
         if let Some(exposed) = unit.exposed.iter().find(|known| known.name.value == name) {
             return self.ports(&format!("{instance}.{}", exposed.of.value));
         }
@@ -105,7 +104,7 @@ impl Ports<'_> {
         is_own.then(|| vec![format!("{instance}.{name}")])
     }
 
-    /// Ports of assemblies are ports of what is inside them.
+    /// Checks that ports of assemblies are ports of inner instances.
     fn check_exposed(&self, mistakes: &mut Vec<Mistake>) {
         for instance in self.instances {
             for exposed in &self.units[instance.unit].exposed {
@@ -128,7 +127,7 @@ impl Ports<'_> {
         }
     }
 
-    /// What is wrong with a path of a unit that has no such port and no such connector.
+    /// Returns the mistake of a path whose unit has no such port and no such connector.
     fn no_port(&self, path: &Spanned<String>) -> Option<Mistake> {
         let (instance, name) = path.value.rsplit_once('.')?;
         let unit = &self.units[self.instances[*self.by_name.get(instance)?].unit];
@@ -140,12 +139,12 @@ impl Ports<'_> {
         Some(Mistake::new(path.span, message, "unknown").help(help))
     }
 
-    /// A joint of connectors as joints of their ports, one by one.
+    /// Splits a joint of connectors into joints of their ports, one by one.
     fn pairs(&self, joint: &JointSpec) -> Result<Vec<JointSpec>, Box<Mistake>> {
         let [first, second] = &joint.connect;
         let (ports, others) = match [first, second].map(|path| self.ports(&path.value)) {
             [Some(ports), Some(others)] => (ports, others),
-            // Taken as it is, the joint would be told of a connector that is none of its ports.
+            // Unchanged, the joint would cause a message about a connector that is not a port.
             [Some(several), None] | [None, Some(several)] if several.len() > 1 => {
                 let unknown = [first, second].into_iter().find_map(|path| self.no_port(path));
                 return unknown.map_or_else(|| Ok(vec![joint.clone()]), |no| Err(Box::new(no)));
@@ -174,7 +173,7 @@ impl Ports<'_> {
     }
 }
 
-/// What joints may take hold of.
+/// Iterates over the names of ports and connectors of a unit.
 pub fn names_of(unit: &UnitSpec) -> impl Iterator<Item = &str> {
     let ports = unit.ports.iter().map(|port| port.name.value.as_str());
     let exposed = unit.exposed.iter().map(|port| port.name.value.as_str());

@@ -1,4 +1,4 @@
-//! Constraints: what coordinates must fulfil.
+//! Reading of constraints on coordinates.
 
 use crate::spec::ConstraintSpec;
 use crate::spec::event::whole_numbers;

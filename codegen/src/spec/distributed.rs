@@ -1,4 +1,4 @@
-//! `[fields.NAME]` of a unit, and what a scene chooses for it.
+//! Fields: `[fields.NAME]` of a unit, and the settings of a scene for them.
 
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::expression::Ast;
@@ -7,15 +7,15 @@ use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::Entry;
 use crate::spec::{CoordinateSpec, Declared, Formula, PortSpec};
 
-/// Elements that a field may be cut into.
+/// Maximum number of elements of a field.
 pub const MAX_ELEMENTS: f64 = 1e6;
-/// Order that its elements may have.
+/// Maximum order of the elements.
 pub const MAX_ORDER: f64 = 16.0;
 
-/// What may hold at the ends of a field, by name.
+/// Boundary conditions by name.
 pub const BOUNDARIES: &[(&str, Boundary)] = &[("free", Boundary::Free), ("fixed", Boundary::Fixed)];
 
-/// A one-dimensional field, by its densities a length.
+/// A one-dimensional field, given by its densities per length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldSpec {
     /// Its name.
@@ -24,7 +24,7 @@ pub struct FieldSpec {
     pub rate: Spanned<String>,
     /// Name of its derivative along the field.
     pub gradient: Spanned<String>,
-    /// Name of the rate of that.
+    /// Name of the rate of that derivative.
     pub gradient_rate: Spanned<String>,
     /// Unit of the field.
     pub unit: Declared,
@@ -32,39 +32,39 @@ pub struct FieldSpec {
     pub doc: String,
     /// Typical sizes of field and rate.
     pub scale: [f64; 2],
-    /// The parameter that is its length.
+    /// The parameter that gives its length.
     pub over: Spanned<String>,
-    /// T, V, D a length.
+    /// T, V, D per length.
     pub densities: [Option<Ast>; 3],
-    /// Q a length.
+    /// Q per length.
     pub force: Option<Ast>,
-    /// What holds at x = 0 and at x = length, unless a scene says otherwise.
+    /// Boundary conditions at x = 0 and at x = length, unless a scene sets others.
     pub ends: [Boundary; 2],
 }
 
-/// What holds at an end of a field.
+/// Boundary condition at an end of a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Boundary {
-    /// Nothing but what is joined to it acts on it.
+    /// Free: only joined parts act on it.
     Free,
-    /// The field is zero.
+    /// Fixed: the field is zero.
     Fixed,
 }
 
-/// How a scene cuts a field of an instance into elements.
+/// Division of a field of an instance into elements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiscretisationSpec {
     /// The field.
     pub field: Spanned<String>,
-    /// Elements unless a run says otherwise.
+    /// Default number of elements.
     pub elements: usize,
     /// Order of the shape functions.
     pub order: usize,
-    /// What holds at its ends, where the scene says so.
+    /// Boundary conditions at both ends, if the scene sets them.
     pub ends: [Option<Boundary>; 2],
 }
 
-/// The place along a field at which a port is.
+/// The place of a port on a field.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AttachmentSpec {
     /// The field.
@@ -138,7 +138,7 @@ fn choice<T: Copy>(
     found.map(|(_, value)| Spanned { value: *value, span: text.span })
 }
 
-/// Reads what a scene chooses for a field.
+/// Reads a scene's settings for a field.
 pub fn discretisation(entry: &Entry, found: &mut Findings) -> Option<DiscretisationSpec> {
     let what = format!("field {}", quoted(&entry.key.value));
     let mut fields = Fields::open(&entry.value, what, found);
@@ -160,7 +160,7 @@ fn count(fields: &mut Fields<'_>, key: &'static str, most: f64) -> Option<usize>
     None
 }
 
-/// The coordinate of a port on a field: what the field is at the place of the port.
+/// Returns the coordinate of a port on a field: the value of the field at the port.
 pub fn coordinate(port: &PortSpec, unit_fields: &[FieldSpec]) -> Option<CoordinateSpec> {
     let attachment = port.attachment.as_ref()?;
     let field = unit_fields.iter().find(|field| field.name.value == attachment.field.value)?;

@@ -1,4 +1,4 @@
-//! Modes and events: what a machine does where an expression passes zero.
+//! Reading of modes and events.
 
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
@@ -33,7 +33,7 @@ pub fn event(entry: &Entry, found: &mut Findings) -> Option<EventSpec> {
     })
 }
 
-/// Reads a mode: a state of no dimension whose rate is 0.
+/// Reads a mode: a dimensionless state whose rate is 0.
 #[expect(clippy::unnecessary_wraps, reason = "as all that are read by name")]
 pub fn mode(entry: &Entry, found: &mut Findings) -> Option<StateSpec> {
     let what = format!("mode {}", quoted(&entry.key.value));
@@ -49,7 +49,7 @@ pub fn mode(entry: &Entry, found: &mut Findings) -> Option<StateSpec> {
     Some(mode_called(entry.key.clone(), initial, doc))
 }
 
-/// A mode of this name.
+/// Returns a mode of this name.
 pub fn mode_called(name: Spanned<String>, initial: Option<Formula>, doc: String) -> StateSpec {
     let span = name.span;
     let unit =
@@ -58,7 +58,7 @@ pub fn mode_called(name: Spanned<String>, initial: Option<Formula>, doc: String)
     StateSpec { name, unit, doc, rate, is_mode: true, initial, scale: 1.0 }
 }
 
-/// `rising`, `falling` or `both`, which is the default.
+/// Reads `rising`, `falling` or `both`, which is the default.
 fn direction(fields: &mut Fields<'_>) -> Option<Direction> {
     let Some(tree) = fields.take("direction") else { return Some(Direction::Both) };
     let text = fields.as_text(tree, "direction")?;
@@ -71,8 +71,8 @@ fn direction(fields: &mut Fields<'_>) -> Option<Direction> {
     known
 }
 
-/// Modes with the whole numbers that they must be; `instance.mode` too, which TOML
-/// takes for a table.
+/// Reads modes with the whole numbers they must be; `instance.mode` too, which TOML reads as a
+/// table.
 pub(super) fn whole_numbers(
     entries: &[Entry],
     fields: &mut Fields<'_>,

@@ -1,4 +1,4 @@
-//! Expressions with the span of every part.
+//! Expressions, with the span of each part.
 //!
 //! Excluded: meanings of names and dimensions, which the scene resolves.
 
@@ -9,19 +9,19 @@ pub use crate::spec::lexer::{Literal, Text};
 use crate::spec::measure::Measure;
 use crate::spec::names::quoted;
 
-/// How deep parentheses, calls, signs and powers may nest.
+/// Maximum nesting of parentheses, calls, signs and powers.
 pub const MAX_NESTING: usize = 200;
 
 /// A part of an expression.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ast {
-    /// Where it stands.
+    /// Source span.
     pub span: Span,
-    /// What it is.
+    /// Kind and parts.
     pub node: Node,
 }
 
-/// What a part of an expression is.
+/// Kind of a part of an expression.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Node {
     /// A number, with a unit in brackets.
@@ -36,7 +36,7 @@ pub enum Node {
     Product(Vec<(bool, Ast)>),
     /// Base and exponent.
     Power(Box<Ast>, Box<Ast>),
-    /// Function, where its name stands, and arguments.
+    /// Function, span of its name, and arguments.
     Call(String, Span, Vec<Ast>),
     /// a < b, an argument of a call.
     Less(Box<Ast>, Box<Ast>),
@@ -45,7 +45,7 @@ pub enum Node {
 }
 
 impl Ast {
-    /// Sees every part, each after what it is made of.
+    /// Visits every part, each after its own parts.
     pub fn visit<'a>(&'a self, see: &mut impl FnMut(&'a Ast)) {
         match &self.node {
             Node::Number(..) | Node::Name(..) | Node::Text(_) => {}
@@ -68,7 +68,7 @@ impl Ast {
         see(self);
     }
 
-    /// Adds the CSV files that the expression names.
+    /// Adds the CSV files that the expression refers to.
     pub fn tables(&self, files: &mut Vec<Spanned<String>>) {
         self.visit(&mut |part| {
             if let Node::Call(function, _, arguments) = &part.node
@@ -81,11 +81,11 @@ impl Ast {
     }
 }
 
-/// Reads an expression by recursive descent.
+/// Parses an expression by recursive descent.
 ///
 /// # Errors
-/// At the first token that fits no rule of the language, or where parts nest
-/// deeper than [`MAX_NESTING`].
+/// The first token that fits no rule of the language, or a part nested deeper than
+/// [`MAX_NESTING`].
 pub fn parse(text: &Text<'_>) -> Result<Ast, Box<Mistake>> {
     let tokens = lexer::tokens(text)?;
     let end = text.span(text.value.len()..text.value.len());
@@ -107,7 +107,7 @@ struct Parser<'a> {
 type Parsed = Result<Ast, Box<Mistake>>;
 
 impl<'a> Parser<'a> {
-    /// product { ("+" | "-") product }.
+    /// Parses product { ("+" | "-") product }.
     fn sum(&mut self) -> Parsed {
         let first = self.product()?;
         let mut terms = vec![(false, first)];
@@ -118,7 +118,7 @@ impl<'a> Parser<'a> {
         Ok(joined(terms, Node::Sum))
     }
 
-    /// signed { ("*" | "/") signed }.
+    /// Parses signed { ("*" | "/") signed }.
     fn product(&mut self) -> Parsed {
         let first = self.signed()?;
         let mut factors = vec![(false, first)];
@@ -129,7 +129,7 @@ impl<'a> Parser<'a> {
         Ok(joined(factors, Node::Product))
     }
 
-    /// { "+" | "-" } power.
+    /// Parses { "+" | "-" } power.
     fn signed(&mut self) -> Parsed {
         let Some(mark @ ('+' | '-')) = self.mark() else { return self.power() };
         let sign = self.here();
@@ -141,7 +141,7 @@ impl<'a> Parser<'a> {
         Ok(Ast { span: sign.to(of.span), node: Node::Negative(Box::new(of)) })
     }
 
-    /// atom \["^" signed\].
+    /// Parses atom \["^" signed\].
     fn power(&mut self) -> Parsed {
         let base = self.atom()?;
         if self.mark() != Some('^') {
@@ -153,7 +153,7 @@ impl<'a> Parser<'a> {
         Ok(Ast { span, node: Node::Power(Box::new(base), Box::new(exponent)) })
     }
 
-    /// number \[unit\] | name | name "(" arguments ")" | "(" sum ")".
+    /// Parses number \[unit\] | name | name "(" arguments ")" | "(" sum ")".
     fn atom(&mut self) -> Parsed {
         let Some(token) = self.peek() else {
             return Err(Box::new(self.missing("the expression ends too early")));
@@ -174,7 +174,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// A number in coherent SI units, whatever unit it is written in.
+    /// Returns a number in coherent SI units, converted from the unit in which it is written.
     fn number(&mut self, number: &Literal, span: Span) -> Ast {
         let Some(Spanned { value: Token::Unit(measure), span: end }) = self.peek() else {
             return Ast { span, node: Node::Number(number.clone(), None) };
@@ -208,7 +208,7 @@ impl<'a> Parser<'a> {
         Ok(Ast { span, node: Node::Call(name.to_owned(), name_span, arguments) })
     }
 
-    /// text | sum \["<" sum\].
+    /// Parses text | sum \["<" sum\].
     fn argument(&mut self) -> Parsed {
         if let Some(Spanned { value: Token::Text(text), span }) = self.peek() {
             self.at += 1;
@@ -295,7 +295,7 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// One part alone, or several under a node that spans them.
+/// Returns a single part as it is, or several as a node that spans them.
 fn joined(mut parts: Vec<(bool, Ast)>, node: fn(Vec<(bool, Ast)>) -> Node) -> Ast {
     if parts.len() == 1
         && let Some((_, only)) = parts.pop()
@@ -313,7 +313,7 @@ mod tests {
     use crate::spec::diagnostic::FileId;
     use crate::spec::toml::Tree;
 
-    /// The expression with every grouping written out.
+    /// Formats the expression with all grouping explicit.
     fn grouped(text: &str) -> String {
         let span = Span::new(FileId(0), 0..text.len());
         let tree = Spanned { value: Tree::Text { value: text.to_owned(), inner: Some(0) }, span };

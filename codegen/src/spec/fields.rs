@@ -1,5 +1,4 @@
-//! Taking a table apart: each key is asked for once, and what nobody asked for is
-//! an error.
+//! Reading of tables: each key is requested once, and keys that are never requested are an error.
 
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::expression::{self, Ast, Literal, Text};
@@ -8,25 +7,25 @@ use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{Declared, Formula, Value};
 
-/// What reading has found besides the values.
+/// Findings of reading, besides the values.
 #[derive(Debug, Default)]
 pub struct Findings {
-    /// What is wrong.
+    /// Mistakes.
     pub mistakes: Vec<Mistake>,
-    /// Paths of the CSV files that expressions name.
+    /// Paths of the CSV files that expressions refer to.
     pub tables: Vec<Spanned<String>>,
-    /// Tables that were taken apart, if somebody wants to know.
+    /// Tables that were read, if they are recorded.
     pub reads: Option<Vec<TableRead>>,
 }
 
-/// A table that was taken apart: keys that were asked for, and those that must be there.
+/// A table that was read, with its requested and its required keys.
 #[derive(Debug, Clone)]
 pub struct TableRead {
     /// The table.
     pub span: Span,
-    /// Keys that were asked for.
+    /// Keys that were requested.
     pub asked: Vec<&'static str>,
-    /// Those of them that must be there.
+    /// Keys among them that are required.
     pub required: Vec<&'static str>,
 }
 
@@ -35,14 +34,14 @@ pub struct Fields<'a> {
     entries: &'a [Entry],
     asked: Vec<&'static str>,
     required: Vec<&'static str>,
-    /// The table, for what is missing from it.
+    /// The span of the table, for missing keys.
     pub span: Span,
     what: String,
     found: &'a mut Findings,
 }
 
 impl<'a> Fields<'a> {
-    /// Starts on a table called `what` in messages; anything else is an error.
+    /// Opens a table called `what` in messages. Any other value is an error.
     pub fn open(tree: &'a Spanned<Tree>, what: String, found: &'a mut Findings) -> Self {
         let entries = match &tree.value {
             Tree::Table(entries) => entries.as_slice(),
@@ -55,7 +54,7 @@ impl<'a> Fields<'a> {
         Fields { entries, asked: Vec::new(), required: Vec::new(), span: tree.span, what, found }
     }
 
-    /// For a value that stands by itself.
+    /// Opens no table, for a single value.
     pub fn alone(span: Span, found: &'a mut Findings) -> Self {
         Fields {
             entries: &[],
@@ -67,7 +66,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Reports every key that was not asked for.
+    /// Reports every key that was not requested.
     pub fn close(self) {
         if self.found.reads.is_some() {
             let (asked, required) = (self.asked.clone(), self.required.clone());
@@ -86,12 +85,12 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Where reading reports to.
+    /// Returns the findings of this reader.
     pub fn found(&mut self) -> &mut Findings {
         self.found
     }
 
-    /// The value of a key, if it is there.
+    /// Returns the value of a key, if present.
     pub fn take(&mut self, key: &'static str) -> Option<&'a Spanned<Tree>> {
         if !self.asked.contains(&key) {
             self.asked.push(key);
@@ -99,7 +98,7 @@ impl<'a> Fields<'a> {
         self.entries.iter().find(|entry| entry.key.value == key).map(|entry| &entry.value)
     }
 
-    /// The value of a key that must be there.
+    /// Returns the value of a required key.
     pub fn require(&mut self, key: &'static str) -> Option<&'a Spanned<Tree>> {
         let value = self.take(key);
         if !self.required.contains(&key) {
@@ -112,7 +111,7 @@ impl<'a> Fields<'a> {
         value
     }
 
-    /// The entries of a table of tables, whose keys are names.
+    /// Returns the entries of a table of tables, whose keys are names.
     pub fn named(&mut self, key: &'static str) -> &'a [Entry] {
         let Some(tree) = self.take(key) else { return &[] };
         let Tree::Table(entries) = &tree.value else {
@@ -127,7 +126,7 @@ impl<'a> Fields<'a> {
         entries
     }
 
-    /// The entries of a table with keys of any kind.
+    /// Returns the entries of a table with keys of any kind.
     pub fn entries(&mut self, key: &'static str) -> &'a [Entry] {
         match self.take(key) {
             None => &[],
@@ -139,7 +138,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// The items of a list of tables.
+    /// Returns the items of a list of tables.
     pub fn list(&mut self, key: &'static str) -> &'a [Spanned<Tree>] {
         match self.take(key) {
             None => &[],
@@ -151,7 +150,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A string, empty if absent.
+    /// Reads a string, empty if absent.
     pub fn text(&mut self, key: &'static str) -> String {
         match self.take(key) {
             None => String::new(),
@@ -159,13 +158,13 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A string that must be there.
+    /// Reads a required string.
     pub fn required_text(&mut self, key: &'static str) -> Option<Spanned<String>> {
         let tree = self.require(key)?;
         self.as_text(tree, key)
     }
 
-    /// A name, if it is there.
+    /// Reads a name, if present.
     pub fn name(&mut self, key: &'static str) -> Option<Spanned<String>> {
         let tree = self.take(key)?;
         let name = self.as_text(tree, key)?;
@@ -178,7 +177,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// true or false, false if absent.
+    /// Reads `true` or `false`, false if absent.
     pub fn flag(&mut self, key: &'static str) -> bool {
         match self.take(key) {
             None => false,
@@ -190,19 +189,19 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A finite number, if it is there.
+    /// Reads a finite number, if present.
     pub fn number(&mut self, key: &'static str) -> Option<Spanned<f64>> {
         let tree = self.take(key)?;
         self.as_number(tree, key)
     }
 
-    /// A finite number that must be there.
+    /// Reads a required finite number.
     pub fn required_number(&mut self, key: &'static str) -> Option<Spanned<f64>> {
         let tree = self.require(key)?;
         self.as_number(tree, key)
     }
 
-    /// A finite number above 0, 1 if absent.
+    /// Reads a finite number above 0; 1 if absent.
     pub fn scale(&mut self, key: &'static str) -> f64 {
         let Some(scale) = self.number(key) else { return 1.0 };
         if scale.value > 0.0 {
@@ -213,12 +212,12 @@ impl<'a> Fields<'a> {
         1.0
     }
 
-    /// A coherent unit of measure that must be there.
+    /// Reads a required coherent unit of measure.
     pub fn unit(&mut self) -> Option<Declared> {
         self.unit_by(Measure::parse_coherent)
     }
 
-    /// A unit of measure that must be there, as `read` reads it.
+    /// Reads a required unit of measure by the function `read`.
     pub fn unit_by(&mut self, read: fn(&str) -> Result<Measure, UnitError>) -> Option<Declared> {
         let tree = self.require("unit")?;
         let text = self.as_text(tree, "unit")?;
@@ -236,25 +235,25 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// An expression, if it is there.
+    /// Reads an expression, if present.
     pub fn expression(&mut self, key: &'static str) -> Option<Ast> {
         let tree = self.take(key)?;
         self.as_expression(tree, key)
     }
 
-    /// An expression that must be there.
+    /// Reads a required expression.
     pub fn required_expression(&mut self, key: &'static str) -> Option<Ast> {
         let tree = self.require(key)?;
         self.as_expression(tree, key)
     }
 
-    /// An expression or a number, if it is there.
+    /// Reads an expression or a number, if present.
     pub fn formula(&mut self, key: &'static str) -> Option<Formula> {
         let tree = self.take(key)?;
         self.as_formula(tree, key)
     }
 
-    /// A string's value.
+    /// Returns the value of a string.
     pub fn as_text(&mut self, tree: &Spanned<Tree>, key: &str) -> Option<Spanned<String>> {
         match &tree.value {
             Tree::Text { value, .. } => Some(Spanned { value: value.clone(), span: tree.span }),
@@ -262,7 +261,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A finite number's value.
+    /// Returns the value of a finite number.
     pub fn as_number(&mut self, tree: &Spanned<Tree>, key: &str) -> Option<Spanned<f64>> {
         match &tree.value {
             Tree::Number { value: 0.0, text, .. } if is_written_as_more(text) => {
@@ -283,7 +282,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A string read as an expression.
+    /// Parses a string as an expression.
     pub fn as_expression(&mut self, tree: &Spanned<Tree>, key: &str) -> Option<Ast> {
         let Some(text) = Text::of(tree) else {
             return self.wrong(tree, key, "an expression in quotes");
@@ -300,7 +299,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A finite number, or a string read as an expression.
+    /// Returns a finite number, or a string parsed as an expression.
     pub fn as_value(&mut self, tree: &Spanned<Tree>, key: &str) -> Option<Value> {
         match &tree.value {
             Tree::Text { .. } => self.as_expression(tree, key).map(Value::Expression),
@@ -308,7 +307,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A string read as an expression, or a number.
+    /// Returns a string parsed as an expression, or a number.
     pub fn as_formula(&mut self, tree: &Spanned<Tree>, key: &str) -> Option<Formula> {
         let Tree::Number { text, integer, .. } = &tree.value else {
             return self.as_expression(tree, key).map(Formula::Expression);
@@ -333,7 +332,7 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// Whether a number's text has a digit before its exponent that is not 0.
+/// Reports whether the text of a number has a nonzero digit before its exponent.
 fn is_written_as_more(text: &str) -> bool {
     let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
     mantissa.contains(|c: char| ('1'..='9').contains(&c))

@@ -1,8 +1,8 @@
-//! `[friction.NAME]`: dry friction that sticks exactly, written out as what it is: a mode, a
-//! constraint while it sticks, a force while it slides, and events between them.
+//! Dry friction with exact sticking, `[friction.NAME]`. It is translated to a mode, a constraint
+//! while it sticks, a force while it slides, and events between them.
 //!
-//! Excluded: what it acts on, and what it loses, which follow from its speed; [`crate::scene`]
-//! works them out.
+//! Excluded: its target and its losses, which follow from its speed; [`crate::scene`] derives
+//! them.
 
 use crate::spec::diagnostic::{Span, Spanned};
 use crate::spec::dimension::{Dimension, Unit};
@@ -18,21 +18,21 @@ use machinist_model::Direction;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-/// The mode: it slides back.
+/// Mode: slides backwards.
 const BACK: i32 = -1;
-/// It sticks.
+/// Mode: sticks.
 const STUCK: i32 = 0;
-/// It slides forth.
+/// Mode: slides forwards.
 const FORTH: i32 = 1;
-/// There is none.
+/// Mode: no friction.
 const OPEN: i32 = 2;
 
-/// As friction begins, what is slower sticks, unless it says otherwise: one over this, in SI units.
+/// Reciprocal of the default speed below which friction sticks initially, in SI units.
 const SLOW: i64 = 1_000_000_000;
-/// What could hold no more is open: likewise.
+/// Reciprocal of the force below which friction is inactive, in SI units.
 const IDLE: i64 = 1_000_000_000_000;
 
-/// What a unit or a scene has besides, which friction is written out to.
+/// Lists of a unit or a scene that friction adds to.
 pub struct Lists<'a> {
     pub states: &'a mut Vec<StateSpec>,
     pub helpers: &'a mut Vec<DefinitionSpec>,
@@ -47,16 +47,16 @@ pub fn all(fields: &mut Fields<'_>, mut lists: Lists<'_>) -> Vec<FrictionSpec> {
     written.map(|written| written.write_out(&mut lists)).collect()
 }
 
-/// As it is written.
+/// Friction as written.
 struct Written {
     name: Spanned<String>,
-    /// How fast it slides.
+    /// Sliding speed.
     speed: Ast,
-    /// Size of the force while it slides.
+    /// Magnitude of the force while sliding.
     sliding: Ast,
-    /// The largest force that it takes to stick, if that is another.
+    /// Breakaway force, if it differs.
     breakaway: Option<Ast>,
-    /// As it begins, what is slower sticks.
+    /// Speed below which it sticks initially.
     sticking_speed: Ast,
     unit: Declared,
     doc: String,
@@ -104,12 +104,13 @@ impl Written {
         event::mode_called(self.called("slip"), Some(Formula::Number(initial)), doc.to_owned())
     }
 
-    /// Sizes of its forces, and the force while it slides.
+    /// Returns the magnitudes of its forces, and the force while sliding.
     fn helpers(&self) -> [DefinitionSpec; 3] {
         let sliding = || self.ast(self.called("sliding"));
         let breakaway = match &self.breakaway {
             None => sliding(),
-            // What breaks away slides on.
+            // The breakaway force is at least the sliding force, so sliding continues after
+            // breakaway.
             Some(breakaway) => call("max", [breakaway.clone(), sliding()], breakaway.span),
         };
         let back = less(self.ast(self.called("slip")), self.number(STUCK));
@@ -167,7 +168,7 @@ impl Written {
         events
     }
 
-    /// The mode by the speed as it begins: (sign(s - slow) + sign(s + slow))/2.
+    /// Returns the initial mode from the speed: (sign(s - slow) + sign(s + slow))/2.
     fn begins(&self) -> Ast {
         let sign = |by: Ast| call("sign", [sum([self.speed.clone(), by])], self.name.span);
         let slow = self.sticking_speed.clone();
@@ -197,13 +198,13 @@ impl Written {
         DefinitionSpec { name, expression, unit: self.unit.clone(), doc: doc.to_owned() }
     }
 
-    /// The name of what belongs to it.
+    /// Returns the name of one of its parts.
     fn called(&self, suffix: &str) -> Spanned<String> {
         Spanned { value: format!("{}_{suffix}", self.name.value), span: self.name.span }
     }
 
     fn ast(&self, name: Spanned<String>) -> Ast {
-        // Of sizes their own text is told.
+        // Mistakes in the magnitudes refer to their own text.
         let span = if name.value.ends_with("_sliding") { self.sliding.span } else { name.span };
         Ast { span, node: Node::Name(None, name.value) }
     }
@@ -214,7 +215,7 @@ impl Written {
     }
 }
 
-/// One over a large number, of a dimension, in SI units.
+/// Returns the reciprocal of a large number with a dimension, in SI units.
 fn part(of: i64, dimension: Dimension, span: Span) -> Ast {
     let literal = Literal(BigRational::new(BigInt::from(1), BigInt::from(of)));
     Ast { span, node: Node::Number(literal, Some(Unit { dimension, rad: 0 })) }

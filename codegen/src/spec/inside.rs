@@ -1,4 +1,4 @@
-//! What is inside a scene or an assembly: instances of units, and how they are joined.
+//! Contents of a scene or an assembly: instances of units, and their joints.
 //!
 //! Excluded: the units themselves, which are only named.
 
@@ -11,33 +11,33 @@ use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::each;
 use crate::spec::{DiscretisationSpec, Formula, JointSpec, Value};
 
-/// Instances, joints and values at the start, as written.
+/// Instances, joints and initial values, as written.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Inside {
     /// Instances of units.
     pub instances: Vec<InstanceText>,
     /// Joints between their ports.
     pub joints: Vec<JointSpec>,
-    /// Values at the start, by `instance.name`.
+    /// Initial values, by `instance.name`.
     pub initial: Vec<(Spanned<String>, Formula)>,
-    /// Values from which those that constraints give are looked for, likewise.
+    /// Guesses of the initial values that constraints determine, likewise.
     pub guess: Vec<(Spanned<String>, Formula)>,
 }
 
-/// An instance whose unit is only named.
+/// An instance whose unit is given by name only.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InstanceText {
     /// Its name.
     pub name: Spanned<String>,
-    /// The unit it is of.
+    /// The name of its unit.
     pub unit: Spanned<String>,
-    /// Of a row of instances, how many.
+    /// Number of instances, for a row.
     pub count: Option<Spanned<i64>>,
-    /// Values other than the unit's, also of what is inside it: `gear.ratio`.
+    /// Values that replace the unit's, also for inner instances: `gear.ratio`.
     pub parameters: Vec<(Spanned<String>, Value)>,
     /// Expressions for the inputs.
     pub inputs: Vec<(Spanned<String>, Formula)>,
-    /// How its fields are cut into elements.
+    /// Division of its fields into elements.
     pub fields: Vec<DiscretisationSpec>,
 }
 
@@ -86,7 +86,8 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
     Some(InstanceText { name, unit: unit?, count, parameters, inputs, fields: choices })
 }
 
-/// `inertia`, or `rotational/inertia` of a folder: names with slashes between them.
+/// Checks the name of a unit: `inertia`, or `rotational/inertia` in a folder, with names between
+/// slashes.
 fn check_unit_path(unit: &Spanned<String>) -> Result<(), Mistake> {
     let names = unit.value.split('/');
     names
@@ -114,7 +115,7 @@ fn ports(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<[Spanned<Strin
     Some([fields.as_text(first, "connect")?, fields.as_text(second, "connect")?])
 }
 
-/// Both `"motor.angle" = 0` and `motor.angle = 0`, which TOML takes for a table.
+/// Reads both `"motor.angle" = 0` and `motor.angle = 0`, which TOML reads as a table.
 pub fn values_by_name<'a>(
     entries: impl IntoIterator<Item = &'a Entry>,
     fields: &mut Fields<'_>,
@@ -128,7 +129,7 @@ pub fn values_by_name<'a>(
     values
 }
 
-/// Entries by their whole path, whether its dots stand in quotes or not; `row[3]` is `row_3`.
+/// Returns entries by their full path, whether its dots are quoted or not; `row[3]` is `row_3`.
 pub fn by_path<'a>(
     entries: impl IntoIterator<Item = &'a Entry>,
 ) -> Vec<(Spanned<String>, &'a Spanned<Tree>)> {

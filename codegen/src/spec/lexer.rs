@@ -1,4 +1,4 @@
-//! Text of an expression to tokens.
+//! Splitting of an expression's text into tokens.
 
 use std::ops::Range;
 
@@ -11,27 +11,27 @@ use crate::spec::measure::Measure;
 use crate::spec::names::quoted;
 use crate::spec::toml::Tree;
 
-/// Bytes an expression may have.
+/// Maximum length of an expression in bytes.
 const MAX_EXPRESSION: usize = 64 << 10;
-/// Digits a number may have; no double takes more to be written exactly.
+/// Maximum number of digits; no double needs more for its exact value.
 const MAX_DIGITS: usize = 800;
-/// Powers of ten beyond which no number of an expression can be meant.
+/// Limit of powers of ten in numbers of an expression.
 const MAX_POWER_OF_TEN: i64 = 70_000;
-/// What helps who writes another comparison.
+/// Hint for other comparison operators.
 const ONLY_COMPARISON: &str = "the only comparison is `x < y`, within piecewise";
 
-/// An exact number, finite and nonzero as an f64 unless it is zero.
+/// An exact number that is zero, or finite and nonzero as an `f64`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Literal(pub BigRational);
 
 impl Literal {
-    /// An integer.
+    /// Returns the literal of an integer.
     #[must_use]
     pub fn of_integer(integer: i64) -> Self {
         Literal(BigRational::from_integer(integer.into()))
     }
 
-    /// Reads `2`, `-0.5`, `1e-3`; `None` if it is no number or beyond f64.
+    /// Reads `2`, `-0.5`, `1e-3`; `None` if it is not a number or beyond `f64`.
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
         let rounded: f64 = text.parse().ok().filter(|value: &f64| value.is_finite())?;
@@ -55,7 +55,7 @@ impl Literal {
     }
 }
 
-/// The text of an expression and where it stands.
+/// Text of an expression and its place in the file.
 #[derive(Debug, Clone, Copy)]
 pub struct Text<'a> {
     /// The characters.
@@ -65,7 +65,7 @@ pub struct Text<'a> {
 }
 
 impl<'a> Text<'a> {
-    /// Of a string of a TOML file; `None` of anything else.
+    /// Returns the text of a string of a TOML file; `None` for anything else.
     #[must_use]
     pub fn of(tree: &'a Spanned<Tree>) -> Option<Self> {
         match &tree.value {
@@ -74,7 +74,7 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// Where in the file the bytes `range` of the text are; all of the string if
+    /// Returns the span in the file of the bytes `range` of the text. It is the whole string if
     /// escapes make offsets meaningless.
     #[must_use]
     pub fn span(&self, range: Range<usize>) -> Span {
@@ -85,14 +85,15 @@ impl<'a> Text<'a> {
     }
 }
 
-/// A piece of an expression.
+/// A token of an expression.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Token {
     /// A number.
     Number(Literal),
     /// A unit in brackets.
     Unit(Measure),
-    /// A name, or that of an instance, with dots within what is inside others, and one of its own.
+    /// A name, preceded by that of an instance, if any. Instances inside others have names with
+    /// dots.
     Name(Option<String>, String),
     /// A quoted text.
     Text(String),
@@ -100,11 +101,11 @@ pub enum Token {
     Mark(char),
 }
 
-/// Splits an expression.
+/// Splits an expression into tokens.
 ///
 /// # Errors
-/// On a character that belongs to no expression, a number beyond f64, a unit of
-/// measure that is not known, or more than 64 KiB.
+/// A character that belongs to no expression, a number beyond `f64`, an unknown unit of measure,
+/// or more than 64 KiB.
 pub fn tokens(text: &Text<'_>) -> Result<Vec<Spanned<Token>>, Box<Mistake>> {
     if text.value.len() > MAX_EXPRESSION {
         let span = text.span(0..0);
@@ -154,7 +155,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// `**` and `<=` read like operators of other languages.
+    /// Rejects `**` and `<=`, which are operators of other languages.
     fn no_double(&self, c: char) -> Result<(), Box<Mistake>> {
         let next = self.rest().chars().next();
         let help = match (c, next) {
@@ -210,13 +211,13 @@ impl Lexer<'_> {
         length
     }
 
-    /// A name, or several with dots between: all but the last are the instance.
+    /// Reads a name, or several with dots between: all but the last are the instance.
     fn name(&mut self) -> Token {
         let mut path: Option<String> = None;
         loop {
             let mut word = self.word();
             if let Some(index) = self.index() {
-                // A number at once, an `i` once it is known.
+                // A number is inserted at once, an `i` when its value is known.
                 let number = index.parse::<u32>();
                 word = number.map_or(format!("{word}[{index}]"), |n| format!("{word}_{n}"));
             }
@@ -231,12 +232,13 @@ impl Lexer<'_> {
         }
     }
 
-    /// What stands in brackets right behind a name: `3`, `i`, `i+1`.
+    /// Returns the text in brackets directly after a name: `3`, `i`, `i+1`.
     fn index(&mut self) -> Option<String> {
         let (inside, after) = self.rest().strip_prefix('[')?.split_once(']')?;
         let index: String = inside.chars().filter(|c| *c != ' ').collect();
         let word = |c: char| c.is_ascii_digit() || "i+-".contains(c);
-        // Before the name of something of an instance only: units may be called as instances.
+        // Only before the name of a quantity of an instance: units of measure may have the names
+        // of instances.
         if !after.starts_with('.') || index.is_empty() || !index.chars().all(word) {
             return None;
         }
@@ -261,7 +263,7 @@ impl Lexer<'_> {
         })
     }
 
-    /// What stands between `open`, which is next, and `close`.
+    /// Returns the range between `open`, which is next, and `close`.
     fn delimited(&mut self, open: char, close: char) -> Result<Range<usize>, Box<Mistake>> {
         let start = self.at + open.len_utf8();
         let Some(length) = self.text.value[start..].find(close) else {

@@ -3,11 +3,11 @@
 /// A unit that comes with Machinist.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LibraryUnit {
-    /// What scenes call it, with its folder: `rotational/gear`.
+    /// Name in scenes, with its folder: `rotational/gear`.
     pub name: &'static str,
     /// Its spec.
     pub text: &'static str,
-    /// A scene of a few lines that uses it; standard parts have one.
+    /// A short example scene; every standard part has one.
     pub example: Option<&'static str>,
 }
 
@@ -36,8 +36,7 @@ macro_rules! part {
     };
 }
 
-/// All of them; the one list there is. Standard parts are in folders by kind, and have
-/// examples.
+/// All units that come with Machinist. Standard parts are in folders by kind, and have examples.
 pub const LIBRARY: &[LibraryUnit] = &[
     unit!("bouncer"),
     unit!("coupling"),
@@ -171,16 +170,16 @@ pub const LIBRARY: &[LibraryUnit] = &[
 /// A scene that comes with Machinist.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LibraryScene {
-    /// What commands call it.
+    /// Name in commands.
     pub name: &'static str,
-    /// What messages and headers call its file: `scenes/saw_gin.toml`.
+    /// Label of its file in messages and headers: `scenes/saw_gin.toml`.
     pub label: &'static str,
-    /// Its spec, whose units all come with Machinist.
+    /// Its spec. All of its units come with Machinist.
     pub text: &'static str,
 }
 
 impl LibraryScene {
-    /// The scene of a name.
+    /// Finds the scene of a name.
     #[must_use]
     pub fn find(name: &str) -> Option<&'static Self> {
         SCENES.iter().find(|scene| scene.name == name)
@@ -204,7 +203,7 @@ macro_rules! scene {
     };
 }
 
-/// All of them: what is in `specs/scenes`, and in its folder `bench`.
+/// All scenes that come with Machinist: those in `specs/scenes` and in its folder `bench`.
 pub const SCENES: &[LibraryScene] = &[
     scene!("bouncing_mass"),
     scene!("contact_oscillator"),

@@ -1,4 +1,4 @@
-//! From a scene's path to everything it refers to.
+//! Loading of a scene and of everything it refers to.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -13,9 +13,9 @@ use crate::spec::{
     Inside, InstanceSpec, InstanceText, JointSpec, SceneSpec, UnitSpec, connect, table, toml, unit,
 };
 
-/// Names that are as alike as this are taken for one that was misspelt.
+/// Similarity of names beyond which one is taken as a misspelling of the other.
 const ALIKE: f64 = 0.85;
-/// Instances that a scene may have, with all that is inside them.
+/// Maximum number of instances of a scene, including all inner ones.
 const MOST_INSTANCES: usize = 20_000;
 
 pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
@@ -24,7 +24,7 @@ pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
     read(sources, file, Some(folder_of(path)))
 }
 
-/// A scene that comes with Machinist, whose units do so too.
+/// Loads a scene that comes with Machinist, as do its units.
 pub(super) fn load_library(scene: &LibraryScene) -> Result<SceneSpec, Diagnostics> {
     let mut sources = Sources::default();
     let file = sources.embed(scene.label, scene.text);
@@ -87,33 +87,34 @@ fn read(sources: Sources, file: FileId, folder: Option<&Path>) -> Result<SceneSp
     }
 }
 
-/// What is wrong has been noted.
+/// Marks a failure whose mistake has been recorded.
 struct Refused;
 
 struct Loader<'a> {
     sources: Sources,
     found: Findings,
-    /// Where units are looked for beside the library.
+    /// The folder in which units are searched besides the library.
     folder: Option<&'a Path>,
     /// The scene's own file.
     scene: FileId,
     /// The units that the scene defines.
     define: Vec<UnitSpec>,
     units: Vec<UnitSpec>,
-    /// Units by name, and by whether only those that come with Machinist are meant.
+    /// Units by name; true selects only units that come with Machinist.
     known: HashMap<(bool, String), Option<usize>>,
     instances: Vec<InstanceSpec>,
     joints: Vec<JointSpec>,
 }
 
 impl Loader<'_> {
-    /// Takes in what is inside the scene, or an assembly: `within` is its instance, and `trail`
-    /// the units that it is inside of.
+    /// Adds the contents of the scene, or of an assembly: `within` is its instance, and `trail`
+    /// lists the units that enclose it.
     fn open(&mut self, inside: &Inside, within: Option<usize>, trail: &mut Vec<usize>) {
         let prefix =
             within.map_or(String::new(), |at| format!("{}.", self.instances[at].name.value));
         for text in &inside.instances {
-            // What comes with Machinist is made of what does so too, whatever else has its name.
+            // Units that come with Machinist consist of such units too, whatever other unit has
+            // the name.
             let by_library = trail.last().is_some_and(|unit| self.is_library(*unit));
             let Some(unit) = self.unit_of(&text.unit, by_library) else { continue };
             if trail.contains(&unit) {
@@ -163,13 +164,13 @@ impl Loader<'_> {
         self.found.mistakes.push(Mistake::new(text.unit.span, message, "again").help(help));
     }
 
-    /// Whether a unit comes with Machinist; those of the scene's own file do not.
+    /// Reports whether a unit comes with Machinist. Units of the scene's own file do not.
     fn is_library(&self, unit: usize) -> bool {
         let file = self.units[unit].file;
         file != self.scene && self.sources.get(file).file.path.as_os_str().is_empty()
     }
 
-    /// The unit of a name; each is read once.
+    /// Returns the unit of a name. Each is read once.
     fn unit_of(&mut self, name: &Spanned<String>, by_library: bool) -> Option<usize> {
         let key = (by_library, name.value.clone());
         if let Some(known) = self.known.get(&key) {
@@ -188,7 +189,7 @@ impl Loader<'_> {
         found
     }
 
-    /// A unit that the scene defines, or of a file beside it, if there is one.
+    /// Finds a unit that the scene defines, or in a file beside it.
     fn find_own(&mut self, name: &Spanned<String>) -> Result<Option<UnitSpec>, Refused> {
         if let Some(unit) = self.define.iter().find(|unit| unit.name == name.value) {
             return Ok(Some(unit.clone()));
@@ -218,7 +219,7 @@ impl Loader<'_> {
         Ok(None)
     }
 
-    /// A unit that comes with Machinist.
+    /// Finds a unit that comes with Machinist.
     fn of_library(&mut self, name: &Spanned<String>) -> Option<usize> {
         let key = (true, name.value.clone());
         if let Some(known) = self.known.get(&key) {
@@ -238,7 +239,7 @@ impl Loader<'_> {
         found
     }
 
-    /// The scene's folder, and that of the units beside it.
+    /// Iterates over the scene's folder, and that of the units beside it.
     fn unit_folders(&self) -> impl Iterator<Item = PathBuf> + use<> {
         let folder = self.folder.map(Path::to_path_buf);
         folder.into_iter().flat_map(|folder| {
@@ -247,8 +248,8 @@ impl Loader<'_> {
         })
     }
 
-    /// Whether a file is really neither in the scene's folder nor among the units: what it
-    /// holds is then nobody's to quote.
+    /// Reports whether a file is really outside of the scene's folder and of the units' folder.
+    /// Its contents may then not be quoted.
     fn leads_out(&self, path: &Path) -> bool {
         let Ok(real) = path.canonicalize() else { return false };
         let mut folders = self.unit_folders().filter_map(|folder| folder.canonicalize().ok());
@@ -271,7 +272,7 @@ impl Loader<'_> {
     }
 }
 
-/// What a unit is called that may be meant, or where it is looked for.
+/// Suggests the name of a unit, or says where units are searched.
 fn help_to_find(name: &str, define: &[UnitSpec]) -> String {
     let last = |name: &str| name.rsplit('/').next().unwrap_or_default().to_owned();
     let alike = LIBRARY.iter().filter(|unit| last(unit.name) == last(name));
@@ -279,7 +280,7 @@ fn help_to_find(name: &str, define: &[UnitSpec]) -> String {
     if !alike.is_empty() {
         return format!("with Machinist comes {}", alike.join(" and "));
     }
-    // By the last part alone: folders are long, and would make any two alike.
+    // Compared by the last part alone: folders are long, and would make any two names similar.
     let defined = define.iter().map(|unit| unit.name.as_str());
     let library = LIBRARY.iter().map(|unit| unit.name);
     let library = library.filter(|name| define.iter().all(|unit| unit.name != *name));

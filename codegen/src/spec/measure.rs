@@ -1,10 +1,9 @@
-//! Units of measure as people write them.
+//! Units of measure, as written in specs.
 //!
-//! Inside everything is in coherent SI units, so that 1 of any of them is 1 of its base units. Other
-//! units have a factor, an exact number times a power of pi: they stand where a number is
-//! turned into SI at once (`5 [mm]`, a parameter's value, a column of a table), and at outputs
-//! of scenes, which are shown in them.
-//!
+//! All computations use coherent SI units, which have factor 1. Other units have a factor, an
+//! exact number times a power of pi. They are allowed where a number is converted to SI on
+//! reading (`5 [mm]`, a parameter's value, a column of a table), and at outputs of scenes, which
+//! are shown in them.
 //! Excluded: offsets (degrees Celsius).
 
 use std::ops::Range;
@@ -15,11 +14,11 @@ use num_traits::{One as _, Pow, ToPrimitive as _};
 
 use super::dimension::{Dimension, Unit};
 
-/// Exponents beyond which a unit of measure is refused.
+/// Limit of exponents in a unit of measure.
 const MAX_EXPONENT: i32 = 20;
-/// Nested parentheses beyond which a unit of measure is refused.
+/// Limit of nested parentheses in a unit of measure.
 const MAX_NESTING: usize = 20;
-/// Bits that a factor may have.
+/// Maximum number of bits of a factor.
 const MAX_BITS: u64 = 900;
 
 /// Symbols of coherent units, with exponents of the base units and of rad.
@@ -93,17 +92,17 @@ const FACTORED: &[(&str, i64, i64, i32, &str)] = &[
     ("uF", 1, 1_000_000, 0, "F"),
 ];
 
-/// Symbols of all units of measure, those without a factor first.
+/// Iterates over the symbols of all units of measure, those without a factor first.
 pub fn symbols() -> impl Iterator<Item = &'static str> {
     COHERENT.iter().map(|(name, ..)| *name).chain(FACTORED.iter().map(|(name, ..)| *name))
 }
 
-/// A unit of measure: what it measures, and how much of the coherent unit it is.
+/// A unit of measure: a coherent unit and a factor.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Measure {
     /// The coherent unit.
     pub unit: Unit,
-    /// How much of that it is.
+    /// The factor to the coherent unit.
     pub factor: Factor,
 }
 
@@ -117,25 +116,25 @@ pub struct Factor {
 }
 
 impl Factor {
-    /// 1.
+    /// Returns the factor 1.
     #[must_use]
     pub fn one() -> Factor {
         Factor { ratio: BigRational::one(), pis: 0 }
     }
 
-    /// Whether it is 1.
+    /// Reports whether the factor is 1.
     #[must_use]
     pub fn is_one(&self) -> bool {
         self.pis == 0 && self.ratio.is_one()
     }
 
-    /// Rounded.
+    /// Returns the factor, rounded.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         self.ratio.to_f64().unwrap_or(f64::NAN) * std::f64::consts::PI.powi(self.pis)
     }
 
-    /// The factor times a power of another; `None` if it is beyond all reason.
+    /// Returns the factor times a power of another; `None` if it is too large.
     fn times(&self, other: &Factor, exponent: i32) -> Option<Factor> {
         let bits = |number: &BigRational| number.numer().bits() + number.denom().bits();
         let grown = bits(&other.ratio).checked_mul(u64::from(exponent.unsigned_abs()))?;
@@ -152,12 +151,12 @@ impl Measure {
     /// Reads a unit of measure: `N m/rad`, `kg m^2`, `W/(m K)`, `1`, `rpm`, `kN/mm`.
     ///
     /// # Errors
-    /// The bytes of `text` that are wrong, and why.
+    /// The wrong bytes of `text`, and the reason.
     pub fn parse(text: &str) -> Result<Measure, UnitError> {
         Reader { text, at: 0, factored: None }.whole()
     }
 
-    /// Reads a unit of measure that is coherent.
+    /// Reads a coherent unit of measure.
     ///
     /// # Errors
     /// As [`Measure::parse`], and at the first symbol that has a factor.
@@ -179,7 +178,7 @@ impl Measure {
         })
     }
 
-    /// Reads a unit of measure that is coherent, of factor 1.
+    /// Reads a coherent unit of measure, with factor 1.
     ///
     /// # Errors
     /// As [`Measure::coherent`].
@@ -197,8 +196,7 @@ impl Measure {
     }
 }
 
-/// The text of a unit with coherent units in place of those that have a factor: `N mm/rpm` is
-/// `N m/(rad/s)`.
+/// Replaces units that have a factor by coherent ones: `N mm/rpm` becomes `N m/(rad/s)`.
 #[must_use]
 pub fn in_coherent_units(text: &str) -> String {
     let mut written = String::new();
@@ -217,34 +215,34 @@ pub fn in_coherent_units(text: &str) -> String {
         written.push_str(&after[..next]);
         rest = &after[next..];
     }
-    // The whole in parentheses needs none.
+    // A single replaced unit needs no parentheses.
     match FACTORED.iter().find(|(symbol, ..)| *symbol == text.trim()) {
         Some((.., coherent)) => (*coherent).to_owned(),
         None => written,
     }
 }
 
-/// The dimension of a coherent unit by its symbol.
+/// Returns the dimension of a coherent unit by its symbol.
 pub(super) fn dimension_of(symbol: &str) -> Option<Dimension> {
     let found = COHERENT.iter().find(|(name, ..)| *name == symbol);
     found.map(|(_, exponents, _)| Dimension::whole(*exponents))
 }
 
-/// What is wrong with a unit of measure.
+/// A mistake in a unit of measure.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnitError {
     /// The reason, without a full stop.
     pub message: String,
     /// How to mend it; may be empty.
     pub help: String,
-    /// Bytes of the text.
+    /// The bytes of the text that are wrong.
     pub range: Range<usize>,
 }
 
 struct Reader<'a> {
     text: &'a str,
     at: usize,
-    /// The first symbol that has a factor.
+    /// Range of the first symbol that has a factor.
     factored: Option<Range<usize>>,
 }
 
@@ -257,7 +255,7 @@ impl Reader<'_> {
         }
     }
 
-    /// product { "/" product }, where each product divides.
+    /// Reads product { "/" product }, where each product divides.
     fn quotient(&mut self, depth: usize) -> Result<Measure, UnitError> {
         if depth > MAX_NESTING {
             return Err(self.error(format!("parentheses nest deeper than {MAX_NESTING}")));
@@ -271,7 +269,7 @@ impl Reader<'_> {
         Ok(unit)
     }
 
-    /// factor { \["*"\] factor }.
+    /// Reads factor { \["*"\] factor }.
     fn product(&mut self, depth: usize) -> Result<Measure, UnitError> {
         let mut unit = self.factor(depth)?;
         loop {
@@ -285,7 +283,7 @@ impl Reader<'_> {
         }
     }
 
-    /// ("1" | symbol | "(" quotient ")") \["^" integer | "^(" integer "/" integer ")"\].
+    /// Reads ("1" | symbol | "(" quotient ")") \["^" integer | "^(" integer "/" integer ")"\].
     fn factor(&mut self, depth: usize) -> Result<Measure, UnitError> {
         let unit = match self.peek() {
             Some('(') => {
@@ -313,7 +311,7 @@ impl Reader<'_> {
         self.bounded(Measure::one().times(&unit, exponent))
     }
 
-    /// "(" integer "/" integer ")", of a unit without a factor.
+    /// Reads "(" integer "/" integer ")", of a unit without a factor.
     fn root(&mut self, of: &Measure) -> Result<Measure, UnitError> {
         let start = self.at;
         self.at += 1;
@@ -397,7 +395,7 @@ impl Reader<'_> {
         range
     }
 
-    /// The next character that is no space.
+    /// Returns the next character that is not a space.
     fn peek(&mut self) -> Option<char> {
         let rest = &self.text[self.at..];
         self.at += rest.len() - rest.trim_start_matches(' ').len();
@@ -414,8 +412,8 @@ impl Reader<'_> {
     }
 }
 
-/// Suggestion for an unknown symbol: a known one in other capitals (`RPM`), or known
-/// ones that a space keeps apart (`Nm`, `kgm2`); else all that are known.
+/// Suggests units for an unknown symbol: a known one with other capitals (`RPM`), or known ones
+/// that must be separated by a space (`Nm`, `kgm2`); else lists all known symbols.
 fn meant(symbol: &str) -> String {
     let alike: Vec<String> = symbols()
         .filter(|known| known.eq_ignore_ascii_case(symbol))
@@ -438,14 +436,14 @@ fn meant(symbol: &str) -> String {
     format!("did you mean {}?", shown.join(" or "))
 }
 
-/// A part of a word that is a known symbol, perhaps with an exponent of one digit.
+/// A part of a word that is a known symbol, possibly with an exponent of one digit.
 #[derive(Clone)]
 struct Part {
     text: String,
     has_factor: bool,
 }
 
-/// The ways in which a word is made of known symbols, each of which it has once.
+/// Splits a word into known symbols in all ways that contain each symbol at most once.
 fn apart(word: &str) -> Vec<Vec<Part>> {
     if word.is_empty() {
         return vec![Vec::new()];

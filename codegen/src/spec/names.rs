@@ -1,12 +1,12 @@
-//! Which names a spec may give.
+//! Names allowed in specs.
 
 use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 
-/// Characters a name may have.
+/// Maximum number of characters of a name.
 const MAX_NAME: usize = 64;
 
-/// Keywords of every edition of Rust, strict and reserved, which emitted code
-/// could not use as identifiers.
+/// Keywords of all editions of Rust, strict and reserved, which emitted code could not use as
+/// identifiers.
 const RUST_KEYWORDS: &[&str] = &[
     "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue",
     "crate", "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if",
@@ -43,11 +43,11 @@ pub const FUNCTIONS: &[&str] = &[
     "mod",
 ];
 
-/// Refuses what is no name.
+/// Rejects invalid names.
 ///
 /// # Errors
-/// Unless it is an ASCII identifier that starts with a letter, has at most 64
-/// characters, and is neither a Rust keyword nor a function, `t` or `pi`.
+/// Unless it is an ASCII identifier that starts with a letter, has at most 64 characters, and is
+/// neither a Rust keyword nor a function, `t` or `pi`.
 pub fn check(name: &Spanned<String>) -> Result<(), Mistake> {
     let text = name.value.as_str();
     let refuse = |message: String, label: &str, help: &str| {
@@ -73,11 +73,11 @@ pub fn check(name: &Spanned<String>) -> Result<(), Mistake> {
     Ok(())
 }
 
-/// Scenes that would be mistaken for other features of the crate of emitted scenes.
+/// Names of other features of the crate of emitted scenes, which scenes must not have.
 const FEATURES: &[&str] = &["bench", "default", "libm", "scenes", "std"];
 
-/// Types that modules of emitted scenes define or import, as scenes would have to be called
-/// to clash with them.
+/// Types that modules of emitted scenes define or import, written as the scene names that would
+/// clash with them.
 const TYPES: &[&str] = &[
     "bends",
     "box",
@@ -122,12 +122,12 @@ const TYPES: &[&str] = &[
     "vec",
 ];
 
-/// Refuses names that emitted scenes cannot have.
+/// Rejects names that emitted scenes cannot have.
 ///
 /// # Errors
 /// If modules or features of emitted code use the name themselves.
 pub fn check_scene(name: &Spanned<String>) -> Result<(), Mistake> {
-    // `linear_equations`, `LinearEquations` and `linearequations` all give one type.
+    // `linear_equations`, `LinearEquations` and `linearequations` all give the same type.
     let plain = |text: &str| text.replace('_', "").to_ascii_lowercase();
     let own = plain(&name.value);
     if FEATURES.iter().chain(TYPES).all(|taken| plain(taken) != own) {
@@ -138,14 +138,14 @@ pub fn check_scene(name: &Spanned<String>) -> Result<(), Mistake> {
         .help("add a word: two of them clash with nothing"))
 }
 
-/// What is wrong with a name for a scene, if anything is.
+/// Returns the mistake in a scene's name, if any.
 #[must_use]
 pub fn scene_name_mistake(name: &str) -> Option<Mistake> {
     let name = Spanned { value: name.to_owned(), span: Span::new(FileId(0), 0..0) };
     check(&name).and_then(|()| check_scene(&name)).err()
 }
 
-/// A text of the spec as a message shows it: in quotes, escaped, not too long.
+/// Returns a text of the spec for a message: in quotes, escaped, shortened.
 #[must_use]
 pub fn quoted(text: &str) -> String {
     let shown: String = text.chars().take(MAX_NAME).collect();
@@ -153,7 +153,7 @@ pub fn quoted(text: &str) -> String {
     format!("`{}{more}`", shown.escape_debug())
 }
 
-/// A hint that names the candidate most like `name`, or else lists a few.
+/// Returns a hint that names the candidate most similar to `name`, or else lists a few.
 #[must_use]
 pub fn did_you_mean<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> String {
     let candidates: Vec<&str> = candidates.collect();
@@ -192,7 +192,7 @@ mod tests {
         for keyword in RUST_KEYWORDS {
             assert!(!is_name(keyword), "{keyword}");
         }
-        // Keywords that syn knows are all on the list.
+        // Keywords known to syn are all on the list.
         for word in ["self", "Self", "try", "async", "yield", "macro", "typeof", "become", "crate"]
         {
             assert!(syn::parse_str::<syn::Ident>(word).is_err() && !is_name(word), "{word}");

@@ -1,12 +1,12 @@
-//! Other values of parameters and initial states in the text of a scene, all else as it is
+//! Changes of parameters and initial values in the text of a scene, which is otherwise kept as
 //! written.
 //!
-//! Excluded: whether names and values make sense, which reading the result tells.
+//! Excluded: validation of names and values. Reading the result does that.
 
 use super::measure::Measure;
 use toml_edit::{DocumentMut, InlineTable, Item, TableLike, Value, value};
 
-/// What is given another value.
+/// A quantity with a new value.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Setting {
     /// A parameter, of the scene or of one of its units, `coupling.stiffness`, in SI units.
@@ -15,10 +15,11 @@ pub enum Setting {
     Initial(String, f64),
 }
 
-/// The text of a scene with these values.
+/// Returns the text of a scene with new values.
 ///
 /// # Errors
-/// What cannot be set in this text: it is no TOML, or has no such unit or parameter.
+/// The setting that cannot be made in this text: it is not TOML, or has no such unit or
+/// parameter.
 pub fn with_settings(text: &str, settings: &[Setting]) -> Result<String, String> {
     let mut document: DocumentMut = text.parse().map_err(|error| format!("{error}"))?;
     for setting in settings {
@@ -62,7 +63,7 @@ fn set_parameter(document: &mut DocumentMut, name: &str, number: f64) -> Result<
     Ok(())
 }
 
-/// Gives a key a number, and leaves the space and the comment around it.
+/// Sets a key to a number, and keeps the space and the comment around it.
 fn put(table: &mut dyn TableLike, key: &str, number: f64) {
     let mut new = Value::from(number);
     if let Some(old) = table.get(key).and_then(Item::as_value) {

@@ -1,4 +1,4 @@
-//! A scene's table to plain data, before its units are looked for.
+//! Reading of a scene's table into plain data, before its units are searched.
 
 use crate::spec::array;
 use crate::spec::check::check;
@@ -18,22 +18,22 @@ use crate::spec::{
     UnitSpec,
 };
 
-/// Methods a spec may name.
+/// Methods that a spec may name.
 pub const METHODS: &[&str] = &[
     "bdf", "tr_bdf2", "esdirk34", "tsit45", "tsit5", "dop853", "rodas5p", "radau", "auto",
     "taylor", "exact",
 ];
 
-/// Output times a run may have.
+/// Maximum number of output times of a run.
 const MAX_POINTS: f64 = 1e7;
-/// Relative tolerances a run may ask for.
+/// Relative tolerances that a run may request.
 const RTOL: std::ops::RangeInclusive<f64> = 1e-14..=0.1;
 
-/// Of a run that does not say otherwise.
+/// Default number of output times.
 const DEFAULT_POINTS: usize = 201;
-/// Likewise.
+/// Default relative tolerance.
 const DEFAULT_RTOL: f64 = 1e-6;
-/// Likewise.
+/// Default method.
 const DEFAULT_METHOD: &str = "auto";
 
 /// A scene whose units are only named.
@@ -60,7 +60,7 @@ pub struct SceneText {
     pub run: Option<RunSpec>,
 }
 
-/// What `[scene]` says.
+/// Contents of `[scene]`.
 #[derive(Debug)]
 pub struct Header {
     pub name: Spanned<String>,
@@ -158,12 +158,12 @@ fn force(tree: &Spanned<Tree>, found: &mut Findings) -> Option<PortForceSpec> {
     Some(PortForceSpec { acts: acts?, expression: expression?, doc })
 }
 
-/// The key of `[initial]` that is no name of a quantity.
+/// The only key of `[initial]` that is not the name of a quantity.
 pub const FROM: &str = "from";
-/// What it may say.
+/// The only value of that key.
 pub const EQUILIBRIUM: &str = "equilibrium";
 
-/// Whether `[initial]` says `from = "equilibrium"`.
+/// Reports whether `[initial]` contains `from = "equilibrium"`.
 fn starts_in_equilibrium(initial: &[Entry], fields: &mut Fields<'_>) -> bool {
     let Some(Entry { value, .. }) = initial.iter().find(|entry| is_from(entry)) else {
         return false;
@@ -180,7 +180,7 @@ fn starts_in_equilibrium(initial: &[Entry], fields: &mut Fields<'_>) -> bool {
     found.is_some()
 }
 
-/// Not the values of an instance of that name, `from.angle = 0`.
+/// Distinguishes the key from values of an instance of the same name, `from.angle = 0`.
 fn is_from(entry: &Entry) -> bool {
     entry.key.value == FROM && !matches!(entry.value.value, Tree::Table(_))
 }
@@ -206,7 +206,7 @@ fn tunable(tree: &Spanned<Tree>, found: &mut Findings) -> Vec<Spanned<String>> {
     names
 }
 
-/// Instances to be taken for rigid, and the error allowed for it.
+/// Reads the instances that are approximated as rigid, and the error this may cause.
 fn freeze(tree: &Spanned<Tree>, found: &mut Findings) -> (Vec<Spanned<String>>, f64) {
     let mut fields = Fields::open(tree, "[freeze]".to_owned(), found);
     let rigid = required_names("rigid", &mut fields);
@@ -248,7 +248,7 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
             found.mistakes.push(Mistake::new(span, message, label).help(help));
         }
     };
-    // Each by itself, whether the others are there or not.
+    // Each is checked by itself, whether the others are present or not.
     if let Some(rtol) = &rtol {
         let message = "`rtol` lies between 1e-14 and 0.1";
         refuse(RTOL.contains(&rtol.value), rtol.span, message, "out of range", String::new());
@@ -263,10 +263,10 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
     Some(RunSpec { from, until, sampling: sampling?, rtol, method })
 }
 
-/// How output times may be spaced, by name.
+/// Spacings of output times, by name.
 pub const SPACINGS: &[&str] = &["even", "log"];
 
-/// `times`; or `until` and `points`, with `spacing` and `first`.
+/// Reads `times`; or `until` and `points`, with `spacing` and `first`.
 fn sampling(fields: &mut Fields<'_>) -> (Option<Formula>, Option<SamplingSpec>) {
     if let Some(tree) = fields.take("times") {
         for key in ["until", "points", "spacing", "first"] {

@@ -1,4 +1,4 @@
-//! Reading files: limits, labels, hashes.
+//! Reading of source files: limits, labels, hashes.
 
 use std::fmt::Write as _;
 use std::io::Read as _;
@@ -10,16 +10,16 @@ use sha2::{Digest as _, Sha256};
 use crate::spec::Formula;
 use crate::spec::diagnostic::{Diagnostic, Diagnostics, FileId, Mistake, Span};
 
-/// Bytes a file may hold.
+/// Maximum size of a file in bytes.
 pub const MAX_FILE_BYTES: u64 = 1 << 20;
-/// Mistakes turned into reports; the rest is only counted.
+/// Maximum number of mistakes shown; the rest is only counted.
 const MAX_SHOWN: usize = 50;
 
-/// A source file that took part, for headers, `rerun-if-changed` and freshness.
+/// A source file that was read, for headers, `rerun-if-changed` and freshness.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SourceFile {
-    /// Path as found, empty for a unit that comes with Machinist; absolute paths
-    /// never reach emitted text.
+    /// Path as found; empty for a unit that comes with Machinist. Absolute paths never reach
+    /// emitted text.
     pub path: PathBuf,
     /// File name relative to the folder of specs, with forward slashes.
     pub label: String,
@@ -32,20 +32,20 @@ pub struct SourceFile {
 pub struct SourceText {
     /// Path, label and hash. The path is empty for a unit that comes with Machinist.
     pub file: SourceFile,
-    /// What it holds.
+    /// The contents.
     pub text: Arc<str>,
 }
 
-/// Every file read, in the order read.
+/// All files read, in the order of reading.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Sources {
     texts: Vec<SourceText>,
-    /// The folder whose files are labelled relative to it.
+    /// The folder to which labels are relative.
     root: PathBuf,
 }
 
 impl Sources {
-    /// None read yet; labels are relative to the parent of the folder of `scene`.
+    /// Returns an empty list. Labels are relative to the parent of the folder of `scene`.
     #[must_use]
     pub fn beside(scene: &Path) -> Self {
         let folder = std::fs::canonicalize(folder_of(scene)).unwrap_or_default();
@@ -53,13 +53,13 @@ impl Sources {
         Sources { texts: Vec::new(), root }
     }
 
-    /// The text of an id.
+    /// Returns the text of an id.
     #[must_use]
     pub fn get(&self, id: FileId) -> &SourceText {
         &self.texts[id.0 as usize]
     }
 
-    /// Paths, labels and hashes, in the order read.
+    /// Returns paths, labels and hashes, in the order of reading.
     #[must_use]
     pub fn files(&self) -> Vec<SourceFile> {
         self.texts.iter().map(|text| text.file.clone()).collect()
@@ -68,32 +68,32 @@ impl Sources {
     /// Reads the file at `path`.
     ///
     /// # Errors
-    /// If it is missing, no regular file, empty, longer than [`MAX_FILE_BYTES`],
-    /// not UTF-8, or cannot be read.
+    /// If it is missing, not a regular file, empty, longer than [`MAX_FILE_BYTES`], not UTF-8, or
+    /// cannot be read.
     pub fn read(&mut self, path: &Path) -> Result<FileId, Diagnostic> {
         let label = self.label(path);
         let text = read_text(path, &label)?;
         Ok(self.add(path.to_path_buf(), label, &text))
     }
 
-    /// Takes in a text that is no file.
+    /// Adds a text that is not a file.
     pub fn embed(&mut self, label: &str, text: &str) -> FileId {
         self.add(PathBuf::new(), label.to_owned(), text)
     }
 
-    /// An expression as its spec writes it, on one line.
+    /// Returns an expression as written in its spec, on one line.
     #[must_use]
     pub fn expression(&self, span: Span) -> String {
         written(&self.get(span.file).text, span)
     }
 
-    /// A formula as its spec writes it, on one line.
+    /// Returns a formula as written in its spec, on one line.
     #[must_use]
     pub fn formula(&self, formula: &Formula) -> String {
         written_formula(&self.get(formula.span().file).text, formula)
     }
 
-    /// Attaches the text around them to mistakes; equal ones are told once.
+    /// Attaches the surrounding text to mistakes. Equal ones are reported once.
     #[must_use]
     pub fn diagnostics(&self, mistakes: &[Mistake]) -> Diagnostics {
         let mut told: Vec<&Mistake> = Vec::new();
@@ -109,7 +109,7 @@ impl Sources {
         shown.collect()
     }
 
-    /// Attaches the text around them to warnings.
+    /// Attaches the surrounding text to warnings.
     #[must_use]
     pub fn warnings(&self, warnings: &[Mistake]) -> Vec<Diagnostic> {
         let shown = warnings.iter().map(|warning| {
@@ -130,7 +130,7 @@ impl Sources {
         FileId(self.texts.len() as u32 - 1)
     }
 
-    /// Path relative to the root if it is below it, else the file's name.
+    /// Returns the path relative to the root if it is below it, else the file's name.
     fn label(&self, path: &Path) -> String {
         let whole = std::fs::canonicalize(folder_of(path)).unwrap_or_default();
         let name = path.file_name().map_or(Path::new("?"), Path::new);
@@ -146,7 +146,7 @@ impl Sources {
     }
 }
 
-/// The whole string that a span is in: an expression as `text` writes it, on one line.
+/// Returns the whole string around a span: an expression as written in `text`, on one line.
 pub(super) fn written(text: &str, span: Span) -> String {
     let (start, end) = (span.start as usize, span.end as usize);
     let from = text[..start].rfind('"').map_or(start, |quote| quote + 1);
@@ -154,7 +154,7 @@ pub(super) fn written(text: &str, span: Span) -> String {
     one_line(&text[from..until])
 }
 
-/// A formula, likewise.
+/// Returns a formula, likewise.
 pub(super) fn written_formula(text: &str, formula: &Formula) -> String {
     match formula {
         Formula::Number(number) => {
@@ -164,13 +164,13 @@ pub(super) fn written_formula(text: &str, formula: &Formula) -> String {
     }
 }
 
-/// All words of a text on one line.
+/// Returns all words of a text on one line.
 #[must_use]
 pub fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The folder a file is in, `.` for a bare name.
+/// Returns the folder of a file, `.` for a bare name.
 pub(super) fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
@@ -198,7 +198,7 @@ fn read_text(path: &Path, label: &str) -> Result<String, Diagnostic> {
         return refuse(too_long.to_owned(), "");
     }
     let mut bytes = Vec::new();
-    // The file may have grown since; reading stops one byte beyond the limit.
+    // The file may have grown since, so reading stops one byte beyond the limit.
     let read = std::fs::File::open(path)
         .and_then(|file| file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes));
     if let Err(error) = read {

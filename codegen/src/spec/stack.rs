@@ -1,11 +1,11 @@
-//! Room on the stack for recursion over nested expressions.
+//! Stack space for recursion over nested expressions.
 
-/// Bytes: expressions nest some six hundred levels deep, and unoptimized frames
+/// Stack size in bytes. Expressions nest some six hundred levels deep, and unoptimized frames
 /// take several kilobytes.
 const STACK: usize = 64 << 20;
 
-/// Does `work` on a thread of its own with a stack of known size, so that what can
-/// be read does not depend on the caller's (1 MiB on some systems).
+/// Does `work` on a thread of its own with a stack of known size, so that the result does not
+/// depend on the caller's stack (1 MiB on some systems).
 ///
 /// # Errors
 /// If the system grants no thread.

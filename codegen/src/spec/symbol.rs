@@ -1,13 +1,13 @@
-//! What a unit is drawn as.
+//! Symbols of units in drawings.
 
 use crate::spec::names::did_you_mean;
 
-/// A picture for a kind of part, in schematics of machines.
+/// Symbol of a kind of part in schematics of machines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Symbol {
-    /// Something that turns and has inertia.
+    /// A rotating part with inertia.
     Inertia,
-    /// Something that slides and has mass.
+    /// A sliding part with mass.
     Mass,
     /// A body that moves in a plane.
     Body,
@@ -15,15 +15,15 @@ pub enum Symbol {
     Spring,
     /// A damper.
     Damper,
-    /// Both beside each other.
+    /// A spring and a damper in parallel.
     SpringDamper,
     /// A spring with play.
     Backlash,
-    /// Two wheels that mesh.
+    /// Two meshing gear wheels.
     Gear,
-    /// Wheels within wheels.
+    /// A planetary gear.
     Planetary,
-    /// Two pulleys and what runs around them.
+    /// Two pulleys with a belt.
     Belt,
     /// A rope or a yarn.
     Rope,
@@ -33,9 +33,9 @@ pub enum Symbol {
     Screw,
     /// A lever.
     Lever,
-    /// A cam and what follows it.
+    /// A cam and its follower.
     Cam,
-    /// A joint that bends.
+    /// A flexible joint.
     Joint,
     /// An elastic shaft.
     Shaft,
@@ -43,25 +43,25 @@ pub enum Symbol {
     Motor,
     /// Two discs that can be pressed together.
     Clutch,
-    /// A disc that can be held.
+    /// A disc that can be braked.
     Brake,
-    /// What turns one way only.
+    /// A freewheel, which turns one way only.
     Freewheel,
-    /// What rubs.
+    /// Dry friction.
     Friction,
-    /// What something runs against.
+    /// An end stop.
     Stop,
-    /// What holds.
+    /// The ground.
     Ground,
     /// A force or a torque.
     Force,
-    /// A motion that is imposed.
+    /// A prescribed motion.
     Motion,
     /// A fan or a pump.
     Fan,
     /// A cylinder with its piston.
     Cylinder,
-    /// What measures and commands.
+    /// A controller.
     Controller,
     /// A resistor.
     Resistor,
@@ -76,7 +76,7 @@ pub enum Symbol {
 }
 
 impl Symbol {
-    /// All of them by name.
+    /// All symbols by name.
     pub const ALL: [(&'static str, Self); 34] = [
         ("inertia", Self::Inertia),
         ("mass", Self::Mass),
@@ -114,10 +114,10 @@ impl Symbol {
         ("current_source", Self::CurrentSource),
     ];
 
-    /// The symbol of a name.
+    /// Returns the symbol of a name.
     ///
     /// # Errors
-    /// Names that may be meant.
+    /// Suggested names.
     pub(super) fn of(name: &str) -> Result<Self, String> {
         let found = Self::ALL.into_iter().find(|(known, _)| *known == name);
         found

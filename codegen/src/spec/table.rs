@@ -1,4 +1,4 @@
-//! CSV tables that expressions name.
+//! CSV tables that expressions refer to.
 
 use std::path::{Component, Path, PathBuf};
 
@@ -8,17 +8,17 @@ use crate::spec::measure::Measure;
 use crate::spec::names::{self, quoted};
 use crate::spec::source::{Sources, folder_of};
 
-/// Rows a table may have.
+/// Maximum number of rows of a table.
 const MAX_ROWS: usize = 100_000;
-/// Rows a spline needs.
+/// Number of rows that a spline needs.
 const MIN_ROWS: usize = 2;
 
-/// A CSV file as read: the first column is sorted.
+/// A CSV file as read. Its first column is sorted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CsvTable {
-    /// The spec that names it.
+    /// The spec that refers to it.
     pub spec: FileId,
-    /// The path as that spec writes it.
+    /// The path as written in that spec.
     pub path: String,
     /// Its columns, the first being the abscissa.
     pub columns: Vec<Column>,
@@ -33,13 +33,13 @@ pub struct Column {
     pub name: String,
     /// Its coherent unit of measure.
     pub unit: Unit,
-    /// What its numbers are multiplied by as they are read.
+    /// Conversion factor of its numbers.
     factor: f64,
     /// Its numbers in that unit, finite.
     pub values: Vec<f64>,
 }
 
-/// Reads every file named, once for each spec that names it.
+/// Reads all files, once for each spec that refers to them.
 pub(super) fn read_all(
     named: &[Spanned<String>],
     sources: &mut Sources,
@@ -73,7 +73,7 @@ fn read(
     columns(&text, file)
 }
 
-/// The file of a relative path that stays below the folder of its spec.
+/// Finds the file of a relative path, which must stay below the folder of its spec.
 fn locate(path: &Spanned<String>, sources: &Sources) -> Result<PathBuf, Mistake> {
     let refuse = |message: &str| {
         let help = "the path is relative to the spec and stays below its folder";
@@ -91,7 +91,7 @@ fn locate(path: &Spanned<String>, sources: &Sources) -> Result<PathBuf, Mistake>
     }
     let folder = folder_of(spec);
     let joined = folder.join(&path.value);
-    // A symbolic link may lead anywhere; what counts is where the file really is.
+    // A symbolic link may lead anywhere, so the real path decides.
     let (Ok(real), Ok(real_folder)) = (joined.canonicalize(), folder.canonicalize()) else {
         let message = format!("there is no file {}", quoted(&path.value));
         return Err(Mistake::new(path.span, message, "named here"));
@@ -102,7 +102,7 @@ fn locate(path: &Spanned<String>, sources: &Sources) -> Result<PathBuf, Mistake>
     Ok(joined)
 }
 
-/// Columns with their numbers, and where rows stand.
+/// Reads the columns with their numbers, and the spans of rows.
 fn columns(text: &str, file: FileId) -> Result<(Vec<Column>, Vec<Span>), Mistake> {
     let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
     let mut columns: Vec<Column> = Vec::new();
@@ -137,7 +137,7 @@ fn columns(text: &str, file: FileId) -> Result<(Vec<Column>, Vec<Span>), Mistake
     Ok((columns, rows))
 }
 
-/// `time [s]` of each column.
+/// Reads `time [s]` of each column.
 fn header(record: &csv::StringRecord, line: &Line) -> Result<Vec<Column>, Mistake> {
     let mut columns: Vec<Column> = Vec::new();
     for (index, cell) in record.iter().enumerate() {
@@ -147,7 +147,7 @@ fn header(record: &csv::StringRecord, line: &Line) -> Result<Vec<Column>, Mistak
             return Err(mistake.help("write time [s],load [N m]"));
         };
         let name = Spanned { value: name.trim().to_owned(), span: line.cell(Some(index)) };
-        // Also as runs name their columns, `motor.omega`.
+        // Names with dots are allowed, as in columns of runs, `motor.omega`.
         for part in name.value.split('.') {
             names::check(&Spanned { value: part.to_owned(), span: name.span })?;
         }
@@ -173,7 +173,7 @@ fn number(cell: &str, factor: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-/// Where a record of a CSV file stands.
+/// Position of a record of a CSV file.
 struct Line {
     file: FileId,
     start: usize,
@@ -197,7 +197,7 @@ impl Line {
         Line { file, start, end, cells }
     }
 
-    /// A cell, or the whole line.
+    /// Returns the span of a cell, or of the whole line.
     fn cell(&self, index: Option<usize>) -> Span {
         let cell = index.and_then(|index| self.cells.get(index).cloned());
         Span::new(self.file, cell.unwrap_or(self.start..self.end))

@@ -1,7 +1,7 @@
-//! TOML text to a tree in which every key and value has its span.
+//! Parsing of TOML text into a tree with the span of every key and value.
 //!
-//! Excluded: comments, layout, and the kinds of tables (inline, dotted, of a
-//! header), which mean the same.
+//! Excluded: comments, layout, and the kinds of tables (inline, dotted, with a header), which
+//! mean the same.
 
 use std::ops::Range;
 
@@ -14,24 +14,24 @@ use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 pub enum Tree {
     /// A string.
     Text {
-        /// Its characters.
+        /// The characters.
         value: String,
-        /// Offset in the file of its first character, unless escapes or the like
-        /// make offsets within it meaningless.
+        /// Offset of its first character in the file, unless escapes make offsets within it
+        /// meaningless.
         inner: Option<u32>,
     },
     /// An integer or a float, with its text.
     Number {
-        /// As a float.
+        /// The value as a float.
         value: f64,
-        /// As the file writes it.
+        /// The text in the file.
         text: String,
-        /// Written as an integer.
+        /// The value, if written as an integer.
         integer: Option<i64>,
     },
-    /// true or false.
+    /// `true` or `false`.
     Boolean(bool),
-    /// A date or time, which specs have no use for.
+    /// A date or time, which specs do not use.
     Date,
     /// A list.
     List(Vec<Spanned<Tree>>),
@@ -49,7 +49,7 @@ pub struct Entry {
 }
 
 impl Tree {
-    /// What the value is, with its article.
+    /// Returns the kind of the value, with its article.
     #[must_use]
     pub fn kind(&self) -> &'static str {
         match self {
@@ -64,10 +64,10 @@ impl Tree {
     }
 }
 
-/// Reads the text of `file`.
+/// Parses the text of `file`.
 ///
 /// # Errors
-/// If it is no TOML, holds a key twice, or nests too deep.
+/// If it is not TOML, contains a key twice, or nests too deep.
 pub fn parse(text: &str, file: FileId) -> Result<Spanned<Tree>, Mistake> {
     let document = Document::parse(text).map_err(|error| {
         let range = error.span().unwrap_or(0..0);
@@ -84,7 +84,7 @@ pub fn parse(text: &str, file: FileId) -> Result<Spanned<Tree>, Mistake> {
     Ok(Spanned { value: Tree::Table(reader.entries(document.as_table().iter_keys())), span: whole })
 }
 
-/// Whether a bracket opens here, behind a number in its line.
+/// Reports whether a bracket opens here after a number on its line.
 fn is_unit_behind_number(text: &str, at: usize) -> bool {
     let parts = text.get(..at).zip(text.get(at..));
     parts.is_some_and(|(before, rest)| {
@@ -98,7 +98,7 @@ fn first_line(text: &str) -> &str {
     text.lines().next().unwrap_or_default()
 }
 
-/// Tables of either make as keys and items.
+/// Tables of either kind as keys and items.
 trait Keyed {
     fn iter_keys(&self) -> Vec<(&toml_edit::Key, &Item)>;
 }
@@ -124,7 +124,7 @@ impl Reader<'_> {
         entries.collect()
     }
 
-    /// `key` is the span for items that have none of their own.
+    /// Returns an item; `key` is the span for items without one of their own.
     fn item(&self, item: &Item, key: Span) -> Option<Spanned<Tree>> {
         let span = self.span(item.span(), key);
         let value = match item {
@@ -170,7 +170,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Where the characters of a string begin, if it stands in the file as it is.
+    /// Returns the offset of a string's first character, if its text is in the file unchanged.
     fn inner(&self, value: &str, span: Span) -> Option<u32> {
         let raw = self.slice(span);
         let quotes = ["\"\"\"\r\n", "\"\"\"\n", "'''\r\n", "'''\n", "\"\"\"", "'''", "\"", "'"];

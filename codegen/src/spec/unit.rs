@@ -1,4 +1,4 @@
-//! A unit's table to a [`UnitSpec`].
+//! Reading of a unit's table into a [`UnitSpec`].
 
 use crate::spec::array;
 use crate::spec::constraint::constraint;
@@ -16,8 +16,8 @@ use crate::spec::{
     InputSpec, ParameterSpec, PortKind, PortSpec, PowerSpec, StateSpec, Symbol, UnitSpec,
 };
 
-/// Reads a unit found by `name`; `whole` if it is a file of its own, which must
-/// say so in `[unit]`.
+/// Reads a unit found by `name`. If `whole`, it is a file of its own, which must say so in
+/// `[unit]`.
 pub fn read(
     tree: &Spanned<Tree>,
     name: &str,
@@ -152,7 +152,7 @@ fn coordinate(entry: &Entry, found: &mut Findings) -> Option<CoordinateSpec> {
     })
 }
 
-/// Ports of the unit's own, and those of what is inside it: `flange = "gear.a"`.
+/// Reads the unit's own ports, and exposed ports of inner instances: `flange = "gear.a"`.
 fn ports(fields: &mut Fields<'_>) -> (Vec<PortSpec>, Vec<ExposedSpec>) {
     let (mut ports, mut exposed) = (Vec::new(), Vec::new());
     for entry in fields.named("ports") {
@@ -174,7 +174,7 @@ fn ports(fields: &mut Fields<'_>) -> (Vec<PortSpec>, Vec<ExposedSpec>) {
     (ports, exposed)
 }
 
-/// `[connectors]`: lists of ports by name.
+/// Reads `[connectors]`: lists of ports by name.
 fn connectors(fields: &mut Fields<'_>) -> Vec<ConnectorSpec> {
     let mut connectors = Vec::new();
     for entry in fields.named("connectors") {
@@ -224,7 +224,7 @@ fn parameter(entry: &Entry, found: &mut Findings) -> Option<ParameterSpec> {
     parameter_in(entry, found, Measure::parse_coherent)
 }
 
-/// Reads a parameter of a scene, which may be in a unit that is not coherent.
+/// Reads a parameter of a scene, whose unit need not be coherent.
 pub fn parameter_of_scene(entry: &Entry, found: &mut Findings) -> Option<ParameterSpec> {
     parameter_in(entry, found, Measure::parse)
 }
@@ -255,7 +255,7 @@ pub fn definition(entry: &Entry, found: &mut Findings) -> Option<DefinitionSpec>
     definition_in(entry, found, Measure::parse_coherent)
 }
 
-/// Reads an output of a scene, which may be shown in a unit that is not coherent.
+/// Reads an output of a scene, whose unit need not be coherent.
 pub fn output_of_scene(entry: &Entry, found: &mut Findings) -> Option<DefinitionSpec> {
     definition_in(entry, found, Measure::parse)
 }
@@ -333,7 +333,7 @@ fn force(tree: &Spanned<Tree>, found: &mut Findings) -> Option<ForceSpec> {
     Some(ForceSpec { acts: acts?, expression: expression?, conversion, doc })
 }
 
-/// What a force acts on: what stands under `key`, or `along`.
+/// Reads the target of a force, under `key` or `along`.
 pub fn acts(key: &'static str, fields: &mut Fields<'_>) -> Option<Acts> {
     let Some(along) = fields.take("along") else {
         return fields.required_text(key).map(Acts::On);

@@ -1,8 +1,8 @@
-//! A scene as C99: one header, one source, a CMake file and an example.
+//! Emission of a scene as C99: one header, one source, a CMake file and an example.
 //!
 //! No heap, no mutable globals, no recursion, no input or output. The functions compute the same
-//! operations in the same order as the emitted Rust, so that both agree bit for bit where
-//! products are not fused.
+//! operations in the same order as the emitted Rust, so both are bitwise equal if products are
+//! not fused.
 
 mod body;
 mod cost;
@@ -29,7 +29,7 @@ pub use description::needs_start;
 use expression::Written;
 use names::Namer;
 
-/// The type of numbers of emitted C.
+/// Number type of emitted C.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Real {
     /// `double`.
@@ -40,7 +40,7 @@ pub enum Real {
 }
 
 impl Real {
-    /// Its name in C.
+    /// Returns its name in C.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -49,7 +49,7 @@ impl Real {
         }
     }
 
-    /// A function of the standard library on numbers of this type.
+    /// Returns the name of a function of the standard library for this type.
     fn function(self, name: &str) -> String {
         match self {
             Self::Double => name.to_owned(),
@@ -57,8 +57,8 @@ impl Real {
         }
     }
 
-    /// The shortest literal that reads back as the number of this type that is nearest to a
-    /// value; nothing if that is not finite.
+    /// Returns the shortest literal that reads back as the number of this type nearest to a
+    /// value; `None` if that is not finite.
     fn literal(self, value: f64) -> Option<String> {
         #[allow(clippy::cast_possible_truncation, reason = "the nearest number of C's float")]
         match self {
@@ -74,16 +74,16 @@ impl Real {
 /// Options of the emitted code.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct C99Options {
-    /// The type of numbers.
+    /// Number type.
     pub real: Real,
     /// Method of a step.
     pub method: StepMethod,
-    /// The command that makes the files again, for their headers.
+    /// The command that updates the files, for their headers.
     pub command: String,
-    /// Names of parameters that are inputs: they get a struct of their own.
+    /// Names of parameters that are inputs. They get a struct of their own.
     pub inputs: Vec<String>,
-    /// The state in which a run of the spec starts, where that is more than its initial values:
-    /// on the constraints, or in equilibrium.
+    /// The state in which a run of the spec starts, if its initial values do not determine it: on
+    /// the constraints, or in equilibrium.
     pub start: Option<Vec<f64>>,
 }
 
@@ -96,14 +96,14 @@ pub struct C99File {
     pub text: String,
 }
 
-/// The first words of every emitted file, by which it is recognised.
+/// The first words of every emitted file, by which it is recognized.
 pub(crate) const MARK: &str = "Emitted by Machinist";
 
-/// The files of a scene: header, source, CMake file and example.
+/// Emits the files of a scene: header, source, CMake file and example.
 ///
 /// # Errors
-/// [`EmitError::Unsupported`] of a scene with fields, which are cut into elements when a run
-/// begins, and of an input that is no parameter; else as [`rust::emit`](super::rust::emit).
+/// [`EmitError::Unsupported`] for a scene with fields, which are divided into elements when a run
+/// begins, and for an input that is not a parameter; else as [`rust::emit`](super::rust::emit).
 pub fn emit(model: &Model, options: &C99Options) -> Result<Vec<C99File>, EmitError> {
     model.validate()?;
     if let Some(field) = model.fields.first() {
@@ -121,7 +121,7 @@ pub fn emit(model: &Model, options: &C99Options) -> Result<Vec<C99File>, EmitErr
     ])
 }
 
-/// Why a scene with fields is refused.
+/// Returns the error for a scene with fields.
 fn fields_are_unsupported(field: &str) -> EmitError {
     let message = format!(
         "the field `{field}` is cut into elements when a run begins, which emitted C99 does not do"
@@ -129,11 +129,11 @@ fn fields_are_unsupported(field: &str) -> EmitError {
     EmitError::Unsupported { message }
 }
 
-/// A model with the names of its emitted files.
+/// A model with the names in its emitted files.
 struct Scene<'a> {
     model: &'a Model,
     options: &'a C99Options,
-    /// Variables that hold entries of the state.
+    /// Variables for the entries of the state.
     states: Vec<String>,
     /// Members of the state.
     state_members: Vec<String>,
@@ -154,7 +154,7 @@ struct Scene<'a> {
     motion: Option<solve::Motion>,
     /// Expressions of the results of the motion.
     motion_results: Vec<String>,
-    /// Which parameters are inputs.
+    /// Indices of the parameters that are inputs.
     inputs: Vec<usize>,
 }
 
@@ -196,16 +196,16 @@ impl<'a> Scene<'a> {
         Ok(scene)
     }
 
-    /// Names what is computed once a run by the variables that compute it.
+    /// Names the values that are computed once a run, after the variables that compute them.
     fn name_constants(&mut self) -> Result<(), EmitError> {
         let prepare = body(&self.hoisted.constants, &self.scope("prepare"), true)?;
-        // Every constant is an operation, so what stands for it is a variable.
+        // Every constant is an operation, so its result is a variable.
         self.constants = prepare.results;
         self.prepare = prepare.statements;
         Ok(())
     }
 
-    /// Names that bodies may use.
+    /// Returns the names that bodies may use.
     fn scope<'s>(&'s self, function: &'s str) -> Scope<'s> {
         Scope {
             function,
@@ -219,22 +219,22 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// The type of numbers.
+    /// Returns the number type.
     fn real(&self) -> &'static str {
         self.options.real.name()
     }
 
-    /// A public name: `saw_gin_rate`.
+    /// Returns a public name: `saw_gin_rate`.
     fn public(&self, name: &str) -> String {
         format!("{}_{name}", self.model.name)
     }
 
-    /// A macro: `SAW_GIN_STATES`.
+    /// Returns the name of a macro: `SAW_GIN_STATES`.
     fn macro_name(&self, name: &str) -> String {
         format!("{}_{name}", self.model.name.to_ascii_uppercase())
     }
 
-    /// A text of ours with this scene's names and type of numbers in it.
+    /// Fills the names and the number type of this scene into a snippet.
     fn filled(&self, snippet: &str) -> String {
         let text = snippet
             .replace("scene_real_t", self.real())
@@ -244,7 +244,7 @@ impl<'a> Scene<'a> {
         helpers::with_literals(&text, self.options.real)
     }
 
-    /// The smallest type of C that holds every index of the scene.
+    /// Returns the smallest C type for all indices of the scene.
     fn index_type(&self) -> &'static str {
         let model = self.model;
         let nonzeros = model.functions().filter_map(|row| Some(row.pattern?(model).entries.len()));
@@ -257,13 +257,13 @@ impl<'a> Scene<'a> {
         if most < usize::from(u16::MAX) { "uint16_t" } else { "uint32_t" }
     }
 
-    /// Entries of the state that are modes.
+    /// Reports whether an entry of the state is a mode.
     fn is_mode(&self, entry: usize) -> bool {
         self.model.states[entry].kind == StateKind::Mode
     }
 }
 
-/// Which parameters these names mean.
+/// Returns the indices of the named parameters.
 fn inputs(model: &Model, names: &[String]) -> Result<Vec<usize>, EmitError> {
     let find = |name: &String| {
         let found = model.parameters.iter().position(|p| p.quantity.name.path == *name);

@@ -1,4 +1,4 @@
-//! Equations of motion for people: as text and as LaTeX, in the spec's names.
+//! Equations of motion as text and as LaTeX, with the names of the spec.
 
 mod printer;
 
@@ -14,7 +14,7 @@ use machinist_model::Quantity;
 use printer::Printer;
 use serde::{Deserialize, Serialize};
 
-/// How mathematics is written.
+/// Notation of mathematics.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Notation {
     /// `motor.inertia*motor.epsilon = ...`
@@ -23,16 +23,16 @@ pub enum Notation {
     Latex,
 }
 
-/// One equation, left and right side, with what it is about.
+/// One equation, with its subject and meaning.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Equation {
-    /// The spec's name of what it governs or defines.
+    /// Name in the spec of the quantity that it governs or defines.
     pub subject: String,
     /// Left side.
     pub left: String,
     /// Right side.
     pub right: String,
-    /// SI unit of both sides; empty where the sides have a unit of their own.
+    /// SI unit of both sides; empty if the sides have a unit of their own.
     pub unit: String,
     /// One sentence of meaning.
     pub doc: String,
@@ -41,20 +41,19 @@ pub struct Equation {
 /// A machine in equations.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Document {
-    /// T, V, D and the energy of first-order states, zero ones left out.
+    /// T, V, D and the energy of first-order states, without those that are zero.
     pub energies: Vec<Equation>,
     /// M q'' = f, a row for each coordinate.
     pub motion: Vec<Equation>,
     /// z' = h.
     pub first_order: Vec<Equation>,
-    /// What coordinates must fulfil: each is 0.
+    /// Constraints; each is 0.
     pub constraints: Vec<Equation>,
-    /// Guards of events, with which way they pass zero and what is then set as their
-    /// meaning.
+    /// Guards of events. Their meaning is the direction of the zero crossing and the resets.
     pub events: Vec<Equation>,
     /// Helpers that the equations above use.
     pub helpers: Vec<Equation>,
-    /// Wanted outputs.
+    /// Outputs.
     pub outputs: Vec<Equation>,
 }
 
@@ -75,7 +74,7 @@ impl Document {
         for (output, expr) in system.outputs.iter().zip(&equations.outputs) {
             document.outputs.push(definition(&printer, &output.quantity, &printer.print(expr)));
         }
-        // Helpers may use helpers: print until no new one appears.
+        // Helpers may use other helpers: print until no new one appears.
         let mut shown = BTreeMap::new();
         loop {
             let used = printer.used();
@@ -92,7 +91,7 @@ impl Document {
         document
     }
 
-    /// All sections under their headings, for a terminal.
+    /// Returns all sections with headings, for a terminal.
     #[must_use]
     pub fn to_text(&self) -> String {
         let sections = [
@@ -124,7 +123,7 @@ impl Document {
         text
     }
 
-    /// All sections as LaTeX `align*` environments.
+    /// Returns all sections as LaTeX `align*` environments.
     #[must_use]
     pub fn to_latex(&self) -> String {
         let sections = [
@@ -178,7 +177,7 @@ fn energies(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
     .collect()
 }
 
-/// One row: sum over columns of M_ij q''_j = f_i.
+/// Returns a row for each coordinate: sum over columns of M_ij q''_j = f_i.
 fn motion(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
     let rows = equations.system.coordinates.iter().enumerate();
     rows.map(|(row, coordinate)| {
@@ -218,7 +217,7 @@ fn first_order(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation
         .collect()
 }
 
-/// f and G^T lambda of one coordinate; a multiplier bears its constraint's name.
+/// Returns f and G^T lambda of one coordinate. A multiplier has its constraint's name.
 fn with_constraint_forces(equations: &EquationsOfMotion, row: usize) -> Expr {
     let forcing = equations.forcing[row].clone();
     let forces = equations.constraints.matrix.iter().enumerate();
@@ -236,7 +235,7 @@ fn with_constraint_forces(equations: &EquationsOfMotion, row: usize) -> Expr {
     }
 }
 
-/// Each constraint, which is zero.
+/// Returns an equation for each constraint, which is zero.
 fn constraints(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
     let Constraints { values, rates, .. } = &equations.constraints;
     let constraints = equations.system.constraints.iter().zip(values).zip(rates);
@@ -250,7 +249,7 @@ fn constraints(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation
     constraints.collect()
 }
 
-/// Each guard, zero where its event happens.
+/// Returns an equation for each guard, which is zero where its event happens.
 fn events(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
     let system = &equations.system;
     let name = |symbol| symbol_name(system, symbol, Notation::Text);
@@ -279,7 +278,7 @@ fn is_zero(expr: &Expr) -> bool {
     matches!(expr, Expr::Number(value) if *value.numer() == 0.into())
 }
 
-/// The name of a symbol in a notation.
+/// Returns the name of a symbol in a notation.
 fn symbol_name(system: &LagrangianSystem, symbol: Symbol, notation: Notation) -> String {
     let coordinate = |id: CoordinateId| &system.coordinates[id.0 as usize];
     let name = |quantity: &Quantity| match notation {
@@ -317,7 +316,7 @@ fn symbol_name(system: &LagrangianSystem, symbol: Symbol, notation: Notation) ->
     }
 }
 
-/// `\varphi_{x}` to `\dot{\varphi}_{x}`.
+/// Changes `\varphi_{x}` to `\dot{\varphi}_{x}`.
 fn dotted(latex: &str, accent: &str) -> String {
     match latex.split_once('_') {
         Some((base, subscript)) => format!("\\{accent}{{{base}}}_{subscript}"),

@@ -1,16 +1,16 @@
-//! The one printer of floating-point numbers.
+//! Formatting of all floating-point numbers.
 
 use std::str::FromStr;
 
 use proc_macro2::TokenStream;
 
-/// A number that has no literal: infinite or not a number.
+/// A number without a literal: infinite or NaN.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{0} is not a finite number")]
 pub struct NotFinite(pub f64);
 
-/// Literals of emitted Rust: the shortest text that reads back as the very same
-/// number, digits grouped by three where there are many.
+/// Returns a literal of emitted Rust: the shortest text that reads back as exactly this number.
+/// Many digits are grouped by three.
 ///
 /// # Errors
 /// [`NotFinite`] for infinities and NaN.
@@ -24,7 +24,7 @@ pub fn literal_text(value: f64) -> Result<String, NotFinite> {
     Ok(group_digits(&text))
 }
 
-/// [`literal_text`] as tokens; a minus is a token of its own.
+/// Returns [`literal_text`] as tokens. A minus sign is a separate token.
 ///
 /// # Errors
 /// [`NotFinite`] for infinities and NaN.
@@ -33,8 +33,8 @@ pub fn literal(value: f64) -> Result<TokenStream, NotFinite> {
     TokenStream::from_str(&text).map_err(|_| NotFinite(value))
 }
 
-/// [`literal`], or the standard constant of exactly this value, or a small
-/// multiple of pi or its square that is exactly this value.
+/// Returns [`literal`], or a standard constant, or a small multiple of pi or its square, if its
+/// value is exactly equal.
 ///
 /// # Errors
 /// [`NotFinite`] for infinities and NaN.
@@ -50,7 +50,7 @@ fn constant(value: f64) -> Option<String> {
     constant.map(|(name, _)| format!("core::f64::consts::{name}"))
 }
 
-/// Multiples that a reader would not recognise as a decimal number.
+/// Multiples that are hard to recognize as decimal numbers.
 fn multiple_of_pi(value: f64) -> Option<String> {
     use std::f64::consts::PI;
     let pi = "core::f64::consts::PI";
@@ -87,7 +87,7 @@ const CONSTANTS: &[(&str, f64)] = {
     ]
 };
 
-/// `-23065.284612e7` to `-23_065.284_612e7`.
+/// Changes `-23065.284612e7` to `-23_065.284_612e7`.
 fn group_digits(text: &str) -> String {
     let (mantissa, exponent) = match text.split_once('e') {
         Some((mantissa, exponent)) => (mantissa, Some(exponent)),
@@ -116,8 +116,7 @@ fn group_digits(text: &str) -> String {
     grouped
 }
 
-/// Digits with an underscore after the first `first` of them, then after every
-/// third.
+/// Inserts an underscore after the first `first` digits, then after every third.
 fn spaced(digits: &str, first: usize) -> String {
     let mut text = String::with_capacity(digits.len() * 4 / 3);
     for (index, digit) in digits.chars().enumerate() {

@@ -1,9 +1,8 @@
-//! A scene as one module of readable Rust.
+//! Emission of a scene as one module of readable Rust.
 //!
-//! The module has no inner attributes, so that it works as a file of its own
-//! and through `include!`; its header is made of plain comments. It needs `core`
-//! and the contract crate, allocates nothing, and computes with any
-//! `machinist_contract::Real`.
+//! The module has no inner attributes, so it works as a file of its own and with `include!`; its
+//! header consists of plain comments. It needs `core` and the contract crate, allocates nothing,
+//! and computes with any `machinist_contract::Real`.
 
 mod batch;
 mod body;
@@ -35,17 +34,17 @@ use names::Namer;
 use prepare::Prepare;
 use series::Series;
 
-/// The text of a scene's module: rows of the contract's macros, which make of them
-/// `Parameters`, `Outputs`, constants, and a unit struct that implements `Describe` and
-/// `Simulator`; and one function for each tape.
+/// Emits the text of a scene's module: rows of the contract's macros, and one function for each
+/// tape. The macros define `Parameters`, `Outputs`, constants, and a unit struct that implements
+/// `Describe` and `Simulator`.
 ///
 /// # Errors
-/// [`EmitError`] if the model holds a number without a literal, a name that is
-/// no identifier, or a tape that breaks the rules of [`machinist_model::Model`].
+/// [`EmitError`] if the model contains a number without a literal, a name that is not an
+/// identifier, or a tape that breaks the rules of [`machinist_model::Model`].
 pub fn emit(model: &Model, options: &EmitOptions) -> Result<String, EmitError> {
     model.validate()?;
     let scene = Scene::new(model)?;
-    // What fields do is not in the machine's own series.
+    // The machine's own series does not include the dynamics of fields.
     let series = if model.fields.is_empty() { Series::new(&scene) } else { None };
     let imports = pretty(imports(model, series.as_ref()))?;
     let description = describe::description(&scene, series.as_ref())?;
@@ -67,20 +66,20 @@ pub fn emit(model: &Model, options: &EmitOptions) -> Result<String, EmitError> {
     }
 }
 
-/// Features of a crate of scenes that are no scenes, and so no names for scenes.
+/// Features of a crate of scenes that are not scenes, so scenes cannot have their names.
 pub(crate) const TAKEN: [&str; 5] = ["default", "std", "libm", "bench", "scenes"];
 
-/// The type that stands for a scene in its emitted module: `SawGin` for `saw_gin`.
+/// Returns the type of a scene in its emitted module: `SawGin` for `saw_gin`.
 #[must_use]
 pub fn type_name(scene: &str) -> String {
     names::type_name(scene)
 }
 
-/// The module that lists emitted scenes: one `pub mod` for each, their names,
-/// and a look-up; each only if the Cargo feature of its name is on.
+/// Emits the module that lists emitted scenes: one `pub mod` for each, their names, and a lookup.
+/// Each depends on the Cargo feature of its name.
 ///
 /// # Errors
-/// [`EmitError`] if a scene's name is no identifier, given twice, or taken by another
+/// [`EmitError`] if a scene's name is not an identifier, occurs twice, or is that of another
 /// feature of the crate of scenes.
 pub fn emit_index(models: &[&Model], options: &EmitOptions) -> Result<String, EmitError> {
     let mut models = models.to_vec();
@@ -102,7 +101,7 @@ fn pretty(tokens: TokenStream) -> Result<String, EmitError> {
     Ok(layout::lay_out(&prettyplease::unparse(&file)))
 }
 
-/// A model with the names of its emitted module.
+/// A model with the names in its emitted module.
 struct Scene<'a> {
     model: &'a Model,
     machine: Ident,
@@ -110,11 +109,11 @@ struct Scene<'a> {
     parameters: Vec<Ident>,
     outputs: Vec<Ident>,
     tables: Vec<Ident>,
-    /// Namer for local variables; states, parameters and constants are taken.
+    /// Namer for local variables; names of states, parameters and constants are taken.
     locals: Namer,
-    /// What is done once a run.
+    /// Computations that are done once a run.
     prepare: Prepare,
-    /// What several functions read.
+    /// Results that several functions share.
     motion: Motion,
 }
 
@@ -175,12 +174,12 @@ impl<'a> Scene<'a> {
 }
 
 impl Scene<'_> {
-    /// Whether one function gives dy'/dy and dy'/dp by constants.
+    /// Reports whether one function computes dy'/dy and dy'/dp from constants.
     fn gives_jacobians_at_once(&self) -> bool {
         !self.prepare.is_empty() && self.model.gives_jacobians_at_once()
     }
 
-    /// What bodies of free functions may name.
+    /// Returns the names that bodies of free functions may use.
     fn scope<'a>(&'a self, constants: &'a [Ident]) -> Scope<'a> {
         Scope {
             states: &self.states,
@@ -194,18 +193,18 @@ impl Scene<'_> {
         }
     }
 
-    /// Fields of `Parameters` that are the machine's.
+    /// Returns the fields of `Parameters` that are the machine's.
     fn own_parameters(&self) -> &[Ident] {
         &self.parameters[..self.model.parameters.len()]
     }
 
-    /// Fields of `Parameters` that its fields set.
+    /// Returns the fields of `Parameters` that the fields of the machine set.
     fn handed(&self) -> &[Ident] {
         &self.parameters[self.model.parameters.len()..]
     }
 }
 
-/// `use` of exactly what the module needs.
+/// Returns `use` items for exactly what the module needs.
 fn imports(model: &Model, series: Option<&Series>) -> TokenStream {
     let series = series.map(Series::imports);
     let solves = [&model.rate_jacobian, &model.parameter_jacobian];

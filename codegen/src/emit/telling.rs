@@ -1,11 +1,12 @@
-//! Names for intermediate values, made of the names of what they are computed from.
+//! Names for intermediate values, formed from the names of their operands.
 
 use machinist_model::{NodeId, Op, Tape};
 
-/// Longer names say no more than a number does.
+/// Length beyond which a name is no better than a number.
 pub(crate) const LONGEST_NAME: usize = 36;
 
-/// A telling name for the value of an operation, if its operands have names: `word` gives those.
+/// Returns a descriptive name for the value of an operation, if its operands have names, which
+/// `word` returns.
 pub(crate) fn describe(
     tape: &Tape,
     op: &Op,
@@ -28,7 +29,7 @@ pub(crate) fn describe(
     }
 }
 
-/// True for a numbered name of our own making.
+/// Reports whether a name is a numbered one of our own.
 pub(crate) fn is_temporary(name: &str) -> bool {
     name.strip_prefix('t').is_some_and(|rest| rest.parse::<u32>().is_ok())
 }

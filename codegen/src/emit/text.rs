@@ -1,10 +1,10 @@
-//! Free text of specs, made harmless for comments and docs.
+//! Sanitizing of free text of specs for comments and docs.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// One `#[doc]` attribute for each line of Markdown that this crate has written
-/// or [`markdown`] has escaped.
+/// Returns one `#[doc]` attribute for each line of Markdown, which is written by this crate or
+/// escaped by [`markdown`].
 pub(crate) fn doc<Line: AsRef<str>>(lines: impl IntoIterator<Item = Line>) -> TokenStream {
     let attributes = lines.into_iter().map(|line| {
         let line = line.as_ref();
@@ -14,8 +14,8 @@ pub(crate) fn doc<Line: AsRef<str>>(lines: impl IntoIterator<Item = Line>) -> To
     quote!(#(#attributes)*)
 }
 
-/// Lines of plain text for `//` comments: nothing in them can end the comment,
-/// and no invisible character can make them look like something else.
+/// Returns lines of plain text for `//` comments. Nothing in them can end the comment, and no
+/// invisible character can disguise them.
 #[must_use]
 pub fn comment_lines(text: &str) -> Vec<String> {
     let lines = text.lines().map(|line| visible(line).trim().to_owned());
@@ -26,21 +26,21 @@ pub fn comment_lines(text: &str) -> Vec<String> {
     lines
 }
 
-/// Lines of Markdown that show `text` as it is: paragraphs stay, and nothing in
-/// it becomes a link, a heading, a list, HTML or code.
+/// Returns lines of Markdown that show `text` as it is. Paragraphs are kept, and nothing in it
+/// becomes a link, a heading, a list, HTML or code.
 #[must_use]
 pub fn markdown(text: &str) -> Vec<String> {
     comment_lines(text).iter().map(|line| escape_line(line)).collect()
 }
 
-/// [`markdown`] in a single line.
+/// Returns [`markdown`] as a single line.
 #[must_use]
 pub fn markdown_line(text: &str) -> String {
     markdown(text).join(" ").trim().to_owned()
 }
 
-/// Escapes every mark of Markdown in a line. Addresses are put in angle brackets,
-/// as rustdoc wants them.
+/// Escapes all Markdown characters in a line. Addresses are put in angle brackets, as rustdoc
+/// requires.
 fn escape_line(line: &str) -> String {
     let words = line.split(' ').enumerate().map(|(index, word)| {
         if is_address(word) { format!("<{word}>") } else { escape_word(word, index == 0) }
@@ -48,7 +48,7 @@ fn escape_line(line: &str) -> String {
     words.collect::<Vec<_>>().join(" ")
 }
 
-/// A web address of characters that need no escape.
+/// Reports whether a word is a web address of characters that need no escape.
 fn is_address(word: &str) -> bool {
     let rest = word.strip_prefix("https://").or_else(|| word.strip_prefix("http://"));
     rest.is_some_and(|rest| {
@@ -68,7 +68,7 @@ fn escape_word(word: &str, first: bool) -> String {
         let mark = matches!(character, '\\' | '`' | '[' | ']' | '<' | '>' | '*' | '~' | '|' | '&')
             || (first && index == 0 && matches!(character, '#' | '-' | '+' | '=' | '_'))
             || (is_item_number && matches!(character, '.' | ')'));
-        // A bare address that is not clean enough for angle brackets.
+        // A bare address that is not valid within angle brackets.
         let scheme = character == ':' && word[..].contains("://");
         if mark || scheme {
             escaped.push('\\');
@@ -78,7 +78,7 @@ fn escape_word(word: &str, first: bool) -> String {
     escaped
 }
 
-/// Control characters and characters that reorder text, spelled out.
+/// Spells out control characters and characters that reorder text.
 fn visible(line: &str) -> String {
     let mut shown = String::with_capacity(line.len());
     for character in line.chars() {

@@ -1,8 +1,7 @@
 //! One tape as the body of a C function.
 //!
-//! Statements come in the tape's order and expressions keep the tape's association, so that C
-//! that is compiled without fused products gives the bits of
-//! [`machinist_model::evaluate`], as emitted Rust does.
+//! Statements are in the tape's order, and expressions keep the tape's association. So C without
+//! fused products gives the bits of [`machinist_model::evaluate`], as emitted Rust does.
 
 use std::collections::BTreeSet;
 
@@ -15,12 +14,12 @@ use crate::emit::EmitError;
 use crate::emit::rust::plan::{Place, plain};
 use crate::emit::telling::{LONGEST_NAME, describe, is_temporary};
 
-/// Names a body may use.
+/// Names that a body may use.
 #[derive(Clone, Copy)]
 pub(super) struct Scope<'a> {
     /// The function, for messages.
     pub(super) function: &'a str,
-    /// The type of numbers.
+    /// Number type.
     pub(super) real: Real,
     /// Variables that hold the entries of the state.
     pub(super) states: &'a [String],
@@ -32,7 +31,7 @@ pub(super) struct Scope<'a> {
     pub(super) motion: &'a [String],
     /// Tables.
     pub(super) tables: &'a [String],
-    /// Names not to be taken by new variables; holds those of the states.
+    /// Names that new variables must not take; includes those of the states.
     pub(super) namer: &'a Namer,
 }
 
@@ -55,8 +54,7 @@ pub(super) struct Body {
     pub(super) reads: Reads,
 }
 
-/// Turns a tape into a body. With `spread_results`, results that are more than leaves are
-/// variables.
+/// Translates a tape to a body. With `spread_results`, results that are not leaves are variables.
 pub(super) fn body(
     tape: &Tape,
     scope: &Scope<'_>,
@@ -99,7 +97,7 @@ pub(super) fn body(
     Ok(Body { statements, results, reads })
 }
 
-/// Arguments that the written nodes read.
+/// Returns the arguments that the written nodes read.
 fn reads(tape: &Tape, places: &[Place], scope: &Scope<'_>) -> Reads {
     let mut reads = Reads::default();
     let written = tape.nodes.iter().zip(places).filter(|(_, place)| **place != Place::Nowhere);
@@ -124,7 +122,7 @@ fn reads(tape: &Tape, places: &[Place], scope: &Scope<'_>) -> Reads {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pair {
     No,
-    /// The first of the two on the tape, where both are computed.
+    /// The first of the two on the tape, at which both are computed.
     First {
         sine: usize,
         cosine: usize,
@@ -132,7 +130,7 @@ enum Pair {
     Second,
 }
 
-/// Sines and cosines of the same argument, which one call computes. They become variables.
+/// Finds sines and cosines of the same argument, which one call computes. They become variables.
 fn sine_cosine_pairs(tape: &Tape, places: &mut [Place], real: Real) -> Vec<Pair> {
     let mut pairs = vec![Pair::No; tape.nodes.len()];
     if real != Real::Double {
@@ -176,7 +174,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Claims the spec's names, before any name of our own making can take them.
+    /// Claims the spec's names, before generated names can take them.
     fn name_from_spec(&mut self) {
         for (index, node) in self.tape.nodes.iter().enumerate() {
             if let (Some(name), Place::Statement) = (&node.name, self.places[index]) {
@@ -185,7 +183,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The variable of a node, named on first use.
+    /// Returns the variable of a node, which is named on first use.
     fn variable(&mut self, index: usize) -> String {
         if let Some(name) = &self.names[index] {
             return name.clone();
@@ -209,13 +207,13 @@ impl Writer<'_> {
         self.node(index)
     }
 
-    /// The expression of a node.
+    /// Returns the expression of a node.
     fn node(&mut self, index: usize) -> Result<Written, EmitError> {
         let (op, scope) = (self.tape.nodes[index].op, self.scope);
         operation(&op, scope, &mut |id| self.operand(id))
     }
 
-    /// The argument of a call.
+    /// Returns the argument of a call.
     fn argument(&mut self, index: usize) -> Result<String, EmitError> {
         match self.tape.nodes[index].op {
             Op::Call(_, argument) => Ok(self.operand(argument)?.at_least(Strength::Sum)),
@@ -223,7 +221,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The name by which an operand is known, if it has a telling one.
+    /// Returns the name of an operand, if it is descriptive.
     fn word(&self, id: NodeId) -> Option<String> {
         let index = id.0 as usize;
         let telling = |name: &str| (!is_temporary(name)).then(|| name.to_owned());

@@ -1,4 +1,5 @@
-//! The header: what the machine is, its structs and functions. The source around the functions.
+//! The header with description, structs and functions of the machine, and the frame of the
+//! source.
 
 use std::fmt::Write as _;
 
@@ -10,7 +11,7 @@ use super::layout::{comment, remark, statement};
 use super::{MARK, Real, Scene, events, helpers, solve, step};
 use crate::emit::EmitError;
 
-/// The header of a scene.
+/// Returns the header of a scene.
 pub(super) fn header(scene: &Scene<'_>, functions: &[Emitted]) -> String {
     let guard = scene.macro_name("H");
     let declared = functions.iter().filter(|function| !function.is_local);
@@ -31,7 +32,7 @@ pub(super) fn header(scene: &Scene<'_>, functions: &[Emitted]) -> String {
     joined(&parts)
 }
 
-/// The source of a scene.
+/// Returns the source of a scene.
 pub(super) fn source(scene: &Scene<'_>, functions: &[Emitted]) -> Result<String, EmitError> {
     let name = &scene.model.name;
     let definitions: Vec<String> = functions.iter().map(Emitted::definition).collect();
@@ -54,7 +55,7 @@ pub(super) fn source(scene: &Scene<'_>, functions: &[Emitted]) -> Result<String,
     Ok(joined(&parts))
 }
 
-/// Parts that are there, with an empty line between them.
+/// Joins nonempty parts, with an empty line between them.
 fn joined(parts: &[String]) -> String {
     let parts: Vec<&str> =
         parts.iter().map(|part| part.trim_end()).filter(|part| !part.is_empty()).collect();
@@ -65,7 +66,7 @@ fn first_line() -> String {
     format!("{MARK} {}; do not edit", env!("CARGO_PKG_VERSION"))
 }
 
-/// Provenance and content of the file.
+/// Returns origin and content of the file.
 fn provenance(scene: &Scene<'_>) -> Vec<String> {
     let model = scene.model;
     let mut lines = vec![format!("{}. To make it again:", first_line()), String::new()];
@@ -89,7 +90,7 @@ fn provenance(scene: &Scene<'_>) -> Vec<String> {
     lines
 }
 
-/// Macros that say how many there are of everything.
+/// Returns macros for the numbers of states, parameters, outputs and so on.
 fn sizes(scene: &Scene<'_>) -> String {
     let model = scene.model;
     let resets: usize = model.events.iter().map(|event| event.sets.len()).sum();
@@ -116,7 +117,7 @@ fn sizes(scene: &Scene<'_>) -> String {
     text
 }
 
-/// A struct of quantities.
+/// Returns a struct of quantities.
 fn structure(scene: &Scene<'_>, name: &str, doc: &str, members: &[(String, String)]) -> String {
     let real = scene.real();
     let mut text = comment([doc]);
@@ -131,7 +132,7 @@ fn structure(scene: &Scene<'_>, name: &str, doc: &str, members: &[(String, Strin
     text
 }
 
-/// Name, meaning and unit of a quantity.
+/// Returns name, meaning and unit of a quantity.
 pub(super) fn meaning(quantity: &Quantity) -> String {
     let Quantity { name, unit, doc } = quantity;
     let doc = doc.trim().trim_end_matches('.');
@@ -189,7 +190,7 @@ fn structs(scene: &Scene<'_>) -> String {
     .join("\n")
 }
 
-/// Rows and columns of the nonzeros of every matrix: declared, or defined.
+/// Returns rows and columns of the nonzeros of every matrix, as declarations or definitions.
 fn patterns(scene: &Scene<'_>, is_declared: bool) -> String {
     let model = scene.model;
     let mut text = String::new();
@@ -231,8 +232,8 @@ fn list(
     format!("const {kind} {name}[{size}] = {{\n{entries}}};\n")
 }
 
-/// True if a run of a model starts on constraints or in equilibrium: its initial values are not
-/// enough then.
+/// Reports whether a run of a model starts on constraints or in equilibrium, so that its initial
+/// values are not sufficient.
 #[must_use]
 pub fn needs_start(model: &Model) -> bool {
     model.starts_in_equilibrium || !model.constraints.is_empty()

@@ -1,4 +1,4 @@
-//! Events beside their guards and resets: modes in which they are watched for, and states they set.
+//! Data of events besides guards and resets: modes in which they are active, and states they set.
 
 use std::fmt::Write as _;
 
@@ -10,7 +10,7 @@ use super::functions::broken_head;
 use super::layout::{comment, remark, statement};
 use crate::emit::EmitError;
 
-/// Numbers of the events and what to do with them; nothing of a scene without events.
+/// Returns the constants and declarations of the events; empty for a scene without events.
 pub(super) fn declarations(scene: &Scene<'_>) -> String {
     let model = scene.model;
     if model.events.is_empty() {
@@ -58,7 +58,7 @@ fn apply_head(scene: &Scene<'_>) -> String {
     ))
 }
 
-/// The functions that are declared above.
+/// Returns the definitions of the functions declared above.
 pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
     if scene.model.events.is_empty() {
         return Ok(String::new());

@@ -1,4 +1,4 @@
-//! One operation of a tape as an expression of C.
+//! One operation of a tape as a C expression.
 
 use machinist_model::{Function, NodeId, Op, TableId};
 
@@ -6,7 +6,7 @@ use super::Real;
 use super::body::Scope;
 use crate::emit::EmitError;
 
-/// Binding strength of an expression, from weak to strong.
+/// Binding strength of an expression, weakest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Strength {
     Sum,
@@ -23,18 +23,18 @@ pub(super) struct Written {
 }
 
 impl Written {
-    /// A name, a call, or anything else that binds as tightly.
+    /// Returns a name, a call, or anything else that binds as tightly.
     pub(super) fn call(text: impl Into<String>) -> Self {
         Self { text: text.into(), strength: Strength::Call }
     }
 
-    /// The text, in parentheses if it binds more weakly than `least`.
+    /// Returns the text, in parentheses if it binds more weakly than `least`.
     pub(super) fn at_least(self, least: Strength) -> String {
         if self.strength < least { format!("({})", self.text) } else { self.text }
     }
 
-    /// `a operator b`. All four operators associate to the left, so the right operand needs the
-    /// greater strength.
+    /// Returns `a operator b`. All four operators associate to the left, so the right operand
+    /// needs the greater strength.
     fn infix(a: Self, operator: char, b: Self, [left, right]: [Strength; 2]) -> Self {
         let text = format!("{} {operator} {}", a.at_least(left), b.at_least(right));
         Self { text, strength: left }
@@ -44,8 +44,8 @@ impl Written {
 const SUM: [Strength; 2] = [Strength::Sum, Strength::Product];
 const PRODUCT: [Strength; 2] = [Strength::Product, Strength::Minus];
 
-/// The expression of an operation, by those of its operands. What is read from outside is named
-/// by `scope`.
+/// Returns the expression of an operation, given those of its operands. `scope` names values read
+/// from outside.
 pub(super) fn operation(
     op: &Op,
     scope: &Scope<'_>,
@@ -92,7 +92,7 @@ pub(super) fn operation(
     })
 }
 
-/// A number as C reads it back to the last bit.
+/// Returns a number as a literal that C reads back exactly.
 pub(super) fn literal(value: f64, real: Real, place: &str) -> Result<Written, EmitError> {
     let text = real
         .literal(value)
@@ -101,14 +101,14 @@ pub(super) fn literal(value: f64, real: Real, place: &str) -> Result<Written, Em
     Ok(Written { text, strength })
 }
 
-/// The helper that computes an integer power.
+/// Returns the name of the helper that computes an integer power.
 pub(super) fn power_name(exponent: i32) -> String {
     let size = exponent.unsigned_abs();
     if exponent < 0 { format!("inverse_power_{size}") } else { format!("power_{size}") }
 }
 
-/// Name of a function in emitted C: ours where the contract has its own in double, else
-/// that of the standard library.
+/// Returns the name of a function in emitted C: ours if the contract has its own in double
+/// precision, else that of the standard library.
 pub(super) fn function_name(function: Function, real: Real) -> String {
     let ours = real == Real::Double;
     match function {

@@ -1,4 +1,4 @@
-//! The functions of the table of functions, one for each tape, and what goes before them.
+//! The functions of the table, one for each tape, and those that precede them.
 
 use machinist_model::functions::{FunctionId, FunctionRow, Gives, Reads};
 use machinist_model::{SparsityPattern, operations};
@@ -9,29 +9,29 @@ use super::layout::{comment, remark, statement, statements};
 use super::solve;
 use crate::emit::EmitError;
 
-/// A function: its meaning, its head without a semicolon, its body.
+/// A function: meaning, head without a semicolon, and body.
 pub(super) struct Emitted {
     pub(super) doc: String,
     pub(super) head: String,
     pub(super) body: String,
-    /// True if only the source knows it.
+    /// True if it is local to the source file.
     pub(super) is_local: bool,
 }
 
 impl Emitted {
-    /// Its declaration, with what it means.
+    /// Returns its declaration, with its meaning.
     pub(super) fn declaration(&self) -> String {
         format!("{}{};\n", comment([&self.doc]), self.head)
     }
 
-    /// Its definition, with what it means if no declaration says it.
+    /// Returns its definition, with its meaning if no declaration has it.
     pub(super) fn definition(&self) -> String {
         let doc = if self.is_local { comment([&self.doc]) } else { String::new() };
         format!("{doc}{}\n{{\n{}}}\n", self.head, self.body)
     }
 }
 
-/// First arguments of every function of time and state.
+/// Returns the first arguments of every function of time and state.
 pub(super) fn arguments(scene: &Scene<'_>) -> String {
     format!(
         "{} time, const {} *state, const {} *p, const {} *c",
@@ -42,7 +42,7 @@ pub(super) fn arguments(scene: &Scene<'_>) -> String {
     )
 }
 
-/// All functions, in the order in which they can be defined.
+/// Returns all functions, in an order in which they can be defined.
 pub(super) fn functions(scene: &Scene<'_>) -> Result<Vec<Emitted>, EmitError> {
     let mut functions = vec![defaults(scene)?, prepare(scene)];
     functions.extend(scene.motion.as_ref().map(|motion| solve::function(scene, motion)));
@@ -54,7 +54,7 @@ pub(super) fn functions(scene: &Scene<'_>) -> Result<Vec<Emitted>, EmitError> {
     Ok(functions)
 }
 
-/// The parameters of the spec.
+/// Returns the function that sets the parameters of the spec.
 fn defaults(scene: &Scene<'_>) -> Result<Emitted, EmitError> {
     let mut body = String::new();
     for (parameter, member) in scene.model.parameters.iter().zip(&scene.parameter_members) {
@@ -77,7 +77,7 @@ fn defaults(scene: &Scene<'_>) -> Result<Emitted, EmitError> {
     })
 }
 
-/// The function that computes the constants.
+/// Returns the function that computes the constants.
 fn prepare(scene: &Scene<'_>) -> Emitted {
     let mut body = statements(&scene.prepare);
     for name in &scene.constants {
@@ -99,7 +99,7 @@ fn prepare(scene: &Scene<'_>) -> Emitted {
     }
 }
 
-/// The function of a row.
+/// Returns the function of a row.
 fn function(scene: &Scene<'_>, row: &FunctionRow) -> Result<Emitted, EmitError> {
     let tape = scene.hoisted.tape(scene.model, row.id);
     let solved = scene.model.solve(row.id);
@@ -129,7 +129,7 @@ fn function(scene: &Scene<'_>, row: &FunctionRow) -> Result<Emitted, EmitError> 
     Ok(Emitted { doc, head: broken_head(&head), body: text, is_local: false })
 }
 
-/// Variables for the entries of the state that are read, and arguments that are not.
+/// Returns variables for the entries of the state that are read, and marks unread arguments.
 fn opening(
     scene: &Scene<'_>,
     row: &FunctionRow,
@@ -155,7 +155,7 @@ fn opening(
     text
 }
 
-/// Variables for the entries of the state that a body reads.
+/// Returns variables for the entries of the state that a body reads.
 pub(super) fn state_variables(scene: &Scene<'_>, reads: &body::Reads) -> String {
     let variable = |&entry: &usize| {
         let (name, member) = (&scene.states[entry], &scene.state_members[entry]);
@@ -164,13 +164,13 @@ pub(super) fn state_variables(scene: &Scene<'_>, reads: &body::Reads) -> String 
     reads.state.iter().map(variable).collect()
 }
 
-/// Mentions arguments that a body does not read, so that compilers do not warn of them.
+/// Mentions arguments that a body does not read, to avoid compiler warnings.
 pub(super) fn unread(arguments: [(&str, bool); 4]) -> String {
     let unread = arguments.into_iter().filter(|(_, is_unread)| *is_unread);
     unread.map(|(name, _)| statement(&format!("(void){name};"), 4)).collect()
 }
 
-/// Last argument of a function, which takes its result.
+/// Returns the last argument of a function, which takes its result.
 fn out(scene: &Scene<'_>, row: &FunctionRow) -> String {
     let real = scene.real();
     match row.gives {
@@ -184,12 +184,12 @@ fn out(scene: &Scene<'_>, row: &FunctionRow) -> String {
     }
 }
 
-/// The macro that holds the number of nonzeros of a matrix.
+/// Returns the macro for the number of nonzeros of a matrix.
 pub(super) fn nonzeros(scene: &Scene<'_>, name: &str) -> String {
     scene.macro_name(&format!("{}_NONZEROS", name.to_ascii_uppercase()))
 }
 
-/// Place of each result, and a remark on it.
+/// Returns the place of each result, and a remark on it.
 fn places(scene: &Scene<'_>, row: &FunctionRow) -> Vec<(String, String)> {
     let members = |names: &[String]| {
         names.iter().map(|name| (format!("values->{name}"), String::new())).collect()
@@ -218,7 +218,7 @@ fn places(scene: &Scene<'_>, row: &FunctionRow) -> Vec<(String, String)> {
     }
 }
 
-/// Names of the entries of an array.
+/// Returns the names of the entries of an array.
 fn remarks(scene: &Scene<'_>, id: FunctionId, count: usize) -> Vec<String> {
     let model = scene.model;
     match id {
@@ -245,7 +245,7 @@ fn remarks(scene: &Scene<'_>, id: FunctionId, count: usize) -> Vec<String> {
     }
 }
 
-/// Names of the nonzeros of a matrix.
+/// Returns the names of the nonzeros of a matrix.
 fn matrix_remarks(scene: &Scene<'_>, id: FunctionId, pattern: &SparsityPattern) -> Vec<String> {
     let model = scene.model;
     let path = |quantity: &machinist_model::Quantity| quantity.name.path.clone();
@@ -266,17 +266,17 @@ fn matrix_remarks(scene: &Scene<'_>, id: FunctionId, pattern: &SparsityPattern) 
         .collect()
 }
 
-/// A head of a function in lines that fit.
+/// Breaks the head of a function into lines that fit.
 pub(super) fn broken_head(head: &str) -> String {
     statement(head, 0).trim_end().to_owned()
 }
 
-/// Documentation of the contract as plain text.
+/// Returns documentation of the contract as plain text.
 fn plain(doc: &str) -> String {
     doc.replace('`', "").replace("\\[", "[").replace("\\]", "]")
 }
 
-/// Number of operations of a function, as a sentence.
+/// Returns the number of operations of a function, as a sentence.
 pub(super) fn counted(operations: usize) -> String {
     match operations {
         0 => "No operations.".to_owned(),

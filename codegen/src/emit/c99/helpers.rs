@@ -1,4 +1,5 @@
-//! Functions that emitted bodies call, and only those that they call: compilers warn of others.
+//! Functions that emitted bodies call. Unused ones are not emitted, because compilers warn of
+//! them.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -23,14 +24,14 @@ const TABLE: &str = include_str!("snippets/table.c");
 struct Needs {
     functions: BTreeSet<Function>,
     powers: BTreeSet<i32>,
-    /// True if sine and cosine are taken of the same argument somewhere.
+    /// True if sine and cosine of the same argument are computed somewhere.
     pairs: bool,
-    /// True if a sine, or a cosine, is taken by itself.
+    /// True for sine and cosine, respectively, if computed alone.
     alone: [bool; 2],
     tables: bool,
 }
 
-/// The tapes that are emitted.
+/// Returns the tapes that are emitted.
 pub(super) fn tapes<'a>(model: &'a Model, hoisted: &'a Hoisted) -> Vec<&'a Tape> {
     let own = model.functions().map(|row| hoisted.tape(model, row.id));
     own.chain([&hoisted.constants, &hoisted.motion]).collect()
@@ -71,7 +72,7 @@ impl Needs {
     }
 }
 
-/// Names of the helpers of a scene, which variables must not take.
+/// Returns the names of the helpers of a scene, which variables must not take.
 pub(super) fn names(model: &Model, hoisted: &Hoisted, real: Real) -> Vec<String> {
     let needs = Needs::of(model, hoisted);
     let functions = needs.functions.iter().map(|function| function_name(*function, real));
@@ -81,7 +82,7 @@ pub(super) fn names(model: &Model, hoisted: &Hoisted, real: Real) -> Vec<String>
     functions.chain(powers).chain(always).collect()
 }
 
-/// The helpers of a scene.
+/// Returns the helpers of a scene.
 pub(super) fn helpers(scene: &Scene<'_>) -> Result<String, EmitError> {
     let needs = Needs::of(scene.model, &scene.hoisted);
     let needs_function = |function| needs.functions.contains(&function);
@@ -116,7 +117,7 @@ pub(super) fn helpers(scene: &Scene<'_>) -> Result<String, EmitError> {
     Ok(parts.join("\n"))
 }
 
-/// A power by repeated squaring, as the contract computes it.
+/// Returns a power by repeated squaring, as the contract computes it.
 fn power(exponent: i32, real: Real) -> String {
     let (name, real_name) = (power_name(exponent), real.name());
     let one = if real == Real::Double { "1.0" } else { "1.0f" };
@@ -152,7 +153,7 @@ fn power(exponent: i32, real: Real) -> String {
     format!("static {real_name} {name}({real_name} x)\n{{\n{lines}    return {value};\n}}\n")
 }
 
-/// The tables of a scene.
+/// Returns the tables of a scene.
 fn tables(scene: &Scene<'_>) -> Result<String, EmitError> {
     let mut text = String::new();
     for (table, name) in scene.model.tables.iter().zip(&scene.tables) {
@@ -195,7 +196,7 @@ fn tables(scene: &Scene<'_>) -> Result<String, EmitError> {
     Ok(text)
 }
 
-/// A text of ours with `R(0.5)` as a literal of the type of numbers.
+/// Replaces `R(0.5)` in a snippet by a literal of the number type.
 pub(super) fn with_literals(text: &str, real: Real) -> String {
     let suffix = if real == Real::Double { "" } else { "f" };
     let mut filled = String::with_capacity(text.len());

@@ -1,4 +1,4 @@
-//! The linearly implicit step: its elimination, line by line.
+//! The linearly implicit step, with its elimination written line by line.
 
 use std::fmt::Write as _;
 
@@ -13,13 +13,13 @@ use crate::emit::EmitError;
 
 const ROSENBROCK: &str = include_str!("snippets/rosenbrock.c");
 
-/// The elimination of a scene's `I - g h J`.
+/// Returns the elimination for a scene's `I - g h J`.
 pub(super) fn elimination(scene: &Scene<'_>) -> Elimination {
     let model = scene.model;
     Elimination::new(model.states.len(), &model.rate_jacobian.pattern.entries)
 }
 
-/// `advance` and what it calls.
+/// Returns `advance` and the functions it calls.
 pub(super) fn advance(scene: &Scene<'_>) -> Result<String, EmitError> {
     let list = elimination(scene);
     let gamma = literal(ROSENBROCK_GAMMA, scene.options.real, "advance")?.text;
@@ -39,7 +39,8 @@ pub(super) fn advance(scene: &Scene<'_>) -> Result<String, EmitError> {
     Ok(format!("{}\n{}", parts.join("\n"), scene.filled(&text)))
 }
 
-/// The factors of `I - scale J`: quotients below the diagonal, inverses on it.
+/// Returns the function that factors `I - scale J`, with quotients below the diagonal and
+/// inverses on it.
 fn factor(scene: &Scene<'_>, list: &Elimination) -> String {
     let of = list.borrowed();
     let real = scene.real();
@@ -83,7 +84,7 @@ fn factor(scene: &Scene<'_>, list: &Elimination) -> String {
     text
 }
 
-/// Solves for a right side, member by member.
+/// Returns the function that solves for a right side, member by member.
 fn substitute(scene: &Scene<'_>, list: &Elimination) -> String {
     let of = list.borrowed();
     let member = |unknown: u32| &scene.state_members[unknown as usize];
@@ -126,7 +127,7 @@ fn substitute(scene: &Scene<'_>, list: &Elimination) -> String {
     text
 }
 
-/// `-2 k1 - g h f_t`, member by member.
+/// Returns `-2 k1 - g h f_t`, member by member.
 fn second(scene: &Scene<'_>) -> String {
     let (real, state) = (scene.real(), scene.public("state_t"));
     let two = scene.options.real.literal(2.0).unwrap_or_default();

@@ -1,11 +1,11 @@
-//! Lines of C that fit, and comments that free text cannot end.
+//! Layout of C lines, and comments that free text cannot end.
 
 use crate::emit::text::comment_lines;
 
-/// Longest line, where a line can be broken.
+/// Maximum length of a line, if it can be broken.
 const WIDTH: usize = 100;
 
-/// A statement, or any text without strings and comments, as lines with an indent.
+/// Breaks a statement, or any text without strings and comments, into indented lines.
 pub(super) fn statement(text: &str, indent: usize) -> String {
     let mut lines = String::new();
     let mut line = " ".repeat(indent);
@@ -28,12 +28,12 @@ pub(super) fn statement(text: &str, indent: usize) -> String {
     lines
 }
 
-/// Statements, each on a line of its own.
+/// Returns statements, each on a line of its own.
 pub(super) fn statements<'a>(all: impl IntoIterator<Item = &'a String>) -> String {
     all.into_iter().map(|text| statement(text, 4)).collect()
 }
 
-/// A comment of lines; free text in it is made harmless.
+/// Returns a comment of several lines. Free text in it is sanitized.
 pub(super) fn comment<Line: AsRef<str>>(lines: impl IntoIterator<Item = Line>) -> String {
     let lines = lines.into_iter().flat_map(|line| {
         let line = line.as_ref();
@@ -57,18 +57,18 @@ pub(super) fn comment<Line: AsRef<str>>(lines: impl IntoIterator<Item = Line>) -
     }
 }
 
-/// A comment behind something else on its line.
+/// Returns a comment that follows something else on its line.
 pub(super) fn remark(text: &str) -> String {
     format!("/* {} */", harmless(text).trim())
 }
 
-/// Text that neither ends a comment nor begins one, and holds no trigraph.
+/// Returns text that neither ends nor begins a comment, and contains no trigraph.
 fn harmless(text: &str) -> String {
     let line = comment_lines(text).join(" ");
     line.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
 }
 
-/// A text as lines that fit into a comment.
+/// Breaks a text into lines that fit into a comment.
 fn broken(text: &str, indent: usize) -> Vec<String> {
     let mut lines = vec![" ".repeat(indent)];
     for word in text.split_whitespace() {

@@ -1,9 +1,9 @@
-//! Names of emitted C: no keywords, no macros of the standard headers, each used once.
+//! Names in emitted C: no keywords, no macros of the standard headers, each used once.
 
 use std::collections::BTreeSet;
 
-/// Words that no member, variable or argument may be: keywords of C and C++, and macros that
-/// compilers or the headers we include define.
+/// Words that no member, variable or argument may have as its name: keywords of C and C++, and
+/// macros defined by compilers or by the included headers.
 const RESERVED: &[&str] = &[
     "auto",
     "break",
@@ -129,7 +129,7 @@ const RESERVED: &[&str] = &[
     "M_E",
 ];
 
-/// Functions and types that emitted bodies call by these names, and their arguments.
+/// Functions, types and arguments whose names emitted bodies use.
 const USED: &[&str] = &[
     "time", "state", "p", "c", "m", "x", "values", "rate", "sqrt", "fabs", "floor", "exp", "log",
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "pow", "sqrtf", "fabsf",
@@ -137,25 +137,25 @@ const USED: &[&str] = &[
     "tanhf", "powf", "copysign", "memcpy", "inputs", "row", "column", "block", "lane",
 ];
 
-/// Hands out names, each once.
+/// Allocates names, each once.
 #[derive(Debug, Clone)]
 pub(super) struct Namer {
     taken: BTreeSet<String>,
 }
 
 impl Namer {
-    /// A namer for members of a struct.
+    /// Returns a namer for members of a struct.
     pub(super) fn for_members() -> Self {
         Self { taken: RESERVED.iter().map(|&word| word.to_owned()).collect() }
     }
 
-    /// A namer for variables of functions, which call helpers of these names.
+    /// Returns a namer for variables of functions that call helpers of these names.
     pub(super) fn for_locals(helpers: impl IntoIterator<Item = String>) -> Self {
         let words = RESERVED.iter().chain(USED).map(|&word| word.to_owned());
         Self { taken: words.chain(helpers).collect() }
     }
 
-    /// `wanted`, or `wanted_2`, `wanted_3`, ... if that is taken.
+    /// Returns `wanted`, or `wanted_2`, `wanted_3`, ... if it is taken.
     pub(super) fn claim(&mut self, wanted: &str) -> String {
         let mut name = wanted.to_owned();
         let mut count = 1_u32;
@@ -166,7 +166,7 @@ impl Namer {
         name
     }
 
-    /// Names of all members of a struct, in their order.
+    /// Returns names for all members of a struct, in their order.
     pub(super) fn members<'a>(wanted: impl IntoIterator<Item = &'a str>) -> Vec<String> {
         let mut namer = Self::for_members();
         wanted.into_iter().map(|name| namer.claim(name)).collect()

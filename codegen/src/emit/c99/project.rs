@@ -1,4 +1,4 @@
-//! A CMake file for the emitted C, and an example that runs it.
+//! A CMake file for the emitted C, and an example program.
 
 use std::fmt::Write as _;
 
@@ -6,7 +6,7 @@ use super::layout::comment;
 use super::{MARK, Scene};
 use crate::emit::EmitError;
 
-/// The CMake file.
+/// Returns the CMake file.
 pub(super) fn cmake(scene: &Scene<'_>) -> String {
     let name = &scene.model.name;
     format!(
@@ -32,10 +32,10 @@ pub(super) fn cmake(scene: &Scene<'_>) -> String {
     )
 }
 
-/// Steps between two rows of the example, unless told otherwise.
+/// Default number of steps between two rows of the example's output.
 const STEPS_A_ROW: usize = 10;
 
-/// A program that runs the machine and prints a table.
+/// Returns a program that runs the machine and prints a table.
 pub(super) fn example(scene: &Scene<'_>) -> Result<String, EmitError> {
     let (model, name) = (scene.model, &scene.model.name);
     let rows = model.run.points.max(2) - 1;

@@ -1,4 +1,4 @@
-//! The motion that several functions share, and matrices that are solved for by its factors.
+//! The motion that several functions share, and solutions for matrices by its factors.
 
 use std::fmt::Write as _;
 
@@ -14,17 +14,17 @@ use crate::emit::EmitError;
 
 const SUBSTITUTE: &str = include_str!("snippets/substitute.c");
 
-/// The motion that several functions share, computed by a function of its own.
+/// Motion that several functions share, computed by a separate function.
 pub(super) struct Motion {
     body: Body,
-    /// The member of `struct motion` that holds each result.
+    /// The member of `struct motion` for each result.
     members: Vec<String>,
-    /// Number of factors, which are one member.
+    /// Number of factors, which form one member.
     factors: usize,
 }
 
 impl Motion {
-    /// The motion of a scene, if it has one.
+    /// Returns the motion of a scene, if it has one.
     pub(super) fn of(scene: &Scene<'_>) -> Result<Option<Self>, EmitError> {
         let Some(motion) = &scene.model.motion else { return Ok(None) };
         let body = body(&scene.hoisted.motion, &scene.scope("motion"), true)?;
@@ -41,13 +41,13 @@ impl Motion {
         Ok(Some(Self { body, members, factors: motion.factors.len() }))
     }
 
-    /// Expressions of its results in other functions.
+    /// Returns the expressions of its results in other functions.
     pub(super) fn results(&self) -> Vec<String> {
         self.members.iter().map(|name| format!("m.{name}")).collect()
     }
 }
 
-/// The function that computes the motion.
+/// Returns the function that computes the motion.
 pub(super) fn function(scene: &Scene<'_>, motion: &Motion) -> Emitted {
     let Motion { body: Body { statements: lines, results, reads }, members, .. } = motion;
     let mut text = state_variables(scene, reads);
@@ -70,7 +70,7 @@ pub(super) fn function(scene: &Scene<'_>, motion: &Motion) -> Emitted {
     Emitted { doc, head, body: text, is_local: true }
 }
 
-/// The struct of the motion's results, and what solves by its factors.
+/// Returns the struct of the motion's results, and the code that solves with its factors.
 pub(super) fn items(scene: &Scene<'_>) -> String {
     let Some(Motion { members, factors, .. }) = &scene.motion else { return String::new() };
     let real = scene.real();
@@ -92,7 +92,7 @@ pub(super) fn items(scene: &Scene<'_>) -> String {
     text
 }
 
-/// The steps and places of a function that solves.
+/// Returns the steps and places of a function that solves.
 fn tables(scene: &Scene<'_>, function: &str, solve: &Solve) -> String {
     let index = scene.index_type();
     let mut terms = Vec::new();
@@ -113,7 +113,7 @@ fn tables(scene: &Scene<'_>, function: &str, solve: &Solve) -> String {
         solved.map(|(entry, row, column)| format!("{{ {entry}, {row}, {column} }}")).collect();
     let given: Vec<String> = solve.given.iter().map(u32::to_string).collect();
     let list = |kind: &str, name: &str, size: &str, items: &[String], none: &str| {
-        // An empty list is no C.
+        // C does not allow an empty list.
         let items = if items.is_empty() { none.to_owned() } else { items.join(", ") };
         let items = statement(&items, 4);
         format!("static const {kind} {function}_{name}[]{size} = {{\n{items}}};\n")
@@ -136,7 +136,7 @@ fn tables(scene: &Scene<'_>, function: &str, solve: &Solve) -> String {
     )
 }
 
-/// The end of a function that solves.
+/// Returns the end of a function that solves.
 pub(super) fn call(
     scene: &Scene<'_>,
     function: &str,
@@ -153,6 +153,6 @@ pub(super) fn call(
     let _ = writeln!(text, "    solve(&{function}_solve, m.factors, inputs, x, values);");
     let rows = solve.rows.max(1);
     let inputs = results.len().max(1);
-    // Declared first, where readers of C look for the stack that a function takes.
+    // Declared first, where readers expect the stack variables of a C function.
     format!("    {real} inputs[{inputs}];\n    {real} x[{rows}][{LANES}];\n{text}")
 }

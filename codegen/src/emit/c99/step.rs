@@ -1,4 +1,4 @@
-//! Steps of a fixed length: a struct that runs, how it begins, and one step.
+//! Fixed steps: the struct of a run, its start, and one step.
 
 use std::fmt::Write as _;
 
@@ -21,7 +21,7 @@ const EVENTS: &str = include_str!("snippets/events.c");
 const EVENTS_NEXT_JUMP: &str = include_str!("snippets/events_next_jump.c");
 const EVENTS_AT_JUMP: &str = include_str!("snippets/events_at_jump.c");
 
-/// The struct that runs, and its functions.
+/// Returns the struct of a run and its functions.
 pub(super) fn declarations(scene: &Scene<'_>) -> String {
     let has_events = !scene.model.events.is_empty();
     let mut text = String::new();
@@ -85,7 +85,7 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
     text
 }
 
-/// True if a step may have several parts.
+/// Reports whether a step may have several parts.
 fn has_parts(scene: &Scene<'_>) -> bool {
     !scene.model.events.is_empty() || has_jumps(scene)
 }
@@ -117,7 +117,7 @@ fn machine(scene: &Scene<'_>) -> String {
     text
 }
 
-/// The struct of the inputs, if there are any.
+/// Returns the struct of the inputs, if there are any.
 fn inputs(scene: &Scene<'_>) -> String {
     if scene.inputs.is_empty() {
         return String::new();
@@ -140,7 +140,7 @@ fn set_head(scene: &Scene<'_>) -> String {
     format!("void {set}({machine} *machine, const {inputs} *inputs)")
 }
 
-/// Definitions of the functions declared above.
+/// Returns the definitions of the functions declared above.
 pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
     let is_constrained = !scene.model.constraints.is_empty();
     let mut parts = vec![ahead(scene)];
@@ -176,7 +176,7 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
     Ok(parts.join("\n"))
 }
 
-/// The line that puts a state back onto the constraints; none in a scene without them.
+/// Returns the line that projects a state onto the constraints; empty without constraints.
 fn project(scene: &Scene<'_>, indent: usize, time: &str, state: &str) -> String {
     if scene.model.constraints.is_empty() {
         return String::new();
@@ -184,7 +184,7 @@ fn project(scene: &Scene<'_>, indent: usize, time: &str, state: &str) -> String 
     format!("{:indent$}project({time}, {state}, &machine->p, &machine->c);\n", "")
 }
 
-/// `out = state + h slope`, member by member.
+/// Returns `out = state + h slope`, member by member.
 fn ahead(scene: &Scene<'_>) -> String {
     let (real, state) = (scene.real(), scene.public("state_t"));
     let mut text = comment(["out = state + h slope."]);
@@ -203,8 +203,8 @@ fn ahead(scene: &Scene<'_>) -> String {
     text
 }
 
-/// Shifts of positions and of velocities, of which the state of a scene with constraints holds
-/// all.
+/// Returns the shifts of positions and of velocities. The state of a scene with constraints
+/// contains all of them.
 fn shifts(scene: &Scene<'_>) -> String {
     let real = scene.real();
     let total = scene.model.coordinates.len() + scene.model.constraints.len();
@@ -239,7 +239,7 @@ fn set_inputs(scene: &Scene<'_>) -> String {
     text
 }
 
-/// A step within which events happen.
+/// Returns the code of a step with events.
 fn events(scene: &Scene<'_>) -> String {
     let directions = scene.model.events.iter().map(|event| match event.direction {
         Direction::Rising => "1",
@@ -279,7 +279,7 @@ fn events(scene: &Scene<'_>) -> String {
     format!("{doc}\n{text}")
 }
 
-/// Names of the C library that texts of ours use, for the type of numbers.
+/// Replaces names of the C library in a snippet by those for the number type.
 fn with_library_names(text: &str, real: Real) -> String {
     let [absolute, epsilon, digits] = match real {
         Real::Double => ["fabs(", "DBL_EPSILON", "(unsigned int)DBL_MANT_DIG"],
@@ -289,7 +289,7 @@ fn with_library_names(text: &str, real: Real) -> String {
     text.replace("SCENE_EPSILON", epsilon).replace("SCENE_DIGITS", digits)
 }
 
-/// The function that begins a run.
+/// Returns the function that begins a run.
 fn begin(scene: &Scene<'_>) -> Result<String, EmitError> {
     let (model, real) = (scene.model, scene.options.real);
     let number = |place: &str, value: f64| {

@@ -1,4 +1,4 @@
-//! Expressions in text or LaTeX, with helpers by their names.
+//! Printing of expressions as text or LaTeX, with helpers by name.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -13,7 +13,7 @@ use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
 use machinist_model::Quantity;
 
-/// Binding strength, loosest first.
+/// Binding strength, weakest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Strength {
     Sum,
@@ -22,7 +22,7 @@ enum Strength {
     Atom,
 }
 
-/// Prints expressions and remembers which helpers it named.
+/// Prints expressions and records the helpers they name.
 pub(super) struct Printer<'a> {
     system: &'a LagrangianSystem,
     abbreviations: Abbreviations,
@@ -40,17 +40,17 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// Indices of the helpers named so far.
+    /// Returns the indices of the helpers named so far.
     pub(super) fn used(&self) -> BTreeSet<usize> {
         self.used.borrow().clone()
     }
 
-    /// An expression with helpers by their names.
+    /// Prints an expression with helpers by name.
     pub(super) fn print(&self, expr: &Expr) -> String {
         self.short(&self.abbreviations.apply(expr))
     }
 
-    /// A helper's own definition: smaller helpers by name, itself in full.
+    /// Prints a helper's own definition: smaller helpers by name, itself in full.
     pub(super) fn print_helper(&self, index: usize) -> String {
         let mut entries = self.abbreviations.entries().iter();
         match entries.find(|(id, _)| id.0 as usize == index) {
@@ -59,7 +59,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// An expression in which helpers stand already.
+    /// Prints an expression in which helpers are already substituted.
     fn short(&self, expr: &Expr) -> String {
         self.expr(expr).0
     }
@@ -71,7 +71,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// The time derivative of a state.
+    /// Prints the time derivative of a state.
     pub(super) fn rate_of(&self, symbol: Symbol) -> String {
         let name = symbol_name(self.system, symbol, self.notation);
         match self.notation {
@@ -120,7 +120,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// What is added comes before what is subtracted.
+    /// Prints a sum; added terms precede subtracted ones.
     fn sum(&self, terms: &[Expr]) -> String {
         let mut parts: Vec<(String, bool)> =
             terms.iter().map(|term| self.signed_term(term)).collect();
@@ -166,7 +166,7 @@ impl<'a> Printer<'a> {
                 _ => above.push(factor.clone()),
             }
         }
-        // Parameters stand before what varies, as engineers write.
+        // Parameters precede varying factors, as is usual in engineering.
         let varies = |factor: &Expr| {
             !matches!(
                 factor,
@@ -233,7 +233,7 @@ impl<'a> Printer<'a> {
                 (format!("{base_text}^{}", self.within(exponent, Strength::Atom)), Strength::Power)
             }
             Notation::Latex => {
-                // A dot or a subscript already there stays readable with braces.
+                // Braces keep a dot or a subscript readable.
                 (format!("{{{base_text}}}^{{{}}}", self.short(exponent)), Strength::Power)
             }
         }

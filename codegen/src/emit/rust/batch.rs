@@ -1,27 +1,28 @@
-//! Functions that are called once for several arguments, so that their chains of
-//! operations run side by side, in vectors where the target has them.
+//! Functions that are called once for several arguments, so that their chains of operations run
+//! side by side, in vectors if the target has them.
 //!
-//! A batch holds all calls of a kind whose arguments need equally many batches before
-//! them. What no argument needs comes behind the batches, where a call has to save nothing.
+//! A batch contains all calls of a kind whose arguments need the same number of preceding
+//! batches. Nodes that no argument needs come after the batches, so their values need not be kept
+//! across calls.
 
 use std::collections::BTreeMap;
 
 use machinist_model::{Function, NodeId, Op, Tape, needed_nodes};
 
-/// What is called together.
+/// Kind of the functions called together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Kind {
-    /// Sine and cosine, one of them or both.
+    /// Sine and cosine, one or both.
     SinCos,
     /// Hyperbolic tangent.
     Tanh,
 }
 
-/// One argument, and the nodes that are the results.
+/// One argument, and the nodes of its results.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Member {
     pub(super) argument: NodeId,
-    /// Sine and cosine, or the tangent alone.
+    /// Results for sine and cosine, or for the tangent alone.
     pub(super) results: [Option<NodeId>; 2],
 }
 
@@ -33,12 +34,12 @@ pub(super) struct Batch {
 }
 
 impl Batch {
-    /// The nodes it computes.
+    /// Iterates over the nodes it computes.
     pub(super) fn results(&self) -> impl Iterator<Item = NodeId> {
         self.members.iter().flat_map(|member| member.results).flatten()
     }
 
-    /// Whether one call for all is more than the calls one by one.
+    /// Reports whether one call for all is better than single calls.
     fn is_worth_it(&self) -> bool {
         match self.members.as_slice() {
             [] => false,
@@ -48,7 +49,7 @@ impl Batch {
     }
 }
 
-/// What comes next in a body.
+/// Next element of a body.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Step {
     /// The node of this index.
@@ -57,7 +58,7 @@ pub(super) enum Step {
     Batch(Batch),
 }
 
-/// The needed nodes of a tape in an order in which calls come together.
+/// Returns the needed nodes of a tape, in an order that groups calls.
 pub(super) fn steps(tape: &Tape) -> Vec<Step> {
     let needed = needed_nodes(tape);
     let mut steps = Vec::with_capacity(tape.nodes.len());
@@ -75,9 +76,9 @@ pub(super) fn steps(tape: &Tape) -> Vec<Step> {
     steps
 }
 
-/// All batches, each after those it needs.
+/// Returns all batches, each after those it needs.
 fn batches(tape: &Tape, needed: &[bool]) -> Vec<Batch> {
-    // How many calls are one behind the other before a node is known.
+    // Number of consecutive calls before a node is known.
     let mut depths: Vec<u32> = Vec::with_capacity(tape.nodes.len());
     let mut groups: BTreeMap<(u32, Kind), Vec<Member>> = BTreeMap::new();
     for (index, node) in tape.nodes.iter().enumerate() {
@@ -102,7 +103,7 @@ fn batches(tape: &Tape, needed: &[bool]) -> Vec<Batch> {
     batches.filter(Batch::is_worth_it).collect()
 }
 
-/// What is called, which of its results is asked for, and of what.
+/// Returns the kind of a call, the index of its result, and its argument.
 fn call(op: &Op) -> Option<(Kind, usize, NodeId)> {
     match *op {
         Op::Call(Function::Sin, argument) => Some((Kind::SinCos, 0, argument)),
@@ -112,7 +113,7 @@ fn call(op: &Op) -> Option<(Kind, usize, NodeId)> {
     }
 }
 
-/// What these nodes still need, themselves among it, in the order of the tape.
+/// Returns the nodes not yet computed among these and those they need, in the order of the tape.
 fn missing(tape: &Tape, nodes: impl Iterator<Item = NodeId>, is_done: &[bool]) -> Vec<usize> {
     let mut is_missing = vec![false; tape.nodes.len()];
     let mut open: Vec<NodeId> = nodes.collect();

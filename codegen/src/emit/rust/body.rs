@@ -1,11 +1,10 @@
 //! One tape as the body of a function.
 //!
-//! Statements come in the tape's order but for calls that come together
-//! ([`super::batch`]), and expressions keep the tape's association, so that emitted code
-//! and [`machinist_model::evaluate`] agree bit for bit where the target has no fused products; see
-//! [`super::fuse`].
-//! A body is one function however long; splitting it would start here, by
-//! cutting `statements` where few variables are alive.
+//! Statements are in the tape's order except for batched calls ([`super::batch`]), and
+//! expressions keep the tape's association. So emitted code and [`machinist_model::evaluate`]
+//! agree bit for bit if the target has no fused products; see [`super::fuse`]. A body is one
+//! function of any length; it could be split by cutting `statements` where few variables are
+//! alive.
 
 use std::collections::BTreeSet;
 
@@ -21,28 +20,28 @@ use crate::emit::EmitError;
 use crate::emit::telling::{LONGEST_NAME, describe, is_temporary};
 use machinist_model::{NodeId, Op, Tape};
 
-/// Names a body may use.
+/// Names that a body may use.
 pub(super) struct Scope<'a> {
     /// Local variables, one for each entry of the state.
     pub(super) states: &'a [Ident],
     /// Fields of `Parameters`: the machine's.
     pub(super) parameters: &'a [Ident],
-    /// Fields of `Parameters` that fields of the machine set.
+    /// Fields of `Parameters` that the machine's fields set.
     pub(super) handed: &'a [Ident],
-    /// What is known before: fields of `Constants`, or variables where `is_in_loop`.
+    /// Values known before: fields of `Constants`, or variables if `is_in_loop`.
     pub(super) constants: &'a [Ident],
-    /// What stands for the results of the motion.
+    /// Expressions for the results of the motion.
     pub(super) motion: &'a [TokenStream],
     /// Constants of the tables.
     pub(super) tables: &'a [Ident],
-    /// Whether it is run for many points, which compilers put into vectors on their own.
+    /// True if it runs for many points in a loop, which compilers vectorize.
     pub(super) is_in_loop: bool,
-    /// Names not to be taken by new variables; holds all of the above.
+    /// Names that new variables must not take; includes all of the above.
     pub(super) namer: &'a Namer,
 }
 
 impl Scope<'_> {
-    /// The name of what is given to a run.
+    /// Returns the name of a value that is an input of the run.
     pub(super) fn given(&self, op: &Op) -> Option<&Ident> {
         match *op {
             Op::Parameter(entry) => self.parameters.get(entry as usize),
@@ -53,7 +52,7 @@ impl Scope<'_> {
     }
 }
 
-/// What a body reads.
+/// Arguments that a body reads.
 #[derive(Default)]
 #[allow(clippy::struct_excessive_bools, reason = "one for each argument of a function")]
 pub(super) struct Reads {
@@ -72,17 +71,17 @@ pub(super) struct Body {
     pub(super) reads: Reads,
 }
 
-/// Names for results that the spec does not name.
+/// Names for results without a name in the spec.
 #[derive(Default)]
 pub(super) struct ResultNames {
-    /// One for each result, or none at all.
+    /// One name for each result, or none at all.
     pub(super) names: Vec<String>,
-    /// Whether every result that is more than a variable gets a `let`, or only
-    /// those used more than once.
+    /// True if every result that is more than a variable gets a `let`; false if only those used
+    /// more than once.
     pub(super) spread: bool,
 }
 
-/// Turns a tape that [`super::check`] has passed into a body.
+/// Translates a tape that [`super::check`] has passed to a body.
 pub(super) fn body(
     function: &'static str,
     tape: &Tape,
@@ -132,9 +131,9 @@ struct Writer<'a> {
     scope: &'a Scope<'a>,
     places: Vec<Place>,
     fused: Vec<Option<Fused>>,
-    /// Names of the variables, the spec's and those made so far.
+    /// Names of the variables: those of the spec and those generated so far.
     names: Vec<Option<Ident>>,
-    /// Names for nodes that get no more telling one.
+    /// Names for nodes without a more descriptive one.
     spare_names: Vec<Option<String>>,
     namer: Namer,
     temporaries: u32,
@@ -165,7 +164,7 @@ impl Expressions for Writer<'_> {
 }
 
 impl Writer<'_> {
-    /// Claims the spec's names, before any name of our own making can take them.
+    /// Claims the spec's names, before generated names can take them.
     fn name_from_spec(&mut self) -> Result<(), EmitError> {
         for (index, node) in self.tape.nodes.iter().enumerate() {
             if let (Some(name), Place::Statement) = (&node.name, self.places[index]) {
@@ -176,8 +175,8 @@ impl Writer<'_> {
         Ok(())
     }
 
-    /// Names results. In an array of them, one that other expressions use as well
-    /// (an inverse inertia) is rather named by what it is.
+    /// Names results. In an array, a result that other expressions use too (such as an inverse
+    /// inertia) is preferably named by its meaning.
     fn name_results(&mut self, results: &ResultNames) -> Result<(), EmitError> {
         let operands = self.tape.nodes.iter().flat_map(|node| node.op.operands());
         let operands: BTreeSet<NodeId> = operands.collect();
@@ -196,7 +195,7 @@ impl Writer<'_> {
         Ok(())
     }
 
-    /// The variable of a node, named on first use.
+    /// Returns the variable of a node, which is named on first use.
     fn variable(&mut self, index: usize) -> Ident {
         if let Some(name) = &self.names[index] {
             return name.clone();
@@ -216,7 +215,7 @@ impl Writer<'_> {
         Ok(self.operand(id)?.at_least(least))
     }
 
-    /// The expression of a node.
+    /// Returns the expression of a node.
     fn node(&mut self, index: usize) -> Result<Written, EmitError> {
         if let Some(fused) = self.fused[index] {
             return self.fused(&fused);
@@ -227,7 +226,7 @@ impl Writer<'_> {
         }
     }
 
-    /// One call for several arguments.
+    /// Returns one call for several arguments.
     fn batch(&mut self, batch: &Batch) -> Result<TokenStream, EmitError> {
         let arguments = batch.members.iter().map(|member| self.operand(member.argument));
         let arguments = arguments.collect::<Result<Vec<_>, _>>()?;
@@ -260,7 +259,7 @@ impl Writer<'_> {
         Ok(quote!(let [#(#results),*] = R::#method([#(#arguments),*]);))
     }
 
-    /// A sum with a product in it.
+    /// Returns a sum that contains a product.
     fn fused(&mut self, fused: &Fused) -> Result<Written, EmitError> {
         let summand = if fused.is_summand_negative {
             self.opposite(fused.summand)?.at_least(Strength::Call)
@@ -274,7 +273,7 @@ impl Writer<'_> {
         Ok(Written::call(quote!(#summand.#method(#a, #b))))
     }
 
-    /// -a, its sign in a literal where that stands in a product, so that it costs nothing.
+    /// Returns -a. Its sign is moved into a literal factor if there is one, at no cost.
     fn opposite(&mut self, id: NodeId) -> Result<Written, EmitError> {
         let index = id.0 as usize;
         let is_inline = self.places[index] == Place::Inline && self.fused[index].is_none();
@@ -289,7 +288,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Whether an expression is a literal or begins with one as a factor.
+    /// Reports whether an expression is a literal or has one as its first factor.
     fn has_literal(&self, id: NodeId) -> bool {
         let index = id.0 as usize;
         match self.tape.nodes[index].op {
@@ -303,7 +302,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The name by which an operand is known, if it has a telling one.
+    /// Returns the name of an operand, if it is descriptive.
     fn word(&self, id: NodeId) -> Option<String> {
         let index = id.0 as usize;
         if let (Place::Statement, Some(name)) = (self.places[index], &self.names[index]) {

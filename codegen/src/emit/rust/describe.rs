@@ -1,5 +1,5 @@
-//! What a module says of its machine: rows of the contract's macros, one a line, from
-//! which the types, the statics and the implementations of the contract follow.
+//! Description of a machine in its module: rows of the contract's macros, one per line. The
+//! types, the statics and the implementations of the contract follow from them.
 
 use std::fmt::Write as _;
 
@@ -14,7 +14,7 @@ use crate::emit::literal::literal_text;
 use crate::emit::text::{markdown, markdown_line};
 use machinist_model::{Direction, Quantity, SparsityPattern, StateKind};
 
-/// Everything but functions.
+/// Returns everything except the functions.
 pub(super) fn description(scene: &Scene<'_>, series: Option<&Series>) -> Result<String, EmitError> {
     let parts = [
         call("simulator", &simulator(scene, series)?),
@@ -31,7 +31,7 @@ pub(super) fn description(scene: &Scene<'_>, series: Option<&Series>) -> Result<
     Ok(parts.join("\n"))
 }
 
-/// A call of a macro of the contract.
+/// Returns a call of a macro of the contract.
 pub(super) fn call(name: &str, rows: &[String]) -> String {
     if rows.is_empty() {
         return format!("::machinist_contract::{name}! {{}}\n");
@@ -85,7 +85,7 @@ fn simulator(scene: &Scene<'_>, series: Option<&Series>) -> Result<Vec<String>, 
     Ok(rows)
 }
 
-/// Title, meaning and source of the machine, in Markdown.
+/// Returns title, meaning and source of the machine, in Markdown.
 fn docs(scene: &Scene<'_>) -> Vec<String> {
     let model = scene.model;
     let mut lines = vec![markdown_line(&model.title), String::new()];
@@ -103,7 +103,7 @@ fn docs(scene: &Scene<'_>) -> Vec<String> {
     lines
 }
 
-/// A line of documentation.
+/// Returns a line of documentation.
 fn comment(line: &str) -> String {
     format!("/// {line}").trim_end().to_owned()
 }
@@ -127,7 +127,7 @@ fn outputs(scene: &Scene<'_>) -> Vec<String> {
 }
 
 fn states(scene: &Scene<'_>) -> Result<Vec<String>, EmitError> {
-    // Elsewhere nothing moves what the spec leaves open.
+    // Otherwise nothing changes initial values that the spec does not give.
     let has_guesses = !scene.model.constraints.is_empty() || scene.model.starts_in_equilibrium;
     let mut namer = Namer::empty();
     let rows = scene.model.states.iter().map(|state| {
@@ -145,7 +145,7 @@ fn states(scene: &Scene<'_>) -> Result<Vec<String>, EmitError> {
     rows.collect()
 }
 
-/// Nothing for a scene whose state begins with all coordinates.
+/// Returns the coordinates; empty if the state of the scene begins with all of them.
 fn coordinates(scene: &Scene<'_>) -> String {
     if scene.model.is_whole() {
         return String::new();
@@ -157,7 +157,7 @@ fn coordinates(scene: &Scene<'_>) -> String {
     call("coordinates", &rows.collect::<Vec<_>>())
 }
 
-/// Nothing for a scene without events.
+/// Returns the events; empty for a scene without events.
 fn events(scene: &Scene<'_>) -> Result<String, EmitError> {
     let events = &scene.model.events;
     if events.is_empty() {
@@ -181,7 +181,7 @@ fn events(scene: &Scene<'_>) -> Result<String, EmitError> {
     Ok(call("events", &rows.collect::<Result<Vec<_>, EmitError>>()?))
 }
 
-/// Nothing for a scene without constraints.
+/// Returns the constraints; empty for a scene without constraints.
 fn constraints(scene: &Scene<'_>) -> String {
     let constraints = &scene.model.constraints;
     if constraints.is_empty() {
@@ -215,7 +215,7 @@ fn patterns(scene: &Scene<'_>) -> Vec<String> {
     rows
 }
 
-/// `NAME: rows by columns { row [column column] .. }`, as many rows on a line as fit.
+/// Returns `NAME: rows by columns { row [column column] .. }`, as many rows on a line as fit.
 fn pattern_rows(name: &str, pattern: &SparsityPattern) -> Vec<String> {
     let mut rows: Vec<(u32, Vec<String>)> = Vec::new();
     for &(row, column) in &pattern.entries {
@@ -231,13 +231,13 @@ fn pattern_rows(name: &str, pattern: &SparsityPattern) -> Vec<String> {
         .into_iter()
         .enumerate()
         .map(|(index, line)| {
-            // The call puts the margin of the first.
+            // The call adds the margin of the first line.
             if index == 0 { line.trim_start().to_owned() } else { line[4..].to_owned() }
         })
         .collect()
 }
 
-/// Nothing where nothing is done once a run.
+/// Returns the constants; empty if nothing is computed once a run.
 fn constants(scene: &Scene<'_>) -> String {
     let constants = &scene.prepare.constants;
     if constants.is_empty() {
@@ -248,7 +248,7 @@ fn constants(scene: &Scene<'_>) -> String {
     call("constants", &lines.iter().map(|line| line.trim().to_owned()).collect::<Vec<_>>())
 }
 
-/// Unit, name and meaning, and what to write in documentation if that is not fit for it.
+/// Returns unit, name and meaning, and documentation text if these are not valid in Markdown.
 fn columns(quantity: &Quantity) -> String {
     let Quantity { name, unit, doc } = quantity;
     let path = &name.path;
@@ -258,7 +258,7 @@ fn columns(quantity: &Quantity) -> String {
     format!("{}, {}, {}{markdown};", string(unit), string(path), string(doc))
 }
 
-/// Meaning and unit of a quantity, one line of Markdown.
+/// Returns meaning and unit of a quantity, one line of Markdown.
 pub(super) fn meaning(quantity: &Quantity) -> String {
     let doc = markdown_line(&quantity.doc);
     let path = markdown_line(&quantity.name.path);
@@ -266,12 +266,12 @@ pub(super) fn meaning(quantity: &Quantity) -> String {
     format!("{what} \\[{}\\].", markdown_line(&quantity.unit))
 }
 
-/// The literal of a text.
+/// Returns the literal of a text.
 pub(super) fn string(text: &str) -> String {
     Literal::string(text).to_string()
 }
 
-/// The literal of a number.
+/// Returns the literal of a number.
 pub(super) fn number(place: &str, value: f64) -> Result<String, EmitError> {
     literal_text(value).map_err(|_| EmitError::NotFinite { place: place.to_owned(), value })
 }

@@ -1,4 +1,4 @@
-//! What a linear machine is excited by.
+//! Excitation of a linear machine.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -10,7 +10,7 @@ use crate::emit::EmitError;
 use crate::emit::text::doc;
 use machinist_model::{Excitation, operations};
 
-/// Constants and functions; nothing for a machine that is not linear.
+/// Returns constants and functions; `None` if the machine is not linear.
 pub(super) fn items(scene: &Scene<'_>) -> Result<Option<TokenStream>, EmitError> {
     let Some(excitation) = &scene.model.excitation else { return Ok(None) };
     let terms = terms(excitation);
@@ -37,7 +37,7 @@ fn terms(excitation: &Excitation) -> TokenStream {
     }
 }
 
-/// `excitation` and `switches`.
+/// Returns `excitation` and `switches`.
 fn functions(scene: &Scene<'_>, excitation: &Excitation) -> Result<[TokenStream; 2], EmitError> {
     let meanings = [
         "g, w, C and S of every term of the excitation, on the piece that holds `time`.",

@@ -1,5 +1,5 @@
-//! The generic elements of a scene's fields: a module of point functions for each, and the
-//! rows from which `FieldScene` follows.
+//! Generic elements of a scene's fields: a module of point functions for each field, and the rows
+//! that define `FieldScene`.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -16,7 +16,7 @@ use crate::emit::text::doc;
 use machinist_contract::field::ForceStructure;
 use machinist_model::{FieldModel, Place, Quantity, Tape, operations};
 
-/// Modules of all fields; nothing for a scene without fields.
+/// Returns the modules of all fields; empty for a scene without fields.
 pub(super) fn items(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let fields = &scene.model.fields;
     if fields.is_empty() {
@@ -29,11 +29,11 @@ pub(super) fn items(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     Ok(quote!(#(#bodies)*))
 }
 
-/// How a point function is presented.
+/// Signature and documentation of a point function.
 struct Manner {
     name: &'static str,
     doc: &'static str,
-    /// Whether it takes time and the field at the point, or x only, or neither.
+    /// Arguments: time and the field at the point, x only, or neither.
     of: Of,
     results: &'static [&'static str],
 }
@@ -193,7 +193,7 @@ fn function(manner: &Manner, tape: &Tape, scope: &Scope<'_>) -> Result<TokenStre
     let destructured = (!of_point.is_empty()).then(|| quote!(let [#(#states),*] = *#point;));
     let docs = documentation(manner.doc, operations(tape));
     let (length, ident) = (Literal::usize_unsuffixed(results.len()), format_ident!("{name}"));
-    // The loop over points moves out what no point decides, if it sees it.
+    // The loop over points hoists whatever is equal for all points, if the function is inlined.
     let inline = if name == "inertia" { quote!(#[inline(always)]) } else { quote!(#[inline]) };
     Ok(quote! {
         #docs
@@ -207,7 +207,7 @@ fn function(manner: &Manner, tape: &Tape, scope: &Scope<'_>) -> Result<TokenStre
     })
 }
 
-/// The rows of `field_scene!`; nothing for a scene without fields.
+/// Returns the rows of `field_scene!`; empty for a scene without fields.
 pub(super) fn description(scene: &Scene<'_>) -> Result<String, EmitError> {
     let model = scene.model;
     if model.fields.is_empty() {
@@ -239,7 +239,7 @@ pub(super) fn description(scene: &Scene<'_>) -> Result<String, EmitError> {
             rows.push(format!("{what} {}, {}, {};", string(unit), string(&name.path), string(doc)));
         }
         for at in &field.attachments {
-            // Behind the machine's own parameters.
+            // After the machine's own parameters.
             let handed = model.parameters.len() as u32 + at.handed;
             let (coordinate, x) = (at.coordinate, number(at.x)?);
             let place = match at.place {

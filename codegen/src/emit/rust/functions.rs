@@ -1,4 +1,4 @@
-//! The free functions of an emitted module, one for each tape.
+//! Free functions of an emitted module, one for each tape.
 
 use std::collections::BTreeSet;
 
@@ -16,7 +16,7 @@ use crate::emit::text::doc;
 use machinist_model::functions::{FunctionId, FunctionRow, Gives, Reads};
 use machinist_model::{SparsityPattern, Tape, operations};
 
-/// All functions, in the order of their table.
+/// Returns all functions, in the order of their table.
 pub(super) fn functions(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let hoisted = &scene.prepare.hoisted;
     let functions = scene.model.functions().map(|row| match row.id {
@@ -30,8 +30,8 @@ pub(super) fn functions(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     functions.collect()
 }
 
-/// The function of a row; or, by a tape that reads constants, its `prepared_` one, from which
-/// the contract makes the other.
+/// Returns the function of a row. For a tape that reads constants it is the `prepared_` function,
+/// from which the contract derives the other.
 fn function(
     scene: &Scene<'_>,
     row: &FunctionRow,
@@ -41,7 +41,7 @@ fn function(
     let name = if is_prepared { row.prepared.unwrap_or(row.name) } else { row.name };
     let tape = prepared.unwrap_or_else(|| (row.tape)(scene.model));
     let solve = scene.model.solve(row.id);
-    // What is solved for has no names of its own.
+    // Results of a solution have no names of their own.
     let names = solve.map_or_else(|| result_names(scene, row), |_| ResultNames::default());
     let Body { statements, results, reads } =
         body(row.name, tape, &scene.scope(&scene.prepare.constants), &names)?;
@@ -85,10 +85,11 @@ fn function(
     })
 }
 
-/// The name of what gives both Jacobians at once.
+/// Name of the function that computes both Jacobians at once.
 pub(super) const JACOBIANS: &str = "prepared_jacobians";
 
-/// dy'/dy and dy'/dp at once, by constants, from which the contract makes dy'/dp alone.
+/// Returns the function for dy'/dy and dy'/dp at once, given constants. The contract derives
+/// dy'/dp alone from it.
 fn jacobians(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let tape = &scene.prepare.hoisted.jacobians;
     let names = [FunctionId::RateJacobian, FunctionId::ParameterJacobian];
@@ -123,7 +124,7 @@ fn jacobians(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     })
 }
 
-/// The motion, known as `m`.
+/// Returns the statement that binds the motion as `m`.
 fn motion_of(scene: &Scene<'_>, is_prepared: bool) -> TokenStream {
     let constants = match (scene.prepare.is_empty(), is_prepared) {
         (true, _) => quote!(),
@@ -133,7 +134,7 @@ fn motion_of(scene: &Scene<'_>, is_prepared: bool) -> TokenStream {
     quote!(let m = &motion(time, state, p #constants);)
 }
 
-/// The type of what a function gives back, and the expression for it.
+/// Returns the type of a function's result, and the expression for it.
 fn returned(
     scene: &Scene<'_>,
     row: &FunctionRow,
@@ -162,12 +163,12 @@ fn returned(
     }
 }
 
-/// `field: result`, or `field` where the result is a variable of that name.
+/// Returns `field: result`, or `field` if the result is a variable of that name.
 fn field_of(field: &Ident, result: &TokenStream) -> TokenStream {
     if *field == result.to_string() { quote!(#field) } else { quote!(#field: #result) }
 }
 
-/// What a function computes and how many operations that takes, in lines that fit.
+/// Returns the meaning of a function and its number of operations, in lines that fit.
 pub(super) fn documentation(meaning: &str, operations: usize) -> TokenStream {
     let operations = match operations {
         0 => "No operations.".to_owned(),
@@ -189,8 +190,8 @@ pub(super) fn documentation(meaning: &str, operations: usize) -> TokenStream {
     doc(lines)
 }
 
-/// Binds the states a body reads: by one pattern if they are many, one by one if
-/// they are few among many.
+/// Binds the states that a body reads: by one pattern if they are many, one by one if they are
+/// few among many.
 pub(super) fn destructure(states: &[Ident], read: &BTreeSet<usize>) -> Option<TokenStream> {
     let span = read.last()? + 1;
     if span > 8 && read.len() * 3 < span {
@@ -208,9 +209,8 @@ pub(super) fn destructure(states: &[Ident], read: &BTreeSet<usize>) -> Option<To
     Some(quote!(let [#(#entries,)* #rest] = *state;))
 }
 
-/// Names of the results of a function that the spec does not name. Where there are any, or
-/// where they are entries of an array, there is a `let` for each, so that the array is a list
-/// of names.
+/// Returns names for results that the spec does not name. If there are any, or if the results are
+/// entries of an array, each gets a `let`, so that the array is a list of names.
 fn result_names(scene: &Scene<'_>, row: &FunctionRow) -> ResultNames {
     let model = scene.model;
     let rates = || scene.states.iter().map(|state| format!("{state}_dot"));
@@ -265,7 +265,7 @@ fn result_names(scene: &Scene<'_>, row: &FunctionRow) -> ResultNames {
     ResultNames { spread: is_array && !names.is_empty(), names }
 }
 
-/// `phi_dot_dot_by_phi` for every nonzero of a Jacobian.
+/// Returns `phi_dot_dot_by_phi` for every nonzero of a Jacobian.
 pub(super) fn derivatives(
     pattern: &SparsityPattern,
     rows: &[String],

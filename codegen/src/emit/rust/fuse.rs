@@ -1,40 +1,40 @@
-//! Which products are written into the sums that use them, as one fused operation.
+//! Fused operations: products that are written into the sums that use them.
 //!
-//! A product fuses if nothing else uses it and the spec gives it no name. Tapes stay as
-//! they are: where the target has no fused operation, the emitted code does the two
-//! operations of the tape and gives its bits.
+//! A product is fused if nothing else uses it and the spec gives it no name. Tapes are not
+//! changed: if the target has no fused operation, the emitted code does the two operations of the
+//! tape and gives the same bits.
 
 use super::plan::count_uses;
 use machinist_model::{NodeId, Op, Tape};
 
-/// A sum with a product in it.
+/// A sum that contains a product.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Fused {
     /// The other operand of the sum.
     pub(super) summand: NodeId,
-    /// Whether the summand is subtracted.
+    /// True if the summand is subtracted.
     pub(super) is_summand_negative: bool,
     /// Factors of the product.
     pub(super) factors: [NodeId; 2],
-    /// Whether the product is subtracted.
+    /// True if the product is subtracted.
     pub(super) is_product_negative: bool,
-    /// The nodes that are written nowhere else.
+    /// Nodes that are not written separately.
     swallowed: [Option<NodeId>; 2],
 }
 
 impl Fused {
-    /// What is read.
+    /// Returns the operands that are read.
     pub(super) fn operands(&self) -> [NodeId; 3] {
         [self.summand, self.factors[0], self.factors[1]]
     }
 }
 
-/// Of every node, whether it is such a sum.
+/// Returns the fused sum of each node, if it is one.
 pub(super) fn fuse(tape: &Tape) -> Vec<Option<Fused>> {
     let uses = count_uses(tape);
     let delays = delays(tape);
     let is_free = |id: NodeId| uses[id.0 as usize] == 1 && tape[id].name.is_none();
-    // A product or its opposite: factors, sign, what disappears.
+    // A product or its negation: factors, sign, and nodes that disappear.
     let product = |id: NodeId| match tape[id].op {
         _ if !is_free(id) => None,
         Op::Mul(a, b) => Some(([a, b], false, [Some(id), None])),
@@ -50,7 +50,7 @@ pub(super) fn fuse(tape: &Tape) -> Vec<Option<Fused>> {
             Op::Sub(a, b) => (a, b, true),
             _ => return None,
         };
-        // What is ready last is multiplied last.
+        // The product that is ready last is multiplied last.
         let is_first = match (product(a), product(b)) {
             (None, None) => return None,
             (Some(_), Some(_)) => delays[a.0 as usize] > delays[b.0 as usize],
@@ -70,7 +70,7 @@ pub(super) fn fuse(tape: &Tape) -> Vec<Option<Fused>> {
     nodes.map(|(node, uses)| if *uses > 0 { sum(node.op) } else { None }).collect()
 }
 
-/// Of every node, whether it disappears into a fused sum.
+/// For each node, returns whether it disappears into a fused sum.
 pub(super) fn swallowed(fused: &[Option<Fused>]) -> Vec<bool> {
     let mut swallowed = vec![false; fused.len()];
     for id in fused.iter().flatten().flat_map(|fused| fused.swallowed).flatten() {
@@ -79,7 +79,7 @@ pub(super) fn swallowed(fused: &[Option<Fused>]) -> Vec<bool> {
     swallowed
 }
 
-/// How long after the inputs each node is ready, in the time of a sum.
+/// Returns the delay of each node after the inputs, in units of a sum.
 fn delays(tape: &Tape) -> Vec<u32> {
     let mut delays: Vec<u32> = Vec::with_capacity(tape.nodes.len());
     for node in &tape.nodes {

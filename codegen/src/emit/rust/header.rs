@@ -1,5 +1,4 @@
-//! The comment at the top of an emitted file: where it comes from and what is
-//! in it.
+//! The comment at the top of an emitted file, with its origin and contents.
 
 use super::functions::JACOBIANS;
 use super::layout::broken;
@@ -8,10 +7,10 @@ use crate::emit::text::comment_lines;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Model, SparsityPattern, operations};
 
-/// The first words of every emitted file, by which it is recognised.
+/// The first words of every emitted file, by which it is recognized.
 pub(crate) const MARK: &str = "// Emitted by Machinist";
 
-/// Header of a scene's module.
+/// Returns the header of a scene's module.
 pub(super) fn header(model: &Model, options: &EmitOptions) -> String {
     let mut lines = provenance(options);
     lines.push(String::new());
@@ -36,7 +35,7 @@ pub(super) fn header(model: &Model, options: &EmitOptions) -> String {
     as_comment(&lines)
 }
 
-/// Header of the module that lists the scenes.
+/// Returns the header of the module that lists the scenes.
 pub(super) fn index_header(options: &EmitOptions) -> String {
     as_comment(&provenance(options))
 }
@@ -80,7 +79,7 @@ fn sparsity(model: &Model) -> Vec<String> {
     rows.collect()
 }
 
-/// Operations of every function, as without constants and with them.
+/// Returns the operations of each function, without constants and with them.
 fn costs(model: &Model) -> Vec<String> {
     let rows = model.functions().map(|row| (row.name, operations((row.tape)(model))));
     let Hoisted { constants, rate, rate_jacobian, parameter_jacobian, jacobians, motion } =
@@ -106,8 +105,7 @@ fn costs(model: &Model) -> Vec<String> {
     rows.map(|(name, count)| format!("{name} {count}")).collect()
 }
 
-/// Lines as `//` comments, each made harmless once more, for they hold names and
-/// units too.
+/// Returns lines as `//` comments, each sanitized again because they contain names and units too.
 fn as_comment(lines: &[String]) -> String {
     let mut text = String::new();
     for line in lines {

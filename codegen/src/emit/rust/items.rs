@@ -9,12 +9,12 @@ use crate::emit::text::{doc, markdown_line};
 use crate::emit::{EmitError, EmitOptions};
 use machinist_model::Model;
 
-/// What gives a struct without numbers a use for its type parameter.
+/// Returns a field that uses the type parameter of a struct without numbers.
 pub(super) fn phantom(fields: &[Ident]) -> Option<TokenStream> {
     fields.is_empty().then(|| quote!(real: core::marker::PhantomData,))
 }
 
-/// Tables of the scene.
+/// Returns the tables of the scene.
 pub(super) fn tables(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let tables = scene.model.tables.iter().zip(&scene.tables).map(|(table, name)| {
         let number = |value: f64| {
@@ -39,7 +39,7 @@ pub(super) fn tables(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     tables.collect()
 }
 
-/// The module that lists the scenes.
+/// Returns the module that lists the scenes.
 pub(super) fn index(models: &[&Model], modules: &[Ident], options: &EmitOptions) -> TokenStream {
     let condition = |name: &str| options.scene_features.then(|| quote!(#[cfg(feature = #name)]));
     let declarations = models.iter().zip(modules).map(|(model, module)| {
@@ -141,7 +141,7 @@ pub(super) fn index(models: &[&Model], modules: &[Ident], options: &EmitOptions)
     }
 }
 
-/// The look-up for everybody who runs scenes in `f64`.
+/// Returns the lookup of scenes for runs in `f64`.
 fn find_f64() -> TokenStream {
     let doc = doc([
         "The scene of a name in `f64`, compiled once and for all: who calls [`find`] compiles",
@@ -156,7 +156,7 @@ fn find_f64() -> TokenStream {
     }
 }
 
-/// The look-ups for everybody who cuts fields.
+/// Returns the lookups of scenes whose fields are to be divided into elements.
 fn find_fields_for_all() -> TokenStream {
     let doc_f64 = doc(["The scene with fields of a name in `f64`, compiled once and for all."]);
     let doc_duals = doc(["It on numbers that carry derivatives, likewise."]);
@@ -174,7 +174,7 @@ fn find_fields_for_all() -> TokenStream {
     }
 }
 
-/// What the index says of itself, of its list of names and of its look-up.
+/// Returns the docs of the index, of its list of names and of its lookup.
 fn index_docs(options: &EmitOptions) -> [&'static str; 3] {
     if options.scene_features {
         [

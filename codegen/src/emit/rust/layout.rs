@@ -1,18 +1,17 @@
-//! Lines of an emitted file: as much on a line as fits, broken where an expression is
-//! least nested.
+//! Line layout of an emitted file: full lines, broken where an expression is least nested.
 //!
-//! Excluded: what a line says. Printing tokens gives one element of a list a line and
-//! breaks every call that does not fit; equations then take several times the lines that
-//! a reader wants.
+//! Excluded: the contents of lines. The token printer writes lists with one element per line and
+//! breaks every call that does not fit. Equations would then take several times as many lines as
+//! readers want.
 
-/// Characters of a line.
+/// Maximum length of a line in characters.
 pub(super) const WIDTH: usize = 100;
 
-/// What an indentation deeper is worth, in characters, when a place to break is chosen.
+/// Cost of one level of nesting, in characters, in the choice of a place to break.
 const DEPTH_WEIGHT: usize = 14;
 
-/// The same text with statements, signatures and lists joined and broken anew, and an empty
-/// line between items.
+/// Joins and breaks statements, signatures and lists anew, and inserts an empty line between
+/// items.
 pub(super) fn lay_out(text: &str) -> String {
     let lines: Vec<&str> = text.lines().collect();
     let mut laid_out = String::with_capacity(text.len());
@@ -45,12 +44,12 @@ pub(super) fn lay_out(text: &str) -> String {
     laid_out
 }
 
-/// Whether an item of the module ends with this line.
+/// Reports whether an item of the module ends with this line.
 fn ends_item(line: &str) -> bool {
     matches!(line.bytes().last(), Some(b'}' | b';')) && !line.starts_with(['/', ' '])
 }
 
-/// How many lines make the attribute that begins here; none if there is none.
+/// Returns the number of lines of the attribute that begins here; 0 if there is none.
 fn attribute(lines: &[&str]) -> usize {
     if !lines[0].trim_start().starts_with("#[") {
         return 0;
@@ -63,13 +62,13 @@ fn attribute(lines: &[&str]) -> usize {
     ends.map_or(1, |last| last + 1)
 }
 
-/// Comments, attributes and empty lines stay as they are.
+/// Reports whether a line is kept as it is: a comment, an attribute, or empty.
 fn is_whole(line: &str) -> bool {
     let line = line.trim_start();
     line.is_empty() || line.starts_with("//") || line.starts_with("#[")
 }
 
-/// How many lines make the statement, signature, field or list that begins here.
+/// Returns the number of lines of the statement, signature, field or list that begins here.
 fn unit(lines: &[&str]) -> usize {
     if let Some(count) = list_of_names(lines) {
         return count;
@@ -89,7 +88,7 @@ fn unit(lines: &[&str]) -> usize {
     lines.len()
 }
 
-/// Lines of a struct of which all fields are but names.
+/// Returns the number of lines of a struct whose fields are only names.
 fn list_of_names(lines: &[&str]) -> Option<usize> {
     let is_name = |text: &str| text.chars().all(|c| c.is_alphanumeric() || c == '_');
     let begins = lines[0].trim_start().strip_suffix(" {")?;
@@ -110,7 +109,7 @@ fn nesting(line: &str) -> i32 {
     line.bytes().map(change).sum()
 }
 
-/// Lines as one, without commas that only lists of one element a line have.
+/// Joins lines, without the trailing commas of lists that had one element per line.
 fn join(lines: &[&str]) -> String {
     let mut joined = lines[0].trim().to_owned();
     for line in &lines[1..] {
@@ -132,7 +131,7 @@ fn join(lines: &[&str]) -> String {
     joined
 }
 
-/// A text as lines that fit, those behind the first further in.
+/// Breaks a text into lines that fit; lines after the first are indented further.
 pub(super) fn broken(text: &str, indent: usize) -> Vec<String> {
     let is_comment = text.starts_with("//") || text.starts_with("#[");
     let further = indent + if text.ends_with('{') { 8 } else { 4 };
@@ -150,7 +149,7 @@ pub(super) fn broken(text: &str, indent: usize) -> Vec<String> {
     lines
 }
 
-/// Keeps account of the brackets that are open.
+/// Keeps track of open brackets.
 fn follow(byte: u8, open: &mut Vec<u8>) {
     match byte {
         b'(' | b'[' => open.push(byte),
@@ -159,8 +158,8 @@ fn follow(byte: u8, open: &mut Vec<u8>) {
     }
 }
 
-/// Where to break a line: far to the right, but where little is open, and between the
-/// elements of a list rather than within one.
+/// Returns where to break a line: far to the right, but at low nesting, and between the elements
+/// of a list rather than within one.
 fn place_to_break(text: &str, room: usize, open: &[u8]) -> Option<usize> {
     let bytes = text.as_bytes();
     let mut open = open.to_vec();
@@ -189,7 +188,7 @@ fn place_to_break(text: &str, room: usize, open: &[u8]) -> Option<usize> {
     best.map(|(_, _, at)| at)
 }
 
-/// Whether a line may end before this byte: behind a comma or a space of a list, before an
+/// Reports whether a line may end before this byte: after a comma or a space of a list, before an
 /// operator, before a method.
 fn may_break(text: &str, at: usize) -> bool {
     let (before, after) = (&text[..at], &text[at..]);

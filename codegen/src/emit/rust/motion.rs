@@ -1,4 +1,4 @@
-//! `Motion` and `motion`: what several functions need, and matrices solved for with its
+//! `Motion` and `motion`: values that several functions need, and solutions for matrices with its
 //! factors.
 
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -13,20 +13,20 @@ use machinist_contract::implicit::LANES;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Model, Solve, operations};
 
-/// Names that bodies bind where there is a motion, not to be taken by other variables.
+/// Names that bodies bind if there is a motion, which other variables must not take.
 pub(super) const LOCALS: [&str; 3] = ["m", "motion", "x"];
 
-/// The motion of a scene.
+/// Motion of a scene.
 #[derive(Default)]
 pub(super) struct Motion {
-    /// What stands for each result where it is read.
+    /// Expression for each result where it is read.
     pub(super) results: Vec<TokenStream>,
-    /// The struct and the function; nothing if functions stand by themselves.
+    /// The struct and the function; `None` if functions are independent.
     pub(super) items: Option<TokenStream>,
 }
 
 impl Motion {
-    /// `scope` is that of functions with constants.
+    /// Returns the motion; `scope` is that of functions with constants.
     pub(super) fn new(
         model: &Model,
         hoisted: &Hoisted,
@@ -42,7 +42,7 @@ impl Motion {
             results[factor as usize] = quote!(m.factors[#place]);
             factors.push(&body.results[factor as usize]);
         }
-        // What is no factor is an operation, which has a `let` and so a name.
+        // Every result that is not a factor is an operation, which has a `let` and so a name.
         let named = (0..results.len()).filter(|k| !motion.factors.contains(&(*k as u32)));
         let mut fields: Vec<Ident> = Vec::new();
         for result in named {
@@ -97,12 +97,12 @@ impl Motion {
     }
 }
 
-/// The name of the steps of a function that solves.
+/// Returns the name of the steps of a function that solves.
 fn steps_name(function: &str) -> Ident {
     format_ident!("{}_STEPS", constant_name(function))
 }
 
-/// The steps of a function that solves.
+/// Returns the steps of a function that solves.
 pub(super) fn statics(function: &str, solve: &Solve) -> TokenStream {
     let number = |value: u32| Literal::u32_unsuffixed(value);
     let pairs = |pairs: &[(u32, u32)]| {
@@ -128,11 +128,11 @@ pub(super) fn statics(function: &str, solve: &Solve) -> TokenStream {
     }
 }
 
-/// The end of a function that solves: right sides, solution, and its value.
+/// Returns the end of a function that solves: right sides, solution, and its value.
 pub(super) fn solved(function: &str, solve: &Solve, results: &[TokenStream]) -> TokenStream {
     let number = |value: u32| Literal::u32_unsuffixed(value);
     let steps = steps_name(function);
-    // A few columns more are cheaper than columns one by one.
+    // A few additional columns are cheaper than single columns.
     let padded = solve.columns.next_multiple_of(LANES as u32 / 2);
     let (rows, columns) = (number(solve.rows), number(padded));
     let (given, sides) = results.split_at(solve.given.len());

@@ -1,4 +1,4 @@
-//! Names of emitted Rust: valid, distinct, and the spec's own where it has one.
+//! Names in emitted Rust: valid, distinct, and those of the spec if it has one.
 
 use std::collections::BTreeSet;
 
@@ -9,13 +9,13 @@ use super::functions::JACOBIANS;
 use crate::emit::EmitError;
 use machinist_model::functions::Gives;
 
-/// An argument, with an underscore in front where the function does not read it.
+/// Returns an argument, prefixed by an underscore if the function does not read it.
 pub(super) fn argument(is_read: bool, name: &str) -> Ident {
     if is_read { format_ident!("{name}") } else { format_ident!("_{name}") }
 }
 
-/// Names that a local variable must not take: what signatures bind, what the
-/// prelude and the module let patterns match, and what would mislead a reader.
+/// Names that a local variable must not take: those bound by signatures, those that the prelude
+/// and the module make patterns, and misleading ones.
 const RESERVED: &[&str] = &[
     "p",
     "c",
@@ -43,11 +43,11 @@ const RESERVED: &[&str] = &[
     "SWITCHES",
 ];
 
-/// Functions that are not in their table.
+/// Functions that are not in the table.
 const FUNCTIONS: &[&str] =
     &["series", "prepare", JACOBIANS, "excitation", "switches", "substitute"];
 
-/// Names of the functions, and of the constants that say how much they give.
+/// Iterates over the names of the functions, and of the constants for the sizes of their results.
 fn of_the_table() -> impl Iterator<Item = &'static str> {
     machinist_model::functions::FUNCTIONS.iter().flat_map(|row| {
         let given = match row.gives {
@@ -101,12 +101,12 @@ const TYPES: &[&str] = &[
     "PhantomData",
 ];
 
-/// The identifier of a text, or the error that it is none.
+/// Returns the identifier of a text, or the error that it is not one.
 pub(super) fn identifier(text: &str) -> Result<Ident, EmitError> {
     syn::parse_str(text).map_err(|_| EmitError::Identifier { name: text.to_owned() })
 }
 
-/// Identifiers of all names of a kind, checked to be distinct.
+/// Returns identifiers of all names of a kind, checked to be distinct.
 pub(super) fn distinct<'a>(
     names: impl IntoIterator<Item = &'a str>,
     kind: &'static str,
@@ -122,37 +122,37 @@ pub(super) fn distinct<'a>(
     Ok(idents)
 }
 
-/// Hands out names, each once.
+/// Allocates names, each once.
 #[derive(Debug, Clone)]
 pub(super) struct Namer {
     taken: BTreeSet<String>,
 }
 
 impl Namer {
-    /// A namer for local variables of emitted functions.
+    /// Returns a namer for local variables of emitted functions.
     pub(super) fn for_locals() -> Self {
         let taken = RESERVED.iter().chain(FUNCTIONS).copied().chain(of_the_table());
         Self { taken: taken.map(str::to_owned).collect() }
     }
 
-    /// A namer for constants of the emitted module.
+    /// Returns a namer for constants of the emitted module.
     pub(super) fn for_constants() -> Self {
         let taken = RESERVED.iter().copied().chain(of_the_table());
         Self { taken: taken.map(str::to_owned).collect() }
     }
 
-    /// A namer among nothing.
+    /// Returns a namer without reserved names.
     pub(super) fn empty() -> Self {
         Self { taken: BTreeSet::new() }
     }
 
-    /// Keeps a name from being handed out.
+    /// Reserves a name.
     pub(super) fn reserve(&mut self, name: &str) {
         self.taken.insert(name.to_owned());
     }
 
-    /// `wanted`, or `wanted_2`, `wanted_3`, ... if that is taken. `wanted` must
-    /// be an identifier.
+    /// Returns `wanted`, or `wanted_2`, `wanted_3`, ... if it is taken. `wanted` must be an
+    /// identifier.
     pub(super) fn claim(&mut self, wanted: &str) -> Ident {
         let mut name = wanted.to_owned();
         let mut count = 1_u32;
@@ -164,7 +164,7 @@ impl Namer {
     }
 }
 
-/// `saw_gin` to `SawGin`, kept apart from the module's other types.
+/// Changes `saw_gin` to `SawGin`, distinct from the module's other types.
 pub(super) fn type_name(scene: &str) -> String {
     let mut name = String::new();
     for word in scene.split('_') {
@@ -179,7 +179,7 @@ pub(super) fn type_name(scene: &str) -> String {
     name
 }
 
-/// The upper-case spelling of an identifier.
+/// Returns the upper-case spelling of an identifier.
 pub(super) fn constant_name(ident: &str) -> String {
     ident.to_ascii_uppercase()
 }

@@ -1,4 +1,4 @@
-//! One operation as an expression: the one writer that bodies and series share.
+//! One operation as an expression, shared by bodies and series.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens as _, format_ident, quote};
@@ -8,7 +8,7 @@ use crate::emit::EmitError;
 use crate::emit::literal::constant_or_literal;
 use machinist_model::{NodeId, Op, TableId};
 
-/// How tightly an expression binds, from weak to strong.
+/// Binding strength of an expression, weakest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Strength {
     Sum,
@@ -24,24 +24,24 @@ pub(super) struct Written {
 }
 
 impl Written {
-    /// A name, a call, or anything else that binds as tightly.
+    /// Returns a name, a call, or anything else that binds as tightly.
     pub(super) fn call(tokens: TokenStream) -> Self {
         Self { tokens, strength: Strength::Call }
     }
 
-    /// The opposite of an expression.
+    /// Returns the negation of an expression.
     pub(super) fn minus(self) -> Self {
         let a = self.at_least(Strength::Call);
         Self { tokens: quote!(-#a), strength: Strength::Minus }
     }
 
-    /// The tokens, in parentheses if they bind more weakly than `least`.
+    /// Returns the tokens, in parentheses if they bind more weakly than `least`.
     pub(super) fn at_least(self, least: Strength) -> TokenStream {
         let tokens = self.tokens;
         if self.strength < least { quote!((#tokens)) } else { tokens }
     }
 
-    /// `a operator b`; the right side needs more strength than the left, because all four
+    /// Returns `a operator b`. The right operand needs the greater strength, because all four
     /// operators associate to the left.
     fn infix(a: Self, operator: &TokenStream, b: Self, left: Strength, right: Strength) -> Self {
         let (a, b) = (a.at_least(left), b.at_least(right));
@@ -65,18 +65,18 @@ impl Written {
     }
 }
 
-/// Who writes expressions one after the other.
+/// A writer of consecutive expressions.
 pub(super) trait Expressions {
-    /// The expression that stands for a node.
+    /// Returns the expression for a node.
     fn operand(&mut self, id: NodeId) -> Result<Written, EmitError>;
-    /// What may be named.
+    /// Returns the names that may be used.
     fn scope(&self) -> &Scope<'_>;
-    /// What has been named.
+    /// Returns the record of names that were used.
     fn reads(&mut self) -> &mut Reads;
-    /// The function that is written.
+    /// Returns the name of the function.
     fn function(&self) -> &'static str;
 
-    /// The expression of an operation, by those of its operands.
+    /// Returns the expression of an operation, given those of its operands.
     fn operation(&mut self, op: &Op) -> Result<Written, EmitError> {
         let name = match *op {
             Op::Literal(value) => return self.literal(value),
@@ -108,7 +108,7 @@ pub(super) trait Expressions {
         Ok(Written::call(name))
     }
 
-    /// The expression of an operation that computes something.
+    /// Returns the expression of an operation that computes a value.
     fn arithmetic(&mut self, op: &Op) -> Result<Written, EmitError> {
         Ok(match *op {
             Op::Neg(a) => self.operand(a)?.minus(),
@@ -154,7 +154,7 @@ pub(super) trait Expressions {
         })
     }
 
-    /// A number.
+    /// Returns the literal of a number.
     fn literal(&self, value: f64) -> Result<Written, EmitError> {
         let place = || format!("function `{}`", self.function());
         let literal = constant_or_literal(value)

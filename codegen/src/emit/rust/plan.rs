@@ -1,4 +1,4 @@
-//! Which nodes of a tape become a `let` and which are written where they are used.
+//! Choice of the nodes of a tape that become a `let`; the others are written where they are used.
 
 use std::collections::BTreeSet;
 
@@ -6,13 +6,13 @@ use super::batch::Step;
 use super::fuse::{Fused, swallowed};
 use machinist_model::{NodeId, Tape, needed_nodes};
 
-/// Operations that one expression holds at most.
+/// Maximum number of operations in one expression.
 const LONGEST_EXPRESSION: usize = 24;
 
-/// What becomes of a node.
+/// Place of a node in the emitted code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::emit) enum Place {
-    /// No result needs it, or it is part of a fused sum.
+    /// Not emitted: no result needs it, or it is part of a fused sum.
     Nowhere,
     /// Written into the expression that uses it.
     Inline,
@@ -20,9 +20,9 @@ pub(in crate::emit) enum Place {
     Statement,
 }
 
-/// The place of every node. Results of `steps` that are calls for several arguments get a
-/// `let`. `spread_results` asks for a `let` for every result that is more than a leaf, so
-/// that a long array of results reads well.
+/// Returns the place of each node. Results of `steps` that are calls for several arguments get a
+/// `let`. `spread_results` requests a `let` for each result that is not a leaf, so that a long
+/// array of results is readable.
 pub(super) fn plan(
     tape: &Tape,
     fused: &[Option<Fused>],
@@ -65,13 +65,13 @@ pub(super) fn plan(
     places
 }
 
-/// [`plan`] for a target that fuses no products and puts no calls together.
+/// Returns [`plan`] for a target without fused products and batched calls.
 pub(in crate::emit) fn plain(tape: &Tape, spread_results: bool) -> Vec<Place> {
     plan(tape, &vec![None; tape.nodes.len()], &[], spread_results)
 }
 
-/// Size of the expression of an operation with all that is inlined into it,
-/// after giving its largest operands a `let` as long as it is too long.
+/// Returns the size of an operation's expression with everything inlined. As long as it is too
+/// large, its largest operands get a `let`.
 fn size_within_limit(operands: &[NodeId], places: &mut [Place], sizes: &[usize]) -> usize {
     if operands.is_empty() {
         return 0;
@@ -90,7 +90,7 @@ fn size_within_limit(operands: &[NodeId], places: &mut [Place], sizes: &[usize])
     }
 }
 
-/// How often every node is used by nodes that results need, and as a result.
+/// Counts the uses of each node by nodes that results need, and as a result.
 pub(super) fn count_uses(tape: &Tape) -> Vec<u32> {
     let needed = needed_nodes(tape);
     let mut uses = vec![0_u32; tape.nodes.len()];

@@ -1,4 +1,4 @@
-//! Loops over many points of a field whose forces are local. What no point decides goes
+//! Loops over many points of a field with local forces. Values equal for all points are computed
 //! before the loop.
 
 use proc_macro2::{Ident, TokenStream};
@@ -11,7 +11,7 @@ use crate::emit::text::doc;
 use machinist_model::hoist::apart_from_state;
 use machinist_model::{FieldModel, LocalForces, Tape, operations};
 
-/// Names of arguments, not to be taken by local variables.
+/// Names of arguments, which local variables must not take.
 pub(super) const ARGUMENTS: [&str; 13] = [
     "at", "u", "u_t", "u_x", "u_xt", "force", "forces", "by_time", "by_u", "by_u_t", "by_u_x",
     "by_u_xt", "inertias",
@@ -23,9 +23,9 @@ struct Loop<'a> {
     doc: &'static str,
     tape: &'a Tape,
     takes_time: bool,
-    /// Slices of the point: entry of the tape's state, and the argument's name.
+    /// Slices of the points: entry of the tape's state, and the argument's name.
     point: &'static [(usize, &'static str)],
-    /// Slices of results; as variables of the loop they go by the same names.
+    /// Slices of results. Variables of the loop have the same names.
     results: &'static [&'static str],
 }
 
@@ -73,7 +73,7 @@ fn loops(local: &LocalForces) -> [Loop<'_>; 5] {
     ]
 }
 
-/// The functions of a field's module; nothing if its forces are not local.
+/// Returns the functions of a field's module; empty if its forces are not local.
 pub(super) fn functions(
     field: &FieldModel,
     scope: &Scope<'_>,
@@ -88,7 +88,7 @@ fn function(of: &Loop<'_>, scope: &Scope<'_>) -> Result<TokenStream, EmitError> 
     let (before, at_point) = apart_from_state(tape);
     let spread = ResultNames { spread: true, names: Vec::new() };
     let shared = body(name, &before, scope, &spread)?;
-    // Every one of them has a `let`, so what stands for it is a name.
+    // Each of them has a `let`, so its expression is a name.
     let known = shared.results.iter().map(|name| syn::parse2::<Ident>(name.clone()));
     let known: Vec<Ident> = known
         .collect::<Result<_, _>>()

@@ -1,4 +1,4 @@
-//! `prepare`: what parameters alone decide, once a run.
+//! `prepare`: values that depend on parameters only, computed once a run.
 
 use std::collections::HashSet;
 
@@ -12,7 +12,7 @@ use crate::emit::EmitError;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Model, NodeId, Op, Tape};
 
-/// The constants of a scene, and rate and Jacobians that read them.
+/// The constants of a scene, and its rate and Jacobians that read them.
 pub(super) struct Prepare {
     pub(super) hoisted: Hoisted,
     /// Fields of `Constants`.
@@ -43,7 +43,7 @@ impl Prepare {
         };
         let names = ResultNames { names: Vec::new(), spread: true };
         let body = body("prepare", &hoisted.constants, &scope, &names)?;
-        // Every constant has a `let`, so what stands for it is a name.
+        // Every constant has a `let`, so its expression is a name.
         let constants = body.results.iter().map(|name| syn::parse2(name.clone()));
         let constants: Vec<Ident> = constants
             .collect::<Result<_, _>>()
@@ -51,12 +51,12 @@ impl Prepare {
         Ok(Self { hoisted, constants, statements: body.statements })
     }
 
-    /// Whether anything is done once a run.
+    /// Reports whether nothing is computed once a run.
     pub(super) fn is_empty(&self) -> bool {
         self.constants.is_empty()
     }
 
-    /// The function that computes them; nothing if there are none.
+    /// Returns the function that computes them; `None` if there are none.
     pub(super) fn items(&self) -> Option<TokenStream> {
         let (constants, statements) = (&self.constants, &self.statements);
         let docs = documentation(
@@ -77,7 +77,7 @@ impl Prepare {
     }
 }
 
-/// Names constants that are nothing but an entry of the Jacobian by that entry.
+/// Names constants that are just an entry of the Jacobian after that entry.
 fn name_entries(hoisted: &mut Hoisted, model: &Model, states: &[Ident]) {
     if model.rate_jacobian.solve.is_some() {
         return;

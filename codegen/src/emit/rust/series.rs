@@ -1,5 +1,5 @@
-//! The Taylor series of a scene as one function: zeroth coefficients line by
-//! line, then one loop over the orders with one line a node.
+//! The Taylor series of a scene as one function: zeroth coefficients line by line, then one loop
+//! over the orders with one line per node.
 
 mod coefficients;
 mod needs;
@@ -16,15 +16,15 @@ use coefficients::Writer;
 use machinist_model::series::{Convolution, MassMatrix, TaylorTape, recurrences};
 use needs::{Needs, needs};
 
-/// More nodes make a function that takes long to compile and runs slowly: such
+/// Maximum number of nodes. A larger function takes long to compile and runs slowly, so such
 /// scenes have no series.
 const MOST_NODES: usize = 4000;
 
-/// Sums formed in one loop: what one operation of a processor takes. More would be ready
-/// only with the last of them.
+/// Number of sums formed in one loop: as many as one operation of a processor takes. Larger
+/// groups would be ready only with the last of their sums.
 const LANES: usize = 4;
 
-/// Recurrences of a scene and what of them is written down.
+/// Recurrences of a scene, and the parts of them that are emitted.
 pub(super) struct Series {
     tape: TaylorTape,
     needs: Needs,
@@ -32,24 +32,24 @@ pub(super) struct Series {
 }
 
 impl Series {
-    /// The series of a scene, unless it has no states or too many nodes.
+    /// Returns the series of a scene, unless it has no states or too many nodes.
     pub(super) fn new(scene: &Scene<'_>) -> Option<Self> {
         let tape = recurrences(scene.model);
-        // A series does not keep to constraints.
+        // A series does not fulfil constraints.
         let is_free = scene.model.constraints.is_empty();
         let is_wanted = is_free && !tape.rate.is_empty() && tape.nodes.len() <= MOST_NODES;
         let bends = tape.bends(scene.model.discontinuities.results.len());
         is_wanted.then(|| Self { needs: needs(&tape), tape, bends })
     }
 
-    /// Names to import from the contract's `taylor`.
+    /// Returns the names to import from the contract's `taylor`.
     pub(super) fn imports(&self) -> TokenStream {
         let lanes = (!self.needs.convolutions.is_empty()).then(|| quote!(Lanes,));
         let factored = self.tape.mass_matrix.is_some().then(|| quote!(Factored,));
         quote!(taylor::{#factored #lanes order_and_inverse},)
     }
 
-    /// The part of `simulator!` that implements `TaylorSeries`.
+    /// Returns the part of `simulator!` that implements `TaylorSeries`.
     pub(super) fn part(&self) -> String {
         let sums = self.needs.convolutions.len();
         match self.bends {
@@ -58,12 +58,12 @@ impl Series {
         }
     }
 
-    /// Sums in groups.
+    /// Returns the sums in groups.
     fn groups(&self) -> Vec<&[Convolution]> {
         self.needs.convolutions.chunks(LANES).collect()
     }
 
-    /// The function.
+    /// Returns the function.
     pub(super) fn items(&self, scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
         let names = Names::new(scene);
         let mut writer = Writer::new(scene, &self.tape, &self.needs, names.clone());
@@ -150,7 +150,7 @@ impl Series {
         ])
     }
 
-    /// Lanes of each group, from the workspace.
+    /// Returns the lanes of each group, from the workspace.
     fn lanes(&self, names: &Names) -> TokenStream {
         let groups = self.groups();
         let (last, coefficients) = (groups.len().saturating_sub(1), &names.coefficients);
@@ -186,7 +186,7 @@ impl Series {
     }
 }
 
-/// The factored mass matrix and the zeroth accelerations.
+/// Returns the factored mass matrix and the zeroth accelerations.
 fn solve(mass: &MassMatrix, writer: &mut Writer<'_>, names: &Names) -> (TokenStream, TokenStream) {
     let n = mass.right_side.len();
     let mut matrix = vec![vec![quote!(R::literal(0.0)); n]; n];

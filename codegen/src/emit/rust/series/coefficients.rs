@@ -1,4 +1,4 @@
-//! One line for each coefficient.
+//! Coefficients of a series, one line each.
 
 use std::collections::BTreeSet;
 
@@ -14,30 +14,30 @@ use crate::emit::rust::operation::{Expressions, Strength, Written};
 use machinist_model::series::{Convolution, MassMatrix, Recurrence, TaylorTape};
 use machinist_model::{Function, NodeId, Op};
 
-/// What the function reads, for names in its signature.
+/// Arguments that the function reads, for names in its signature.
 #[derive(Default)]
 pub(super) struct Reads {
-    /// As other functions.
+    /// Arguments of any function.
     pub(super) given: body::Reads,
-    /// The order as a number.
+    /// True if the order is read as a number.
     pub(super) order: bool,
     newest_states: BTreeSet<usize>,
 }
 
-/// Writes coefficients and remembers under which name.
+/// Writes coefficients and records their names.
 pub(super) struct Writer<'a> {
     scope: Scope<'a>,
     tape: &'a TaylorTape,
     needs: &'a Needs,
     names: Names,
-    /// Zeroth coefficients; nothing where it is zero.
+    /// Zeroth coefficients; `None` if zero.
     values: Vec<Option<TokenStream>>,
     /// First coefficients of lines.
     slopes: Vec<Option<TokenStream>>,
-    /// Newest coefficients; nothing where it is zero.
+    /// Newest coefficients; `None` if zero.
     newest: Vec<Option<TokenStream>>,
     befores: Vec<Option<Ident>>,
-    /// Reciprocals that nodes multiply with instead of dividing.
+    /// Reciprocals by which nodes multiply instead of dividing.
     inverses: Vec<Option<Ident>>,
     /// First, halved second and sixth of the third derivative of tables.
     derivatives: Vec<Option<[Ident; 3]>>,
@@ -47,7 +47,7 @@ pub(super) struct Writer<'a> {
 }
 
 impl Expressions for Writer<'_> {
-    /// Zeroth coefficients.
+    /// Returns the zeroth coefficient of an operand.
     fn operand(&mut self, id: NodeId) -> Result<Written, EmitError> {
         Ok(Written::call(self.value(id)))
     }
@@ -93,7 +93,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Zeroth coefficients of all nodes, and slopes of lines where read.
+    /// Returns the zeroth coefficients of all nodes, and slopes of lines that are read.
     pub(super) fn zeroth(&mut self) -> Result<Vec<TokenStream>, EmitError> {
         let mut statements = Vec::new();
         for id in self.ids() {
@@ -122,7 +122,7 @@ impl<'a> Writer<'a> {
         Ok(statements)
     }
 
-    /// Newest coefficients of all nodes where read.
+    /// Returns the newest coefficients of all nodes that are read.
     pub(super) fn higher(&mut self) -> Vec<TokenStream> {
         let mut statements = Vec::new();
         let is_written = |needs: &Needs, id| needs.newest[index(id)] && !needs.within[index(id)];
@@ -143,7 +143,7 @@ impl<'a> Writer<'a> {
         (0..self.tape.nodes.len()).map(|index| NodeId(index as u32))
     }
 
-    /// The zeroth coefficient, and whether it needs no `let`.
+    /// Returns the zeroth coefficient, and whether it needs no `let`.
     fn zeroth_of(&mut self, id: NodeId) -> Result<(Option<TokenStream>, bool), EmitError> {
         let recurrence = self.tape[id].recurrence;
         let op = match recurrence {
@@ -174,7 +174,7 @@ impl<'a> Writer<'a> {
         Ok((Some(self.operation(&op)?.tokens), !op.is_arithmetic()))
     }
 
-    /// The newest coefficient, and whether it needs no `let`.
+    /// Returns the newest coefficient, and whether it needs no `let`.
     fn higher_of(&mut self, id: NodeId) -> (Option<TokenStream>, bool) {
         let recurrence = self.tape[id].recurrence;
         let names = self.names.clone();
@@ -259,7 +259,7 @@ impl<'a> Writer<'a> {
         (Some(value), false)
     }
 
-    /// The newest coefficient of a node; that of a product with a constant written out.
+    /// Returns the newest coefficient of a node; a product with a constant is written out.
     fn newest_or_product(&self, id: NodeId) -> Option<TokenStream> {
         if let Some(known) = &self.newest[index(id)] {
             return Some(known.clone());
@@ -269,7 +269,7 @@ impl<'a> Writer<'a> {
         Some(quote!(#series * #factor))
     }
 
-    /// a + b or a - b where one of them is a product written within.
+    /// Returns a + b or a - b if one of them is a product written within.
     fn fused(&self, a: NodeId, b: NodeId, is_difference: bool) -> Option<TokenStream> {
         let parts = |id: NodeId| match self.tape[id].recurrence {
             Recurrence::Scaled { series, factor } if self.needs.within[index(id)] => {
@@ -299,7 +299,7 @@ impl<'a> Writer<'a> {
         if id_a == id_b {
             return quote!((#a_value + #a_value).mul_add(#a, #(#sums)*));
         }
-        // What is there last is multiplied last.
+        // The product that is ready last is multiplied last.
         let depth = |id| self.needs.depth[index(id)];
         if depth(id_a) > depth(id_b) {
             quote!(#b_value.mul_add(#a, #a_value.mul_add(#b, #(#sums)*)))
@@ -330,7 +330,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The expression of a sum.
+    /// Returns the expression of a sum.
     fn sum(&mut self, convolution: Convolution) -> TokenStream {
         let convolution = in_order(convolution);
         let lane = self.needs.convolutions.iter().position(|known| *known == convolution);
@@ -347,12 +347,12 @@ impl<'a> Writer<'a> {
         if convolution.weighted { quote!(#k * #left) } else { left }
     }
 
-    /// The zeroth coefficient of a node.
+    /// Returns the zeroth coefficient of a node.
     pub(super) fn value(&self, id: NodeId) -> TokenStream {
         self.values[index(id)].clone().unwrap_or_else(zero)
     }
 
-    /// The newest coefficient of a node.
+    /// Returns the newest coefficient of a node.
     pub(super) fn newest_or_zero(&self, id: NodeId) -> TokenStream {
         self.newest[index(id)].clone().unwrap_or_else(zero)
     }
@@ -361,7 +361,7 @@ impl<'a> Writer<'a> {
         self.slopes[index(id)].clone().unwrap_or_else(zero)
     }
 
-    /// The first coefficient of a line, written once.
+    /// Returns the first coefficient of a line, written once.
     fn slope(&mut self, id: NodeId, statements: &mut Vec<TokenStream>) -> Option<TokenStream> {
         if self.tape.is_constant(id) {
             return None;
@@ -396,7 +396,7 @@ impl<'a> Writer<'a> {
         Some(slope)
     }
 
-    /// Name and divisor of the reciprocal that a node multiplies with.
+    /// Returns name and divisor of the reciprocal by which a node multiplies.
     fn inverse_of(&mut self, id: NodeId) -> Option<(Ident, TokenStream)> {
         let (of, divisor) = match self.tape[id].recurrence {
             Recurrence::Quotient(_, b) => (b, self.value(b)),
@@ -413,7 +413,7 @@ impl<'a> Writer<'a> {
         Some((name, divisor))
     }
 
-    /// Derivatives of a table at the zeroth coefficient, by factorials.
+    /// Returns the derivatives of a table at the zeroth coefficient, divided by factorials.
     fn table_derivatives(
         &mut self,
         id: NodeId,
@@ -444,7 +444,7 @@ impl<'a> Writer<'a> {
         self.tape.rate.iter().map(|&id| self.newest_or_zero(id)).collect()
     }
 
-    /// Coefficients kept for the next order, as they start.
+    /// Returns the initial values of coefficients that are kept for the next order.
     pub(super) fn befores(&mut self) -> Vec<TokenStream> {
         let mut statements = Vec::new();
         for id in self.ids().filter(|&id| self.needs.before[index(id)]) {
@@ -464,7 +464,7 @@ impl<'a> Writer<'a> {
         kept.collect()
     }
 
-    /// Names of the zeroth accelerations.
+    /// Returns names for the zeroth accelerations.
     pub(super) fn accelerations(&mut self, mass: &MassMatrix) -> Vec<Ident> {
         let names = mass.accelerations.iter().map(|&id| {
             let name = self.name(id);
@@ -474,7 +474,7 @@ impl<'a> Writer<'a> {
         names.collect()
     }
 
-    /// Names of the newest accelerations.
+    /// Returns names for the newest accelerations.
     pub(super) fn higher_accelerations(&mut self, mass: &MassMatrix) -> Vec<Ident> {
         let names = mass.accelerations.iter().map(|&id| {
             let name = self.newest_name(id);
@@ -497,7 +497,7 @@ impl<'a> Writer<'a> {
             .map(|pattern| quote!(let #pattern = *#newest;))
     }
 
-    /// A new name for a node.
+    /// Returns a new name for a node.
     fn name(&mut self, id: NodeId) -> Ident {
         let name = self.tape[id].name.clone().or_else(|| self.describe(id));
         let wanted = name.filter(|name| name.len() <= 36).unwrap_or_else(|| {
@@ -531,14 +531,14 @@ impl<'a> Writer<'a> {
         Some(format!("{}_{}", function.name(), self.telling(argument)?))
     }
 
-    /// The name of a node if it says something.
+    /// Returns the name of a node, if it is descriptive.
     fn telling(&self, id: NodeId) -> Option<String> {
         let name = self.values[index(id)].as_ref()?.to_string();
         let is_number = name.strip_prefix('t').is_some_and(|rest| rest.parse::<u32>().is_ok());
         (!is_number && syn::parse_str::<Ident>(&name).is_ok()).then_some(name)
     }
 
-    /// A word for a node, telling or not.
+    /// Returns a word for a node, descriptive or not.
     fn word(&self, id: NodeId) -> String {
         let name = self.values[index(id)].as_ref().map(ToString::to_string);
         let name = name.filter(|name| syn::parse_str::<Ident>(name).is_ok());
@@ -554,7 +554,7 @@ fn zero() -> TokenStream {
     quote!(R::literal(0.0))
 }
 
-/// `[a, _, c]` of the names that are read.
+/// Returns the pattern `[a, _, c]` of the names that are read.
 fn pattern(names: &[Ident], read: &BTreeSet<usize>) -> Option<TokenStream> {
     let last = *read.last()?;
     let entries = names.iter().enumerate().take(last + 1);
@@ -564,8 +564,8 @@ fn pattern(names: &[Ident], read: &BTreeSet<usize>) -> Option<TokenStream> {
     Some(quote!([#(#entries),* #rest]))
 }
 
-/// A sum, difference or negation of coefficients of which some are zero, and
-/// whether it needs no `let`.
+/// Returns a sum, difference or negation of coefficients, some of which are zero, and whether it
+/// needs no `let`.
 fn linear(
     recurrence: &Recurrence,
     of: impl Fn(NodeId) -> Option<TokenStream>,
@@ -585,8 +585,8 @@ fn linear(
     }
 }
 
-/// What a method is called of: in parentheses if it is more than a name or a call, which the
-/// call would bind to in part.
+/// Returns the receiver of a method call. It is in parentheses if it is more than a name or a
+/// call, because the call would bind only to a part of it.
 fn receiver(tokens: &TokenStream) -> TokenStream {
     match syn::parse2(tokens.clone()) {
         Ok(syn::Expr::Binary(_) | syn::Expr::Unary(_)) => quote!((#tokens)),

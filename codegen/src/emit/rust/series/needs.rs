@@ -1,26 +1,26 @@
-//! Which coefficients the function of a series reads.
+//! Coefficients that the function of a series reads.
 
 use machinist_model::NodeId;
 use machinist_model::series::{Convolution, Recurrence, TaylorTape};
 
-/// What of a tape of recurrences is written down.
+/// The parts of a tape of recurrences that are emitted.
 pub(super) struct Needs {
-    /// Whether the newest coefficient of a node is read.
+    /// For each node, true if its newest coefficient is read.
     pub(super) newest: Vec<bool>,
-    /// Whether the coefficient before the newest is read.
+    /// For each node, true if the coefficient before its newest is read.
     pub(super) before: Vec<bool>,
-    /// Whether a node is a product with a constant that one sum or difference alone
-    /// reads, so that it is written within that.
+    /// For each node, true if it is a product with a constant that a single sum or difference
+    /// reads. It is then written within that.
     pub(super) within: Vec<bool>,
-    /// Every sum, once; the place is the lane. Neighbours are formed together, so those
-    /// whose factors are ready early stand before those that wait for the end of an order.
+    /// All sums, each once; the index is the lane. Neighbours are formed together, so sums whose
+    /// factors are ready early precede those that wait for the end of an order.
     pub(super) convolutions: Vec<Convolution>,
-    /// How many dependent operations after the states' the newest coefficient of a node is
-    /// there.
+    /// For each node, number of dependent operations from the states' coefficients to its newest
+    /// coefficient.
     pub(super) depth: Vec<u32>,
 }
 
-/// Follows what the rates read, order by order.
+/// Finds what the rates read, order by order.
 pub(super) fn needs(tape: &TaylorTape) -> Needs {
     let count = tape.nodes.len();
     let (mut newest, mut before) = (vec![false; count], vec![false; count]);
@@ -67,7 +67,7 @@ pub(super) fn needs(tape: &TaylorTape) -> Needs {
     Needs { newest, before, within, convolutions, depth }
 }
 
-/// The depth of every node; accelerations come after all else.
+/// Returns the depth of each node. Accelerations come after all others.
 fn depths(tape: &TaylorTape) -> Vec<u32> {
     let mut depths = vec![0_u32; tape.nodes.len()];
     for index in 0..tape.nodes.len() {
@@ -87,7 +87,7 @@ fn depths(tape: &TaylorTape) -> Vec<u32> {
     depths
 }
 
-/// S(a, b) is S(b, a), if neither factor is weighted.
+/// Orders the factors: S(a, b) is S(b, a) if neither factor is weighted.
 pub(super) fn in_order(convolution: Convolution) -> Convolution {
     let Convolution { left, weighted, right } = convolution;
     if weighted || left <= right {
@@ -97,7 +97,7 @@ pub(super) fn in_order(convolution: Convolution) -> Convolution {
     }
 }
 
-/// The operands whose newest coefficient a node's newest one reads.
+/// Returns the operands whose newest coefficient a node's newest one reads.
 fn newest_operands(tape: &TaylorTape, id: NodeId) -> Vec<NodeId> {
     match tape[id].recurrence {
         Recurrence::Constant(_)
@@ -124,7 +124,7 @@ fn newest_operands(tape: &TaylorTape, id: NodeId) -> Vec<NodeId> {
     }
 }
 
-/// The node of which the coefficient before the newest is read.
+/// Returns the node of which the coefficient before the newest is read.
 fn operand_before(tape: &TaylorTape, id: NodeId) -> Option<NodeId> {
     match tape[id].recurrence {
         Recurrence::Integral { argument, integrand, .. } if tape.is_line(argument) => {
@@ -134,7 +134,7 @@ fn operand_before(tape: &TaylorTape, id: NodeId) -> Option<NodeId> {
     }
 }
 
-/// The factors of a product of which one, put first, is linear in time.
+/// Returns the factors of a product of which one is linear in time; that one comes first.
 pub(super) fn line_and_other(tape: &TaylorTape, id: NodeId) -> Option<(NodeId, NodeId)> {
     match tape[id].recurrence {
         Recurrence::Product(a, b) if tape.is_line(a) => Some((a, b)),

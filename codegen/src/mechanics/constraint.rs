@@ -1,4 +1,4 @@
-//! Constraints differentiated, so that accelerations follow from them.
+//! Differentiation of constraints, as needed for accelerations.
 //!
 //! ```text
 //! g(q, t) = 0              g' = G q' + g_t     G = dg/dq
@@ -17,11 +17,10 @@ use machinist_algebra::expr::rank::null_columns;
 use machinist_algebra::expr::{ConstraintId, CoordinateId, Expr, Matrix, Symbol};
 use machinist_algebra::unless_faulty;
 
-/// What the constraints of a system say of its positions, velocities and
-/// accelerations; m rows.
+/// The constraints of a system in terms of positions, velocities and accelerations; m rows.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Constraints {
-    /// g; 0 of a constraint of velocities.
+    /// g; 0 for a constraint on velocities.
     pub values: Vec<Expr>,
     /// g'.
     pub rates: Vec<Expr>,
@@ -29,7 +28,7 @@ pub struct Constraints {
     pub matrix: Vec<Vec<Expr>>,
     /// gamma.
     pub accelerations: Vec<Expr>,
-    /// s; 1 of a constraint that always holds.
+    /// s; 1 for a constraint that always holds.
     pub holds: Vec<Expr>,
 }
 
@@ -66,19 +65,19 @@ impl Constraints {
         constraints
     }
 
-    /// How many there are.
+    /// Returns the number of constraints.
     #[must_use]
     pub fn len(&self) -> usize {
         self.rates.len()
     }
 
-    /// Whether there are none.
+    /// Reports whether there are no constraints.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rates.is_empty()
     }
 
-    /// Power that moving constraints supply, -lambda g' at q' = 0 each.
+    /// Returns the power that each moving constraint supplies, -lambda g' at q' = 0.
     #[must_use]
     pub fn supplied_power(&self) -> Vec<Expr> {
         let at_rest = |rate: &Expr| {
@@ -92,34 +91,34 @@ impl Constraints {
         powers.collect()
     }
 
-    /// The coordinates on whose rates a constraint depends.
+    /// Iterates over the coordinates whose rates a constraint depends on.
     pub fn coordinates(&self, constraint: usize) -> impl Iterator<Item = usize> {
         let row = self.matrix[constraint].iter().enumerate();
         row.filter(|(_, entry)| !entry.is_zero()).map(|(column, _)| column)
     }
 
-    /// Every expression of a constraint.
+    /// Iterates over all expressions of a constraint.
     pub fn of(&self, constraint: usize) -> impl Iterator<Item = &Expr> {
         let others = [&self.values, &self.rates, &self.accelerations, &self.holds];
         let others = others.map(|exprs| &exprs[constraint]);
         self.matrix[constraint].iter().chain(others)
     }
 
-    /// Every expression.
+    /// Iterates over all expressions.
     pub fn exprs(&self) -> impl Iterator<Item = &Expr> {
         let matrix = self.matrix.iter().flatten();
         let all = self.values.iter().chain(&self.rates).chain(matrix);
         all.chain(&self.accelerations).chain(&self.holds)
     }
 
-    /// Likewise.
+    /// Iterates over the same, mutably.
     pub fn exprs_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
         let matrix = self.matrix.iter_mut().flatten();
         let all = self.values.iter_mut().chain(&mut self.rates).chain(matrix);
         all.chain(&mut self.accelerations).chain(&mut self.holds)
     }
 
-    /// An expression of a constraint while that holds, else 0.
+    /// Returns an expression of a constraint, multiplied by 0 while it does not hold.
     #[must_use]
     pub fn held(&self, constraint: usize, expr: &Expr) -> Expr {
         let holds = &self.holds[constraint];
@@ -129,7 +128,7 @@ impl Constraints {
         Expr::Product(vec![holds.clone(), expr.clone()])
     }
 
-    /// s - 1, the entry of the bordered matrix on its diagonal.
+    /// Returns s - 1, the diagonal entry of the bordered matrix.
     fn diagonal(&self, constraint: usize) -> Expr {
         let holds = &self.holds[constraint];
         if *holds == Expr::integer(1) {
@@ -139,7 +138,8 @@ impl Constraints {
     }
 }
 
-/// dx/dt of what does not depend on velocities, or its part without accelerations.
+/// Returns dx/dt of an expression that does not depend on velocities, or its part without
+/// accelerations.
 fn along(cas: &mut Cas, form: &Form, slopes: &[Form], ids: &[CoordinateId]) -> Form {
     let rate = cas.derivative(form, Symbol::Time);
     let mut rate = unless_faulty!("dg/dt", rate, -&rate);
@@ -151,17 +151,17 @@ fn along(cas: &mut Cas, form: &Form, slopes: &[Form], ids: &[CoordinateId]) -> F
 }
 
 impl EquationsOfMotion {
-    /// The linear equations of \[q'', -lambda\],
+    /// Returns the linear equations of \[q'', -lambda\],
     ///
     /// ```text
     /// | M  G^T | | q''     |   | f     |
     /// | G   0  | | -lambda | = | gamma |
     /// ```
     ///
-    /// a symmetric matrix and the right side. With M positive definite and G of full
-    /// rank it has an L D L^T without pivoting, in this order; M may be singular where
-    /// constraints hold what has no inertia. Of a constraint that holds in some modes only,
-    /// the row is s G, s - 1 on the diagonal, and s gamma.
+    /// as a symmetric matrix and the right side. With M positive definite and G of full rank the
+    /// matrix has an L D L^T without pivoting, in this order. M may be singular if constraints
+    /// hold parts without inertia. For a constraint that holds in some modes only, the row is s
+    /// G, s - 1 on the diagonal, and s gamma.
     #[must_use]
     pub fn bordered(&self) -> (Matrix, Vec<Expr>) {
         let constraints = &self.constraints;
@@ -185,23 +185,23 @@ impl EquationsOfMotion {
         (matrix, right_side)
     }
 
-    /// Whether constraints have to make up for what M lacks: some motion of all coordinates
-    /// has no kinetic energy, whatever the parameters are but for those that the spec sets
-    /// to zero.
+    /// Reports whether M alone is singular, so that constraints have to compensate: some motion
+    /// of all coordinates has no kinetic energy for any parameter values, except those that the
+    /// spec sets to zero.
     #[must_use]
     pub fn is_singular(&self) -> bool {
         !self.constraints.is_empty() && null_columns(&self.given(&self.mass_matrix)).is_some()
     }
 
-    /// Entries without the parameters that the spec sets to zero.
+    /// Returns the entries without the parameters that the spec sets to zero.
     fn given(&self, matrix: &Matrix) -> Matrix {
         let mut given = matrix.clone();
         given.exprs_mut().for_each(|entry| *entry = self.system.given(entry));
         given
     }
 
-    /// Coordinates that can move together although nothing decides how: neither an inertia
-    /// nor a constraint that always holds. None of a machine whose motion is decided.
+    /// Returns coordinates that can move together although neither an inertia nor a constraint
+    /// that always holds determines their motion. `None` if the motion is determined.
     #[must_use]
     pub fn undecided(&self) -> Option<Vec<usize>> {
         if !self.is_singular() {
@@ -220,7 +220,7 @@ impl EquationsOfMotion {
         }
         let columns: Vec<usize> =
             null_columns(&self.given(&part))?.into_iter().filter(|column| *column < n).collect();
-        // Constraints that repeat others are told of where a run starts.
+        // Redundant constraints are reported for the start of a run.
         (!columns.is_empty()).then_some(columns)
     }
 }

@@ -1,7 +1,7 @@
-//! One generic element of a field: its densities to point functions.
+//! Generic element of a field: point functions from its densities.
 //!
-//! At a point of a field u(x, t) the densities are those of a small Lagrangian system
-//! with the coordinates u and u_x. Its equations give all that elements are made of:
+//! At a point of a field u(x, t) the densities are those of a small Lagrangian system with the
+//! coordinates u and u_x. Its equations provide all functions of elements:
 //!
 //! ```text
 //! m   = d2T/du_t2
@@ -9,9 +9,9 @@
 //! f_1 = dL/du_x - dD/du_xt          what acts on u_x, minus the torque in a section
 //! ```
 //!
-//! with their derivatives. An element integrates them over its length with its shape
-//! functions, a loop of the contract that knows neither the scene nor the number of
-//! elements; so what is derived and emitted is the same for any number.
+//! with their derivatives. An element integrates them over its length with its shape functions.
+//! That loop of the contract is independent of the scene and of the number of elements, so the
+//! derived and emitted functions are the same for any number.
 //!
 //! Excluded: shape functions, quadrature, numbers of elements.
 
@@ -34,8 +34,7 @@ pub struct FieldEquations {
     pub density: Linearization,
     /// Parameters that the densities or the places on the field depend on.
     pub parameters: Vec<ParameterId>,
-    /// Places of the attachments, then the length; each with its derivatives with
-    /// respect to `parameters`.
+    /// Places of the attachments, then the length; each with its derivatives by `parameters`.
     pub places: Vec<(Expr, Vec<Expr>)>,
 }
 
@@ -69,7 +68,7 @@ fn field_equations(cas: &mut Cas, system: &LagrangianSystem, field: &Field) -> F
     FieldEquations { density: linearize(cas, &equations), parameters, places }
 }
 
-/// The system at one point of a field.
+/// Returns the system at one point of a field.
 fn density(system: &LagrangianSystem, field: &Field) -> LagrangianSystem {
     let [value, slope, rate, slope_rate, place] = &field.quantities;
     let coordinate = |position: &Quantity, velocity: &Quantity| Coordinate {

@@ -1,6 +1,6 @@
-//! Who needs whom in a scene: outputs, equations, states, parameters.
+//! Dependencies between outputs, equations, states and parameters of a scene.
 //!
-//! Excluded: drawing it.
+//! Excluded: drawing.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -10,21 +10,21 @@ use serde::{Deserialize, Serialize};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use machinist_model::{Reduction, What};
 
-/// A graph of needs.
+/// A graph of dependencies.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Dependencies {
     /// The nodes, column by column.
     pub nodes: Vec<Node>,
-    /// From the one that needs to the one that is needed, by place in `nodes`.
+    /// Edges from a dependent node to the node it needs, by index in `nodes`.
     pub edges: Vec<(usize, usize)>,
 }
 
-/// Columns of the graph, from what is wanted to what is given.
+/// Columns of the graph, from outputs to parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum Column {
-    /// A wanted output.
+    /// An output.
     Output,
-    /// What gives the rate of a velocity or of a first-order state.
+    /// The equation for the rate of a velocity or of a first-order state.
     Equation,
     /// An entry of the state.
     State,
@@ -37,14 +37,14 @@ pub enum Column {
 pub struct Node {
     /// Its column.
     pub column: Column,
-    /// The spec's name, with a stroke for equations.
+    /// The name in the spec, with a prime for equations.
     pub name: String,
-    /// Whether it is still there after reduction.
+    /// True if it remains after reduction.
     pub kept: bool,
 }
 
 impl Dependencies {
-    /// The graph of a whole scene, of which `reduction` was left out.
+    /// Returns the graph of a whole scene, with the quantities of `reduction` marked as left out.
     #[must_use]
     pub fn new(whole: &EquationsOfMotion, reduction: &Reduction) -> Self {
         let mut graph = Dependencies::default();

@@ -1,4 +1,4 @@
-//! Euler-Lagrange: one Lagrangian system to its equations of motion.
+//! Euler-Lagrange equations of motion of a Lagrangian system.
 //!
 //! ```text
 //! L = T - V
@@ -17,13 +17,13 @@ use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Matrix, Symbol};
 use machinist_algebra::unless_faulty;
 use machinist_model::Reduction;
 
-/// M(q, t) q'' = f(q, q', z, t), z' = h(q, q', z, t), the constraints, if any, with
-/// their forces, and the power balance.
+/// Equations of motion: M(q, t) q'' = f(q, q', z, t), z' = h(q, q', z, t), constraints and their
+/// forces, if any, and the power balance.
 ///
 /// Excluded: any way of solving for q''.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EquationsOfMotion {
-    /// What was derived from.
+    /// The system they were derived from.
     pub system: LagrangianSystem,
     /// The entries of the state, in order.
     pub layout: Layout,
@@ -33,27 +33,26 @@ pub struct EquationsOfMotion {
     pub forcing: Vec<Expr>,
     /// h, m long.
     pub rates: Vec<Expr>,
-    /// T, V and the energy of first-order states, as derived from.
+    /// T, V and the energy of first-order states, in the form used for the derivation.
     pub energy: [Expr; 3],
     /// D, in the same form.
     pub dissipation: Expr,
-    /// Power supplied, but for `time_momentum`.
+    /// Power supplied, without that of `time_momentum`.
     pub supplied: Expr,
-    /// Power lost.
+    /// Power dissipated.
     pub dissipated: Expr,
-    /// 2 T - q' dT/dq'. Zero unless coordinates are imposed as functions of
-    /// time; then its total derivative is supplied power too.
+    /// 2 T - q' dT/dq'. It is zero unless coordinates are prescribed as functions of time; its
+    /// total derivative is then supplied power too.
     pub time_momentum: Expr,
-    /// Helpers and outputs in the same form as the equations, so that equal
-    /// parts are recognised.
+    /// Helpers and outputs in the same form as the equations, so that equal parts are recognized.
     pub helpers: Vec<Expr>,
-    /// As `helpers`.
+    /// Outputs, likewise.
     pub outputs: Vec<Expr>,
-    /// Constraints, differentiated.
+    /// Differentiated constraints.
     pub constraints: Constraints,
-    /// Events, guards and new values in the same form.
+    /// Events, with guards and resets in the same form.
     pub events: Vec<Event>,
-    /// What has been left out of them.
+    /// Parts that reduction left out.
     pub reduction: Reduction,
 }
 
@@ -98,7 +97,7 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
     }
 }
 
-/// f, by what each momentum and each energy depends on.
+/// Returns f, differentiating each momentum and each energy only by what it depends on.
 fn forcing(
     cas: &mut Cas,
     system: &LagrangianSystem,
@@ -136,8 +135,8 @@ fn forcing(
     rows.collect()
 }
 
-/// (dX/dz) h, term by term: how X changes with first-order states, such as the mass of a
-/// package that grows. Modes stay between events.
+/// Returns (dX/dz) h, term by term: the change of X with first-order states, such as the mass of
+/// a growing package. Modes do not change between events.
 fn by_first_order(cas: &mut Cas, system: &LagrangianSystem, of: &Terms) -> Vec<Form> {
     let state = |symbol| match symbol {
         Symbol::FirstOrder(id) => Some(id),
@@ -173,7 +172,7 @@ fn events(cas: &mut Cas, system: &LagrangianSystem) -> Vec<Event> {
     events
 }
 
-/// Second derivatives of T; the lower triangle is copied, not derived again.
+/// Returns the second derivatives of T. The lower triangle is copied, not derived again.
 fn mass_matrix(cas: &mut Cas, momenta: &[Terms]) -> Matrix {
     let velocity = |symbol| match symbol {
         Symbol::Velocity(CoordinateId(id)) => Some(id as usize),
@@ -206,8 +205,10 @@ struct Power {
     time_momentum: Expr,
 }
 
-/// d(T + V)/dt = Q q' - q' dD/dq' - (dL/dz) h - dL/dt + d(2 T - q' dT/dq')/dt along a motion,
-/// and the power of moving constraints. Of T, L, D and the momenta.
+/// Returns the power supplied and dissipated, and the momentum term, given T, L, D and the
+/// momenta. Along a motion
+/// d(T + V)/dt = Q q' - q' dD/dq' - (dL/dz) h - dL/dt + d(2 T - q' dT/dq')/dt,
+/// plus the power of moving constraints.
 fn power(
     cas: &mut Cas,
     system: &LagrangianSystem,

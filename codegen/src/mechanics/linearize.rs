@@ -10,21 +10,20 @@ use machinist_algebra::expr::{ConstraintId, Expr, HandedId, ParameterId, Symbol}
 
 /// Derivatives of M, f, h and of the energies, structural nonzeros only.
 ///
-/// Excluded: the solution for q'' and its derivatives; those are put together on
-/// the tape, where the factorization of M is shared:
-/// `d(q'')/ds = M^-1 (df/ds - (dM/ds) q'')`.
+/// Excluded: the solution for q'' and its derivatives. They are formed on the tape, where the
+/// factorization of M is shared: `d(q'')/ds = M^-1 (df/ds - (dM/ds) q'')`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linearization {
-    /// What was linearized.
+    /// The equations that were linearized.
     pub equations: EquationsOfMotion,
-    /// With respect to the entries of the state, in order.
+    /// Derivatives by the entries of the state, in order.
     pub state: Vec<Partials>,
-    /// With respect to the parameters, then to what fields hand over, in order.
+    /// Derivatives by the parameters, then by the numbers that fields pass, in order.
     pub parameters: Vec<Partials>,
-    /// With respect to time.
+    /// Derivatives by time.
     pub time: Partials,
-    /// Slopes of the guards by the forces of constraints, a row for each constraint; empty if
-    /// no guard is of one.
+    /// Derivatives of the guards by the constraint forces, a row for each constraint. Empty if no
+    /// guard depends on such a force.
     pub guards_by_forces: Vec<Vec<Expr>>,
 }
 
@@ -47,7 +46,7 @@ pub struct Partials {
     pub guards: Vec<Expr>,
 }
 
-/// Differentiates everything by everything, structural zeros left out.
+/// Differentiates all equations by all symbols, without structural zeros.
 pub fn linearize(cas: &mut Cas, equations: &EquationsOfMotion) -> Linearization {
     let system = &equations.system;
     let forms = Forms::new(cas, equations);
@@ -62,7 +61,7 @@ pub fn linearize(cas: &mut Cas, equations: &EquationsOfMotion) -> Linearization 
     }
 }
 
-/// The equations taken in once, to be differentiated many times, each only by what is in it.
+/// The equations, read once and differentiated many times, each only by its own symbols.
 struct Forms {
     /// Upper triangle of M, bordered by G^T: row, column, entry.
     mass_matrix: Vec<(usize, usize, Form)>,
@@ -72,11 +71,11 @@ struct Forms {
     energy: Terms,
     time_momentum: Terms,
     guards: Vec<Form>,
-    /// Where each symbol is in M, f and the rates.
+    /// Places of each symbol in M, f and the rates.
     places: HashMap<Symbol, Places>,
 }
 
-/// Indices of the forms that mention a symbol.
+/// Indices of the forms that contain a symbol.
 #[derive(Default)]
 struct Places {
     mass_matrix: Vec<usize>,

@@ -1,13 +1,12 @@
-//! Leaves out what a scene's outputs do not need, and says what was left out.
+//! Reduction: removal of what a scene's outputs do not need, with a record of what was left out.
 //!
-//! In this order: parameters that the scene fixes become numbers;
-//! states that no output reaches go; positions that nothing depends
-//! on, but for their differences, go; what is then not mentioned any
-//! more goes. None of it changes what the outputs are. Before all that,
-//! and only where the scene asks for it, springs are taken for rigid.
+//! The order is: parameters that the scene fixes become numbers; states that no output depends on
+//! are removed; positions that only matter by their differences are removed; symbols that are
+//! then unused are removed. None of this changes the outputs. Before all that, and only if the
+//! scene requests it, springs are approximated as rigid.
 //!
-//! Energy and power balance are those of the part that is kept; what is left out
-//! acts on it as an outside force, whose power is among the power supplied.
+//! Energy and power balance are those of the part that is kept. The removed part acts on it as an
+//! external force, whose power counts as supplied.
 
 mod cyclic;
 mod fixed;
@@ -23,29 +22,28 @@ use machinist_algebra::expr::Expr;
 use machinist_model::Reduction;
 use serde::{Deserialize, Serialize};
 
-/// How much of a scene is kept. Each leaves out all that the one before it does.
+/// Extent of a reduced scene. Each level leaves out everything that the preceding one does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize)]
 pub enum Keep {
     /// Everything.
     All,
-    /// Parameters that the scene fixes become numbers.
+    /// Parameters that the scene fixes are numbers.
     Tunable,
-    /// Only what some output depends on.
+    /// Only states that some output depends on.
     Reachable,
-    /// Of positions, only what some output or rate depends on. Exact up to here.
+    /// Only positions that some output or rate depends on. Exact up to here.
     Exact,
-    /// What the scene wants frozen is rigid; the same as [`Keep::Exact`] if it wants
-    /// nothing frozen.
+    /// Units that the scene freezes are rigid; the same as [`Keep::Exact`] if it freezes none.
     #[default]
     Needed,
 }
 
 impl Keep {
-    /// Each, in their order.
+    /// All levels, in order.
     pub const STEPS: [Keep; 5] =
         [Keep::All, Keep::Tunable, Keep::Reachable, Keep::Exact, Keep::Needed];
 
-    /// A word or two for people.
+    /// Returns a name of a word or two.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -58,24 +56,24 @@ impl Keep {
     }
 }
 
-/// What a step of reduction gives.
+/// Result of a reduction step.
 #[derive(Debug, Clone)]
 #[expect(clippy::large_enum_variant, reason = "one at a time, taken apart at once")]
 pub enum Step {
-    /// Equations with less in them.
+    /// Equations with fewer terms.
     Equations(EquationsOfMotion),
-    /// Another system, of which equations are to be derived, and what it left out.
+    /// Another system, whose equations are to be derived, and what it leaves out.
     System(LagrangianSystem, Reduction),
 }
 
 impl Keep {
-    /// One step: what this one leaves out that the one before it does not.
+    /// Takes one step: leaves out what this level adds to the preceding one.
     ///
     /// # Errors
-    /// [`FreezeError`] if the scene wants something frozen that cannot be.
+    /// [`FreezeError`] if the scene freezes a unit that cannot be frozen.
     pub fn step(self, cas: &mut Cas, equations: EquationsOfMotion) -> Result<Step, FreezeError> {
-        // An event may be watched on a position, or set one, that no rate depends on; a
-        // constraint is kept to by positions.
+        // An event may depend on a position, or set one, that no rate depends on; constraints
+        // need positions.
         let is_plain = equations.events.is_empty() && equations.constraints.is_empty();
         match self {
             Keep::Needed => frozen::freeze(cas, equations),
@@ -86,15 +84,14 @@ impl Keep {
         }
     }
 
-    /// The steps to be done up to here, in their order: what is frozen is so before all.
+    /// Iterates over the steps up to this level, in order. Freezing comes first.
     pub fn steps(self) -> impl Iterator<Item = Keep> {
         let order = [Keep::Needed, Keep::Tunable, Keep::Reachable, Keep::Exact];
         order.into_iter().filter(move |step| *step <= self)
     }
 }
 
-/// The equations with only what they mention, once all steps are done. `whole` is the scene
-/// that all began with.
+/// Drops whatever the equations do not contain, after all steps. `whole` is the original scene.
 #[must_use]
 pub fn drop_unused(
     cas: &mut Cas,
@@ -105,7 +102,7 @@ pub fn drop_unused(
 }
 
 impl EquationsOfMotion {
-    /// Every expression that motion, outputs, energies and powers are made of.
+    /// Iterates over all expressions of motion, outputs, energies and powers.
     fn all(&self) -> impl Iterator<Item = &Expr> {
         let events = self.events.iter().flat_map(crate::scene::system::Event::exprs);
         self.dynamics().chain(events).chain(&self.outputs).chain(&self.energy).chain([
@@ -116,7 +113,7 @@ impl EquationsOfMotion {
         ])
     }
 
-    /// h, outputs, energies and powers: what is read as it stands, not solved for.
+    /// Iterates over h, outputs, energies and powers, which are evaluated without solving.
     fn plain_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
         self.rates.iter_mut().chain(&mut self.outputs).chain(&mut self.energy).chain([
             &mut self.dissipation,
@@ -126,7 +123,7 @@ impl EquationsOfMotion {
         ])
     }
 
-    /// M, f, h and the constraints.
+    /// Iterates over M, f, h and the constraints.
     fn dynamics(&self) -> impl Iterator<Item = &Expr> {
         let free = self.mass_matrix.exprs().chain(&self.forcing).chain(&self.rates);
         free.chain(self.constraints.exprs())

@@ -1,4 +1,4 @@
-//! Equations of small machines from their specs: power, constraints, what nothing decides.
+//! Tests of the equations of small machines: power, constraints, undetermined motion.
 
 use std::path::Path;
 
@@ -27,8 +27,8 @@ fn equations(system: LagrangianSystem) -> EquationsOfMotion {
     session("a test", Algebra::Plain, move |cas| lagrange::derive(cas, &system)).expect("a session")
 }
 
-/// A cart in a frame that swings, on a spring, with a brake that fades out; another one is moved along with it
-/// by a constraint that moves. What a state stores is converted by a force, not supplied.
+/// A cart in a swinging frame, on a spring, with a brake that fades out. A moving constraint
+/// couples another cart to it. A force converts the energy stored in a state.
 const CARTS: &str = r#"
 [scene]
 name = "carts"
@@ -76,7 +76,7 @@ fn carts() -> ModelSimulator {
     ModelSimulator::interpreted(model.unwrap_or_else(|errors| panic!("{}", errors.render())))
 }
 
-/// A state on the constraint at a time.
+/// Returns a state on the constraint at a given time.
 fn held(t: f64, x: f64, v: f64) -> [f64; 5] {
     let [y, y_dot] = [x / 2.0 + 0.1 * f64::sin(2.0 * t), v / 2.0 + 0.2 * f64::cos(2.0 * t)];
     [x, y, v, y_dot, 0.3 - v]
@@ -129,7 +129,7 @@ fn an_outline_is_what_all_the_steps_come_to() {
     }
 }
 
-/// Of a force, by its size, and of positions and velocities.
+/// Covers guards on a force, on its magnitude, and on positions and velocities.
 #[test]
 fn rates_of_guards_are_their_differences_along_the_motion() {
     const STEP: f64 = 1e-5;
@@ -204,11 +204,11 @@ fn what_has_neither_inertia_nor_a_constraint_is_told_by_its_coordinates() {
     let regular = equations(crank(0.02, of_rod, LOOP));
     assert!(!regular.is_singular());
     assert_eq!(regular.undecided(), None);
-    // The loop holds a rod without mass.
+    // The loop supports a massless rod.
     let massless = equations(crank(0.02, "", LOOP));
     assert!(massless.is_singular());
     assert_eq!(massless.undecided(), None);
-    // Constraints that repeat each other leave forces undecided, but no motion.
+    // Redundant constraints leave forces undetermined, but no motion.
     let again = format!(
         "{LOOP}[define.s.constraints.again]\nexpression = \"2*x - 2*crank*cos(phi) - 2*rod*cos(psi)\"\n"
     );
@@ -217,11 +217,12 @@ fn what_has_neither_inertia_nor_a_constraint_is_told_by_its_coordinates() {
     assert_eq!(repeated.undecided(), None);
     let open = equations(crank(0.02, of_rod, ""));
     assert!(!open.is_singular());
-    // An inertia that the spec sets to zero is none; the slider's mass decides.
+    // An inertia that the spec sets to zero counts as none; the slider's mass determines the
+    // motion.
     let light = equations(crank(0.0, of_rod, LOOP));
     assert!(light.is_singular());
     assert_eq!(light.undecided(), None);
-    // Without that, nothing decides the one motion that the loop allows.
+    // Without it, nothing determines the one motion that the loop allows.
     let mut system = crank(0.02, of_rod, LOOP);
     system.kinetic = Expr::integer(0);
     let nothing = equations(system);

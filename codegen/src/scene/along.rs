@@ -1,11 +1,11 @@
-//! The rate of an expression along a motion: `der(x)` of a spec.
+//! Rate of an expression along a motion: `der(x)` of a spec.
 //!
 //! ```text
 //! dX/dt = sum of dX/dq q' + dX/dq' q'' + X_t
 //! ```
 //!
-//! Differentiated as the expression stands, function by function and branch by branch, so that
-//! what comes out is no larger than it has to be. [`machinist_algebra::cas`] sees it later.
+//! The expression is differentiated as it stands, function by function and branch by branch, so
+//! the result is no larger than necessary. [`machinist_algebra::cas`] simplifies it later.
 
 use machinist_algebra::expr::{Expr, Function, Symbol};
 use num_rational::BigRational;
@@ -13,20 +13,20 @@ use num_traits::One as _;
 
 use crate::scene::typed::{integer, power, product, reciprocal, select_less, sum};
 
-/// Why an expression has no rate here.
+/// Reason why an expression has no rate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoRate {
-    /// It would have more leaves than are left.
+    /// It would exceed the allowed number of leaves.
     TooLarge,
-    /// Nothing is known of the rate of this symbol.
+    /// The rate of this symbol is unknown.
     Unknown(Symbol),
 }
 
-/// The rate of an expression, and how many leaves it has; `of` gives the rates of symbols that
-/// are neither time nor constant.
+/// Returns the rate of an expression, and its number of leaves. `of` returns the rates of symbols
+/// that are neither time nor constant.
 ///
 /// # Errors
-/// [`NoRate`], before more than `most` leaves are made.
+/// [`NoRate`], before more than `most` leaves are created.
 pub fn rate(
     expr: &Expr,
     most: usize,
@@ -37,10 +37,10 @@ pub fn rate(
     Ok((rate, along.made.max(1)))
 }
 
-/// The slope of an expression with respect to some symbols at fixed time, likewise.
+/// Returns the derivative of an expression by some symbols at fixed time, likewise.
 ///
 /// # Errors
-/// [`NoRate`], before more than `most` leaves are made.
+/// [`NoRate`], before more than `most` leaves are created.
 pub fn slope_by(
     expr: &Expr,
     most: usize,
@@ -53,7 +53,7 @@ pub fn slope_by(
 
 struct Along<'a> {
     of: &'a dyn Fn(Symbol) -> Option<Expr>,
-    /// How fast time goes.
+    /// Rate of time.
     time: i64,
     most: usize,
     made: usize,
@@ -85,7 +85,7 @@ impl Along<'_> {
             }
             Expr::Power(base, exponent) => {
                 let rate = self.rate(base)?;
-                // Exponents of a spec are numbers.
+                // Exponents in specs are numbers.
                 let Expr::Number(exponent) = &**exponent else { return Ok(rate) };
                 if rate.is_zero() {
                     return Ok(rate);
@@ -125,7 +125,7 @@ impl Along<'_> {
         }
     }
 
-    /// A part that stands in the rate as it is.
+    /// Returns a part that occurs in the rate unchanged.
     fn kept(&mut self, expr: &Expr) -> Result<Expr, NoRate> {
         let mut leaves = 0;
         expr.visit(&mut |part| {
@@ -141,7 +141,7 @@ impl Along<'_> {
     }
 }
 
-/// df/dx of a function of one argument.
+/// Returns df/dx of a function of one argument.
 fn slope(function: Function, x: &Expr) -> Expr {
     let of = |function| Expr::Call(function, vec![x.clone()]);
     let square = |of: Expr| power(of, &BigRational::from_integer(2.into()));

@@ -1,4 +1,4 @@
-//! The system of a scene whose coordinates are known.
+//! Assembly of the system of a scene with known coordinates.
 
 mod checks;
 mod constraints;
@@ -31,7 +31,7 @@ use machinist_algebra::expr::rank::motion_without_energy;
 use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
 use machinist_model::{Name, Quantity, RunDefaults};
 
-/// The system; it means nothing if mistakes were found.
+/// Assembles the system, which is meaningless if mistakes were found.
 pub fn assemble(
     spec: &SceneSpec,
     layout: &Layout,
@@ -49,7 +49,7 @@ pub fn assemble(
     let mut assembler =
         Assembler { spec, layout, values, resolver: Resolver::new(spec, layout), run, mistakes };
     assembler.span_of_run();
-    // A ratio that is made of a parameter is no better than that.
+    // A requirement on a ratio made of a parameter is the same as that on the parameter.
     let mut requirements = parameters::check(&mut assembler.resolver, values, assembler.mistakes);
     requirements.extend(layout.required.iter().cloned());
     assembler.inputs();
@@ -110,7 +110,7 @@ pub fn assemble(
     }
 }
 
-/// The scene's own text, or those of its units, one a line.
+/// Returns the scene's own text, or those of its units, one per line.
 fn or_of_units(own: &str, spec: &SceneSpec, of: fn(&UnitSpec) -> &String) -> String {
     if !own.trim().is_empty() {
         return own.trim().to_owned();
@@ -139,7 +139,7 @@ impl<'a> Assembler<'a> {
         instances.map(|(index, instance)| (index, instance, &spec.units[instance.unit]))
     }
 
-    /// The expression, or 0 after noting what is wrong with it.
+    /// Returns the expression, or 0 after recording its mistake.
     fn note(&mut self, resolved: Resolved) -> Expr {
         match resolved {
             Ok(typed) => typed.expr,
@@ -150,7 +150,7 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// Every input is bound by an expression of its unit, and nothing else is bound.
+    /// Checks that every input is bound by an expression of its unit, and nothing else is bound.
     fn inputs(&mut self) {
         for (index, instance, unit) in self.instances() {
             for input in &unit.inputs {
@@ -170,8 +170,8 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// T, V, D, stored energy, supplied and dissipated power: sums over instances and what the
-    /// scene says itself; and V of each instance.
+    /// Sums T, V, D, stored energy, supplied and dissipated power over instances and the scene's
+    /// own terms; also returns V of each instance.
     fn energies(&mut self) -> ([Expr; 6], Vec<Spring>) {
         let mut springs = Vec::new();
         let energy = |what: &str| Wanted { energy: true, ..Wanted::new(Dimension::ENERGY, what) };
@@ -200,7 +200,7 @@ impl<'a> Assembler<'a> {
         (terms.map(sum), springs)
     }
 
-    /// Adds what each text says, if it is there, to the terms of its sum.
+    /// Adds each given text to the terms of its sum.
     fn energy_terms(
         &mut self,
         texts: &[&Option<Ast>],
@@ -265,8 +265,8 @@ impl<'a> Assembler<'a> {
         states
     }
 
-    /// First-order states and modes in the order of their ids, with whose names they are made of
-    /// and what they are of.
+    /// Iterates over first-order states and modes in the order of their ids, with their scope and
+    /// instance.
     fn states(&self) -> impl Iterator<Item = (Scope, Option<&'a str>, &'a StateSpec)> + use<'a> {
         let of_instances = self.instances().flat_map(|(index, instance, unit)| {
             let whose = Some(instance.name.value.as_str());
@@ -293,7 +293,7 @@ impl<'a> Assembler<'a> {
         parameters.collect()
     }
 
-    /// Every coordinate's velocity is somewhere in T, or a constraint holds it.
+    /// Checks that every coordinate's velocity occurs in T, or that a constraint holds it.
     fn inertia(&mut self, kinetic: &Expr, constraints: &[Constraint]) {
         if !self.mistakes.is_empty() {
             return;
@@ -316,9 +316,9 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// No motion of all coordinates is without kinetic energy, whatever the parameters are but
-    /// for those of value zero: accelerations would not follow from forces. Whether constraints decide it is told once
-    /// they are derived.
+    /// Checks that every motion of the coordinates has kinetic energy, for any parameter values
+    /// except zeros; else accelerations would not follow from forces. Whether constraints
+    /// determine such a motion is checked once they are derived.
     fn motions(&mut self, kinetic: &Expr, constraints: &[Constraint]) {
         if !self.mistakes.is_empty() {
             return;
@@ -350,7 +350,7 @@ impl<'a> Assembler<'a> {
         self.mistakes.push(mistake.help(help));
     }
 
-    /// Names of one kind stay apart once flattened.
+    /// Checks that names of one kind stay distinct when flattened.
     fn clashes(&mut self) {
         let [mut states, mut parameters, mut helpers] =
             [Flat::default(), Flat::default(), Flat::default()];
@@ -372,7 +372,8 @@ impl<'a> Assembler<'a> {
             for state in &unit.states {
                 take(&mut states, &name(whose, &state.name.value), span);
             }
-            // Those that follow others are nowhere in the model: `rod.mass` may be `rod_mass`.
+            // Computed parameters are not in the model, so `rod.mass` may coincide with
+            // `rod_mass`.
             let is_number =
                 |at: &usize| self.layout.parameter(Scope::Instance(index), *at).is_some();
             for at in (0..unit.parameters.len()).filter(is_number) {
@@ -404,7 +405,7 @@ fn quantity(instance: Option<&str>, own: &str, unit: &str, doc: &str) -> Quantit
     Quantity { name: name(instance, own), unit: unit.trim().to_owned(), doc }
 }
 
-/// `rad` as `rad/s`.
+/// Changes `rad` to `rad/s`.
 fn per_second(unit: &Declared) -> String {
     format!("{}/s", unit.text.trim())
 }
@@ -425,7 +426,7 @@ fn mark_velocities(expr: &Expr, moving: &mut [bool]) {
     }
 }
 
-/// What is written of energies and powers: kinetic, potential, dissipation, stored; supplied,
+/// Returns the texts of energies and powers: kinetic, potential, dissipation, stored; supplied,
 /// dissipated.
 fn texts_of<'t>(energy: &'t EnergySpec, power: &'t PowerSpec) -> [&'t Option<Ast>; 6] {
     [
@@ -438,7 +439,7 @@ fn texts_of<'t>(energy: &'t EnergySpec, power: &'t PowerSpec) -> [&'t Option<Ast
     ]
 }
 
-/// Whether a constraint that always holds is of a coordinate or its velocity.
+/// Reports whether a constraint that always holds depends on a coordinate or its velocity.
 fn is_held(id: CoordinateId, constraints: &[Constraint]) -> bool {
     let is_its = |symbol| symbol == Symbol::Coordinate(id) || symbol == Symbol::Velocity(id);
     constraints.iter().any(|held| held.when.is_empty() && held.expr.mentions(is_its))

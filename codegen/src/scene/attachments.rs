@@ -1,4 +1,4 @@
-//! Where ports sit on fields, and which ends of fields are held.
+//! Places of ports on fields, and boundary conditions of fields.
 
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Attachment, Layout, Local, Scope};
@@ -11,7 +11,7 @@ use crate::spec::{Boundary, FieldSpec, Formula, InstanceSpec, SceneSpec, did_you
 use machinist_algebra::expr::{Expr, ParameterId};
 use machinist_model::{Bound, Place};
 
-/// Finds the place of every port on a field, and checks what scenes choose for fields.
+/// Finds the place of every port on a field, and checks the scene's settings for fields.
 pub fn locate(
     spec: &SceneSpec,
     layout: &mut Layout,
@@ -103,15 +103,15 @@ pub fn locate(
     layout.attach(spec, found.into_iter().map(|(attachment, _)| attachment).collect());
 }
 
-/// Boundary conditions of a field: the scene's, else the unit's.
+/// Returns the boundary conditions of a field: the scene's, else the unit's.
 pub fn ends(instance: &InstanceSpec, field: &FieldSpec) -> [Boundary; 2] {
     let choice = instance.fields.iter().find(|choice| choice.field.value == field.name.value);
     let chosen = choice.map_or([None, None], |choice| choice.ends);
     [0, 1].map(|end| chosen[end].unwrap_or(field.ends[end]))
 }
 
-/// Every field of every instance is cut into elements, and nothing else is; ports
-/// name fields that there are.
+/// Checks that every field of every instance is divided into elements, and nothing else is, and
+/// that ports name existing fields.
 fn choices(spec: &SceneSpec, mistakes: &mut Vec<Mistake>) {
     for unit in &spec.units {
         let names = || unit.fields.iter().map(|field| field.name.value.as_str());
@@ -147,7 +147,7 @@ fn choices(spec: &SceneSpec, mistakes: &mut Vec<Mistake>) {
     }
 }
 
-/// Length of a field, and its value at those of the spec.
+/// Returns the length of a field, and its value in the spec.
 fn length(
     resolver: &mut Resolver<'_>,
     index: usize,
@@ -185,7 +185,7 @@ fn length(
     Err(Box::new(Mistake::new(span, message, "not a length")))
 }
 
-/// The place of a port, and its value, which lies on the field.
+/// Returns the place of a port and its value, which lies on the field.
 fn place(
     resolver: &mut Resolver<'_>,
     instance: usize,

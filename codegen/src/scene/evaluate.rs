@@ -1,11 +1,11 @@
-//! Value of an expression of parameters at their values in the spec.
+//! Evaluation of an expression of parameters at their values in the spec.
 
 use machinist_algebra::expr::{Expr, Function, ParameterId, Symbol};
 use num_traits::ToPrimitive as _;
 
 use machinist_model::evaluate::call;
 
-/// The value; NaN if the expression depends on anything but parameters.
+/// Evaluates an expression; NaN if it depends on anything but parameters.
 pub fn evaluate(expr: &Expr, parameter: &impl Fn(ParameterId) -> f64) -> f64 {
     let value = |expr: &Expr| evaluate(expr, parameter);
     match expr {

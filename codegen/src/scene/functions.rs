@@ -1,4 +1,5 @@
-//! Calls: arguments checked, switches written with `select_less`, tables looked up.
+//! Function calls: arguments are checked, switches are written with `select_less`, tables are
+//! looked up.
 
 use crate::scene::along::{self, NoRate};
 use crate::scene::layout::Scope;
@@ -13,7 +14,7 @@ use machinist_algebra::expr::{Expr, Function, Symbol};
 use machinist_model::evaluate::call;
 use machinist_model::{Name, Table, TableId};
 
-/// Functions of one pure number.
+/// Functions of one dimensionless number.
 const PURE: &[(&str, Function)] = &[
     ("sin", Function::Sin),
     ("cos", Function::Cos),
@@ -27,7 +28,7 @@ const PURE: &[(&str, Function)] = &[
     ("exp", Function::Exp),
     ("ln", Function::Ln),
 ];
-/// The rest, with what they take.
+/// All other functions, with their arguments.
 const OTHERS: &[(&str, &str)] = &[
     ("sqrt", "sqrt(x)"),
     ("cbrt", "cbrt(x)"),
@@ -105,7 +106,7 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
-    /// An argument without dimension.
+    /// Resolves a dimensionless argument.
     fn number(&mut self, x: &Ast, scope: Scope, allowed: Uses) -> Resolved {
         let typed = self.resolve(x, scope, allowed)?;
         match typed.dimension {
@@ -121,7 +122,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// x - y floor(x/y).
+    /// Resolves x - y floor(x/y).
     fn remainder(
         &mut self,
         of: &Ast,
@@ -168,7 +169,7 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
-    /// The root of negative numbers too: -(-x)^(1/3) below zero.
+    /// Resolves a cube root, also of negative numbers: -(-x)^(1/3) below zero.
     fn cube_root(&mut self, of: &Ast, span: Span, scope: Scope, allowed: Uses) -> Resolved {
         let x = self.resolve(of, scope, allowed)?;
         self.spend(x.terms.saturating_mul(2), span)?;
@@ -191,14 +192,14 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
-    /// The angle of (x, y), from -pi to pi. With r its distance,
+    /// Resolves the angle of (x, y), from -pi to pi. With r its distance from the origin, it is
     ///
     /// ```text
     /// 2 atan(y/(r + x))               where x >= 0
     /// +-pi - 2 atan(y/(r - x))        where x < 0, by the sign of y
     /// ```
     ///
-    /// so that nothing cancels, and nothing is singular but the origin.
+    /// so that nothing cancels, and only the origin is singular.
     fn angle(&mut self, y: &Ast, x: &Ast, scope: Scope, allowed: Uses) -> Resolved {
         let span = y.span.to(x.span);
         let (y, x) = (self.resolve(y, scope, allowed)?, self.resolve(x, scope, allowed)?);
@@ -230,7 +231,7 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
-    /// min(a, b) = a where a < b, else b; max likewise.
+    /// Resolves min(a, b) = a where a < b, else b; max likewise.
     fn extremum(&mut self, min: bool, a: &Ast, b: &Ast, scope: Scope, allowed: Uses) -> Resolved {
         let (x, y) = (self.resolve(a, scope, allowed)?, self.resolve(b, scope, allowed)?);
         Self::agree(b.span, &x, &y)?;
@@ -267,7 +268,7 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
-    /// 0 below 0, 1 above 1, between them x^3 (10 - 15 x + 6 x^2).
+    /// Resolves 0 below 0, 1 above 1, between them x^3 (10 - 15 x + 6 x^2).
     fn smooth_step(&mut self, x: &Ast, span: Span, scope: Scope, allowed: Uses) -> Resolved {
         let x = self.number(x, scope, allowed)?;
         self.spend(x.terms.saturating_mul(4).saturating_add(9), span)?;
@@ -349,7 +350,7 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
-    /// A value of the same dimension as those before it.
+    /// Resolves a value of the same dimension as those before it.
     fn piece(&mut self, ast: &Ast, before: &[Typed], scope: Scope, allowed: Uses) -> Resolved {
         let value = self.resolve(ast, scope, allowed)?;
         if let Some(known) = before.iter().find(|part| part.dimension.is_some()) {
@@ -358,9 +359,9 @@ impl Resolver<'_> {
         Ok(value)
     }
 
-    /// `t < at` with `at` of parameters only, where the solver has to stop;
-    /// `mode < number`, of whole numbers, which is asked as `mode < number - 1/2`; or two
-    /// values of one dimension, whose difference is watched along the motion.
+    /// Resolves a condition. It is `t < at` with `at` of parameters only, where the solver stops;
+    /// or `mode < number` for whole numbers, evaluated as `mode < number - 1/2`; or a comparison
+    /// of values of one dimension, whose difference becomes a guard.
     fn condition(
         &mut self,
         t: &Ast,
@@ -390,7 +391,7 @@ impl Resolver<'_> {
         Ok((time, at_time))
     }
 
-    /// Whether an expression is a mode.
+    /// Reports whether an expression is a mode.
     fn is_mode(&self, expr: &Expr) -> bool {
         let Expr::Symbol(Symbol::FirstOrder(id)) = expr else { return false };
         let spec = self.spec;
@@ -421,13 +422,13 @@ impl Resolver<'_> {
         Ok((mode, between))
     }
 
-    /// dx/dt along the motion.
+    /// Resolves dx/dt along the motion.
     fn rate(&mut self, of: &Ast, span: Span, scope: Scope, allowed: Uses) -> Resolved {
         if !allowed.velocity {
             let message = "a rate is a velocity, which is not allowed here";
             return Err(Box::new(Mistake::new(span, message, "not allowed here")));
         }
-        // What is allowed here must be left once a rate is taken.
+        // The rate must use only what is allowed here.
         let velocity = allowed.acceleration;
         let within = Uses { velocity, acceleration: false, reaction: false, ..allowed };
         let x = self.resolve(of, scope, within)?;
@@ -509,7 +510,7 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
-    /// Warns of a spline that nobody asked for by name and that leaves its data.
+    /// Warns of a spline that was not requested by name and that overshoots its data.
     fn warn_of_overshoot(&mut self, file: &Ast, column: &Ast) {
         let (Node::Text(path), Node::Text(name)) = (&file.node, &column.node) else { return };
         let spec = self.spec;
@@ -543,7 +544,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// The table of a column, made at its first use.
+    /// Returns the table of a column, created at its first use.
     fn table_id(
         &mut self,
         (index, column, course): (usize, usize, Course),
@@ -580,12 +581,12 @@ impl Resolver<'_> {
     }
 }
 
-/// Of the dimension and angles of `x`, made of `parts`.
+/// Returns an expression with the dimension and angles of `x`, made of `parts`.
 fn like(x: &Typed, parts: &[&Typed]) -> Typed {
     Typed { dimension: x.dimension, angular: x.angular, ..Typed::over(parts) }
 }
 
-/// How a table goes between its knots.
+/// Returns the kind of curve between the knots of a table.
 fn course_of(ast: &Ast) -> Result<Course, Box<Mistake>> {
     let known =
         [("natural", Course::Natural), ("linear", Course::Linear), ("monotone", Course::Monotone)];

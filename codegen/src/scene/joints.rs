@@ -1,4 +1,4 @@
-//! Joints: which coordinates of instances are one coordinate of the scene.
+//! Joints: identification of coordinates of instances with coordinates of the scene.
 
 use std::collections::VecDeque;
 
@@ -17,15 +17,14 @@ use machinist_model::Bound;
 struct Edge {
     slots: [usize; 2],
     ratio: Option<Expr>,
-    /// Requirements on the ratios it is made of.
+    /// Requirements on its ratios.
     required: Vec<Required>,
 }
 
-/// Identifies joined coordinates. Of a joined set, a place on a field, else the
-/// coordinate of the earliest instance with a kinetic energy of its own stands for all (a rotor's angle rather
-/// than that of the coupling's end on it), else the earliest; since joints may close
-/// no loop, the others follow it by the product of ratios along the only path there
-/// is.
+/// Identifies joined coordinates. One coordinate represents each joined set: a place on a field,
+/// else that of the earliest instance with a kinetic energy of its own (a rotor's angle rather
+/// than that of the coupling's end on it), else the earliest. Joints may close no loop, so the
+/// others follow it by the product of ratios along a unique path.
 pub fn identify(
     spec: &SceneSpec,
     layout: &mut Layout,
@@ -53,8 +52,8 @@ pub fn identify(
     refuse_idle(spec, layout, mistakes);
 }
 
-/// What lies between coordinates does nothing where joints make all of them one: a spring whose
-/// ends are joined to each other, whichever way around.
+/// Rejects parts that do nothing because joints make all of their coordinates one, such as a
+/// spring whose ends are joined to each other.
 fn refuse_idle(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) {
     for (index, instance) in spec.instances.iter().enumerate() {
         let unit = &spec.units[instance.unit];
@@ -85,8 +84,7 @@ fn refuse_idle(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) {
     }
 }
 
-/// The slot that each joined set is walked from, in the order of the sets' earliest
-/// slots.
+/// Returns the starting slot of each joined set, in the order of the sets' earliest slots.
 fn starts(spec: &SceneSpec, layout: &Layout, roots: &mut [usize]) -> Vec<usize> {
     let has_inertia = |slot: usize| {
         let (instance, _) = layout.coordinate(slot);
@@ -155,7 +153,7 @@ fn edge(
         require(ratio.as_ref(), port.ratio.as_ref(), format!("port {}", quoted(&name.value)))?;
         Ok::<_, Box<Mistake>>(ratio)
     });
-    // p q = ratio p' q', with p and p' of the two ports.
+    // p q = ratio p' q', where p and p' are the ratios of the two ports.
     let factors: Vec<Expr> =
         of_joint.into_iter().chain(others?).chain(own?.map(reciprocal)).collect();
     let ratio = product(factors);
@@ -163,7 +161,7 @@ fn edge(
     Ok(Edge { slots: [slot, other_slot], ratio, required })
 }
 
-/// What is joined to a fixed coordinate is fixed with it.
+/// Fixes the coordinates that are joined to a fixed one.
 fn hold(spec: &SceneSpec, layout: &mut Layout, roots: &mut [usize], mistakes: &mut Vec<Mistake>) {
     let slots = 0..layout.links.len();
     let fixed: Vec<usize> = slots.clone().filter(|slot| layout.is_held(*slot)).collect();
@@ -228,7 +226,7 @@ fn root(roots: &mut [usize], mut slot: usize) -> usize {
     slot
 }
 
-/// Walks each joined set from the coordinate that stands for it.
+/// Follows each joined set from its representative coordinate.
 fn follow(layout: &mut Layout, edges: &[Edge], starts: &[usize]) {
     let count = layout.links.len();
     let mut near: Vec<Vec<usize>> = vec![Vec::new(); count];
@@ -260,7 +258,7 @@ fn follow(layout: &mut Layout, edges: &[Edge], starts: &[usize]) {
             }
         }
     }
-    // What is fixed follows anything by nothing.
+    // A fixed coordinate follows any other with factor 0.
     let fixed = || Link { id: CoordinateId(0), factor: Some(integer(0)) };
     layout.links = links.into_iter().map(|link| link.unwrap_or_else(fixed)).collect();
 }

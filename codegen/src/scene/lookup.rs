@@ -1,4 +1,4 @@
-//! Names within expressions: symbols, helpers put in, inputs bound.
+//! Resolution of names in expressions: symbols, helpers, inputs.
 
 use std::rc::Rc;
 
@@ -30,9 +30,9 @@ pub(super) enum Definition {
     Input(usize, usize),
     Output(usize, usize),
     Constraint(Scope, usize),
-    /// Its force.
+    /// The force of dry friction.
     Friction(Scope, usize),
-    /// A parameter that is given by others.
+    /// A parameter that is computed from others.
     Parameter(Scope, usize),
 }
 
@@ -96,7 +96,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// x and what the field is there, within its densities.
+    /// Resolves x and the quantities of the field, within its densities.
     fn of_field(&mut self, name: &str, span: Span, scope: Scope) -> Option<Resolved> {
         let position = Uses { position: true, ..Uses::default() };
         let metre = Unit { dimension: Dimension::LENGTH, rad: 0 };
@@ -129,7 +129,7 @@ impl Resolver<'_> {
         })
     }
 
-    /// A name that is not the field's; within a density it must not move.
+    /// Resolves a name that is not the field's. Within a density it must not move.
     fn outside_of_field(&mut self, name: &str, span: Span, scope: Scope) -> Resolved {
         let typed = self.local(name, span, scope.base())?;
         if scope != scope.base() && typed.uses.moves() {
@@ -190,8 +190,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// The force of a constraint: energy over what it constrains, or power over that
-    /// if it is of velocities.
+    /// Resolves the force of a constraint. Its dimension is energy over the constrained
+    /// expression, or power over it for a constraint on velocities.
     fn multiplier(&mut self, scope: Scope, index: usize, span: Span) -> Resolved {
         let constraint = self.definition(Definition::Constraint(scope, index), span)?;
         let work = if constraint.uses.velocity { Dimension::POWER } else { Dimension::ENERGY };
@@ -202,7 +202,7 @@ impl Resolver<'_> {
         self.leaf(Symbol::Multiplier(self.layout.constraint(scope, index)), unit, uses, span)
     }
 
-    /// A coordinate or its rates.
+    /// Resolves a coordinate or its rates.
     fn motion(&mut self, instance: usize, local: Local, span: Span) -> Resolved {
         let unit = &self.spec.units[self.spec.instances[instance].unit];
         let none = Uses::default();
@@ -237,7 +237,7 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
-    /// The derivative along a field on one side of a port.
+    /// Resolves the derivative along a field on one side of a port.
     fn slope(&mut self, instance: usize, port: usize, side: Side, span: Span) -> Resolved {
         let unit = &self.spec.units[self.spec.instances[instance].unit];
         let at = self.layout.attachment_of(instance, port);
@@ -259,7 +259,7 @@ impl Resolver<'_> {
         let slope = Unit { dimension, rad: declared.rad };
         let which = if side == Side::Before { 2 } else { 3 };
         let symbol = Symbol::Handed(Layout::handed(index, which));
-        // As an acceleration it is there once the motion is known: in outputs only.
+        // It is known after the motion, like an acceleration: in outputs only.
         let uses = Uses { acceleration: true, ..Uses::default() };
         self.leaf(symbol, slope, uses, span)
     }
@@ -270,7 +270,7 @@ impl Resolver<'_> {
         Ok(Typed::leaf(Expr::Symbol(symbol), unit.dimension, angular, uses))
     }
 
-    /// A helper, input or output, resolved once and copied from then on.
+    /// Resolves a helper, input or output, once; later uses copy it.
     fn definition(&mut self, definition: Definition, span: Span) -> Resolved {
         let done = match self.definitions.get(&definition) {
             Some(State::Done(done)) => Rc::clone(done),
@@ -372,8 +372,8 @@ impl Resolver<'_> {
         Ok(declared(typed, &definition.unit))
     }
 
-    /// As [`Resolver::expect`], but counting levels from where it is used, so that
-    /// a chain of definitions cannot exhaust the stack.
+    /// Resolves like [`Resolver::expect`], but counts levels from the place of use, so that a
+    /// chain of definitions cannot exhaust the stack.
     pub(super) fn nested(&mut self, ast: &Ast, scope: Scope, wanted: &Wanted) -> Resolved {
         self.level += 1;
         let typed = match &ast.node {
@@ -387,7 +387,7 @@ impl Resolver<'_> {
     }
 }
 
-/// An input that the scene does not bind.
+/// Returns the mistake of an input that the scene does not bind.
 fn unbound(input: &InputSpec, instance: &InstanceSpec) -> Mistake {
     let (name, of) = (quoted(&input.name.value), quoted(&instance.name.value));
     let help = format!(
@@ -398,14 +398,14 @@ fn unbound(input: &InputSpec, instance: &InstanceSpec) -> Mistake {
     Mistake::new(instance.name.span, message, "lacks an input").help(help)
 }
 
-/// A named expression is what it is declared to be.
+/// Gives a named expression its declared unit.
 fn declared(mut typed: Typed, unit: &Declared) -> Typed {
     typed.dimension = Some(unit.unit.dimension);
     typed.angular = Angular::of(unit.unit, typed.uses.moves());
     typed
 }
 
-/// Leaves of an expression.
+/// Counts the leaves of an expression.
 fn leaves(expr: &Expr) -> usize {
     match expr {
         Expr::Number(_) | Expr::Symbol(_) => 1,

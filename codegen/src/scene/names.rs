@@ -4,7 +4,7 @@ use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::quoted;
 use machinist_model::Name;
 
-/// Greek letters by name, with their LaTeX; capitals that look Latin have none.
+/// Greek letters by name, with their LaTeX. Capitals that look Latin have none.
 const GREEK: &[(&str, &str)] = &[
     ("alpha", r"\alpha"),
     ("beta", r"\beta"),
@@ -38,7 +38,7 @@ const GREEK: &[(&str, &str)] = &[
     ("Omega", r"\Omega"),
 ];
 
-/// The name of `own` in `instance`, or of the scene's own.
+/// Returns the name of `own` in `instance`, or in the scene.
 pub fn name(instance: Option<&str>, own: &str) -> Name {
     let (path, ident) = match instance {
         Some(instance) => {
@@ -49,7 +49,7 @@ pub fn name(instance: Option<&str>, own: &str) -> Name {
     Name { path, ident, latex: latex(instance, own) }
 }
 
-/// `phi_2_dot` of `motor` as `\dot{\varphi}_{2,\mathrm{motor}}`.
+/// Writes `phi_2_dot` of `motor` as `\dot{\varphi}_{2,\mathrm{motor}}`.
 fn latex(instance: Option<&str>, own: &str) -> String {
     let (stem, accent) = match (own.strip_suffix("_ddot"), own.strip_suffix("_dot")) {
         (Some(stem), _) if !stem.is_empty() => (stem, Some(r"\ddot")),
@@ -66,7 +66,7 @@ fn latex(instance: Option<&str>, own: &str) -> String {
     if below.is_empty() { head } else { format!("{head}_{{{}}}", below.join(",")) }
 }
 
-/// `phi2` as `phi` and `2`; a name of digits alone stays whole.
+/// Splits `phi2` into `phi` and `2`. A name of digits alone is not split.
 fn without_digits(word: &str) -> (&str, &str) {
     let stem = word.trim_end_matches(|c: char| c.is_ascii_digit());
     if stem.is_empty() { (word, "") } else { (stem, &word[stem.len()..]) }
@@ -93,14 +93,14 @@ fn upright(word: &str) -> String {
     format!(r"\mathrm{{{}}}", word.replace('_', r"\_"))
 }
 
-/// Names of one kind, which must not fall together once flattened.
+/// Names of one kind, which must stay distinct when flattened.
 #[derive(Debug, Default)]
 pub struct Flat {
     taken: std::collections::HashMap<String, String>,
 }
 
 impl Flat {
-    /// Takes a name.
+    /// Adds a name.
     ///
     /// # Errors
     /// If another one has the same identifier.

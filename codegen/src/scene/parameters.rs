@@ -1,8 +1,8 @@
-//! What parameters are: numbers that runs may change, or expressions of such.
+//! Parameters: numbers that runs may change, or expressions of parameters.
 //!
-//! A number in other units (`"18 [kN m/rad]"`) is a number. A parameter that is given by an
-//! expression (`inertia = "mass*radius^2/2"`, or that of an instance by the scene) is put in wherever it is read, as a helper is, and is none of the
-//! model's parameters.
+//! A number in other units (`"18 [kN m/rad]"`) is a number. A parameter given by an expression
+//! (`inertia = "mass*radius^2/2"`, or that of an instance by the scene) is substituted wherever
+//! it is used, like a helper, and is not a parameter of the model.
 
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Layout, Local, Scope, find_inside};
@@ -16,15 +16,15 @@ use crate::spec::{ParameterSpec, SceneSpec, Value, did_you_mean, quoted};
 use machinist_algebra::expr::{Expr, ParameterId};
 use machinist_model::Bound;
 
-/// What a parameter is worth.
+/// The value of a parameter.
 pub enum Given<'a> {
     /// A number in SI units.
     Number(f64),
-    /// An expression, in whose names.
+    /// An expression, and its scope.
     Expression(&'a Ast, Scope),
 }
 
-/// The parameter of a scope with this index.
+/// Returns the parameter of a scope with this index.
 pub fn declared(spec: &SceneSpec, scope: Scope, index: usize) -> &ParameterSpec {
     match scope.base() {
         Scope::Instance(instance) => &spec.units[spec.instances[instance].unit].parameters[index],
@@ -32,7 +32,7 @@ pub fn declared(spec: &SceneSpec, scope: Scope, index: usize) -> &ParameterSpec 
     }
 }
 
-/// What is said of it: by the instance, else by its unit.
+/// Returns its value: from the instance, else from its unit.
 pub fn given(spec: &SceneSpec, scope: Scope, index: usize) -> Given<'_> {
     let parameter = declared(spec, scope, index);
     let other = match scope.base() {
@@ -48,7 +48,7 @@ pub fn given(spec: &SceneSpec, scope: Scope, index: usize) -> Given<'_> {
         (None, Value::Expression(ast)) => (ast, scope.base()),
     };
     match quantity(ast) {
-        // One of another dimension is refused as any expression is.
+        // A different dimension is rejected as in any expression.
         Some((number, unit)) if unit.dimension == parameter.unit.unit.dimension => {
             Given::Number(number)
         }
@@ -56,7 +56,7 @@ pub fn given(spec: &SceneSpec, scope: Scope, index: usize) -> Given<'_> {
     }
 }
 
-/// A number with a unit, its sign before it, in SI.
+/// Returns a number with a unit and a sign, in SI units.
 fn quantity(ast: &Ast) -> Option<(f64, Unit)> {
     match &ast.node {
         Node::Number(number, Some(unit)) => {
@@ -68,8 +68,8 @@ fn quantity(ast: &Ast) -> Option<(f64, Unit)> {
     }
 }
 
-/// Another value of an instance's parameter than its unit's, and whose names it is made of: what
-/// the scene says goes before what assemblies say of their parts.
+/// Returns the value that replaces the unit's for an instance's parameter, and its scope. The
+/// scene takes precedence over assemblies.
 fn other<'a>(spec: &'a SceneSpec, instance: usize, name: &str) -> Option<(&'a Value, Scope)> {
     let one = &spec.instances[instance];
     let from_outside = one.parent.and_then(|parent| {
@@ -82,7 +82,8 @@ fn other<'a>(spec: &'a SceneSpec, instance: usize, name: &str) -> Option<(&'a Va
     })
 }
 
-/// The instance and name of a parameter that an instance gives, its own or of what is inside it.
+/// Returns the instance and name of a parameter that an instance sets, its own or that of an
+/// inner instance.
 fn given_by<'p>(
     spec: &SceneSpec,
     instance: usize,
@@ -94,7 +95,7 @@ fn given_by<'p>(
     }
 }
 
-/// Every parameter of the scene, then those of its instances.
+/// Iterates over the parameters of the scene, then over those of its instances.
 fn all(spec: &SceneSpec) -> impl Iterator<Item = (Scope, usize)> {
     let own = (0..spec.parameters.len()).map(|index| (Scope::Scene, index));
     let of_instances = spec.instances.iter().enumerate().flat_map(|(instance, one)| {
@@ -104,7 +105,7 @@ fn all(spec: &SceneSpec) -> impl Iterator<Item = (Scope, usize)> {
     own.chain(of_instances)
 }
 
-/// Those that are numbers, each with its value, in the order of their ids.
+/// Iterates over the parameters that are numbers, with their values, in the order of their ids.
 pub fn numbers(spec: &SceneSpec) -> impl Iterator<Item = (Scope, usize, f64)> {
     all(spec).filter_map(|(scope, index)| match given(spec, scope, index) {
         Given::Number(number) => Some((scope, index, number)),
@@ -112,8 +113,8 @@ pub fn numbers(spec: &SceneSpec) -> impl Iterator<Item = (Scope, usize, f64)> {
     })
 }
 
-/// Values of the parameters that are numbers, once the scene names only those that its units
-/// have.
+/// Returns the values of the parameters that are numbers, and checks that the scene names only
+/// parameters of its units.
 pub fn values(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) -> Vec<f64> {
     for (index, instance) in spec.instances.iter().enumerate() {
         for (path, _) in &instance.parameters {
@@ -139,8 +140,8 @@ pub fn values(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) ->
     numbers(spec).map(|(.., value)| value).collect()
 }
 
-/// Resolves every parameter that is an expression: each is of parameters, of its declared
-/// dimension, and finite at the values of the spec.
+/// Resolves every parameter that is an expression. Each depends on parameters only, has its
+/// declared dimension, and is finite at the values of the spec.
 pub fn check(
     resolver: &mut Resolver<'_>,
     values: &[f64],
@@ -169,7 +170,7 @@ pub fn check(
     required
 }
 
-/// The name of a parameter with that of its instance.
+/// Returns the name of a parameter with that of its instance.
 fn path(spec: &SceneSpec, scope: Scope, name: &str) -> String {
     match scope {
         Scope::Instance(instance) => format!("{}.{name}", spec.instances[instance].name.value),
@@ -178,7 +179,7 @@ fn path(spec: &SceneSpec, scope: Scope, name: &str) -> String {
 }
 
 impl Resolver<'_> {
-    /// A parameter that is an expression, of its declared dimension.
+    /// Resolves a parameter that is an expression, of its declared dimension.
     pub(super) fn given(
         &mut self,
         scope: Scope,

@@ -9,7 +9,8 @@ use crate::spec::dimension::Dimension;
 use crate::spec::{Formula, PortKind, PortSpec, SceneSpec};
 use machinist_algebra::expr::{Expr, ParameterId};
 
-/// What a port moves by: that of its kind, or of its coordinate if it has no ratio.
+/// Returns the dimension of a port's displacement: that of its kind, or of its coordinate if it
+/// has no ratio.
 pub fn dimension_of(spec: &SceneSpec, layout: &Layout, port: &PortSpec, slot: usize) -> Dimension {
     let own = coordinate_spec(spec, layout, slot).unit.unit.dimension;
     match port.kind.value {
@@ -20,10 +21,10 @@ pub fn dimension_of(spec: &SceneSpec, layout: &Layout, port: &PortSpec, slot: us
     }
 }
 
-/// By how much a port moves for one of its coordinate; `None` for 1.
+/// Returns the displacement of a port per displacement of its coordinate; `None` for 1.
 ///
 /// # Errors
-/// If it is of the wrong dimension, or depends on anything but parameters.
+/// If it has the wrong dimension, or depends on anything but parameters.
 pub fn ratio_of(
     resolver: &mut Resolver<'_>,
     port: &PortSpec,
@@ -40,10 +41,10 @@ pub fn ratio_of(
     Ok((ratio != integer(1)).then_some(ratio))
 }
 
-/// Refuses ratios that are 0 or not finite at the values of the spec.
+/// Rejects ratios that are 0 or not finite at the values of the spec.
 ///
 /// # Errors
-/// With the value.
+/// A mistake with the value.
 pub fn require_ratio(
     ratio: Option<&Expr>,
     formula: Option<&Formula>,

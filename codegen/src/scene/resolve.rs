@@ -1,5 +1,5 @@
-//! Expressions of the spec to expressions of the scene: names become symbols,
-//! helpers are put in, dimensions are checked term by term.
+//! Translation of expressions of the spec to expressions of the scene: names become symbols,
+//! helpers are substituted, dimensions are checked term by term.
 
 use std::collections::HashMap;
 
@@ -19,42 +19,43 @@ use crate::spec::expression::{Ast, MAX_NESTING, Node};
 use crate::spec::{Formula, SceneSpec};
 use machinist_model::Table;
 
-/// Leaves an expression may have once helpers are put in.
+/// Maximum number of leaves of an expression with helpers substituted.
 pub(super) const MAX_TERMS: usize = 100_000;
-/// Leaves all expressions of a scene may have together.
+/// Maximum number of leaves of all expressions of a scene.
 const MAX_SCENE_TERMS: usize = 1_000_000;
-/// Levels of a tree: each nesting of the text makes at most a sum, a product and
-/// what is nested.
+/// Maximum depth of a tree: each nesting of the text makes at most a sum, a product and the
+/// nested part.
 const MAX_LEVELS: usize = 3 * MAX_NESTING + 2;
-/// Bits that exact numbers could grow to.
+/// Maximum number of bits of exact numbers.
 const MAX_BITS: u64 = 1 << 18;
-/// Likewise by powers, some twenty thousand digits: sums of as many such numbers as the power has are
-/// handed to Symbolica and back as text, in time that grows as the square of their digits.
+/// Maximum number of bits of powers, some twenty thousand digits. Symbolica receives and returns
+/// as text the sums of as many such numbers as the power has, in time that grows as the square of
+/// their digits.
 const MAX_BITS_OF_POWERS: u64 = 70_000;
-/// Leaves that a second derivative may have, written out: equations of motion are made of
-/// second derivatives of energies, and their Jacobians of those of forces.
+/// Maximum number of leaves of a second derivative, written out. Equations of motion contain
+/// second derivatives of energies, and their Jacobians those of forces.
 const MAX_DERIVATIVE: f64 = 200_000.0;
 
 pub(super) type Resolved = Result<Typed, Box<Mistake>>;
 
-/// What an expression is for.
+/// Requirements on an expression.
 #[derive(Debug, Clone)]
 pub struct Wanted {
     pub dimension: Dimension,
     /// `the potential energy`.
     pub what: String,
     pub allowed: Uses,
-    /// Terms that are torques by their angles are refused.
+    /// True for an energy: terms that are torques according to their angles are rejected.
     pub energy: bool,
 }
 
 impl Wanted {
-    /// An expression of a dimension that may depend on anything but accelerations.
+    /// Requires a dimension, and allows everything except accelerations.
     pub fn new(dimension: Dimension, what: impl Into<String>) -> Self {
         Wanted { dimension, what: what.into(), allowed: Uses::MOTION, energy: false }
     }
 
-    /// The same with other things allowed.
+    /// Sets what is allowed.
     pub fn of(self, allowed: Uses) -> Self {
         Wanted { allowed, ..self }
     }
@@ -65,10 +66,10 @@ pub struct Resolver<'a> {
     pub(super) spec: &'a SceneSpec,
     pub(super) layout: &'a Layout,
     pub(super) definitions: HashMap<Definition, State>,
-    /// Tables in use, with the CSV file and column they are from, and how they go.
+    /// Tables in use, with their CSV file, column and kind of curve.
     pub(super) tables: Vec<Table>,
     pub(super) table_columns: Vec<(usize, usize, Course)>,
-    /// Times of jumps, each once.
+    /// Times of discontinuities, each once.
     pub(super) discontinuities: Vec<Expr>,
     /// Warnings, each once.
     pub(super) warnings: Vec<Mistake>,
@@ -78,7 +79,7 @@ pub struct Resolver<'a> {
 }
 
 impl<'a> Resolver<'a> {
-    /// A resolver that has seen nothing yet.
+    /// Returns a resolver without results.
     pub fn new(spec: &'a SceneSpec, layout: &'a Layout) -> Self {
         Resolver {
             spec,
@@ -94,17 +95,17 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Resolves an expression for what it is for.
+    /// Resolves an expression according to its requirements.
     ///
     /// # Errors
-    /// At the term that has another dimension, depends on what is not allowed, or
-    /// uses an unknown name.
+    /// At the term that has another dimension, depends on something not allowed, or uses an
+    /// unknown name.
     pub fn expect(&mut self, ast: &Ast, scope: Scope, wanted: &Wanted) -> Resolved {
         (self.level, self.spent) = (0, 0);
         self.nested(ast, scope, wanted).and_then(|typed| derivable(typed, ast.span))
     }
 
-    /// The value of a name.
+    /// Resolves a name.
     ///
     /// # Errors
     /// If its definition is wrong.
@@ -113,7 +114,7 @@ impl<'a> Resolver<'a> {
         self.local(name, span, scope)
     }
 
-    /// Resolves an output, which may be of any dimension and of accelerations.
+    /// Resolves an output, which may have any dimension and depend on accelerations.
     ///
     /// # Errors
     /// As [`Resolver::expect`].
@@ -131,7 +132,7 @@ impl<'a> Resolver<'a> {
         self.resolve(ast, scope, Uses::MOTION).and_then(|typed| derivable(typed, ast.span))
     }
 
-    /// Resolves an expression of any dimension, in which forces of constraints may stand too.
+    /// Resolves an expression of any dimension that may contain constraint forces.
     ///
     /// # Errors
     /// As [`Resolver::expect`].
@@ -140,7 +141,7 @@ impl<'a> Resolver<'a> {
         self.resolve(ast, scope, Uses::GUARD).and_then(|typed| derivable(typed, ast.span))
     }
 
-    /// Resolves a formula; a bare number is in the unit of what it is for.
+    /// Resolves a formula. A bare number is in the required unit.
     ///
     /// # Errors
     /// As [`Resolver::expect`].
@@ -229,7 +230,7 @@ impl<'a> Resolver<'a> {
         for part in &parts {
             typed.angular = typed.angular.times(part.angular);
             let product = typed.dimension.zip(part.dimension).map(|(a, b)| a.times(b));
-            // Zero times anything is a zero of any dimension.
+            // Zero times anything is zero, of any dimension.
             typed.dimension = product.map(|d| d.ok_or_else(|| beyond_reason(span))).transpose()?;
         }
         typed.value = parts.iter().map(|part| part.value).product();
@@ -278,7 +279,7 @@ impl<'a> Resolver<'a> {
         typed.terms += 1;
         self.spend(1, span)?;
         if number.is_zero() {
-            // Of anything, also of what is zero.
+            // The power 0 of anything, also of zero, is 1.
             typed.value = Some(1.0);
             typed.expr = integer(1);
             return Ok(typed);
@@ -295,7 +296,7 @@ impl<'a> Resolver<'a> {
         Err(Box::new(Mistake::new(span, message, "too deep here")))
     }
 
-    /// Counts leaves before they are made.
+    /// Counts leaves before they are created.
     pub(super) fn spend(&mut self, terms: usize, span: Span) -> Result<(), Box<Mistake>> {
         self.spent = self.spent.saturating_add(terms);
         self.spent_in_all = self.spent_in_all.saturating_add(terms);
@@ -327,7 +328,7 @@ fn reciprocal(part: Typed) -> Typed {
     }
 }
 
-/// A number made of numbers, for exponents.
+/// Returns a number computed from numbers, for exponents.
 fn constant(ast: &Ast) -> Option<BigRational> {
     let number = match &ast.node {
         Node::Number(number, None) => number.0.clone(),
@@ -359,12 +360,12 @@ fn constant(ast: &Ast) -> Option<BigRational> {
     short(&number).map(|()| number)
 }
 
-/// Numbers for exponents are short.
+/// Rejects long numbers as exponents.
 fn short(number: &BigRational) -> Option<()> {
     (typed::bits(&number.abs()) <= 4096).then_some(())
 }
 
-/// Refuses a term of another dimension than wanted.
+/// Rejects a term of another dimension than required.
 pub(super) fn fits(span: Span, part: &Typed, wanted: &Wanted) -> Result<(), Box<Mistake>> {
     let what = &wanted.what;
     if let Some(dimension) = part.dimension
@@ -385,7 +386,7 @@ pub(super) fn fits(span: Span, part: &Typed, wanted: &Wanted) -> Result<(), Box<
     Ok(())
 }
 
-/// Refuses a term of another dimension than those before it.
+/// Rejects a term of another dimension than those before it.
 fn same(span: Span, part: &Typed, before: &[Typed]) -> Result<(), Box<Mistake>> {
     let first = before.iter().find_map(|part| part.dimension);
     match first.zip(part.dimension) {
@@ -397,7 +398,7 @@ fn same(span: Span, part: &Typed, before: &[Typed]) -> Result<(), Box<Mistake>> 
     }
 }
 
-/// Refuses what is zero whatever its symbols are, `p - p` as well as 0.
+/// Rejects an expression that is zero for all values of its symbols, `p - p` as well as 0.
 pub(super) fn not_zero(part: &Typed, span: Span, what: &str) -> Result<(), Box<Mistake>> {
     if part.value != Some(0.0) && identity(&part.expr) == Identity::NotZero {
         return Ok(());
@@ -406,7 +407,7 @@ pub(super) fn not_zero(part: &Typed, span: Span, what: &str) -> Result<(), Box<M
     Err(Box::new(Mistake::new(span, what, label)))
 }
 
-/// Refuses what would grow beyond all bounds by differentiation.
+/// Rejects an expression that would grow too much by differentiation.
 fn derivable(typed: Typed, span: Span) -> Resolved {
     let leaves = derivatives(&typed.expr).second;
     if leaves <= MAX_DERIVATIVE {
@@ -419,7 +420,7 @@ fn derivable(typed: Typed, span: Span) -> Resolved {
     Err(Box::new(mistake.help("make a part of it a state or a coordinate of its own, or a table")))
 }
 
-/// Refuses numbers that no f64 can hold.
+/// Rejects numbers beyond the range of `f64`.
 pub(super) fn sound(typed: Typed, span: Span) -> Resolved {
     if typed.value.is_some_and(|value| !value.is_finite()) {
         return Err(Box::new(Mistake::new(span, "this is not a finite number", "not finite")));

@@ -1,17 +1,17 @@
 //! Curves through the knots of a table.
 
-/// How a table goes between its knots.
+/// Kind of curve between the knots of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Course {
-    /// By a natural cubic spline: twice differentiable.
+    /// A natural cubic spline: twice differentiable.
     Natural,
-    /// By straight lines, with a kink at each knot.
+    /// Straight lines, with a kink at each knot.
     Linear,
-    /// By cubics that rise and fall only where the knots do: once differentiable.
+    /// Cubics that rise and fall only where the knots do: once differentiable.
     Monotone,
 }
 
-/// Coefficients of the curve, as of [`natural`].
+/// Returns the coefficients of the curve, as [`natural`] does.
 pub fn through(course: Course, x: &[f64], y: &[f64]) -> Option<Vec<[f64; 4]>> {
     match course {
         Course::Natural => natural(x, y),
@@ -20,8 +20,8 @@ pub fn through(course: Course, x: &[f64], y: &[f64]) -> Option<Vec<[f64; 4]>> {
     }
 }
 
-/// Cubics with given slopes at both ends of each interval, of the slopes of its chords and its
-/// lengths.
+/// Returns cubics with given slopes at both ends of each interval, from the slopes of its chords
+/// and its lengths.
 fn cubics(
     x: &[f64],
     y: &[f64],
@@ -41,9 +41,10 @@ fn cubics(
     rows.iter().flatten().all(|c| c.is_finite()).then_some(rows)
 }
 
-/// Slopes at the ends of intervals: 0 where chords turn, else their weighed harmonic mean; at
-/// the ends of the table three-point formulas, cut to keep the sign (Fritsch and Butland, SIAM
-/// J. Sci. Stat. Comput. 5, 1984; Moler, Numerical Computing with MATLAB, section 3.4).
+/// Returns the slopes at the ends of intervals: 0 where the slopes of chords change sign, else
+/// their weighted harmonic mean. At the ends of the table they are given by three-point formulas,
+/// limited to keep the sign (Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5, 1984; Moler,
+/// Numerical Computing with MATLAB, section 3.4).
 fn monotone(d: &[f64], h: &[f64]) -> Vec<[f64; 2]> {
     let last = d.len();
     let end = |near: f64, far: f64, d0: f64, d1: f64| {
@@ -69,7 +70,7 @@ fn monotone(d: &[f64], h: &[f64]) -> Vec<[f64; 2]> {
     (0..last).map(|k| [at(k), at(k + 1)]).collect()
 }
 
-/// Coefficients of the natural cubic spline through (x, y), one row an interval:
+/// Returns the coefficients of the natural cubic spline through (x, y), one row per interval:
 /// y = c0 + c1 u + c2 u^2 + c3 u^3 with u = x - x_k.
 ///
 /// The second derivatives m_k at the knots solve, with h_k = x_(k+1) - x_k,
@@ -78,8 +79,8 @@ fn monotone(d: &[f64], h: &[f64]) -> Vec<[f64; 2]> {
 /// (Stoer and Bulirsch, Introduction to Numerical Analysis, 2.4.2). The matrix is
 /// diagonally dominant, so that elimination needs no pivots.
 ///
-/// `None` if the points are fewer than two, not sorted, or so far apart that a
-/// coefficient is no finite f64.
+/// Returns `None` if there are fewer than two points, if they are not sorted, or if they are so
+/// far apart that a coefficient is not finite.
 pub fn natural(x: &[f64], y: &[f64]) -> Option<Vec<[f64; 4]>> {
     if x.len() < 2 || x.len() != y.len() || x.windows(2).any(|pair| pair[0] >= pair[1]) {
         return None;
@@ -95,7 +96,7 @@ pub fn natural(x: &[f64], y: &[f64]) -> Option<Vec<[f64; 4]>> {
     rows.iter().flatten().all(|c| c.is_finite()).then_some(rows)
 }
 
-/// The Thomas algorithm on the inner knots; 0 at both ends.
+/// Solves for the inner knots by the Thomas algorithm; 0 at both ends.
 fn second_derivatives(h: &[f64], slope: &[f64]) -> Vec<f64> {
     let last = h.len();
     let mut m = vec![0.0; last + 1];
@@ -111,27 +112,28 @@ fn second_derivatives(h: &[f64], slope: &[f64]) -> Vec<f64> {
     m
 }
 
-/// Rows on either side of an interval that its curve is compared with: the influence of a row on a
-/// natural spline falls by 2 - sqrt(3) = 0.27 a row, so that those beyond have less than a hundredth.
+/// Number of rows on either side of an interval that its curve is compared with. The influence of
+/// a row on a natural spline decays by 2 - sqrt(3) = 0.27 per row, so rows beyond have less than
+/// a hundredth.
 const ROWS_AROUND: usize = 4;
 
-/// The part of a curve that leaves its data furthest.
+/// The part of a curve that overshoots its data most.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overshoot {
-    /// The row that its interval begins with.
+    /// Index of the first row of its interval.
     pub row: usize,
-    /// The value that the curve reaches.
+    /// The extreme value of the curve.
     pub reached: f64,
-    /// Least and greatest value of the rows around.
+    /// Least and greatest value of the neighbouring rows.
     pub range: [f64; 2],
 }
 
-/// Place where a curve leaves the range of the rows around by more than it could if they were evenly
-/// spaced; there the furthest place.
+/// Finds where a curve leaves the range of the neighbouring rows most, if by more than it could
+/// with evenly spaced rows.
 ///
-/// A cardinal cubic spline through data within +-1 stays within its Lebesgue constant,
-/// (1 + 3 sqrt(3))/4 = 1.549 (Richards, Aequationes Math. 9, 1973), so that it leaves a range by at
-/// most (1.549 - 1)/2 = 0.27 of it.
+/// A cardinal cubic spline through data within +-1 stays within its Lebesgue constant, (1 + 3
+/// sqrt(3))/4 = 1.549 (Richards, Aequationes Math. 9, 1973), so it leaves a range by at most
+/// (1.549 - 1)/2 = 0.27 of it.
 pub fn overshoot(x: &[f64], y: &[f64], coefficients: &[[f64; 4]]) -> Option<Overshoot> {
     let most = 3.0 * (3.0_f64.sqrt() - 1.0) / 8.0;
     let mut furthest: Option<(f64, Overshoot)> = None;
@@ -141,7 +143,7 @@ pub fn overshoot(x: &[f64], y: &[f64], coefficients: &[[f64; 4]]) -> Option<Over
         let high = around.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         for reached in extremes(cubic, ends[1] - ends[0]) {
             let beyond = (reached - high).max(low - reached);
-            // Where all rows are equal, what is left of a jump elsewhere says nothing of them.
+            // If all rows are equal, the remaining influence of a jump elsewhere does not count.
             if high > low
                 && beyond > most * (high - low)
                 && furthest.as_ref().is_none_or(|(far, _)| beyond > *far)
@@ -153,9 +155,9 @@ pub fn overshoot(x: &[f64], y: &[f64], coefficients: &[[f64; 4]]) -> Option<Over
     furthest.map(|(_, overshoot)| overshoot)
 }
 
-/// Values of a cubic where its slope is zero within (0, h).
+/// Iterates over the values of a cubic where its slope is zero within (0, h).
 fn extremes(&[c0, c1, c2, c3]: &[f64; 4], h: f64) -> impl Iterator<Item = f64> {
-    // c1 + 2 c2 u + 3 c3 u^2 = 0, by the sum of equal signs first.
+    // Solves c1 + 2 c2 u + 3 c3 u^2 = 0, first with the sum of equal signs.
     let root = (c2 * c2 - 3.0 * c1 * c3).sqrt();
     let sum = -(c2 + root.copysign(c2));
     let roots = [sum / (3.0 * c3), c1 / sum];
@@ -167,7 +169,8 @@ fn extremes(&[c0, c1, c2, c3]: &[f64; 4], h: f64) -> impl Iterator<Item = f64> {
 mod tests {
     use super::*;
 
-    /// A step from 0 to 1 between rows 3 and 4, its rows evenly spaced but for the step.
+    /// Returns the overshoot for a step from 0 to 1 between rows 3 and 4, which are evenly spaced
+    /// except for the step.
     fn step_within(width: f64) -> Option<Overshoot> {
         let x: Vec<f64> =
             (0..8).map(|k| f64::from(k) + if k > 3 { width - 1.0 } else { 0.0 }).collect();
@@ -185,8 +188,8 @@ mod tests {
             assert!(beyond > before, "{width}: {found:?}");
             assert_eq!(found.range.map(f64::to_bits), [0.0_f64, 1.0].map(f64::to_bits));
             assert!(found.row == 2 || found.row == 4, "beside the step: {found:?}");
-            // A step of slope 1/width between chords of slope 0: the spline leaves the data by
-            // a share of slope times the neighbour's length.
+            // A step of slope 1/width between chords of slope 0: the spline overshoots by a
+            // fraction of slope times the neighbour's length.
             assert!((0.1..0.3).contains(&(beyond * width)), "{width}: {beyond}");
             before = beyond;
         }
@@ -210,7 +213,7 @@ mod tests {
 
     #[test]
     fn no_data_at_even_spaces_overshoot() {
-        // A sign for each row that is the worst for one place, and many others.
+        // The sign of each row is the worst for one place, and many others.
         let x: Vec<f64> = (0..14).map(f64::from).collect();
         for signs in 0..1 << 14 {
             let y: Vec<f64> = (0..14).map(|k| f64::from(signs >> k & 1)).collect();
@@ -233,7 +236,7 @@ mod tests {
         }
     }
 
-    /// Value and first two derivatives of a row at u.
+    /// Returns the value and the first two derivatives of a row at u.
     fn at(c: &[f64; 4], u: f64) -> [f64; 3] {
         [
             c[0] + u * (c[1] + u * (c[2] + u * c[3])),

@@ -1,4 +1,4 @@
-//! A resolved expression with what is known of it.
+//! Resolved expressions with their properties.
 
 use machinist_algebra::expr::{Expr, Function, Symbol};
 use num_bigint::BigInt;
@@ -8,7 +8,7 @@ use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
 use crate::spec::dimension::{Angular, Dimension};
 use crate::spec::measure::Factor;
 
-/// What an expression depends on besides parameters.
+/// Quantities that an expression depends on, besides parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[expect(clippy::struct_excessive_bools, reason = "a set of five")]
 pub struct Uses {
@@ -17,7 +17,7 @@ pub struct Uses {
     pub position: bool,
     pub velocity: bool,
     pub acceleration: bool,
-    /// Forces of constraints.
+    /// Constraint forces.
     pub reaction: bool,
 }
 
@@ -44,7 +44,7 @@ impl Uses {
         }
     }
 
-    /// The first thing used beyond `allowed`.
+    /// Returns the first quantity in use that `allowed` does not contain.
     pub fn beyond(self, allowed: Uses) -> Option<&'static str> {
         [
             (self.acceleration && !allowed.acceleration, "an acceleration"),
@@ -66,28 +66,28 @@ impl Uses {
 #[derive(Debug, Clone)]
 pub struct Typed {
     pub expr: Expr,
-    /// `None` for a bare 0, which is of any dimension.
+    /// `None` for a bare 0, which has any dimension.
     pub dimension: Option<Dimension>,
     pub angular: Angular,
     pub uses: Uses,
-    /// Leaves of the tree.
+    /// Number of leaves of the tree.
     pub terms: usize,
-    /// Levels of the tree.
+    /// Depth of the tree.
     pub depth: usize,
-    /// Bound on the bits of exact numbers that could come of it.
+    /// Bound on the bits of exact numbers that could result from it.
     pub bits: u64,
     /// Its value, if it is a number.
     pub value: Option<f64>,
 }
 
 impl Typed {
-    /// A leaf.
+    /// Returns a leaf.
     pub fn leaf(expr: Expr, dimension: Dimension, angular: Angular, uses: Uses) -> Self {
         let dimension = Some(dimension);
         Typed { expr, dimension, angular, uses, terms: 1, depth: 0, bits: 1, value: None }
     }
 
-    /// An exact number; 0 without a unit is of any dimension.
+    /// Returns an exact number; 0 without a unit has any dimension.
     pub fn number(number: &BigRational, unit: Option<crate::spec::dimension::Unit>) -> Self {
         let any = number.is_zero() && unit.is_none();
         let unit = unit.unwrap_or_default();
@@ -103,8 +103,8 @@ impl Typed {
         }
     }
 
-    /// What is common to an expression made of `parts`; `expr` and the rest are
-    /// those of nothing yet.
+    /// Returns the combined properties of `parts`; `expr` and the rest are still those of an
+    /// empty expression.
     pub fn over(parts: &[&Typed]) -> Self {
         Typed {
             expr: integer(0),
@@ -119,17 +119,17 @@ impl Typed {
     }
 }
 
-/// Bits of a number's numerator and denominator.
+/// Returns the number of bits of a number's numerator and denominator.
 pub fn bits(number: &BigRational) -> u64 {
     number.numer().bits().saturating_add(number.denom().bits())
 }
 
-/// An integer.
+/// Returns an integer.
 pub fn integer(value: i64) -> Expr {
     Expr::Number(BigRational::from_integer(BigInt::from(value)))
 }
 
-/// Sum of terms, without zeros.
+/// Returns the sum of terms, without zeros.
 pub fn sum(terms: Vec<Expr>) -> Expr {
     let mut terms: Vec<Expr> = terms.into_iter().filter(|term| *term != integer(0)).collect();
     match terms.len() {
@@ -139,7 +139,7 @@ pub fn sum(terms: Vec<Expr>) -> Expr {
     }
 }
 
-/// Product of factors, their numbers multiplied and put first.
+/// Returns the product of factors, their numbers multiplied and put first.
 pub fn product(factors: Vec<Expr>) -> Expr {
     let mut coefficient = BigRational::one();
     let mut rest = Vec::with_capacity(factors.len());
@@ -164,7 +164,7 @@ pub fn product(factors: Vec<Expr>) -> Expr {
     if rest.len() == 1 { rest.swap_remove(0) } else { Expr::Product(rest) }
 }
 
-/// One over an expression, which is no bare 0.
+/// Returns the reciprocal of an expression that is not a bare 0.
 pub fn reciprocal(of: Expr) -> Expr {
     let minus_one = BigRational::from_integer((-1).into());
     match of {
@@ -177,7 +177,7 @@ pub fn reciprocal(of: Expr) -> Expr {
     }
 }
 
-/// A power with a number for exponent.
+/// Returns a power whose exponent is a number.
 pub fn power(base: Expr, exponent: &BigRational) -> Expr {
     if exponent.is_one() {
         return base;
@@ -185,7 +185,7 @@ pub fn power(base: Expr, exponent: &BigRational) -> Expr {
     Expr::Power(Box::new(base), Box::new(Expr::Number(exponent.clone())))
 }
 
-/// A quantity of coherent units in those of which one is `factor` coherent ones.
+/// Converts a quantity from coherent units to units of which one is `factor` coherent ones.
 pub fn in_units_of(of: Expr, factor: &Factor) -> Expr {
     if factor.is_one() {
         return of;
@@ -196,13 +196,13 @@ pub fn in_units_of(of: Expr, factor: &Factor) -> Expr {
     product(if factor.pis == 0 { vec![per, of] } else { vec![per, pis, of] })
 }
 
-/// `then` where a < b, else `otherwise`.
+/// Returns `then` where a < b, else `otherwise`.
 pub fn select_less(a: Expr, b: Expr, then: Expr, otherwise: Expr) -> Expr {
     Expr::Call(Function::SelectLess, vec![a, b, then, otherwise])
 }
 
-/// Numerator and denominator of an exponent of at most 64 in size, whose
-/// denominator is small enough to reason with.
+/// Returns numerator and denominator of an exponent, if its absolute value is at most 64 and the
+/// denominator is small enough.
 pub fn exponent(of: &BigRational) -> Option<(i32, i32)> {
     let limit = BigRational::from_integer(64.into());
     if of.abs() > limit {

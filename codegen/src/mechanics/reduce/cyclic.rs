@@ -1,15 +1,14 @@
 //! Ignorable coordinates: absolute positions that no rate depends on.
 //!
-//! Where M, f and h do not change along a constant direction s of the
-//! coordinates, only positions relative to one of them matter (Routh):
+//! If M, f and h do not change along a constant direction s of the coordinates, only positions
+//! relative to one of them matter (Routh):
 //!
 //! ```text
 //! u_k = q_k - (s_k/s_r) q_r        u_k' = v_k - (s_k/s_r) v_r
 //! ```
 //!
-//! and F(q) = F(u) with q_r = 0 for each such F. The position q_r itself is
-//! integrated only if an output asks for it, and then stands outside of the
-//! system that an implicit method solves.
+//! and F(q) = F(u) with q_r = 0 for each such F. The position q_r itself is integrated only if an
+//! output needs it, and is then outside of the system that an implicit method solves.
 
 mod direction;
 
@@ -23,7 +22,7 @@ use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
 use machinist_algebra::unless_faulty;
 use machinist_model::{What, Why};
 
-/// The equations in relative positions, those that nothing needs left out.
+/// Returns the equations in relative positions, without those that nothing needs.
 pub(super) fn relative(cas: &mut Cas, mut equations: EquationsOfMotion) -> EquationsOfMotion {
     if equations.outputs.is_empty() {
         return equations;
@@ -49,7 +48,7 @@ pub(super) fn relative(cas: &mut Cas, mut equations: EquationsOfMotion) -> Equat
     equations
 }
 
-/// Leaves positions that no equation mentions to themselves, or out if no output does.
+/// Separates positions that no equation contains, or drops them if no output does.
 fn leave_free(cas: &mut Cas, equations: &mut EquationsOfMotion, free: &[CoordinateId]) {
     let asked_for: BTreeSet<Symbol> = equations.outputs.iter().flat_map(Expr::symbols).collect();
     let mut gone = BTreeSet::new();
@@ -103,8 +102,8 @@ fn apply(cas: &mut Cas, equations: &mut EquationsOfMotion, direction: &Direction
     rewrite_states(equations, direction, is_asked_for);
 }
 
-/// Takes the pivot's part out of the energy account: the force that it exerts
-/// along the direction becomes one from outside.
+/// Removes the pivot's part from the energy balance: its force along the direction becomes an
+/// external one.
 fn leave_energy(cas: &mut Cas, equations: &mut EquationsOfMotion, direction: &Direction) {
     let [kinetic, potential, stored] = equations.energy.each_ref().map(|e| cas.form(e));
     let momentum = cas.form(&equations.time_momentum);
@@ -123,7 +122,7 @@ fn leave_energy(cas: &mut Cas, equations: &mut EquationsOfMotion, direction: &Di
     equations.supplied = cas.expr(&form);
 }
 
-/// Helpers of absolute positions are no part of the equations any more.
+/// Removes helpers of absolute positions, which are no longer part of the equations.
 fn rewrite_helpers(
     cas: &mut Cas,
     equations: &mut EquationsOfMotion,
@@ -170,7 +169,7 @@ fn rewrite_states(equations: &mut EquationsOfMotion, direction: &Direction, is_a
             Expr::Sum(vec![own.clone(), part])
         };
         state.initial = without(&state.initial, &pivot_state.initial);
-        // Differences of angles that count turns are small.
+        // Differences are small even of angles that count turns.
         state.scale = state.scale.min(pivot_state.scale).min(1.0);
         if let Motion::Position { rate, .. } = &mut state.motion {
             *rate = without(rate, pivot_rate);
@@ -192,7 +191,7 @@ fn rewrite_states(equations: &mut EquationsOfMotion, direction: &Direction, is_a
     }
 }
 
-/// Names a relative position after the helper that it is, if there is one.
+/// Names a relative position after a helper that equals it, if there is one.
 fn rename(equations: &mut EquationsOfMotion, id: CoordinateId) {
     let symbol = Symbol::Coordinate(id);
     let helpers = equations.system.helpers.iter().zip(&equations.helpers);
@@ -221,7 +220,7 @@ fn rename(equations: &mut EquationsOfMotion, id: CoordinateId) {
     }
 }
 
-/// Positions and first-order states that no rate depends on go last.
+/// Moves positions and first-order states that no rate depends on to the end.
 fn move_quadratures_last(equations: &mut EquationsOfMotion) {
     let rates: std::collections::BTreeSet<Symbol> =
         equations.dynamics().flat_map(Expr::symbols).collect();

@@ -1,4 +1,4 @@
-//! Parameters that the scene fixes become exact numbers, and fold.
+//! Replacement of parameters that the scene fixes by exact numbers, which are folded.
 
 use std::collections::BTreeSet;
 
@@ -13,7 +13,7 @@ use super::Step;
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
 
-/// The equations with numbers in place of fixed parameters.
+/// Returns the equations with numbers in place of fixed parameters.
 pub(super) fn fix(equations: EquationsOfMotion) -> Step {
     let parameters = (0..).map(ParameterId).zip(&equations.system.parameters);
     let fixed = parameters.filter(|(_, p)| !p.tunable && p.value.is_finite());
@@ -26,7 +26,8 @@ pub(super) fn fix(equations: EquationsOfMotion) -> Step {
         if singular.is_empty() {
             break;
         }
-        // As a number it would divide by zero; a run may set it, or never get there.
+        // As a number the parameter would divide by zero. A run may change it, or never reach
+        // that term.
         fixed.retain(|id| !singular.contains(id));
     }
     let reduction = equations.reduction;
@@ -51,7 +52,7 @@ fn number(symbol: Symbol, fixed: &BTreeSet<ParameterId>, values: &[f64]) -> Opti
     }
 }
 
-/// Fixed parameters that make a denominator or the argument of a logarithm zero.
+/// Returns the fixed parameters that make a denominator or the argument of a logarithm zero.
 fn singular(system: &LagrangianSystem, fixed: &BTreeSet<ParameterId>) -> BTreeSet<ParameterId> {
     let values: Vec<f64> = system.parameters.iter().map(|parameter| parameter.value).collect();
     let mut system = system.clone();
@@ -68,7 +69,7 @@ fn singular(system: &LagrangianSystem, fixed: &BTreeSet<ParameterId>) -> BTreeSe
             _ => {}
         });
     }
-    // Inner parts first, so that none that is put together divides by zero.
+    // Inner parts first, so that no composed one divides by zero.
     dangerous.sort_by_key(depth);
     for expr in dangerous {
         let with_numbers = expr.replace(&|symbol| number(symbol, fixed, &values));
@@ -95,7 +96,7 @@ fn depth(expr: &Expr) -> usize {
     parts + 1
 }
 
-/// The shortest decimal that reads back as `value`: what the spec says, exactly.
+/// Returns exactly the shortest decimal that reads back as `value`, as in the spec.
 fn exact(value: f64) -> BigRational {
     let text = format!("{value:e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));

@@ -1,9 +1,8 @@
-//! Approximation on request: a spring between two coordinates taken for rigid.
+//! Approximation on request: a spring between two coordinates becomes rigid.
 //!
-//! A unit's potential V(q_a, q_b) that does not change along (s_a, s_b) holds the
-//! two coordinates at q_a = (s_a/s_b) q_b. With that put in, V and the losses that
-//! go with it vanish, both inertias are one, and forces on either act on both
-//! (virtual work).
+//! If a unit's potential V(q_a, q_b) does not change along (s_a, s_b), the two coordinates are
+//! held at q_a = (s_a/s_b) q_b. Substitution removes V and the associated losses, combines both
+//! inertias, and lets forces on either act on both (virtual work).
 
 use std::collections::BTreeSet;
 
@@ -16,7 +15,7 @@ use machinist_algebra::expr::operations;
 use machinist_algebra::expr::{CoordinateId, Expr, ParameterId, Symbol};
 use machinist_model::{What, Why};
 
-/// Why a unit cannot be taken for rigid.
+/// Reason why a unit cannot be approximated as rigid.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum FreezeError {
     /// It has no spring.
@@ -28,13 +27,13 @@ pub enum FreezeError {
          constant ratio"
     )]
     NoRatio(String),
-    /// Events may set what it would hold.
+    /// Events may set the coordinates that it would hold.
     #[error("unit `{0}` cannot be frozen: the scene has events, which might set what it holds")]
     Events(String),
-    /// Constraints hold coordinates already.
+    /// Constraints already hold its coordinates.
     #[error("unit `{0}` cannot be frozen: the scene has constraints, which might say the same")]
     Constraints(String),
-    /// It would have to jump at the start.
+    /// Its coordinates would have to jump at the start.
     #[error("unit `{0}` cannot be frozen: its spring is not at rest at the start")]
     NotAtRest(String),
 }
@@ -46,7 +45,7 @@ struct Follows {
     factor: Expr,
 }
 
-/// The system with the units rigid that its scene wants so.
+/// Returns the system with the units rigid that its scene freezes.
 pub(super) fn freeze(cas: &mut Cas, equations: EquationsOfMotion) -> Result<Step, FreezeError> {
     if equations.system.freeze.rigid.is_empty() {
         return Ok(Step::Equations(equations));
@@ -71,7 +70,7 @@ pub(super) fn freeze(cas: &mut Cas, equations: EquationsOfMotion) -> Result<Step
     Ok(Step::System(system, reduction))
 }
 
-/// The ratio at which a unit's spring holds its coordinates.
+/// Returns the ratio at which a unit's spring holds its coordinates.
 fn relation(cas: &mut Cas, system: &LagrangianSystem, unit: &str) -> Result<Follows, FreezeError> {
     let no_spring = || FreezeError::NoSpring(unit.to_owned());
     let no_ratio = || FreezeError::NoRatio(unit.to_owned());
@@ -131,7 +130,7 @@ impl Follows {
         }
     }
 
-    /// Whether both coordinates start at the ratio, with the spec's parameters.
+    /// Reports whether both coordinates start at the ratio, with the spec's parameters.
     fn hold_at_start(&self, system: &LagrangianSystem) -> bool {
         const ROUNDING: f64 = 1e-12;
         let value = |expr: &Expr| evaluate(expr, &|id: ParameterId| system.parameter(id).value);
@@ -144,7 +143,7 @@ impl Follows {
     }
 }
 
-/// Puts the leader in place of the follower, which is then gone.
+/// Replaces the follower by the leader.
 fn eliminate(system: &mut LagrangianSystem, follows: &Follows) {
     let (a, b) = (follows.a.0 as usize, follows.b.0 as usize);
     let force = system.generalized_force.remove(a);

@@ -1,11 +1,10 @@
-//! Slicing: states that no wanted output depends on go, with their equations.
+//! Slicing: removal of states that no output depends on, with their equations.
 //!
-//! An output needs what it mentions. A position needs its velocity; a velocity or
-//! an acceleration needs the equations of motion of its block of the mass matrix,
-//! and so all that M and f mention there; a first-order state needs what h
-//! mentions. Coordinates that share a constraint share a block; its multiplier needs
-//! them. Events need all that they watch and set. The rest is held where it starts:
-//! nothing that is kept can tell.
+//! An output needs the symbols it contains. A position needs its velocity. A velocity or an
+//! acceleration needs the equations of motion of its block of the mass matrix, and so all symbols
+//! in M and f there. A first-order state needs the symbols in h. Coordinates that share a
+//! constraint share a block, and its multiplier needs them. Events need everything they depend on
+//! and set. All other states are held at their initial values, which does not affect the rest.
 
 use std::collections::BTreeSet;
 
@@ -17,8 +16,8 @@ use machinist_algebra::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, Sy
 use machinist_algebra::unless_faulty;
 use machinist_model::{What, Why};
 
-/// The equations of what the outputs depend on. Of a scene without outputs,
-/// everything: its states are what is wanted.
+/// Returns the equations that the outputs depend on. If the scene has no outputs, all states are
+/// kept.
 pub(super) fn slice(cas: &mut Cas, equations: EquationsOfMotion) -> Step {
     if equations.outputs.is_empty() {
         return Step::Equations(equations);
@@ -37,7 +36,7 @@ pub(super) fn slice(cas: &mut Cas, equations: EquationsOfMotion) -> Step {
     Step::System(system, reduction)
 }
 
-/// Which coordinates and first-order states are kept, and their new ids.
+/// The coordinates and first-order states that are kept, and their new ids.
 struct Kept {
     coordinates: Vec<Option<CoordinateId>>,
     first_order: Vec<Option<FirstOrderId>>,
@@ -72,7 +71,7 @@ impl Kept {
         self.coordinates.iter().all(Option::is_some) && self.first_order.iter().all(Option::is_some)
     }
 
-    /// Whether a symbol stays; those that are no states do.
+    /// Reports whether a symbol is kept. Symbols that are not states always are.
     fn has(&self, symbol: Symbol) -> bool {
         match symbol {
             Symbol::Coordinate(id) | Symbol::Velocity(id) | Symbol::Acceleration(id) => {
@@ -84,7 +83,7 @@ impl Kept {
         }
     }
 
-    /// Whether a symbol is a state that stays.
+    /// Reports whether a symbol is a state that is kept.
     fn has_state(&self, symbol: Symbol) -> bool {
         let is_state = matches!(
             symbol,
@@ -96,7 +95,7 @@ impl Kept {
         is_state && self.has(symbol)
     }
 
-    /// What is kept under its new id, the rest held at its start.
+    /// Returns an expression with new ids, and removed states held at their initial values.
     fn held(&self, expr: &Expr, system: &LagrangianSystem) -> Expr {
         let coordinate = |id: CoordinateId| self.coordinates[id.0 as usize];
         expr.replace(&|symbol| match symbol {
@@ -117,7 +116,7 @@ impl Kept {
         })
     }
 
-    /// An event under the new ids; all that it watches and sets is kept.
+    /// Replaces the ids in an event. All of its states are kept.
     fn renumber(&self, event: &mut Event, system: &LagrangianSystem) {
         for expr in event.exprs_mut() {
             *expr = self.held(expr, system);
@@ -132,14 +131,14 @@ impl Kept {
         }
     }
 
-    /// The part of a system that is kept.
+    /// Returns the part of a system that is kept.
     fn part_of(&self, cas: &mut Cas, equations: &EquationsOfMotion) -> LagrangianSystem {
         let system = &equations.system;
         let held = |expr: &Expr| self.held(expr, system);
         let mechanics = [&system.kinetic, &system.potential, &system.dissipation];
         let [kinetic, potential, dissipation] =
             mechanics.map(|expr| held(&self.own_terms(cas, expr, |_| true)));
-        // What is stored only elsewhere is a constant here, which is of no use.
+        // Energy stored only in removed states is constant here, so it is dropped.
         let is_constant = |term: &Expr| !held(term).mentions(|symbol| symbol == Symbol::Time);
         let stored_energy = held(&self.own_terms(cas, &system.stored_energy, is_constant));
         let passed_on = self.passed_on(cas, equations);
@@ -182,8 +181,8 @@ impl Kept {
         part
     }
 
-    /// The terms of a sum that concern what is kept. Terms of which only what is
-    /// left out is a variable go, if `may_go`.
+    /// Returns the terms of a sum that concern what is kept. Terms whose only variables are
+    /// removed ones are dropped if `may_go`.
     fn own_terms(&self, cas: &mut Cas, expr: &Expr, may_go: impl Fn(&Expr) -> bool) -> Expr {
         let is_foreign = |term: &Expr| term.mentions(|symbol| !self.has(symbol));
         let is_own = |term: &Expr| term.mentions(|symbol| self.has_state(symbol));
@@ -201,8 +200,8 @@ impl Kept {
         Expr::Sum(own)
     }
 
-    /// Power that stored energy of what is kept passes on to first-order states
-    /// that are left out: dW/dz h over these, where they start.
+    /// Returns the power that kept stored energy passes to removed first-order states: dW/dz h
+    /// over these, at their initial values.
     fn passed_on(&self, cas: &mut Cas, equations: &EquationsOfMotion) -> Expr {
         let stored = cas.form(&equations.energy[2]);
         let mut sum = Vec::new();
@@ -217,7 +216,7 @@ impl Kept {
     }
 }
 
-/// Everything the outputs need, directly or not.
+/// Returns all symbols that the outputs need, directly or not.
 fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
     let constraints = &equations.constraints;
     let blocks = blocks(equations);
@@ -243,7 +242,7 @@ fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
             }
             Symbol::Velocity(id) => {
                 let block = blocks[id.0 as usize];
-                // All of a block is needed as soon as one of it is.
+                // If one coordinate of a block is needed, all of them are.
                 if !seen.insert(block) {
                     continue;
                 }
@@ -266,8 +265,8 @@ fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
     needed
 }
 
-/// For each coordinate the first one that it is coupled to, by the mass matrix or by a
-/// constraint, directly or not.
+/// For each coordinate, returns the first one it is coupled to, directly or not, by the mass
+/// matrix or by a constraint.
 fn blocks(equations: &EquationsOfMotion) -> Vec<usize> {
     let mut block: Vec<usize> = (0..equations.forcing.len()).collect();
     let mut join = |i: usize, j: usize| {

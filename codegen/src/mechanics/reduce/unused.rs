@@ -1,5 +1,5 @@
-//! What nothing mentions any more goes: parameters, tables, times of jumps,
-//! helpers, and units of which nothing is left.
+//! Removal of unused parameters, tables, times of discontinuities and helpers, and of units of
+//! which nothing is left.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +10,7 @@ use machinist_algebra::cas::Cas;
 use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Function, ParameterId, Symbol};
 use machinist_model::{Reduction, TableId, What, Why};
 
-/// The equations with only what they mention. `whole` is what they were made of.
+/// Returns the equations with only what they use. `whole` are the original equations.
 pub(super) fn drop(
     cas: &mut Cas,
     mut equations: EquationsOfMotion,
@@ -33,7 +33,7 @@ pub(super) fn drop(
     equations
 }
 
-/// A time at which nothing that is left jumps is none to stop at.
+/// Drops times at which nothing is discontinuous any more.
 fn drop_jumps(cas: &mut Cas, equations: &mut EquationsOfMotion, whole: &EquationsOfMotion) {
     let (before, left) = (jumps(whole.all()), jumps(equations.all()));
     let times: Vec<Expr> = equations
@@ -49,7 +49,7 @@ fn drop_jumps(cas: &mut Cas, equations: &mut EquationsOfMotion, whole: &Equation
         let form = cas.form(time);
         cas.expr(&form)
     });
-    // One that was not found to begin with is not known to be of no use.
+    // A time that was not found originally is not known to be unused.
     let goes: Vec<bool> = times
         .iter()
         .zip(whole_times)
@@ -68,7 +68,7 @@ fn drop_jumps(cas: &mut Cas, equations: &mut EquationsOfMotion, whole: &Equation
     });
 }
 
-/// What time is compared with.
+/// Returns the expressions that time is compared with.
 fn jumps<'a>(exprs: impl Iterator<Item = &'a Expr>) -> BTreeSet<Expr> {
     let mut times = BTreeSet::new();
     for expr in exprs {
@@ -83,7 +83,7 @@ fn jumps<'a>(exprs: impl Iterator<Item = &'a Expr>) -> BTreeSet<Expr> {
     times
 }
 
-/// Parameters and tables that are mentioned, with their new ids.
+/// Parameters and tables in use, with their new ids.
 struct Used {
     parameters: BTreeMap<ParameterId, ParameterId>,
     tables: BTreeMap<TableId, TableId>,
@@ -123,7 +123,7 @@ impl Used {
         has
     }
 
-    /// An expression with the new ids; these keep their order, and so does it.
+    /// Returns an expression with the new ids. They keep their order, and so does the expression.
     fn renumbered(&self, expr: &Expr) -> Expr {
         let all = |parts: &[Expr]| parts.iter().map(|part| self.renumbered(part)).collect();
         match expr {
@@ -165,8 +165,8 @@ fn report(reduction: &mut Reduction, system: &LagrangianSystem, used: &Used) {
     }
 }
 
-/// Puts the equations in place of what they were derived from, which is of no
-/// use any more and may mention what is gone.
+/// Replaces the expressions of the system by the equations. They are not needed any more, and may
+/// contain removed symbols.
 fn consume(equations: &mut EquationsOfMotion) {
     let EquationsOfMotion { system, layout, .. } = equations;
     [system.kinetic, system.potential, system.stored_energy] = equations.energy.clone();
@@ -230,7 +230,7 @@ fn renumber(equations: &mut EquationsOfMotion, used: &Used) {
     system.tables.retain(|_| used.tables.contains_key(&next()));
 }
 
-/// Names of the instances that a system has something of.
+/// Returns the names of the instances that remain in a system.
 fn units(system: &LagrangianSystem) -> BTreeSet<String> {
     let coordinates = system.coordinates.iter().map(|c| &c.position.name.path);
     let states = system.first_order.iter().map(|z| &z.quantity.name.path);

@@ -1,5 +1,5 @@
-//! What a run is held against: names and dimensions checked, parameters and tables taken
-//! along, so that no equation knows of it.
+//! Checks of runs: names and dimensions are checked, and parameters and tables are copied, so
+//! that no equation depends on them.
 
 use std::collections::BTreeSet;
 
@@ -20,13 +20,13 @@ use machinist_algebra::expr::{Expr, Function, ParameterId, Symbol};
 struct Checked {
     dimension: Dimension,
     unit: String,
-    /// How much of the coherent unit that is.
+    /// Conversion factor of its unit to the coherent unit.
     factor: Factor,
 }
 
 impl Assembler<'_> {
-    /// Every check. What is no output yet, and named by a check of a scene that asks for
-    /// outputs, becomes one; a scene that asks for none keeps all of its states.
+    /// Returns all checks. A checked quantity that is not yet an output becomes one, if the scene
+    /// has outputs; without outputs it keeps all of its states.
     pub(super) fn checks(
         &mut self,
         outputs: &mut Vec<Definition>,
@@ -58,14 +58,14 @@ impl Assembler<'_> {
                 Err(mistake) => self.mistakes.push(*mistake),
             }
         }
-        // What only checks read or step at is none of the machine's.
+        // Tables and discontinuities that only checks use are not the machine's.
         self.resolver.tables.truncate(tables);
         self.resolver.table_columns.truncate(tables);
         self.resolver.discontinuities.truncate(jumps);
         checks
     }
 
-    /// What a check is of: an output, or a state by `instance.name`.
+    /// Finds the target of a check: an output, or a state by `instance.name`.
     fn checked(
         &mut self,
         of: &Spanned<String>,
@@ -127,7 +127,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// The expression of a coordinate, velocity or state by `instance.name`.
+    /// Returns the expression of a coordinate, velocity or state by `instance.name`.
     fn state_named(&self, of: &Spanned<String>) -> Option<Ast> {
         if self.own_state(&of.value).is_some() {
             return Some(Ast { span: of.span, node: Node::Name(None, of.value.clone()) });
@@ -174,7 +174,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// The expression with the parameters and tables it mentions, by their place there.
+    /// Returns the expression with its parameters and tables, which it refers to by index.
     fn closed(&mut self, text: String, expr: &Expr) -> Reference {
         let ids: BTreeSet<ParameterId> = expr
             .symbols()
@@ -203,7 +203,7 @@ impl Assembler<'_> {
         Reference::Closed { text, expr, parameters, tables }
     }
 
-    /// The rows of a column, over time.
+    /// Returns the rows of a column as a function of time.
     fn column(
         &self,
         csv: &Spanned<String>,
@@ -245,7 +245,7 @@ impl Assembler<'_> {
     }
 }
 
-/// Names of the scene's states.
+/// Returns the names of the scene's states.
 fn state_names(coordinates: &[Coordinate], first_order: &[FirstOrderState]) -> Vec<String> {
     let positions = coordinates.iter().map(|coordinate| &coordinate.position);
     let velocities = coordinates.iter().map(|coordinate| &coordinate.velocity);

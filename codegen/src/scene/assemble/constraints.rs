@@ -1,5 +1,4 @@
-//! Constraints: expressions of coordinates that are zero, or of velocities, in which
-//! they are linear.
+//! Constraints: expressions that are zero, of coordinates, or linear in velocities.
 
 use crate::scene::assemble::Assembler;
 use crate::scene::layout::Scope;
@@ -12,7 +11,7 @@ use crate::spec::{ConstraintSpec, quoted};
 use machinist_algebra::expr::{Expr, Symbol};
 
 impl Assembler<'_> {
-    /// Every constraint, those of instances first.
+    /// Returns all constraints, those of instances first.
     pub(super) fn constraints(&mut self) -> Vec<Constraint> {
         let spec = self.spec;
         let mut constraints = Vec::new();
@@ -55,7 +54,7 @@ impl Assembler<'_> {
     }
 }
 
-/// What makes an expression unfit to be a constraint.
+/// Returns the reason why an expression cannot be a constraint.
 fn unfit(constraint: &ConstraintSpec, typed: &Typed) -> Option<Mistake> {
     let what = match &constraint.friction {
         None => format!("constraint {}", quoted(&constraint.name.value)),
@@ -96,8 +95,8 @@ fn has_velocity(expr: &Expr) -> bool {
     expr.mentions(|symbol| matches!(symbol, Symbol::Velocity(_)))
 }
 
-/// Whether velocities stand where they may not: within functions or powers, or
-/// multiplied by one another.
+/// Reports whether the expression is nonlinear in velocities: within functions or powers, or
+/// multiplied by each other.
 fn is_bent(expr: &Expr) -> bool {
     match expr {
         Expr::Number(_) | Expr::Symbol(_) => false,

@@ -1,4 +1,4 @@
-//! Fields of instances, and what they hand to the machine at their ports.
+//! Fields of instances, and the numbers they pass to the machine at their ports.
 
 use std::collections::BTreeMap;
 
@@ -31,7 +31,7 @@ const SLOPE_RATE: Symbol = Symbol::Velocity(CoordinateId(1));
 const PLACE: Symbol = Symbol::FirstOrder(FirstOrderId(0));
 
 impl Assembler<'_> {
-    /// Takes an initial value that is a field's; false if it is nothing of a field.
+    /// Reads an initial value of a field; false if it is not one.
     pub(super) fn profile(
         &mut self,
         name: &Spanned<String>,
@@ -63,7 +63,7 @@ impl Assembler<'_> {
         true
     }
 
-    /// Places on fields start as their fields do.
+    /// Sets the initial values of places on fields to those of the fields.
     pub(super) fn start_on_fields(&self, profiles: &Profiles, initial: &mut Initial) {
         for (id, slot) in self.layout.representatives.iter().enumerate() {
             let Some(at) = self.layout.attachment(*slot) else { continue };
@@ -76,7 +76,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// The fields of all instances.
+    /// Returns the fields of all instances.
     pub(super) fn fields(&mut self, profiles: &Profiles) -> Vec<Field> {
         let mut fields = Vec::new();
         for (index, instance, unit) in self.instances() {
@@ -118,7 +118,7 @@ impl Assembler<'_> {
         fields
     }
 
-    /// What approximates or fixes works on whole machines only.
+    /// Rejects approximations and fixed parameters, which need whole machines.
     fn without_reduction(&mut self) {
         let tunable = self.spec.tunable.iter().flatten().next();
         if let Some(name) = tunable.or(self.spec.rigid.first()) {
@@ -157,7 +157,7 @@ impl Assembler<'_> {
         attachments
     }
 
-    /// T, V, D and Q a length.
+    /// Returns T, V, D and Q per length.
     fn densities(&mut self, instance: usize, number: usize, field: &FieldSpec) -> [Expr; 4] {
         let scope = Scope::Density(instance, number);
         let per_metre = |of: Dimension| of.over(Dimension::LENGTH).unwrap_or(of);
@@ -185,7 +185,7 @@ impl Assembler<'_> {
         densities.map(|density| density.unwrap_or_else(|| integer(0)))
     }
 
-    /// T a length is m(x) u_t^2/2 with m above 0.
+    /// Checks that T per length is m(x) u_t^2/2 with m above 0.
     fn inertia_of_field(&mut self, field: &FieldSpec, density: Option<&Expr>) {
         let (Some(ast), Some(density)) = (&field.densities[0], density) else {
             let message = format!("field {} has no inertia", quoted(&field.name.value));
@@ -236,7 +236,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// The numbers that fields hand over, in the order of attachments.
+    /// Returns the numbers that fields pass, in the order of attachments.
     pub(super) fn handed(&self) -> Vec<Parameter> {
         let mut handed = Vec::new();
         for at in &self.layout.attachments {
@@ -285,7 +285,7 @@ impl Assembler<'_> {
     }
 }
 
-/// Gives every place on a field its inertia and its force.
+/// Adds inertia and force to every place on a field.
 pub fn take_hold(fields: &[Field], kinetic: &mut Expr, forces: &mut [GeneralizedForce]) {
     let half = Expr::Number(BigRational::new(1.into(), 2.into()));
     for at in fields.iter().flat_map(|field| &field.attachments) {
@@ -301,7 +301,7 @@ pub fn take_hold(fields: &[Field], kinetic: &mut Expr, forces: &mut [Generalized
     }
 }
 
-/// u, u_x, u_t, u_xt and x.
+/// Returns the quantities u, u_x, u_t, u_xt and x.
 fn quantities(instance: &str, field: &FieldSpec) -> [machinist_model::Quantity; 5] {
     let (unit, doc) = (field.unit.text.trim(), field.doc.as_str());
     let rate_unit = per_second(&field.unit);

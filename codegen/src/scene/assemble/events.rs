@@ -1,4 +1,4 @@
-//! Events: guards, the modes in which they are watched, and what they set.
+//! Events: guards, the modes in which they are active, and their resets.
 
 use crate::scene::assemble::Assembler;
 use crate::scene::assemble::initial::Target;
@@ -13,7 +13,7 @@ use crate::spec::{EventSpec, did_you_mean, quoted};
 use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 
 impl Assembler<'_> {
-    /// Every event, those of instances first.
+    /// Returns all events, those of instances first.
     pub(super) fn events(&mut self) -> Vec<Event> {
         let spec = self.spec;
         let mut events = Vec::new();
@@ -36,8 +36,8 @@ impl Assembler<'_> {
         events
     }
 
-    /// A guard may be of any dimension, but must be able to pass zero; or say at the start, by
-    /// where it is, that a mode is another one.
+    /// Resolves a guard of any dimension. It must be able to cross zero, or to decide by its sign
+    /// at the start that a mode is another.
     fn guard(&mut self, event: &EventSpec, scope: Scope) -> Expr {
         let resolved = self.resolver.expect_guard(&event.guard, scope);
         let is_set = |mode: &str| event.set.iter().any(|(path, _)| path.value == mode);
@@ -56,7 +56,7 @@ impl Assembler<'_> {
         self.note(resolved)
     }
 
-    /// Modes by name, with the values that they must have.
+    /// Returns modes by name, with the values they must have.
     pub(super) fn modes(
         &mut self,
         when: &[(Spanned<String>, i32)],
@@ -76,7 +76,7 @@ impl Assembler<'_> {
         modes
     }
 
-    /// The mode of a name.
+    /// Finds the mode of a name.
     fn mode(&self, path: &Spanned<String>, scope: Scope) -> Result<FirstOrderId, Box<Mistake>> {
         if let (Scope::Scene, Some(index)) = (scope, self.own_state(&path.value))
             && self.spec.states[index].is_mode
@@ -99,7 +99,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// What an event sets, each once, by an expression of its dimension.
+    /// Returns the resets of an event, each quantity once, by an expression of its dimension.
     fn new_values(&mut self, event: &EventSpec, scope: Scope) -> Vec<(Symbol, Expr)> {
         let mut set: Vec<(Symbol, Expr)> = Vec::new();
         for (path, formula) in &event.set {
@@ -150,7 +150,7 @@ impl Assembler<'_> {
         })
     }
 
-    /// The instance a name belongs to, and the name within it.
+    /// Finds the instance of a name, and the name within it.
     pub(super) fn owner<'n>(
         &self,
         path: &'n Spanned<String>,

@@ -17,8 +17,8 @@ use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
 type OnCoordinate = (CoordinateId, Expr);
 
 impl Assembler<'_> {
-    /// Q of each coordinate of the scene: a force on a coordinate that follows
-    /// another by a factor acts on that one times the factor (virtual work).
+    /// Returns Q of each coordinate of the scene. By virtual work, a force on a coordinate that
+    /// follows another by a factor acts on that one times the factor.
     pub(super) fn forces(&mut self) -> Vec<GeneralizedForce> {
         let count = self.layout.representatives.len();
         let mut forces: Vec<[Vec<Expr>; 2]> = vec![Default::default(); count];
@@ -89,7 +89,7 @@ impl Assembler<'_> {
         Ok(vec![(id, product(ratio.into_iter().chain([q]).collect()))])
     }
 
-    /// A force on a coordinate that does work along something of a dimension.
+    /// Resolves a force on a coordinate that does work along a quantity with a dimension.
     fn force_along(
         &mut self,
         ast: &Ast,
@@ -106,8 +106,8 @@ impl Assembler<'_> {
         Ok((link.id, product(vec![Layout::factor(link), force])))
     }
 
-    /// A force F along x(q, t): Q_j = F dx/dq_j, so that Q q' is F times the rate of x by the
-    /// coordinates.
+    /// Resolves a force F along x(q, t): Q_j = F dx/dq_j, so that Q q' is F times the rate of x
+    /// by the coordinates.
     fn along(
         &mut self,
         along: &Ast,

@@ -1,11 +1,11 @@
-//! What dry friction acts on, and what it loses: both follow from how fast it slides.
+//! Target and losses of dry friction, which follow from its sliding speed.
 //!
 //! ```text
 //! Q_j = F ds/dq'_j    lost: -F s    supplied: -F s_0
 //! ```
 //!
-//! with F its force while it slides, s(q', q, t) its speed, linear in velocities, and s_0 what
-//! of it is imposed, as by a belt: s where nothing moves.
+//! F is its force while it slides and s(q', q, t) its speed, linear in velocities. s_0 is the
+//! prescribed part of the speed, as by a belt: s with all velocities zero.
 
 use crate::scene::along;
 use crate::scene::assemble::Assembler;
@@ -20,7 +20,7 @@ use machinist_algebra::expr::identity::is_zero;
 use machinist_algebra::expr::{Expr, Symbol};
 
 impl Assembler<'_> {
-    /// Adds all friction to forces, and what it supplies and loses to those powers.
+    /// Adds all friction to forces, and its supplied and lost power to those powers.
     pub(super) fn friction(
         &mut self,
         forces: &mut [GeneralizedForce],
@@ -45,7 +45,7 @@ impl Assembler<'_> {
         terms.map(sum)
     }
 
-    /// Power supplied and lost.
+    /// Returns the power supplied and lost.
     fn one_friction(
         &mut self,
         forces: &mut [GeneralizedForce],

@@ -11,17 +11,18 @@ use crate::spec::dimension::Dimension;
 use crate::spec::{Formula, did_you_mean, quoted};
 use machinist_algebra::expr::{Expr, ParameterId};
 
-/// Initial values of everything, of parameters only.
+/// Initial values of all states, of parameters only.
 pub struct Initial {
     /// Position and velocity of each coordinate of the scene.
     pub coordinates: Vec<[Expr; 2]>,
-    /// Whether the spec gives them, so that constraints may not move them.
+    /// True for position and velocity, respectively, if the spec gives them, so that constraints
+    /// may not change them.
     pub given: Vec<[bool; 2]>,
-    /// Of each first-order state.
+    /// Initial value of each first-order state.
     pub states: Vec<Expr>,
 }
 
-/// A line of an `[initial]` or a `[guess]`.
+/// A line of `[initial]` or `[guess]`.
 struct Entry<'a> {
     is_given: bool,
     scope: Scope,
@@ -29,16 +30,16 @@ struct Entry<'a> {
     formula: &'a Formula,
 }
 
-/// What an entry of `[initial]` sets, or an event.
+/// Quantity that an entry of `[initial]`, or an event, sets.
 pub enum Target {
-    /// Coordinate of the scene, 0 or 1 for its velocity, and the factor by which
-    /// the named one follows it.
+    /// Coordinate of the scene, 0 or 1 for its velocity, and the factor by which the named one
+    /// follows it.
     Coordinate(usize, usize, Option<Expr>),
     State(usize),
 }
 
 impl<'a> Assembler<'a> {
-    /// Initial values of the machine, and those of its fields along x.
+    /// Returns the initial values of the machine, and those of its fields along x.
     pub(super) fn initial(&mut self) -> (Initial, Profiles) {
         let coordinates = self.layout.representatives.iter().map(|_| [integer(0), integer(0)]);
         let mut initial = Initial {
@@ -46,7 +47,8 @@ impl<'a> Assembler<'a> {
             given: vec![[false; 2]; self.layout.representatives.len()],
             states: self.of_units(),
         };
-        // What was set, and by whom: the scene goes before its units, these before their parts.
+        // Quantities set so far, and their scopes: the scene precedes its units, which precede
+        // their parts.
         let mut set: Vec<((usize, usize), Scope)> = Vec::new();
         self.refuse_guesses();
         let mut profiles = Profiles::new();
@@ -92,8 +94,8 @@ impl<'a> Assembler<'a> {
         (initial, profiles)
     }
 
-    /// Everything that says where something starts: the scene, then its units from the outside
-    /// in; each first what is given, then what is guessed.
+    /// Returns all initial values: those of the scene, then those of units from the outside in.
+    /// In each, given values precede guesses.
     fn entries(&self) -> Vec<Entry<'a>> {
         let spec = self.spec;
         let units = self.instances().map(|(index, _, unit)| {
@@ -113,7 +115,7 @@ impl<'a> Assembler<'a> {
         entries.collect()
     }
 
-    /// Guesses are of what constraints leave to be solved for.
+    /// Rejects guesses without constraints that could determine the values.
     fn refuse_guesses(&mut self) {
         let spec = self.spec;
         let mut constraints = spec.constraints.len();
@@ -134,7 +136,7 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// Initial values of states as their units, or the scene, say.
+    /// Returns the initial values of states given by their units, or by the scene.
     fn of_units(&mut self) -> Vec<Expr> {
         let mut values = Vec::new();
         for (scope, _, state) in self.states() {
@@ -165,7 +167,7 @@ impl<'a> Assembler<'a> {
         expr
     }
 
-    /// An expression of parameters is finite at their values in the spec.
+    /// Checks that an expression of parameters is finite at their values in the spec.
     pub(super) fn finite(&mut self, expr: &Expr, span: Span, what: &str) {
         let value = evaluate(expr, &|id: ParameterId| self.values[id.0 as usize]);
         if !value.is_finite() {
@@ -192,7 +194,7 @@ impl<'a> Assembler<'a> {
         self.target_of(instance, name, path)
     }
 
-    /// The state or mode of the scene of a name.
+    /// Finds the scene's own state or mode of a name.
     pub(super) fn own_state(&self, name: &str) -> Option<usize> {
         match self.layout.scene.get(name) {
             Some(Local::State(index)) => Some(index),
@@ -200,7 +202,7 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// What `name` is of an instance; `path` is how the spec writes it.
+    /// Finds the quantity `name` of an instance; `path` is its spelling in the spec.
     pub(super) fn target_of(
         &self,
         instance: usize,

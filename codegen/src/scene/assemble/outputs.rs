@@ -1,4 +1,4 @@
-//! Helpers and wanted outputs.
+//! Helpers and outputs.
 
 use crate::scene::assemble::{Assembler, per_second, quantity};
 use crate::scene::layout::{Local, Scope, find_instance};
@@ -12,8 +12,8 @@ use crate::spec::{Declared, DefinitionSpec, OutputSpec, quoted};
 use machinist_model::Quantity;
 
 impl Assembler<'_> {
-    /// Every helper, those of instances first. Outputs of units are checked on the
-    /// way, wanted or not.
+    /// Returns all helpers, those of instances first. Outputs of units are checked too, whether
+    /// the scene uses them or not.
     pub(super) fn helpers(&mut self) -> Vec<Definition> {
         let mut helpers = Vec::new();
         for (index, instance, unit) in self.instances() {
@@ -83,7 +83,7 @@ impl Assembler<'_> {
         Definition { quantity, expr }
     }
 
-    /// Unit and meaning of what an output is another name for.
+    /// Returns unit and meaning of the quantity that an output renames.
     pub(super) fn alias(&self, of: &Ast) -> Result<(String, String), Box<Mistake>> {
         let plain = |unit: &Declared, doc: &str| Ok((unit.text.clone(), doc.to_owned()));
         match &of.node {
@@ -175,7 +175,7 @@ impl Assembler<'_> {
     }
 }
 
-/// Meaning of a constraint's multiplier.
+/// Returns the meaning of a constraint's multiplier.
 fn force_of(doc: &str) -> String {
     if doc.is_empty() { String::new() } else { format!("force of the constraint: {doc}") }
 }

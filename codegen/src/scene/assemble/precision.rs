@@ -1,5 +1,5 @@
-//! What the scene says of precision: which parameters runs may change, and what
-//! may be taken for rigid.
+//! Approximations allowed by the scene: parameters that runs may change, and units that may be
+//! rigid.
 
 use crate::scene::assemble::Assembler;
 use crate::scene::layout::{Local, Scope, find_instance};
@@ -8,8 +8,8 @@ use crate::spec::{did_you_mean, quoted};
 use machinist_model::Freeze;
 
 impl Assembler<'_> {
-    /// Whether each parameter may be changed, those of the scene first; all may, if
-    /// the scene does not say which.
+    /// For each parameter, those of the scene first, returns whether runs may change it. All may,
+    /// if the scene does not list any.
     pub(super) fn tunable(&mut self) -> Vec<bool> {
         let Some(names) = &self.spec.tunable else { return vec![true; self.values.len()] };
         let mut tunable = vec![false; self.values.len()];
@@ -26,7 +26,7 @@ impl Assembler<'_> {
         tunable
     }
 
-    /// Instances to be taken for rigid, each known and named once.
+    /// Returns the instances that are approximated as rigid, each known and named once.
     pub(super) fn freeze(&mut self) -> Freeze {
         let mut freeze = Freeze { tolerance: self.spec.freeze_tolerance, ..Freeze::default() };
         for name in &self.spec.rigid {

@@ -1,4 +1,4 @@
-//! When a run starts and ends, and at which times it tells what there is, at the values of the spec.
+//! Start, end and output times of a run, at the values of the spec.
 
 use crate::scene::assemble::Assembler;
 use crate::scene::evaluate::evaluate;
@@ -21,7 +21,7 @@ impl Assembler<'_> {
         }
         let Some(end) = &run.until else { return };
         let (from, until) = (self.run.from, self.time(end, "the end of the run"));
-        // Also what is no number.
+        // Written so that NaN is rejected.
         if !(from.is_finite() && until.is_finite() && until > from) {
             let label = if until <= from { "too early" } else { "not a time" };
             let mistake = Mistake::new(end.span(), "a run ends after its start", label);
@@ -60,7 +60,7 @@ impl Assembler<'_> {
         (self.run.until, self.run.points, self.run.times) = (before, times.len(), times);
     }
 
-    /// The start, and times since then that grow by one ratio up to the end.
+    /// Adds the start, and times since then that grow by a constant ratio up to the end.
     fn at_ratios(&mut self, points: usize, formula: &Formula) {
         let first = self.time(formula, "the first time after the start");
         let (from, until) = (self.run.from, self.run.until);
@@ -77,7 +77,7 @@ impl Assembler<'_> {
         };
         let between = (0..points - 2).map(time).map(|time| time.min(until));
         let mut times: Vec<f64> = std::iter::once(from).chain(between).chain([until]).collect();
-        // Where ratios are closer than doubles.
+        // Ratios may be closer to one than doubles resolve.
         times.dedup();
         (self.run.points, self.run.times) = (times.len(), times);
     }

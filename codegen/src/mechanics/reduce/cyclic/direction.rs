@@ -1,5 +1,5 @@
-//! Directions along which the equations of motion do not change: proposed by
-//! elimination at sampled states, accepted by proof.
+//! Directions along which the equations of motion do not change, proposed by elimination at
+//! sampled states and accepted by proof.
 
 use std::collections::BTreeSet;
 
@@ -15,31 +15,32 @@ use num_traits::{Signed as _, ToPrimitive as _};
 
 use crate::mechanics::lagrange::EquationsOfMotion;
 
-/// Coordinates beyond which directions of several are not looked for: the cost of
+/// Maximum number of coordinates for which directions of several are sought; the cost of
 /// elimination grows with the third power.
 const MOST_COORDINATES: usize = 32;
-/// States and branches at which slopes are sampled; more would only save proofs that fail.
+/// Number of states and branches at which derivatives are sampled. More would only avoid failing
+/// proofs.
 const SAMPLES: i64 = 4;
-/// Denominator beyond which a ratio is no number that somebody wrote.
+/// Maximum denominator of a ratio that a user would write.
 const MOST_PARTS: i64 = 1000;
 
-/// Constants s_k/s_r along which nothing changes.
+/// Constants s_k/s_r of a direction along which nothing changes.
 #[derive(Debug, Clone)]
 pub(super) struct Direction {
-    /// The coordinate r that others become relative to.
+    /// The reference coordinate r.
     pub(super) pivot: CoordinateId,
-    /// s_k/s_r of the others, of parameters only, where not zero.
+    /// s_k/s_r of the others, as expressions of parameters, if nonzero.
     pub(super) others: Vec<(CoordinateId, Expr)>,
 }
 
 impl Direction {
-    /// An invariant expression by relative positions.
+    /// Expresses an invariant expression by relative positions.
     pub(super) fn relative(&self, expr: &Expr) -> Expr {
         let pivot = Symbol::Coordinate(self.pivot);
         expr.replace(&|symbol| (symbol == pivot).then(|| Expr::integer(0)))
     }
 
-    /// Any expression by relative positions and the pivot.
+    /// Expresses any expression by relative positions and the pivot.
     pub(super) fn absolute(&self, expr: &Expr) -> Expr {
         let by = Symbol::Coordinate(self.pivot);
         unless_faulty!(
@@ -49,7 +50,7 @@ impl Direction {
         )
     }
 
-    /// q + a s/s_r in place of q; the pivot itself only if asked for.
+    /// Replaces q by q + a s/s_r; the pivot itself only if `with_pivot`.
     fn shifted(&self, expr: &Expr, by: Symbol, with_pivot: bool) -> Expr {
         let one = [(self.pivot, Expr::integer(1))];
         let pivot = one.iter().filter(|_| with_pivot);
@@ -63,7 +64,7 @@ impl Direction {
         })
     }
 
-    /// Whether an expression mentions what the direction moves.
+    /// Reports whether an expression contains a coordinate of the direction.
     pub(super) fn is_in(&self, expr: &Expr) -> bool {
         expr.mentions(|symbol| self.moves(symbol))
     }
@@ -74,7 +75,7 @@ impl Direction {
     }
 }
 
-/// Coordinates among `live` that no equation mentions.
+/// Returns the coordinates among `live` that no equation contains.
 pub(super) fn free(equations: &EquationsOfMotion, live: &[CoordinateId]) -> Vec<CoordinateId> {
     let mentioned = mentioned(equations);
     live.iter().copied().filter(|id| !mentioned.contains(id)).collect()
@@ -92,12 +93,12 @@ fn mentioned(equations: &EquationsOfMotion) -> BTreeSet<CoordinateId> {
     mentioned
 }
 
-/// A direction among `live` coordinates, all of them mentioned, along which M, f and h do
-/// not change.
+/// Finds a direction among `live` coordinates, all of which occur in equations, along which M, f
+/// and h do not change.
 ///
-/// Slopes as mere numbers say which equations are independent, and whether any direction
-/// is left at all; most machines have none. Ratios that are numbers are read off; only
-/// those that depend on parameters are eliminated exactly, from independent equations.
+/// Numerical derivatives determine which equations are independent, and whether any direction
+/// exists at all; most machines have none. Constant ratios are read off. Only those that depend
+/// on parameters are eliminated exactly, from independent equations.
 pub(super) fn find(
     cas: &mut Cas,
     equations: &EquationsOfMotion,
@@ -119,8 +120,8 @@ pub(super) fn find(
     })
 }
 
-/// Proof that an expression does not change along a direction: with q + a s for q it is the
-/// same.
+/// Proves that an expression does not change along a direction: it is the same with q + a s
+/// instead of q.
 pub(super) fn is_invariant(expr: &Expr, direction: &Direction) -> bool {
     if !direction.is_in(expr) {
         return true;
@@ -130,19 +131,19 @@ pub(super) fn is_invariant(expr: &Expr, direction: &Direction) -> bool {
     identity::are_equal(&direction.shifted(expr, a, true), expr)
 }
 
-/// What slopes of M, f and h with respect to the coordinates leave, as mere numbers.
+/// Independent rows and null space of the numerical derivatives of M, f and h by the coordinates.
 struct Numbers {
-    /// Function and sample of independent rows.
+    /// Function and sample of each independent row.
     rows: Vec<(usize, i64)>,
-    /// Directions that all slopes are normal to, each with an entry that is 1.
+    /// Directions normal to all derivatives, each with an entry that is 1.
     null_space: Vec<Vec<f64>>,
 }
 
 impl Numbers {
-    /// At sampled parameters; none if no direction is left.
+    /// Returns the numbers at sampled parameters; `None` if there is no direction.
     fn at(functions: &[Expr], coordinates: &[CoordinateId], parameters: u32) -> Option<Self> {
-        /// A row is rounding below this length, samples being about 1; likewise what rows
-        /// before it leave of one of length 1.
+        /// Length below which a row counts as rounding, for samples of about 1; likewise the rest
+        /// of a unit row after orthogonalization.
         const INDEPENDENT: f64 = 1e-6;
         let parameter =
             |id: u32| 0.7 + 0.31 * (f64::from(id) * 1.7 + 2.3 * f64::from(parameters)).sin();
@@ -154,7 +155,7 @@ impl Numbers {
                 if length < INDEPENDENT || !length.is_finite() {
                     continue;
                 }
-                // Twice, for the first time leaves rounding of what it takes away.
+                // Twice, because the first pass leaves rounding errors.
                 for known in basis.iter().chain(&basis) {
                     let along: f64 = row.iter().zip(known).map(|(a, b)| a * b).sum();
                     for (entry, known) in row.iter_mut().zip(known) {
@@ -173,7 +174,7 @@ impl Numbers {
         Some(Numbers { rows, null_space: null_space_of(basis, coordinates.len()) })
     }
 
-    /// The directions, if all their entries are numbers that do not depend on parameters.
+    /// Returns the directions if all their entries are numbers that do not depend on parameters.
     fn exact(&self, other: &Numbers) -> Option<Vec<Vec<Expr>>> {
         if self.null_space.len() != other.null_space.len() {
             return None;
@@ -184,7 +185,7 @@ impl Numbers {
     }
 }
 
-/// The fraction that both are close to.
+/// Returns the fraction that both are close to.
 fn fraction(a: f64, b: f64) -> Option<Expr> {
     const ROUNDING: f64 = 1e-9;
     let near = |parts: &i64| {
@@ -197,7 +198,7 @@ fn fraction(a: f64, b: f64) -> Option<Expr> {
     Some(Expr::Number(BigRational::new((whole as i64).into(), parts.into())))
 }
 
-/// Directions normal to all rows, by Gauss and Jordan.
+/// Returns the directions normal to all rows, by Gauss-Jordan elimination.
 fn null_space_of(mut rows: Vec<Vec<f64>>, columns: usize) -> Vec<Vec<f64>> {
     const ROUNDING: f64 = 1e-7;
     let mut leads = Vec::new();
@@ -227,7 +228,7 @@ fn null_space_of(mut rows: Vec<Vec<f64>>, columns: usize) -> Vec<Vec<f64>> {
     (0..columns).filter(|column| !leads.contains(column)).map(vector).collect()
 }
 
-/// Makes a row of length 1, unless it is zero or no number; its length before.
+/// Scales a row to length 1, unless it is zero or not finite, and returns its former length.
 fn scale(row: &mut [f64]) -> f64 {
     let length = row.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
     if length > 0.0 && length.is_finite() {
@@ -238,8 +239,8 @@ fn scale(row: &mut [f64]) -> f64 {
     length
 }
 
-/// Directions that slopes of independent rows are normal to, as expressions of parameters;
-/// none where algebra with them costs more than it may.
+/// Returns the directions normal to the derivatives in independent rows, as expressions of
+/// parameters; `None` if the algebra exceeds its cost limit.
 fn null_space(
     cas: &mut Cas,
     functions: &[Expr],
@@ -260,8 +261,8 @@ fn null_space(
     Some(echelon.null_space(cas, coordinates.len()))
 }
 
-/// M, f, h and the comparisons within them, which derivatives do not see, as far
-/// as they mention `coordinates`.
+/// Returns M, f, h and the comparisons within them, which derivatives ignore, as far as they
+/// contain `coordinates`.
 fn changing(equations: &EquationsOfMotion, coordinates: &[CoordinateId]) -> Vec<Expr> {
     let mut functions: Vec<Expr> = Vec::new();
     for expr in equations.dynamics() {
@@ -278,8 +279,7 @@ fn changing(equations: &EquationsOfMotion, coordinates: &[CoordinateId]) -> Vec<
     functions
 }
 
-/// The expression where comparisons within it hold or do not, in ways that differ
-/// from sample to sample.
+/// Returns the expression on branches of its comparisons that differ from sample to sample.
 fn on_branches(expr: &Expr, sample: i64, seen: &mut i64) -> Expr {
     let mut all = |parts: &[Expr]| {
         parts.iter().map(|part| on_branches(part, sample, seen)).collect::<Vec<_>>()
@@ -299,14 +299,14 @@ fn on_branches(expr: &Expr, sample: i64, seen: &mut i64) -> Expr {
     }
 }
 
-/// Which argument of the next comparison stands for it.
+/// Returns the index of the argument that replaces the next comparison.
 fn branch(sample: i64, seen: &mut i64) -> usize {
     let holds = (sample >> (*seen % 2)) % 2 == 0;
     *seen += 1;
     if holds { 2 } else { 3 }
 }
 
-/// What stands for a symbol in a sample, as numerator and denominator; parameters stay.
+/// Returns the value of a symbol in a sample, as numerator and denominator; parameters have none.
 fn sample_of(symbol: Symbol, sample: i64) -> Option<(i64, i64)> {
     let value = |kind: i64, id: u32| {
         let numerator = 37 * kind + 11 * i64::from(id) + 101 * sample + 13;
@@ -324,7 +324,7 @@ fn sample_of(symbol: Symbol, sample: i64) -> Option<(i64, i64)> {
     }
 }
 
-/// The expression with numbers for everything but parameters.
+/// Replaces all symbols except parameters by numbers.
 fn sampled(expr: &Expr, sample: i64) -> Expr {
     expr.replace(&|symbol| {
         let (numerator, denominator) = sample_of(symbol, sample)?;
@@ -332,7 +332,7 @@ fn sampled(expr: &Expr, sample: i64) -> Expr {
     })
 }
 
-/// Slopes of an expression with respect to the coordinates, on the branches of a sample.
+/// Returns the derivatives of an expression by the coordinates, on the branches of a sample.
 fn slopes(
     expr: &Expr,
     coordinates: &[CoordinateId],
@@ -355,7 +355,7 @@ fn slopes(
     slopes
 }
 
-/// A value with its slopes, those beyond the last being zero.
+/// A value with its derivatives; those beyond the last are zero.
 struct Dual {
     value: f64,
     slopes: Vec<f64>,
@@ -420,7 +420,7 @@ fn dual(expr: &Expr, sample: i64, seen: &mut i64, at: &impl Fn(Symbol) -> Dual) 
             let argument = dual(&arguments[0], sample, seen, at);
             let (value, slope) = match function.unary() {
                 Some(function) => value_and_slope(function, argument.value),
-                // Of a table only that it is some function is of interest.
+                // A table only has to be some smooth function.
                 None => (argument.value.sin(), argument.value.cos()),
             };
             let mut result = Dual::of(value, None);
@@ -450,14 +450,14 @@ fn value_and_slope(function: Unary, x: f64) -> (f64, f64) {
     (call(function, x), slope)
 }
 
-/// Rows in reduced echelon form, each with the place of its leading 1.
+/// Rows in reduced echelon form, each with the index of its leading 1.
 #[derive(Default)]
 struct Echelon {
     rows: Vec<(usize, Vec<Form>)>,
 }
 
 impl Echelon {
-    /// None beyond what algebra may cost.
+    /// Adds a row; `None` if the algebra exceeds its cost limit.
     fn add(&mut self, cas: &mut Cas, mut row: Vec<Form>) -> Option<()> {
         for (lead, known) in &self.rows {
             subtract(cas, &mut row, *lead, known)?;
@@ -500,8 +500,8 @@ fn subtract(cas: &mut Cas, row: &mut [Form], lead: usize, known: &[Form]) -> Opt
     Some(())
 }
 
-/// Whether a ratio divides by a function of parameters, such as the sine of an angle, which is
-/// zero at values that make sense.
+/// Reports whether a ratio divides by a function of parameters, such as the sine of an angle,
+/// which may be zero at valid values.
 fn may_be_infinite(ratio: &Expr) -> bool {
     let is_parameter = |symbol| matches!(symbol, Symbol::Parameter(_));
     let mut found = false;
@@ -518,12 +518,12 @@ fn may_be_infinite(ratio: &Expr) -> bool {
     found
 }
 
-/// The direction of a vector with the pivot that makes its factors cheapest; none where a factor
-/// may be infinite.
+/// Returns the direction of a vector with the pivot that makes its factors cheapest; `None` if a
+/// factor may be infinite.
 fn cheapest(cas: &mut Cas, coordinates: &[CoordinateId], s: &[Expr]) -> Option<Direction> {
     let support: Vec<usize> = (0..s.len()).filter(|k| !identity::is_zero(&s[*k])).collect();
     let mut best: Option<(usize, Direction)> = None;
-    // Of equals the last: a twist is the driving angle less the driven one.
+    // The last of equals is taken: a twist is the driving angle minus the driven one.
     for pivot in support.iter().rev() {
         let others = support.iter().filter(|k| *k != pivot);
         let others: Option<Vec<(CoordinateId, Expr)>> = others

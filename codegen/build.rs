@@ -1,5 +1,5 @@
-//! The hash of the generator's own text, by which models know what made them, and where the
-//! specs are that come with it.
+//! Hash of the generator's own source text, which identifies the origin of models, and path of
+//! the specs that come with it.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -8,12 +8,12 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest as _, Sha256};
 
-/// Whose text decides what models are.
+/// Folders whose source text determines models.
 const FOLDERS: [&str; 3] = ["src", "../algebra/src", "../model/src"];
 
 fn main() -> io::Result<()> {
     let mut files = Vec::new();
-    // A package that stands alone has no folders of their text; their versions say the rest.
+    // A package alone does not contain all of these folders; versions identify the others.
     for folder in FOLDERS.iter().map(Path::new).filter(|folder| folder.is_dir()) {
         println!("cargo:rerun-if-changed={}", folder.display());
         collect(folder, &mut files)?;
@@ -32,8 +32,8 @@ fn main() -> io::Result<()> {
     Ok(())
 }
 
-/// Beside this package among the sources; within it once it is packed, where a link stands among
-/// the sources, which not every system follows.
+/// Returns the folder of the specs: beside this package in the source tree, within it once
+/// packed. There is a link in the source tree too, which not every system follows.
 fn specs() -> io::Result<PathBuf> {
     let beside = Path::new("../specs");
     let place = if beside.is_dir() { beside } else { Path::new("specs") };

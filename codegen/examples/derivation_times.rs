@@ -1,5 +1,5 @@
-//! What deriving costs: machines of any size and scene files, with seconds of each stage,
-//! peak memory and operations of the result.
+//! Cost of derivation for machines of any size and for scene files: seconds of each stage, peak
+//! memory and number of operations.
 //!
 //! ```text
 //! cargo run --release -p machinist-codegen --example derivation_times -- bodies 3 5 7 10
@@ -9,9 +9,10 @@
 //!     --symbolica bodies 10
 //! ```
 //!
-//! With `--symbolica` by Symbolica, otherwise by our own algebra.
+//! With `--symbolica` by Symbolica, otherwise by Machinist's own algebra.
 //!
-//! Peak memory is that of the process so far: for one of its own, name one machine a run.
+//! Peak memory is that of the process so far. To measure it for a single machine, name only that
+//! one.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -61,7 +62,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// A spec as a file.
+/// Writes a spec to a file.
 fn made(text: &str) -> std::io::Result<PathBuf> {
     let folder = std::env::temp_dir().join(format!("machinist-times-{}", std::process::id()));
     std::fs::create_dir_all(&folder)?;
@@ -70,8 +71,8 @@ fn made(text: &str) -> std::io::Result<PathBuf> {
     Ok(path)
 }
 
-/// One row: seconds to check, to derive the equations, to derive the reduced model with
-/// its derivatives (`all`), of which to lower it, and to emit it.
+/// Measures one row: seconds to check, to derive the equations, to derive the reduced model with
+/// its derivatives (`all`), to lower it (part of `all`), and to emit it.
 fn measure(name: &str, scene: &Path, algebra: Algebra) -> Result<(), Box<dyn std::error::Error>> {
     let start = Instant::now();
     let system = match pipeline::check(scene) {
@@ -116,7 +117,7 @@ fn measure(name: &str, scene: &Path, algebra: Algebra) -> Result<(), Box<dyn std
     Ok(())
 }
 
-/// Peak memory of this process in MiB, where the system tells.
+/// Returns the peak memory of this process in MiB, if the system reports it.
 fn peak() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

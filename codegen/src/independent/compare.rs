@@ -1,4 +1,4 @@
-//! A simulator held against the second derivation of its scene.
+//! Comparison of a simulator with the second derivation of its scene.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ use super::random::Random;
 use super::rounded::Rounded;
 use crate::scene::system::LagrangianSystem;
 
-/// Where a simulator is looked at.
+/// A point at which a simulator is evaluated.
 #[derive(Debug, Clone, Copy)]
 pub struct At<'a> {
     /// t \[s\].
@@ -24,25 +24,25 @@ pub struct At<'a> {
     pub parameters: &'a [f64],
 }
 
-/// A simulator has a state, a parameter or an output of this name; its scene does not.
+/// A name of a state, parameter or output of a simulator that its scene does not have.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("the scene has nothing that is called `{0}`")]
 pub struct Unlike(pub String);
 
-/// The largest difference found.
+/// The largest difference.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Deviation {
-    /// |simulator - second derivation|, relative to the sum of the sizes of what the number
-    /// is put together from: of an acceleration, to what its forces would do one by one.
+    /// |simulator - second derivation|, relative to the sum of the sizes of the number's terms.
+    /// For an acceleration these are the effects of its forces one by one.
     pub error: f64,
-    /// What differs, and when.
+    /// The quantity that differs, and the time.
     pub place: String,
-    /// Numbers that were compared.
+    /// Number of comparisons.
     pub compared: usize,
 }
 
 impl Deviation {
-    /// The worse of two.
+    /// Returns the larger of two deviations.
     #[must_use]
     pub fn or(self, other: Self) -> Self {
         let compared = self.compared + other.compared;
@@ -58,31 +58,31 @@ impl Deviation {
     }
 }
 
-/// A simulator and the system it should be, whose formulas are numbers of the type `R`.
+/// A simulator and the system it should agree with, whose formulas have numbers of type `R`.
 pub struct Comparison<'a, R> {
     system: &'a LagrangianSystem,
     simulator: &'a dyn Simulator<f64>,
     machine: Machine<R>,
     entries: Entries,
     outputs: Vec<(String, Formula<Rounded<R>>)>,
-    /// Guards, and (entry of the state, new value), event by event.
+    /// Guards and resets (entry of the state, new value), event by event.
     events: Vec<Happening<R>>,
-    /// Constraint of the system that each of the simulator's is.
+    /// Constraint of the system for each of the simulator's.
     constraints: Vec<usize>,
 }
 
 struct Happening<R> {
     name: String,
-    /// Entries of the state, which are modes, with the values at which it is watched.
+    /// Modes (entries of the state) and the values at which the event is active.
     when: Vec<(usize, f64)>,
     guard: Formula<Rounded<R>>,
     sets: Vec<Formula<Rounded<R>>>,
 }
 
 impl<'a, R: Real> Comparison<'a, R> {
-    /// Of a system without fields and a simulator of it; `to_f64` gives the nearest `f64`
-    /// of a number. Springs that the system wants frozen are taken for rigid: of a simulator
-    /// that keeps them, let it want none.
+    /// Prepares the comparison of a system without fields with a simulator; `to_f64` returns the
+    /// nearest `f64` of a number. Springs that the system freezes are rigid. For a simulator that
+    /// keeps them, the system must freeze none.
     ///
     /// # Errors
     /// [`Unlike`] if the simulator is not of that system.
@@ -133,11 +133,11 @@ impl<'a, R: Real> Comparison<'a, R> {
         Ok(Self { system, simulator, machine, entries, outputs, events, constraints })
     }
 
-    /// The state at the start, its rate, outputs, guards with new values, and constraints:
-    /// the largest difference at so many random places around the start, near and far.
+    /// Compares the initial state, its rate, outputs, guards with resets, and constraints.
+    /// Returns the largest difference at `count` random places around the start, near and far.
     #[must_use]
     pub fn at_random(&self, count: usize, parameters: &[f64], seed: u64) -> Deviation {
-        /// Beside the scales of states.
+        /// Distances relative to the scales of states.
         const DISTANCES: [f64; 4] = [1.0, 0.1, 0.5, 0.01];
         let mut random = Random(seed);
         let start = self.start(parameters);
@@ -161,7 +161,7 @@ impl<'a, R: Real> Comparison<'a, R> {
         found
     }
 
-    /// The largest difference at places that are given.
+    /// Returns the largest difference at given places.
     #[must_use]
     pub fn at_places<'p>(&self, places: impl Iterator<Item = At<'p>>, seed: u64) -> Deviation {
         let mut random = Random(seed);
@@ -174,7 +174,7 @@ impl<'a, R: Real> Comparison<'a, R> {
         start
     }
 
-    /// Values of modes at the start, and of those that events ask for or set.
+    /// Returns the initial values of modes, and those that events require or set.
     fn values_of_modes(&self, start: &[f64]) -> BTreeMap<usize, Vec<f64>> {
         let modes = self.entries.first_order.iter().filter(|(entry, _)| self.is_mode(*entry));
         let values = modes.map(|(entry, mode)| {
@@ -198,7 +198,7 @@ impl<'a, R: Real> Comparison<'a, R> {
         self.simulator.is_mode(entry)
     }
 
-    /// y at the start.
+    /// Compares the initial y.
     fn at_start(&self, parameters: &[f64], start: &[f64]) -> Deviation {
         let mut found = Deviation::default();
         let all = self.entries.parameters::<R>(self.system, parameters);
@@ -224,10 +224,11 @@ impl<'a, R: Real> Comparison<'a, R> {
         found
     }
 
-    /// Everything at one place. Where a machine starts on a kink, rounding decides on which
-    /// side of it: a difference that is at one point and nowhere beside it is that.
+    /// Compares everything at one place. If a machine starts on a switching surface, rounding
+    /// decides on which side. A difference at a single point that vanishes beside it is due to
+    /// that.
     fn at(&self, at: &At<'_>, random: &mut Random) -> Deviation {
-        /// Beside the scales of states.
+        /// Distance relative to the scales of states.
         const ASIDE: f64 = 1e-6;
         const NEIGHBOURS: usize = 3;
         const AGREE: f64 = 1e-11;
@@ -248,7 +249,8 @@ impl<'a, R: Real> Comparison<'a, R> {
         if beside.compared > 0 && beside.error <= AGREE { beside } else { found }
     }
 
-    /// Nothing where the equations do not determine the motion.
+    /// Compares at exactly this place; no comparison if the equations do not determine the
+    /// motion.
     fn exactly_at(&self, at: &At<'_>, random: &mut Random) -> Deviation {
         let mut found = Deviation::default();
         let n = self.system.coordinates.len();
@@ -282,14 +284,14 @@ impl<'a, R: Real> Comparison<'a, R> {
         let first_order = first_order.map(|(entry, k)| (*entry, motion.rates[*k]));
         let run = &self.system.run;
         for (entry, expected) in positions.chain(velocities).chain(first_order) {
-            // At rest a machine of 31 digits is at rest, and one of 16 but for rounding.
+            // At rest, rates are zero with 31 digits, and rounding errors with 16 digits.
             let least = NOTHING * self.simulator.state_scale(entry) / (run.until - run.from);
             let expected = Rounded { size: expected.size + R::literal(least), ..expected };
             self.judge(found, rate[entry], expected, || {
                 format!("{}' at {} s", self.simulator.state(entry).name, at.time)
             });
         }
-        // A position under a coordinate's own name moves with that, one for one.
+        // A position with a coordinate's own name moves with it, one to one.
         for (row, entry) in rows.iter().zip(&self.entries.positions) {
             let name = self.simulator.state(*entry).name;
             let mut all = self.system.coordinates.iter();
@@ -321,7 +323,8 @@ impl<'a, R: Real> Comparison<'a, R> {
         let mut resets = resets.into_iter();
         for (event, guard) in self.events.iter().zip(guards) {
             let own: Vec<f64> = resets.by_ref().take(event.sets.len()).collect();
-            // What is not watched may ask for the sign of a force that is not there.
+            // The guard of an inactive event may depend on the sign of a force that does not
+            // exist.
             if event.when.iter().any(|(entry, mode)| (at.state[*entry] - mode).abs() >= 0.5) {
                 continue;
             }
@@ -354,7 +357,7 @@ impl<'a, R: Real> Comparison<'a, R> {
         }
     }
 
-    /// Takes a difference. What the second derivation has no value for says nothing.
+    /// Judges a difference. If the second derivation has no value, it is not counted.
     fn judge(
         &self,
         found: &mut Deviation,
@@ -374,18 +377,18 @@ impl<'a, R: Real> Comparison<'a, R> {
     }
 }
 
-/// A rate that changes no state by this part of its scale within the run is as good as none,
-/// beside rounding.
+/// Limit below which a rate counts as zero, as the change of a state within the run relative to
+/// its scale.
 const NOTHING: f64 = 1e-4;
 
-/// A row of numbers times a column.
+/// Returns the product of a row of numbers and a column.
 fn row_times<R: Real>(row: &[f64], column: &[Rounded<R>]) -> Rounded<R> {
     let entries = row.iter().zip(column).filter(|(factor, _)| **factor != 0.0);
     let products = entries.map(|(factor, part)| Rounded::literal(*factor) * *part);
     products.fold(Rounded::literal(0.0), |sum, part| sum + part)
 }
 
-/// What a coordinate, velocity or first-order state is called.
+/// Returns the name of a coordinate, velocity or first-order state.
 fn called(system: &LagrangianSystem, symbol: Symbol) -> &str {
     let name = match symbol {
         Symbol::Coordinate(id) => &system.coordinates[id.0 as usize].position.name,

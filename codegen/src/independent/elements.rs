@@ -1,5 +1,5 @@
-//! A scene with fields as one without: the nodes of a few elements written out as
-//! coordinates, the densities as sums over them.
+//! Conversion of a scene with fields to one without: the nodes of a few elements become
+//! coordinates, and the densities sums over them.
 //!
 //! ```text
 //! integral of d(u, u_x, u_t, u_xt, x, t) dx = sum of w_i h d at x_i, element by element
@@ -7,7 +7,7 @@
 //! ```
 //!
 //! with Gauss-Lobatto points x_i and weights w_i, and the polynomials l_j through them, as the
-//! spec language has it. What fields hand over to the machine is then in the sums.
+//! spec language defines it. The sums then contain what fields pass to the machine.
 
 use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use num_rational::BigRational;
@@ -15,9 +15,9 @@ use num_rational::BigRational;
 use crate::scene::system::{Attachment, Coordinate, Field, GeneralizedForce, LagrangianSystem};
 use machinist_model::{Name, Place, Quantity};
 
-/// A system whose fields are coordinates, and into how many elements each field is cut: one
-/// between neighbouring ports, or two of a field that has none within. Nothing of fields
-/// that no one number of elements cuts so.
+/// Returns a system whose fields are coordinates, and the number of elements of each field: one
+/// between neighbouring ports, or two for a field without inner ports. `None` if no single number
+/// of elements fits all fields.
 #[must_use]
 pub fn written_out(system: &LagrangianSystem) -> Option<(LagrangianSystem, usize)> {
     let stretches: Vec<usize> = system.fields.iter().map(|field| bounds(field).len() - 1).collect();
@@ -26,7 +26,7 @@ pub fn written_out(system: &LagrangianSystem) -> Option<(LagrangianSystem, usize
         return None;
     }
     let mut out = LagrangianSystem { fields: Vec::new(), handed: Vec::new(), ..system.clone() };
-    // What fields hand over is written out below; outputs that ask for it have no value.
+    // The numbers that fields pass are written out below. Outputs that use them have no value.
     let without = |expr: &Expr| {
         expr.replace(&|symbol| matches!(symbol, Symbol::Handed(_)).then(|| Expr::integer(0)))
     };
@@ -49,7 +49,7 @@ pub fn written_out(system: &LagrangianSystem) -> Option<(LagrangianSystem, usize
     Some((out, elements))
 }
 
-/// Ends of the stretches between ports.
+/// Returns the ends of the segments between ports.
 fn bounds(field: &Field) -> Vec<Expr> {
     let inside = field.attachments.iter().filter(|at| at.place == Place::Inside);
     let inside = inside.map(|at| at.at.clone());
@@ -94,15 +94,16 @@ fn write_out(
     }
 }
 
-/// Nodes under their names start as the field does; those of ports start as their machine.
+/// Sets the initial values of a node: those of the field, except at ports, which start with their
+/// machine.
 fn start_at(coordinate: &mut Coordinate, initial: [Expr; 2], field: &Field, node: usize) {
     if coordinate.position.name.path == named(&field.quantities[0], node).name.path {
         coordinate.initial = initial;
     }
 }
 
-/// The coordinate of each node, new ones for those that are the field's own; none where it
-/// is held.
+/// Returns the coordinate of each node, new ones for nodes of the field alone; `None` where the
+/// field is fixed.
 fn owners(
     out: &mut LagrangianSystem,
     field: &Field,
@@ -148,13 +149,13 @@ fn owners(
     (0..nodes).map(owner).collect()
 }
 
-/// The name that simulators of fields give to a node.
+/// Returns the name that simulators of fields give to a node.
 fn named(quantity: &Quantity, node: usize) -> Quantity {
     let path = format!("{}[{node}]", quantity.name.path);
     Quantity { name: Name { path, ..quantity.name.clone() }, ..quantity.clone() }
 }
 
-/// A density at a point of an element.
+/// Returns a density at a point of an element.
 fn at_node(
     density: &Expr,
     own: &[Option<CoordinateId>],
@@ -197,7 +198,7 @@ fn number(value: f64) -> Expr {
     Expr::Number(BigRational::from_float(value).unwrap_or_default())
 }
 
-/// Gauss-Lobatto points and weights on the unit interval, and slopes l_j'(x_i).
+/// Gauss-Lobatto points and weights on the unit interval, and derivatives l_j'(x_i).
 struct Rule {
     points: Vec<f64>,
     weights: Vec<f64>,
@@ -205,10 +206,10 @@ struct Rule {
 }
 
 impl Rule {
-    /// Of p + 1 points: ends and the zeros of P_p', between which those of P_p' lie as those
-    /// of x -> P_p' change sign; weights 1/(p (p + 1) P_p(x)^2).
+    /// Returns the rule of p + 1 points: the ends and the zeros of P_p', found by changes of its
+    /// sign. The weights are 1/(p (p + 1) P_p(x)^2).
     fn new(order: usize) -> Self {
-        /// Steps at which P_p' is looked at for changes of sign: zeros of order 16 are at
+        /// Number of intervals searched for changes of the sign of P_p'. Zeros of order 16 are at
         /// least 1/50 apart.
         const STEPS: usize = 2000;
         let slope = |x: f64| legendre(order, x)[1];
@@ -238,7 +239,7 @@ impl Rule {
     }
 }
 
-/// l_j'(x_i), by the product rule.
+/// Returns l_j'(x_i), by the product rule.
 fn basis(x: &[f64], j: usize, i: usize) -> f64 {
     let others = || (0..x.len()).filter(|m| *m != j);
     let without = |m: usize| {
@@ -248,7 +249,7 @@ fn basis(x: &[f64], j: usize, i: usize) -> f64 {
     others().map(|m| without(m) / (x[j] - x[m])).sum()
 }
 
-/// P_p and P_p'.
+/// Returns P_p and P_p'.
 fn legendre(order: usize, x: f64) -> [f64; 2] {
     let (mut before, mut here) = ([1.0, 0.0], [x, 1.0]);
     if order == 0 {

@@ -1,4 +1,4 @@
-//! Wrong signs where equations are made, each of which the second derivation finds.
+//! Deliberate sign errors in the derivation, each of which the second derivation detects.
 
 use machinist_algebra::cas::Algebra;
 use machinist_algebra::faults;
@@ -8,12 +8,12 @@ use proptest::test_runner::{Config, RngSeed, TestRunner};
 use super::systems::recipes;
 use super::tests::{LIMIT, deviation};
 
-/// Systems within which a fault is to be found.
+/// Maximum number of systems until a fault must be detected.
 const SYSTEMS: usize = 20;
-/// Terms of a kind that they have at most.
+/// Maximum number of terms of a kind.
 const TERMS: usize = 2;
 
-/// What [`machinist_algebra::unless_faulty`] can make wrong, by its name there.
+/// Faults that [`machinist_algebra::unless_faulty`] can cause, by their names there.
 const FAULTS: [&str; 17] = [
     // `lagrange`.
     "dL/dq",
@@ -51,7 +51,7 @@ fn every_wrong_sign_is_found_within_twenty_systems() {
     assert!(missed.is_empty(), "not found within {SYSTEMS} systems: {missed:?}");
 }
 
-/// Which of the first systems shows a fault.
+/// Returns the first system that shows a fault.
 fn first_found(fault: &'static str) -> Option<usize> {
     let config = Config { rng_seed: RngSeed::Fixed(0xfa01), ..Config::default() };
     let mut runner = TestRunner::new(config);

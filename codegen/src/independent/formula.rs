@@ -1,7 +1,7 @@
-//! Expressions of a composed scene, as they stand, on numbers that carry derivatives.
+//! Evaluation of the expressions of a composed scene on numbers that carry derivatives.
 //!
-//! Excluded: any change of an expression. A sum is taken apart into its terms, so that only
-//! those that mention something are asked for its derivative; nothing else is done to it.
+//! Excluded: any change of an expression. A sum is only split into its terms, so that derivatives
+//! are computed only of those that contain a given symbol.
 
 use std::collections::BTreeSet;
 
@@ -13,28 +13,28 @@ use num_traits::ToPrimitive as _;
 
 use super::hyper::Hyper;
 
-/// A step on a stack of values: expressions nest hundreds of levels deep, and nobody knows how
-/// much room a caller's own stack has.
+/// A step on a stack of values. Expressions nest hundreds of levels deep, and the size of the
+/// caller's stack is unknown.
 #[derive(Debug, Clone, Copy)]
 enum Step<R> {
     Number(R),
     Symbol(Symbol),
-    /// Of so many values.
+    /// Sum of this number of values.
     Sum(usize),
     Product(usize),
     Integer(i32),
-    /// The square root to a power.
+    /// A power of the square root.
     Root(i32),
     Real(R),
     Call(Unary),
     Table(TableId, u32),
-    /// Of `[lhs, rhs, then, otherwise]`.
+    /// Selection from `[lhs, rhs, then, otherwise]`.
     Less,
-    /// What no spec can say; it has no value.
+    /// An operation that no spec can contain; it has no value.
     Unknown,
 }
 
-/// A term of a sum, with what it mentions.
+/// A term of a sum, with its symbols.
 #[derive(Debug, Clone)]
 pub struct Term<R> {
     steps: Vec<Step<R>>,
@@ -44,19 +44,19 @@ pub struct Term<R> {
 /// A sum of terms.
 #[derive(Debug, Clone)]
 pub struct Formula<R> {
-    /// Its terms.
+    /// The terms.
     pub terms: Vec<Term<R>>,
 }
 
 impl<R: Real> Formula<R> {
-    /// Of an expression.
+    /// Returns the formula of an expression.
     pub fn new(expr: &Expr) -> Self {
         let mut formula = Self { terms: Vec::new() };
         formula.add(expr, 1.0);
         formula
     }
 
-    /// One more expression, times a factor.
+    /// Adds an expression times a factor.
     pub fn add(&mut self, expr: &Expr, factor: f64) {
         if let Expr::Sum(terms) = expr {
             return terms.iter().for_each(|term| self.add(term, factor));
@@ -68,14 +68,14 @@ impl<R: Real> Formula<R> {
 }
 
 impl<R> Term<R> {
-    /// Whether it mentions a symbol for which `is` holds.
+    /// Reports whether it contains a symbol for which `is` holds.
     pub fn mentions(&self, is: impl Fn(Symbol) -> bool) -> bool {
         self.symbols.iter().any(|symbol| is(*symbol))
     }
 }
 
 impl<R: Real> Term<R> {
-    /// Its value.
+    /// Returns its value.
     pub fn value(&self, tables: &[Table], of: &impl Fn(Symbol) -> Hyper<R>) -> Hyper<R> {
         let mut values: Vec<Hyper<R>> = Vec::new();
         for step in &self.steps {
@@ -86,12 +86,12 @@ impl<R: Real> Term<R> {
     }
 }
 
-/// An expression as steps, operands before what is made of them.
+/// Returns the steps of an expression, operands before their operation.
 fn steps<R: Real>(expr: &Expr) -> Vec<Step<R>> {
     let mut steps = Vec::new();
     let mut left = vec![expr];
-    // What is made of operands, then these from the last to the first; turned round, they are
-    // in order and before it.
+    // Operations, then their operands from the last to the first. In reverse, operands are in
+    // order and precede their operation.
     while let Some(expr) = left.pop() {
         let step = step(expr);
         steps.push(step);
@@ -127,8 +127,8 @@ fn step<R: Real>(expr: &Expr) -> Step<R> {
     }
 }
 
-/// Integers and halves by products and roots, which have a value for negative bases and for
-/// zero; all else by logarithms.
+/// Returns a power. Integers and halves are computed by products and roots, which have values for
+/// negative bases and for zero; others by logarithms.
 fn power<R: Real>(exponent: &BigRational) -> Step<R> {
     let twice = exponent * BigRational::from_integer(2.into());
     let integer = |number: &BigRational| number.is_integer().then(|| number.to_integer().to_i32());
@@ -139,7 +139,7 @@ fn power<R: Real>(exponent: &BigRational) -> Step<R> {
     }
 }
 
-/// A number by two `f64`: the nearest, and the nearest to what that leaves.
+/// Returns a number as the sum of two `f64`: the nearest, and the one nearest to the remainder.
 fn nearest<R: Real>(number: &BigRational) -> R {
     let first = number.to_f64().unwrap_or(f64::NAN);
     let rest = BigRational::from_float(first).map(|first| number - first);
@@ -147,13 +147,13 @@ fn nearest<R: Real>(number: &BigRational) -> R {
     R::literal(first) + R::literal(rest)
 }
 
-/// pi by two `f64`.
+/// Returns pi as the sum of two `f64`.
 pub fn pi<R: Real>() -> R {
     R::literal(std::f64::consts::PI) + R::literal(1.224_646_799_147_353_2e-16)
 }
 
 impl<R: Real> Step<R> {
-    /// The value, of those on the stack; none if it is short of some.
+    /// Returns the value of a step on the stack; `None` if operands are missing.
     fn value(
         &self,
         values: &mut Vec<Hyper<R>>,

@@ -1,15 +1,16 @@
-//! Numbers that carry their derivatives along two directions.
+//! Numbers with their derivatives along two directions.
 //!
 //! ```text
 //! x + x_a a + x_b b + x_ab a b        a^2 = b^2 = 0
 //! f(x) = f + f' x_a a + f' x_b b + (f' x_ab + f'' x_a x_b) a b
 //! ```
 //!
-//! Hyper-dual numbers: J. A. Fike, J. J. Alonso, "The development of hyper-dual numbers for
-//! exact second-derivative calculations", AIAA 2011-886. No step, so no error but rounding.
+//! Hyper-dual numbers: J. A. Fike, J. J. Alonso, "The development of hyper-dual numbers for exact
+//! second-derivative calculations", AIAA 2011-886. There is no step size, so the only error is
+//! rounding.
 //!
-//! What does not change along a direction has no part, rather than a zero: sqrt at 0 is a
-//! number as long as nobody moves its argument.
+//! A part is absent, not zero, if the number does not change along its direction: sqrt at 0 has a
+//! value as long as its argument does not change.
 
 use machinist_contract::Real;
 use machinist_model::Function;
@@ -39,17 +40,17 @@ fn times<R: Real>(x: Option<R>, y: Option<R>) -> Option<R> {
 }
 
 impl<R: Real> Hyper<R> {
-    /// What moves along neither direction.
+    /// Returns a number that changes along neither direction.
     pub fn constant(value: R) -> Self {
         Self { value, a: None, b: None, ab: None }
     }
 
-    /// A number.
+    /// Returns a literal.
     pub fn literal(value: f64) -> Self {
         Self::constant(R::literal(value))
     }
 
-    /// x + y.
+    /// Returns x + y.
     pub fn plus(self, other: Self) -> Self {
         Self {
             value: self.value + other.value,
@@ -59,7 +60,7 @@ impl<R: Real> Hyper<R> {
         }
     }
 
-    /// x y.
+    /// Returns x y.
     pub fn by(self, other: Self) -> Self {
         let (x, y) = (Some(self.value), Some(other.value));
         let crossed = both(times(self.a, other.b), times(self.b, other.a));
@@ -71,7 +72,7 @@ impl<R: Real> Hyper<R> {
         }
     }
 
-    /// f(x), with f' and f'' where they are asked for.
+    /// Returns f(x), with f' and f'' where they are needed.
     pub fn through(self, f: R, slope: impl FnOnce() -> R, bend: impl FnOnce() -> R) -> Self {
         let moves = self.a.is_some() || self.b.is_some() || self.ab.is_some();
         let slope = moves.then(slope);
@@ -84,14 +85,14 @@ impl<R: Real> Hyper<R> {
         }
     }
 
-    /// 1/x.
+    /// Returns 1/x.
     pub fn reciprocal(self) -> Self {
         let one = R::literal(1.0);
         let f = one / self.value;
         self.through(f, || -(f * f), || (f * f * f) * R::literal(2.0))
     }
 
-    /// x^k, multiplied out.
+    /// Returns x^k, by multiplication.
     pub fn power(self, exponent: i32) -> Self {
         let mut product = Self::literal(1.0);
         let mut square = self;
@@ -108,7 +109,7 @@ impl<R: Real> Hyper<R> {
         if exponent < 0 { product.reciprocal() } else { product }
     }
 
-    /// x^c, x above zero.
+    /// Returns x^c for x above zero.
     pub fn real_power(self, exponent: R) -> Self {
         let (x, one) = (self.value, R::literal(1.0));
         let lower = |by: R, factor: R| factor * x.powf(exponent - by);
@@ -117,7 +118,7 @@ impl<R: Real> Hyper<R> {
         self.through(x.powf(exponent), slope, bend)
     }
 
-    /// x where lhs < rhs, else y; whatever the other one is.
+    /// Returns x where lhs < rhs, else y; the other one does not matter.
     pub fn select_less([lhs, rhs]: [R; 2], then: Self, otherwise: Self) -> Self {
         let pick = |then: R, otherwise: R| R::select_less(lhs, rhs, then, otherwise);
         let zero = R::literal(0.0);
@@ -133,7 +134,7 @@ impl<R: Real> Hyper<R> {
         }
     }
 
-    /// A function by its textbook derivatives.
+    /// Applies a function by its textbook derivatives.
     pub fn call(self, function: Function) -> Self {
         let (x, one, two) = (self.value, R::literal(1.0), R::literal(2.0));
         let zero = || R::literal(0.0);
@@ -189,7 +190,8 @@ impl<R: Real> Hyper<R> {
 mod tests {
     use super::*;
 
-    /// Both first derivatives and the mixed one of f along a and b, at x = a + 2 b.
+    /// Returns the value, both first derivatives and the mixed one of f along a and b, at x = a +
+    /// 2 b.
     fn at(x: f64, f: impl Fn(Hyper<f64>) -> Hyper<f64>) -> [f64; 4] {
         let found = f(Hyper { value: x, a: Some(1.0), b: Some(2.0), ab: None });
         [found.value, found.a.unwrap_or(0.0), found.b.unwrap_or(0.0), found.ab.unwrap_or(0.0)]
@@ -223,8 +225,8 @@ mod tests {
         agree(at(x, |x| x.call(Function::Sin).by(x.reciprocal())), expected);
     }
 
-    /// f' and f'' of every function against differences of f, extrapolated: f' to ten digits,
-    /// f'' to six.
+    /// Compares f' and f'' of every function with extrapolated differences of f: f' to ten
+    /// digits, f'' to six.
     #[test]
     fn functions_by_differences() {
         for (function, name) in Function::ALL {

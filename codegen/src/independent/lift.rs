@@ -1,13 +1,13 @@
-//! From the state of a simulator, which lacks what its outputs do not need, to a place of the
-//! whole system.
+//! Map from the state of a simulator, which lacks the states its outputs do not need, to a place
+//! of the whole system.
 //!
 //! ```text
 //! u = B q        u' = B q'       positions of the state, and of the system
 //! ```
 //!
-//! B is read off the simulator: its rates of positions are linear in velocities. What the
-//! state lacks is random, for nothing that is left may depend on it: so a position that was
-//! left out although something changes with it shows as a difference.
+//! B is computed from the simulator: its rates of positions are linear in velocities. Missing
+//! states are random, because nothing that is left may depend on them. A position that was left
+//! out although it matters then shows as a difference.
 
 use machinist_algebra::expr::Expr;
 use machinist_contract::{Real, Simulator, StateKind};
@@ -19,10 +19,10 @@ use super::random::Random;
 use super::solve::inverse;
 use crate::scene::system::{FirstOrderState, LagrangianSystem};
 
-/// How far what the state lacks lies from its start, beside its scale.
+/// Distance of missing states from their initial values, relative to their scale.
 const ASIDE: f64 = 0.25;
 
-/// Where entries of a simulator's state are in a system, by names.
+/// Places of the entries of a simulator's state in a system, found by name.
 #[derive(Debug, Clone)]
 pub struct Entries {
     /// Entries that are positions.
@@ -31,12 +31,12 @@ pub struct Entries {
     pub velocities: Vec<(usize, usize)>,
     /// (entry, state) of first-order states.
     pub first_order: Vec<(usize, usize)>,
-    /// Parameter of the system that each of the simulator's is.
+    /// Parameter of the system for each of the simulator's.
     pub parameters: Vec<usize>,
 }
 
 impl Entries {
-    /// By names.
+    /// Finds the places by name.
     ///
     /// # Errors
     /// The first entry or parameter that the system does not have.
@@ -73,7 +73,7 @@ impl Entries {
         Ok(entries)
     }
 
-    /// Parameters of the system, with those of a simulator in their places.
+    /// Returns the parameters of the system, with those of a simulator in their places.
     pub fn parameters<R: Real>(&self, system: &LagrangianSystem, given: &[f64]) -> Vec<R> {
         let own = system.parameters.iter().map(|parameter| R::literal(parameter.value));
         let mut all: Vec<R> = own.collect();
@@ -83,7 +83,7 @@ impl Entries {
         all
     }
 
-    /// B, a row for each position, a column for each coordinate.
+    /// Returns B, a row for each position, a column for each coordinate.
     pub fn positions_by_coordinates(
         &self,
         simulator: &dyn Simulator<f64>,
@@ -112,8 +112,8 @@ impl Entries {
         rows
     }
 
-    /// A place of the system at which a simulator's state is as given; nothing where
-    /// there is none.
+    /// Returns a place of the system at which a simulator's state is as given; `None` if there is
+    /// none.
     pub fn place<R: Real>(
         &self,
         system: &LagrangianSystem,
@@ -156,8 +156,8 @@ impl Entries {
     }
 }
 
-/// Moves x as little as possible to where each row times x is as given. Rows that give one
-/// entry give it to the last bit.
+/// Changes x as little as possible so that each row times x has its given value. Rows that set a
+/// single entry set it exactly.
 fn put_on<R: Real>(x: &mut [R], rows: &[(Vec<R>, R)], to_f64: fn(R) -> f64) -> Option<()> {
     let is_given = |row: &[R]| {
         let mut nonzero = row.iter().enumerate().filter(|(_, entry)| to_f64(**entry) != 0.0);

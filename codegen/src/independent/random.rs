@@ -1,4 +1,4 @@
-//! Random numbers, the same ones every time.
+//! Reproducible pseudorandom numbers.
 
 /// The SplitMix64 generator (Steele, Lea and Flood 2014).
 #[derive(Debug, Clone)]
@@ -13,17 +13,17 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Evenly from 0 up to 1.
+    /// Returns a number evenly distributed from 0 to 1, without 1.
     pub fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Evenly from -1 up to 1.
+    /// Returns a number evenly distributed from -1 to 1, without 1.
     pub fn signed(&mut self) -> f64 {
         2.0 * self.unit() - 1.0
     }
 
-    /// One of so many.
+    /// Returns a number below `count`.
     pub fn below(&mut self, count: usize) -> usize {
         (self.next() % count.max(1) as u64) as usize
     }

@@ -1,18 +1,18 @@
-//! Numbers that know how large what they were put together from is: what rounding on any
-//! other way to the same number is to be measured by.
+//! Numbers with the size of the terms they are computed from. This size is the scale for the
+//! rounding errors of any other computation of the same number.
 //!
 //! ```text
 //! size(x + y) = size(x) + size(y)      size(x y) = |x| size(y) + |y| size(x)
 //! size(f(x)) = |f| + |f'| size(x)
 //! ```
 //!
-//! That is the running error analysis of J. H. Wilkinson, in units of one rounding.
+//! This is the running error analysis of J. H. Wilkinson, in units of one rounding.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use machinist_contract::{CubicTable, Real};
 
-/// A number, and the size of its parts.
+/// A number, and the size of its terms.
 #[derive(Debug, Clone, Copy)]
 pub struct Rounded<R> {
     /// The number.
@@ -22,12 +22,12 @@ pub struct Rounded<R> {
 }
 
 impl<R: Real> Rounded<R> {
-    /// A number that is made of nothing else.
+    /// Returns a number that is exact.
     pub fn new(value: R) -> Self {
         Self { value, size: value.abs() }
     }
 
-    /// f(x) and f'(x), which may be infinite where x is exact.
+    /// Returns f(x) from f(x) and f'(x), which may be infinite if x is exact.
     fn through(self, f: R, slope: R) -> Self {
         let zero = R::literal(0.0);
         let share = R::select_less(zero, self.size, slope.abs() * self.size, zero);
@@ -169,7 +169,7 @@ mod tests {
         assert!((product.size - 18.0).abs() < 1e-14);
         let root = Rounded::<f64>::literal(0.0).sqrt();
         assert!(root.size.abs() < 1e-300);
-        // sin x at a zero: what rounds it is the angle.
+        // sin x at a zero: the rounding error is that of the angle.
         let zero = Rounded::<f64>::literal(std::f64::consts::PI).sin();
         assert!((zero.size - std::f64::consts::PI).abs() < 1e-14);
     }

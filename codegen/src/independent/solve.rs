@@ -1,14 +1,14 @@
-//! Inverse of a small dense matrix, by Gauss and Jordan, all of it searched for pivots.
+//! Inverse of a small dense matrix, by Gauss-Jordan elimination with full pivoting.
 //!
-//! The matrix is scaled before, row by row, then column by column, so that units do not
-//! decide what a pivot is.
+//! The matrix is scaled first, row by row, then column by column, so that units of measure do not
+//! affect the choice of pivots.
 
 use machinist_contract::Real;
 
-/// Beside entries of size 1, what counts as no pivot.
+/// Limit of pivots relative to entries of size 1.
 const SINGULAR: f64 = 1e-11;
 
-/// The inverse; none of a matrix that has none, as far as its numbers tell.
+/// Returns the inverse; `None` if the matrix is singular according to its numbers.
 pub fn inverse<R: Real>(mut matrix: Vec<Vec<R>>, to_f64: fn(R) -> f64) -> Option<Vec<Vec<R>>> {
     let n = matrix.len();
     let size = |value: R| to_f64(value).abs();
@@ -37,7 +37,8 @@ pub fn inverse<R: Real>(mut matrix: Vec<Vec<R>>, to_f64: fn(R) -> f64) -> Option
     Some(unscaled.collect())
 }
 
-/// The power of two by which the largest is between 1/2 and 1; none if it is 0 or no number.
+/// Returns the power of two that scales the largest size to between 1/2 and 1; `None` if it is 0
+/// or not finite.
 fn scale(sizes: impl Iterator<Item = f64>) -> Option<f64> {
     let mut largest = 0.0_f64;
     for size in sizes {
@@ -53,7 +54,7 @@ fn gauss_jordan<R: Real>(mut a: Vec<Vec<R>>, to_f64: fn(R) -> f64) -> Option<Vec
     let n = a.len();
     let unit = |i: usize| (0..n).map(move |j| R::literal(if i == j { 1.0 } else { 0.0 }));
     let mut inverse: Vec<Vec<R>> = (0..n).map(|i| unit(i).collect()).collect();
-    // Which row is solved for which column.
+    // The row that is solved for each column.
     let mut row_of = vec![usize::MAX; n];
     let mut used = vec![false; n];
     for _ in 0..n {

@@ -1,4 +1,4 @@
-//! Random systems, built as a composed scene is, without text.
+//! Random systems, built like a composed scene, without text.
 
 use std::fmt;
 
@@ -16,8 +16,8 @@ use crate::scene::system::{
     Parameter,
 };
 
-/// A term of something: a function of positions, time and states, the coordinates, velocities
-/// and states it takes, and a factor.
+/// A term: a function of positions, time and states, the coordinates, velocities and states it
+/// takes, and a factor.
 #[derive(Clone)]
 pub struct Piece {
     function: u8,
@@ -32,13 +32,13 @@ impl fmt::Debug for Piece {
     }
 }
 
-/// What a system is made of. Every list may be shortened and every number made smaller, and
-/// it still is one: so a failure is shrunk to what it takes.
+/// Recipe of a system. It stays valid if any list is shortened and any number reduced, so a
+/// failure can be shrunk to what it needs.
 #[derive(Debug, Clone)]
 pub struct Recipe {
     coordinates: usize,
     states: usize,
-    /// Only differences of positions matter, by a ratio that is 1, 2 or a parameter.
+    /// Only differences of positions matter, with a ratio that is 1, 2 or a parameter.
     relative: Option<u8>,
     kinetic: Vec<Piece>,
     gyroscopic: Vec<Piece>,
@@ -49,17 +49,17 @@ pub struct Recipe {
     constraints: Vec<(Piece, bool, Option<u8>)>,
     outputs: Vec<Piece>,
     tunable: u8,
-    /// How much of it is kept.
+    /// Extent of reduction.
     pub keep: Keep,
 }
 
 const PARAMETERS: usize = 6;
 const MODES: usize = 1;
-/// Functions that terms are made of, and the first of the rarer ones.
+/// Number of functions that terms are made of; the last ones are rarer.
 const FUNCTIONS: u8 = 28;
 const COMMON: u8 = 16;
 
-/// Systems of one to six coordinates, of up to so many terms of a kind; few of the large ones.
+/// Returns systems of one to six coordinates, with up to `most` terms of a kind; few large ones.
 pub fn recipes(most: usize) -> impl Strategy<Value = Recipe> {
     let coordinates = prop_oneof![
         4 => 1..=2_usize,
@@ -82,9 +82,9 @@ pub fn recipes(most: usize) -> impl Strategy<Value = Recipe> {
         let (coordinates, states, mut relative, tunable, keep) = shape;
         let (kinetic, gyroscopic, potential, dissipation) = energies;
         let (forces, rates, mut constraints, outputs) = others;
-        // Each holds another coordinate, and one is left to move.
+        // Each constraint holds another coordinate, and one remains free.
         constraints.truncate(coordinates - 1);
-        // Positions are left out of what has no constraints only.
+        // Positions are left out only without constraints.
         if keep == Keep::Exact && tunable >= 64 {
             constraints.clear();
             relative = relative.or(Some(0));
@@ -155,7 +155,7 @@ impl Recipe {
         Expr::Symbol(Symbol::Velocity(self.coordinate(index)))
     }
 
-    /// A position, or one relative to the first.
+    /// Returns a position, or one relative to the first.
     fn position(&self, index: u8) -> Expr {
         let symbol = |id| Expr::Symbol(Symbol::Coordinate(CoordinateId(id)));
         let CoordinateId(id) = self.coordinate(index);
@@ -179,7 +179,7 @@ impl Recipe {
         }
     }
 
-    /// Of positions and time, and of first-order states if they may be there.
+    /// Returns a function of positions and time, and of first-order states if allowed.
     fn function(&self, piece: &Piece, with_states: bool) -> Expr {
         let [i, j, _] = piece.of;
         let (x, y) = (self.position(i), self.position(j));
@@ -207,7 +207,7 @@ impl Recipe {
                 let half = Expr::Number(BigRational::new(1.into(), 2.into()));
                 Expr::Call(Function::SelectLess, vec![mode, half, x, y])
             }
-            // Roots of what is negative half of the time, multiplied out again.
+            // Roots of expressions that are negative half of the time, multiplied out again.
             16 => power(square(x), 1),
             17 => power(square(difference), 3),
             18 => call(Function::Abs, product(vec![x, y])),
@@ -240,7 +240,7 @@ impl Recipe {
         product(vec![Self::factor(piece), self.function(piece, true)])
     }
 
-    /// Each coordinate has a mass; each piece adds p (q_i' + f q_j')^2/2.
+    /// Returns T: each coordinate has a mass, and each piece adds p (q_i' + f q_j')^2/2.
     fn kinetic(&self) -> Expr {
         let half = |e: Expr| product(vec![Expr::Number(BigRational::new(1.into(), 2.into())), e]);
         let own = (0..self.coordinates as u8)
@@ -283,7 +283,8 @@ impl Recipe {
         sum(own.chain([decay]).collect())
     }
 
-    /// The k-th holds the (k + 1)-th coordinate, by its position or its velocity.
+    /// Returns the k-th constraint, which holds the (k + 1)-th coordinate, by its position or its
+    /// velocity.
     fn constraint(&self, k: usize) -> Constraint {
         let (piece, is_of_positions, mode) = &self.constraints[k];
         let id = CoordinateId(k as u32 + 1);
@@ -296,7 +297,7 @@ impl Recipe {
             let other = product(vec![part, Expr::Symbol(Symbol::Velocity(CoordinateId(0)))]);
             Expr::Sum(vec![own, other, call(Function::Sin, Expr::Symbol(Symbol::Time))])
         };
-        // The function of the mode would be one of a state.
+        // The function of the mode would depend on a state.
         let expr = expr.replace(&|symbol| {
             (symbol == Symbol::FirstOrder(FirstOrderId(0))).then(|| Expr::integer(0))
         });
@@ -328,7 +329,7 @@ impl Recipe {
         Definition { quantity: quantity(&format!("o{index}")), expr }
     }
 
-    /// The system.
+    /// Returns the system.
     pub fn system(&self) -> LagrangianSystem {
         let n = self.coordinates;
         let start = |k: usize| Expr::Number(BigRational::new((k as i64 - 2).into(), 8.into()));
@@ -399,7 +400,7 @@ impl Recipe {
     }
 }
 
-/// A few cubics, constant beyond 1.5.
+/// Returns a table of a few cubics, constant beyond 1.5.
 fn table() -> Table {
     let knots: Vec<f64> = (0..7).map(|k| 0.5 * f64::from(k) - 1.5).collect();
     let coefficients = (0..6_u8).map(|k| {

@@ -1,8 +1,8 @@
-//! Random systems derived both ways, and the second derivation against closed forms.
+//! Comparison of both derivations for random systems, and of the second one with closed forms.
 //!
 //! `MACHINIST_SYSTEMS=10000 cargo test --release -p machinist-codegen --lib random_systems --
 //! --nocapture` derives as many by each algebra, from seed `MACHINIST_SEED`;
-//! `MACHINIST_ALGEBRA=plain` by that one alone.
+//! `MACHINIST_ALGEBRA=plain` uses that algebra only.
 
 use std::cell::RefCell;
 use std::str::FromStr;
@@ -22,19 +22,20 @@ use crate::pipeline;
 use crate::scene::along::{NoRate, rate};
 use crate::scene::system::LagrangianSystem;
 
-/// Systems unless the environment says how many.
+/// Default number of systems.
 const SYSTEMS: u32 = 50;
-/// Where they begin, likewise.
+/// Default seed.
 const SEED: u64 = 0x5eed;
-/// Terms of a kind that those have, and those that the environment asks for.
+/// Numbers of terms of a kind, by default and as set by the environment.
 const FEW_TERMS: usize = 1;
 const TERMS: usize = 3;
-/// Places of each.
+/// Number of places for each system.
 const PLACES: usize = 6;
-/// Rounding of both derivations: of factors of bordered matrices, mostly.
+/// Limit for rounding of both derivations, mainly of factors of bordered matrices.
 pub const LIMIT: f64 = 1e-10;
 
-/// How far the model of a system, by some algebra, is off its second derivation.
+/// Returns the deviation of a system's model, derived by some algebra, from its second
+/// derivation.
 pub fn deviation(recipe: &Recipe, algebra: Algebra) -> Deviation {
     let system = recipe.system();
     let model = pipeline::compile_by(algebra, system.clone(), recipe.keep)
@@ -46,14 +47,14 @@ pub fn deviation(recipe: &Recipe, algebra: Algebra) -> Deviation {
     comparison.at_random(PLACES, &parameters, 1)
 }
 
-/// A number that the environment asks for.
+/// Returns a number set by the environment.
 fn asked<N: FromStr>(variable: &str) -> Option<N> {
     let text = std::env::var(variable).ok()?;
     let number = text.parse();
     Some(number.unwrap_or_else(|_| panic!("{variable} is no number: {text}")))
 }
 
-/// The algebras that the environment asks for: one by its name, or all.
+/// Returns the algebras set by the environment: one by its name, or all.
 fn algebras() -> Vec<Algebra> {
     let wanted = std::env::var("MACHINIST_ALGEBRA").ok();
     let is_wanted = |algebra: &Algebra| wanted.as_ref().is_none_or(|name| name == algebra.name());
@@ -72,7 +73,7 @@ fn random_systems_are_derived_alike() {
     }
 }
 
-/// Random systems are what their energies say, and how far off the worst of them is.
+/// Checks that random systems agree with their energies, and prints the largest deviation.
 fn derived_alike(algebra: Algebra, systems: u32, seed: u64, terms: usize) {
     let config = Config {
         cases: systems,
@@ -102,7 +103,8 @@ fn derived_alike(algebra: Algebra, systems: u32, seed: u64, terms: usize) {
     }
 }
 
-/// `der` of what random constraints are of, against its rate by numbers that carry derivatives.
+/// Compares `der` of the expressions of random constraints with its rate by numbers that carry
+/// derivatives.
 #[test]
 fn rates_of_random_expressions_are_those_along_the_motion() {
     const SYSTEMS: u32 = 400;
@@ -156,8 +158,8 @@ fn a_rate_beyond_its_limit_is_not_made() {
     assert_eq!(rate(&state, 10, &|_| None), Err(unknown));
 }
 
-/// A pendulum on a cart that is pushed; a bob held by a rod in x and y; a mass that grows, in a
-/// frame that shakes; a winch whose rope is cut by mode.
+/// A pendulum on a pushed cart; a bob held by a rod in x and y; a growing mass in a shaken frame;
+/// a winch whose rope is cut by a mode.
 const MACHINES: &str = r#"
 [scene]
 name = "machines"
@@ -225,7 +227,7 @@ fn machines() -> LagrangianSystem {
     pipeline::check(&path).unwrap_or_else(|errors| panic!("{}", errors.render()))
 }
 
-/// Accelerations and forces of textbooks, written by hand.
+/// Compares with accelerations and forces of textbooks, written by hand.
 #[test]
 fn machines_move_as_textbooks_say() {
     let system = machines();
@@ -270,13 +272,13 @@ fn machines_move_as_textbooks_say() {
     }
 }
 
-/// First-order states by their names: modes may stand before others.
+/// Returns first-order states by name, because modes may precede others.
 fn machine_states(system: &LagrangianSystem, load: f64, tied: f64) -> Vec<f64> {
     let states = system.first_order.iter();
     states.map(|z| if z.quantity.name.path == "m.tied" { tied } else { load }).collect()
 }
 
-/// As deep as expressions may nest once helpers are put in, on the smallest stack that a
+/// Expressions nest as deep as possible with helpers substituted, on the smallest stack that a
 /// program has.
 #[test]
 fn deep_expressions_have_room() {

@@ -1,11 +1,12 @@
-//! Rates of expressions along the motion, differentiated on the graph.
+//! Rates of expressions along the motion, by differentiation on the graph.
 
 use std::collections::{BTreeSet, HashMap};
 
 use machinist_algebra::expr::Graph;
 use machinist_model::{Function, NodeId, Op};
 
-/// Rates of nodes along a motion: dx/dt by the chain rule, the state's own rate given.
+/// Returns the rates of nodes along a motion: dx/dt by the chain rule, from the rate of the
+/// state.
 pub(super) fn along(graph: &mut Graph, rate: &[NodeId], of: &[NodeId]) -> Vec<NodeId> {
     let mut known: HashMap<NodeId, NodeId> = HashMap::new();
     for id in reached(graph, of) {
@@ -17,7 +18,7 @@ pub(super) fn along(graph: &mut Graph, rate: &[NodeId], of: &[NodeId]) -> Vec<No
     of.iter().map(|id| known[id]).collect()
 }
 
-/// The rate of an operation, from those of its operands.
+/// Returns the rate of an operation, from those of its operands.
 fn slope(graph: &mut Graph, rate: &[NodeId], id: NodeId, slopes: &[NodeId]) -> NodeId {
     let zero = graph.literal(0.0);
     let op = graph.op(id);
@@ -69,7 +70,7 @@ fn slope(graph: &mut Graph, rate: &[NodeId], id: NodeId, slopes: &[NodeId]) -> N
     }
 }
 
-/// The derivative of a function at a, where its value is known.
+/// Returns the derivative of a function at a, given its value.
 fn derivative(graph: &mut Graph, function: Function, a: NodeId, value: NodeId) -> NodeId {
     let one = graph.literal(1.0);
     let square = |graph: &mut Graph, x: NodeId| graph.mul(x, x);
@@ -116,7 +117,7 @@ fn derivative(graph: &mut Graph, function: Function, a: NodeId, value: NodeId) -
     }
 }
 
-/// The nodes that some need, themselves included, each after its operands.
+/// Returns the nodes that results need, including themselves, each after its operands.
 pub(super) fn reached(graph: &Graph, results: &[NodeId]) -> BTreeSet<NodeId> {
     let mut reached = BTreeSet::new();
     let mut open = results.to_vec();
@@ -135,7 +136,7 @@ mod tests {
 
     use super::*;
 
-    /// Rates along x = x0 + 0.7 (t - 0.4) against differences of values there.
+    /// Compares rates along x = x0 + 0.7 (t - 0.4) with differences of values.
     #[test]
     fn rates_of_all_operations_are_differences_along_the_motion() {
         type Build = fn(&mut Graph, [NodeId; 3]) -> NodeId;
@@ -169,7 +170,7 @@ mod tests {
             coefficients: vec![[0.2, -1.1, 0.7, 2.0], [1.8, 6.3, 6.7, -1.0]],
         };
         nodes.extend([0, 1].map(|order| graph.table(TableId(0), order, x)));
-        // What does not move.
+        // Nodes that do not change.
         nodes.extend([p, speed, graph.call(Function::Sin, p)]);
         let rates = along(&mut graph, &[speed], &nodes);
         let values = |nodes: &[NodeId], later: f64| {

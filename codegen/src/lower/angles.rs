@@ -5,9 +5,9 @@
 //! sin(x - y) = sin x cos y - cos x sin y      cos(x - y) = cos x cos y + sin x sin y
 //! ```
 //!
-//! A chain of n links has n (n - 1)/2 differences of n angles: a call costs as much as
-//! some ten products. The result is that of angles which differ from the given ones by
-//! their rounding, so nothing is lost that the state still knows.
+//! A chain of n links has n (n - 1)/2 differences of n angles, and a call costs as much as about
+//! ten products. The result is that of angles which differ from the given ones by their rounding,
+//! so no precision of the state is lost.
 //!
 //! Excluded: the Taylor series, whose products are sums; there a difference is cheaper.
 
@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use machinist_algebra::expr::Graph;
 use machinist_model::{Function, NodeId, Op, Tape};
 
-/// The tape with fewer calls, where angles are fewer than their sums.
+/// Returns the tape with fewer calls, if there are fewer angles than sums of angles.
 #[must_use]
 pub fn expand(tape: &Tape) -> Tape {
     let split = split(tape);
@@ -45,7 +45,7 @@ pub fn expand(tape: &Tape) -> Tape {
     graph.tape(&results)
 }
 
-/// Sine and cosine of an angle, from those of what it is the sum of.
+/// Returns sine and cosine of an angle, from those of its terms.
 fn of_sum(graph: &mut Graph, tape: &Tape, places: &[NodeId], angle: NodeId) -> [NodeId; 2] {
     let (x, y, is_difference) = match tape[angle].op {
         Op::Add(x, y) => (x, y, false),
@@ -70,7 +70,7 @@ fn of_sum(graph: &mut Graph, tape: &Tape, places: &[NodeId], angle: NodeId) -> [
     }
 }
 
-/// The angles to be split: of those that share parts, all or none.
+/// Returns the angles to be split. Of those that share terms, all are split or none.
 fn split(tape: &Tape) -> BTreeSet<NodeId> {
     let calls = tape.nodes.iter().filter_map(|node| match node.op {
         Op::Call(Function::Sin | Function::Cos, angle) => Some(angle),
@@ -89,7 +89,8 @@ fn split(tape: &Tape) -> BTreeSet<NodeId> {
     split
 }
 
-/// All angles that share parts with the first one, taken out of `left`, and the parts.
+/// Removes all angles that share terms with the first one from `left`, and returns them with the
+/// terms.
 fn connected(
     first: NodeId,
     angles: &BTreeMap<NodeId, BTreeSet<NodeId>>,
@@ -110,7 +111,7 @@ fn connected(
     }
 }
 
-/// What an angle is the sum of. A number costs nothing: its sine is a number.
+/// Returns the terms of an angle. A number costs nothing: its sine is a number.
 fn parts(tape: &Tape, angle: NodeId) -> BTreeSet<NodeId> {
     match tape[angle].op {
         Op::Add(x, y) | Op::Sub(x, y) => {
@@ -133,7 +134,7 @@ mod tests {
         tape.nodes.iter().filter(|node| matches!(node.op, Op::Call(..))).count()
     }
 
-    /// sin(x_i - x_j) and cos(x_i - x_j) for all pairs of `angles` entries of the state.
+    /// Returns sin(x_i - x_j) and cos(x_i - x_j) for all pairs of `angles` entries of the state.
     fn pairs(angles: u32) -> Tape {
         let mut graph = Graph::new();
         let entries: Vec<NodeId> = (0..angles).map(|i| graph.insert(Op::State(i))).collect();

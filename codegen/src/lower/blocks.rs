@@ -1,35 +1,35 @@
-//! How constraints pin coordinates, whatever the forces.
+//! Decomposition of constraints into blocks that pin coordinates, independently of the forces.
 //!
-//! As many constraints as there are coordinates in them decide their accelerations by
-//! themselves, `G_b q''_b = gamma_b`: no force, no mass and no other coordinate has a say,
-//! and in the inverse of the bordered matrix all that would couple them is exactly zero.
-//! A factorization of the whole finds these zeros only up to rounding.
+//! As many constraints as they have coordinates determine the accelerations of these by
+//! themselves, `G_b q''_b = gamma_b`: forces, masses and other coordinates have no influence. In
+//! the inverse of the bordered matrix all coupling entries are exactly zero. A factorization of
+//! the whole finds these zeros only up to rounding.
 //!
-//! Found by the decomposition of Dulmage and Mendelsohn (Can. J. Math. 10, 1958) of the
-//! pattern of G: a largest matching of constraints with coordinates; coordinates that an
-//! unmatched one reaches are free, the others fall into blocks, strong components by the
-//! algorithm of Tarjan (SIAM J. Comput. 1, 1972).
+//! The blocks are found by the decomposition of Dulmage and Mendelsohn (Can. J. Math. 10, 1958)
+//! of the pattern of G. It uses a largest matching of constraints with coordinates. Coordinates
+//! that an unmatched one reaches are free; the others form blocks, which are strong components by
+//! the algorithm of Tarjan (SIAM J. Comput. 1, 1972).
 
-/// Coordinates and constraints in the order in which they are solved for.
+/// Coordinates and constraints in the order of solution.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Blocks {
-    /// What constraints alone decide, each reading only itself and those before it.
+    /// Blocks that constraints alone determine. Each reads only itself and those before it.
     pub pinned: Vec<Block>,
-    /// The rest, of equations of motion with what constraints are left.
+    /// All other coordinates, with the equations of motion and the remaining constraints.
     pub free: Block,
 }
 
 /// Coordinates with constraints.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Block {
-    /// In growing order.
+    /// Coordinates, ascending.
     pub coordinates: Vec<usize>,
-    /// In growing order; of a pinned block as many.
+    /// Constraints, ascending; as many as coordinates in a pinned block.
     pub constraints: Vec<usize>,
 }
 
-/// Finds them for constraints given by the coordinates each holds. Where constraints are
-/// too many to be matched, all is free.
+/// Finds the blocks of constraints, which are given by the coordinates that each contains. If
+/// there are too many constraints for a matching, all is free.
 #[must_use]
 pub fn blocks(held: &[Vec<usize>], coordinates: usize) -> Blocks {
     let Some(partner) = matching(held, coordinates) else {
@@ -61,7 +61,8 @@ pub fn blocks(held: &[Vec<usize>], coordinates: usize) -> Blocks {
     Blocks { pinned: pinned.collect(), free }
 }
 
-/// For each coordinate its constraint, if every constraint can have a coordinate of its own.
+/// Returns the constraint of each coordinate, if every constraint can have a coordinate of its
+/// own.
 fn matching(held: &[Vec<usize>], coordinates: usize) -> Option<Vec<Option<usize>>> {
     let mut partner = vec![None; coordinates];
     for constraint in 0..held.len() {
@@ -73,7 +74,8 @@ fn matching(held: &[Vec<usize>], coordinates: usize) -> Option<Vec<Option<usize>
     Some(partner)
 }
 
-/// Finds a coordinate for a constraint, moving others to other coordinates.
+/// Finds a coordinate for a constraint, and moves other constraints to other coordinates if
+/// necessary.
 fn augment(
     held: &[Vec<usize>],
     constraint: usize,
@@ -96,7 +98,7 @@ fn augment(
     false
 }
 
-/// Coordinates that a coordinate without a constraint of its own reaches.
+/// Returns the coordinates that a coordinate without a constraint of its own reaches.
 fn free(held: &[Vec<usize>], partner: &[Option<usize>]) -> Vec<bool> {
     let mut is_free: Vec<bool> = partner.iter().map(Option::is_none).collect();
     let mut is_grown = true;
@@ -112,7 +114,7 @@ fn free(held: &[Vec<usize>], partner: &[Option<usize>]) -> Vec<bool> {
     is_free
 }
 
-/// Strong components, those first that others read.
+/// Strong components; those that others read come first.
 #[derive(Default)]
 struct Search<'a> {
     held: &'a [Vec<usize>],
@@ -164,7 +166,7 @@ mod tests {
 
     #[test]
     fn what_is_held_alone_comes_before_what_leans_on_it() {
-        // 0 fixed by the second constraint; 1 and 2 held together, leaning on 0; 3 free.
+        // 0 is fixed by the second constraint, 1 and 2 depend on each other and on 0, 3 is free.
         let held = [vec![0, 1, 2], vec![0], vec![1, 2]];
         let found = blocks(&held, 4);
         assert_eq!(found.pinned, [block(&[0], &[1]), block(&[1, 2], &[0, 2])]);
@@ -173,14 +175,14 @@ mod tests {
 
     #[test]
     fn a_pendulum_stays_free() {
-        // x and phi, y and phi.
+        // Constraints of x and phi, and of y and phi.
         let found = blocks(&[vec![0, 2], vec![1, 2]], 3);
         assert_eq!(found, Blocks { pinned: vec![], free: block(&[0, 1, 2], &[0, 1]) });
     }
 
     #[test]
     fn what_hangs_on_pinned_coordinates_is_free_of_them() {
-        // 0 fixed, 1 and 2 share a constraint with it.
+        // 0 is fixed, 1 and 2 share a constraint with it.
         let found = blocks(&[vec![0], vec![0, 1, 2]], 3);
         assert_eq!(found.pinned, [block(&[0], &[0])]);
         assert_eq!(found.free, block(&[1, 2], &[1]));

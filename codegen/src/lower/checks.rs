@@ -1,4 +1,4 @@
-//! What a run is held against, as tapes and numbers of its own.
+//! Checks of runs, as separate tapes and numbers.
 
 use std::collections::BTreeMap;
 
@@ -8,8 +8,8 @@ use num_rational::BigRational;
 
 use crate::scene::system::{self, LagrangianSystem};
 
-/// The checks of a system whose model has these parameters. Others that a check mentions
-/// have been left out or made numbers, and are numbers in the check too.
+/// Returns the checks of a system whose model has these parameters. Other parameters in a check
+/// were left out or made numbers, and are numbers in the check too.
 pub fn checks(system: &LagrangianSystem, kept: &[Parameter]) -> Vec<Check> {
     let checks = system.checks.iter().map(|check| Check {
         name: check.name.clone(),
@@ -28,7 +28,7 @@ pub fn checks(system: &LagrangianSystem, kept: &[Parameter]) -> Vec<Check> {
     checks.collect()
 }
 
-/// The expression of the parameters that are kept.
+/// Renumbers the parameters that are kept, and replaces the others by their values.
 fn of_kept(expr: &Expr, parameters: &[system::Parameter], kept: &[Parameter]) -> Expr {
     expr.replace(&|symbol| {
         let Symbol::Parameter(ParameterId(place)) = symbol else { return None };
@@ -50,7 +50,7 @@ fn closed(text: &str, expr: &Expr, tables: &[Table]) -> ClosedForm {
     ClosedForm { text: text.to_owned(), tape, tables }
 }
 
-/// The tables that a tape reads, by which it is renumbered.
+/// Returns the tables that a tape reads, and renumbers the tape accordingly.
 fn used(tape: &mut Tape, tables: &[Table]) -> Vec<Table> {
     let mut places: BTreeMap<TableId, TableId> = BTreeMap::new();
     let mut used = Vec::new();

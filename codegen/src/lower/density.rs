@@ -1,4 +1,4 @@
-//! The generic element of a field on tapes.
+//! Lowering of the generic element of a field.
 
 use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Graph, Symbol};
 use machinist_model::{Attachment, FieldModel, LocalForces, NodeId, Op, Tape};
@@ -8,7 +8,7 @@ use crate::mechanics::density::FieldEquations;
 use crate::mechanics::linearize::{Linearization, Partials};
 use crate::scene::system::Field;
 
-/// One tape for each point function of a field.
+/// Lowers the generic element to one tape for each point function of a field.
 #[must_use]
 pub fn lower(field: &Field, equations: &FieldEquations) -> FieldModel {
     let linearization = &equations.density;
@@ -38,7 +38,7 @@ pub fn lower(field: &Field, equations: &FieldEquations) -> FieldModel {
     let slopes = build.nodes(equations.places.iter().flat_map(|(_, slopes)| slopes));
     let initial = build.nodes(&field.initial);
     let tape = |nodes: &[NodeId]| -> Tape { build.graph.tape(nodes) };
-    // The derivative by time stands behind that by x.
+    // The derivative by time follows that by x.
     let by_time = force_gradient[if place.is_some() { 2 } else { 0 }];
     let [u, u_x, u_t, u_xt] = [U, U_X, U_T, U_XT].map(|entry| entry as usize);
     let local = LocalForces {
@@ -92,7 +92,7 @@ const U_T: u32 = 2;
 const U_XT: u32 = 3;
 const X: u32 = 4;
 
-/// Whether a tape reads nothing of the state but these entries, and no time unless told.
+/// Reports whether a tape reads only these entries of the state, and time only if `time`.
 fn reads_only(tape: &Tape, entries: &[u32], time: bool) -> bool {
     tape.nodes.iter().all(|node| match node.op {
         Op::State(entry) => entries.contains(&entry),
@@ -101,7 +101,7 @@ fn reads_only(tape: &Tape, entries: &[u32], time: bool) -> bool {
     })
 }
 
-/// x among the symbols of a density.
+/// Symbol of x in a density.
 const PLACE: Symbol = Symbol::FirstOrder(FirstOrderId(0));
 
 struct Build {
@@ -113,7 +113,7 @@ impl Build {
         exprs.into_iter().map(|expr| self.graph.lower(expr)).collect()
     }
 
-    /// Rate of the potential: dV/du u_t + dV/du_x u_xt, and its change in time.
+    /// Returns the rate of the potential: dV/du u_t + dV/du_x u_xt, and its change in time.
     fn stored(&mut self, linearization: &Linearization) -> NodeId {
         let mut total = self.graph.lower(&linearization.time.energy);
         for (value, rate) in [(0, 0), (1, 1)].map(|(q, v)| (CoordinateId(q), CoordinateId(v))) {
@@ -127,7 +127,7 @@ impl Build {
         total
     }
 
-    /// dm/ds.
+    /// Returns dm/ds.
     fn inertia(&mut self, partials: &Partials) -> NodeId {
         let entry = partials.mass_matrix.iter().find(|(row, column, _)| (*row, *column) == (0, 0));
         match entry {
@@ -136,7 +136,7 @@ impl Build {
         }
     }
 
-    /// df/ds.
+    /// Returns df/ds.
     fn force(&mut self, partials: &Partials) -> [NodeId; 2] {
         [0, 1].map(|wanted| {
             let entry = partials.forcing.iter().find(|(row, _)| *row == wanted);

@@ -1,4 +1,4 @@
-//! What a model says of itself, but for its tapes.
+//! Description of a model, without its tapes.
 
 use machinist_algebra::expr::Symbol;
 use machinist_model::{
@@ -11,7 +11,7 @@ use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::state::Motion;
 use crate::scene::system::LagrangianSystem;
 
-/// What a model says of itself, without its tapes.
+/// Returns the description of a model, without its tapes.
 pub fn describe(equations: &EquationsOfMotion) -> Model {
     let system = &equations.system;
     let coordinate = |c: &crate::scene::system::Coordinate| Coordinate {
@@ -51,7 +51,7 @@ pub fn describe(equations: &EquationsOfMotion) -> Model {
     }
 }
 
-/// The parts left out, including constraints that follow from others.
+/// Returns the parts left out, including redundant constraints.
 fn reduction(equations: &EquationsOfMotion) -> Reduction {
     let mut reduction = equations.reduction.clone();
     for constraint in equations.system.constraints.iter().filter(|one| one.is_dropped) {
@@ -61,7 +61,7 @@ fn reduction(equations: &EquationsOfMotion) -> Reduction {
     reduction
 }
 
-/// Outputs with accelerations or forces of constraints in them.
+/// Returns the outputs that contain accelerations or constraint forces.
 fn at_once(equations: &EquationsOfMotion) -> Vec<u32> {
     let answers = |symbol| matches!(symbol, Symbol::Acceleration(_) | Symbol::Multiplier(_));
     let outputs = (0..).zip(&equations.outputs);
@@ -90,7 +90,7 @@ fn states(equations: &EquationsOfMotion) -> Vec<State> {
     states.collect()
 }
 
-/// Events with entries of the state in place of what expressions call them.
+/// Returns the events, with entries of the state in place of symbols.
 pub fn events(equations: &EquationsOfMotion) -> Vec<Event> {
     let entry = |symbol: Symbol| {
         let place = equations.layout.symbols().position(|known| known == symbol);
@@ -110,7 +110,7 @@ pub fn events(equations: &EquationsOfMotion) -> Vec<Event> {
     shapes.collect()
 }
 
-/// Its constraints, but for what they compute.
+/// Returns the descriptions of the constraints.
 pub fn constraints(system: &LagrangianSystem) -> Vec<Constraint> {
     let shapes = system.constraints.iter().map(|constraint| Constraint {
         name: constraint.name.clone(),

@@ -1,9 +1,8 @@
-//! The mass matrix factored on the tape: M = L D L^T without square roots,
-//! unrolled along its nonzeros.
+//! Factorization of the mass matrix on the tape: M = L D L^T without square roots, unrolled along
+//! its nonzeros.
 //!
-//! Diagonal and block-diagonal matrices need no case of their own: structural
-//! zeros fold away, so a diagonal matrix costs one reciprocal a row and a block
-//! its own factorization.
+//! Diagonal and block-diagonal matrices need no special case: structural zeros are folded, so a
+//! diagonal matrix costs one reciprocal per row, and a block its own factorization.
 
 use std::collections::BTreeSet;
 
@@ -15,18 +14,18 @@ use machinist_model::NodeId;
 pub struct Factorization {
     /// L without its diagonal.
     pub lower: Nonzeros,
-    /// Rows in which a column of it has something.
+    /// Rows in which each column of L has entries.
     pub below: Vec<Vec<usize>>,
     /// 1/D.
     pub inverse_diagonal: Vec<NodeId>,
 }
 
-/// Factors a symmetric matrix given by its nodes: positive definite in its first `free` rows,
-/// bordered by constraints.
+/// Factors a symmetric matrix given by its nodes. It is positive definite in its first `free`
+/// rows, and bordered by constraints.
 ///
-/// Of constraints that hold in modes, which have an entry on the diagonal, one may repeat those
-/// before it. Nothing is then left of its pivot, and 0 is taken for 1/D: its force is 0, and the
-/// others are as if it were not there.
+/// A constraint that holds in some modes has an entry on the diagonal, and may be redundant to
+/// those before it. Its pivot then vanishes, and 1/D is set to 0: its force is 0, and the others
+/// are as without it.
 pub fn factor(graph: &mut Graph, matrix: &Nonzeros, free: usize) -> Factorization {
     let n = matrix.len();
     let zero = graph.literal(0.0);
@@ -45,7 +44,7 @@ pub fn factor(graph: &mut Graph, matrix: &Nonzeros, free: usize) -> Factorizatio
             .iter()
             .map(|(k, lower)| (*k, *lower, scaled.get(j, *k).unwrap_or(zero)))
             .collect();
-        // What it is without other constraints, if there are some that it may repeat.
+        // The pivot without other constraints, if there are some to which it may be redundant.
         let mut alone = None;
         for &(k, lower, scaled) in &filled {
             if k >= free && may_repeat {
@@ -82,9 +81,9 @@ pub fn factor(graph: &mut Graph, matrix: &Nonzeros, free: usize) -> Factorizatio
     Factorization { lower, below, inverse_diagonal }
 }
 
-/// 1/d of a negative pivot d; 0 where only rounding is left of what it was alone.
+/// Returns 1/d of a negative pivot d; 0 if it is only the rounding error of its value alone.
 fn inverse_if_any(graph: &mut Graph, pivot: NodeId, alone: NodeId) -> NodeId {
-    /// The square of an angle between two constraints, as M measures it.
+    /// Limit for the squared angle between two constraints, in the norm of M.
     const NOTHING: f64 = 1e-12;
     let (zero, one, nothing) = (graph.literal(0.0), graph.literal(1.0), graph.literal(NOTHING));
     let least = graph.mul(nothing, alone);
@@ -93,8 +92,8 @@ fn inverse_if_any(graph: &mut Graph, pivot: NodeId, alone: NodeId) -> NodeId {
     graph.select_less(least, pivot, zero, inverse)
 }
 
-/// 1/d of a constraint that holds nothing but what others decide whatever the forces: its pivot is
-/// -1 where it does not hold, and 0 where it does, for which 0 is taken.
+/// Returns 1/d of a constraint that contains only coordinates determined by others. Its pivot is
+/// -1 while it does not hold, and 0 while it does; 0 is then used for 1/d.
 fn inverse_of_empty(graph: &mut Graph, pivot: NodeId) -> NodeId {
     let (zero, one) = (graph.literal(0.0), graph.literal(1.0));
     let divisor = graph.select_less(pivot, zero, pivot, one);
@@ -103,13 +102,13 @@ fn inverse_of_empty(graph: &mut Graph, pivot: NodeId) -> NodeId {
 }
 
 impl Factorization {
-    /// Entries of L below the diagonal in a column, by row.
+    /// Iterates over the entries of L below the diagonal in a column, by row.
     pub fn column(&self, column: usize) -> impl Iterator<Item = (usize, NodeId)> {
         let rows = self.below[column].iter();
         rows.filter_map(move |row| Some((*row, self.lower.get(*row, column)?)))
     }
 
-    /// x with L D L^T x = b.
+    /// Returns x with L D L^T x = b.
     pub fn solve(&self, graph: &mut Graph, right_side: &[NodeId]) -> Vec<NodeId> {
         let n = right_side.len();
         let mut x = right_side.to_vec();
@@ -138,7 +137,8 @@ mod tests {
     use machinist_model::Op;
     use machinist_model::evaluate::{Evaluator, Inputs};
 
-    /// m a = f + g (l_1 + l_2), g a = gamma, twice the same while the mode holds.
+    /// Solves m a = f + g (l_1 + l_2), g a = gamma, with the same constraint twice while the mode
+    /// holds.
     #[test]
     fn what_a_mode_holds_twice_is_held_by_the_first() {
         let mut graph = Graph::new();

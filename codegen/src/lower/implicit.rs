@@ -1,10 +1,10 @@
-//! Jacobians of the rate by the factors of the mass matrix.
+//! Jacobians of the rate, by the factors of the mass matrix.
 //!
 //! ```text
 //! M q'' = f + G^T lambda      M dq''/ds = df/ds - (dM/ds) q'' + ...
 //! ```
 //!
-//! Right sides are on a tape; the solve of all columns is data for a loop.
+//! Right sides are on a tape. The solution for all columns is data for a loop.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,17 +13,17 @@ use machinist_model::{NodeId, Solve, SolveStep, SparsityPattern};
 use super::needed::needed;
 use super::substitute::Step;
 
-/// Products of a loop up to which it is short whatever it does in vain; a longer one has to
-/// be dense.
+/// Number of products up to which a loop is short enough, even if many are unnecessary. A longer
+/// loop has to be dense.
 const SHORT: usize = 2000;
 
-/// Part of the products of a loop that are of nonzeros if it is dense, as a fraction.
+/// Fraction of the products of a loop that are of nonzeros, if it is dense.
 const DENSE: [usize; 2] = [9, 10];
 
-/// What columns of a Jacobian are made of; (row, column) of nonzeros only.
+/// Data for the columns of a Jacobian; (row, column) of nonzeros only.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Columns {
-    /// How many.
+    /// Number of columns.
     pub count: usize,
     /// Right sides of the equations of accelerations.
     pub sides: BTreeMap<(usize, usize), NodeId>,
@@ -31,18 +31,18 @@ pub struct Columns {
     pub given: BTreeMap<(usize, usize), NodeId>,
 }
 
-/// A Jacobian that is solved for.
+/// A Jacobian computed by solving linear equations.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Implicit {
-    /// Its nonzeros.
+    /// Nonzeros of the Jacobian.
     pub pattern: SparsityPattern,
-    /// What is given, then the right sides.
+    /// Given entries, then the right sides.
     pub inputs: Vec<NodeId>,
-    /// What is solved with.
+    /// Steps of the solution.
     pub steps: Vec<Step>,
     /// Products of nonzeros in all steps.
     products: usize,
-    /// As in [`Solve`].
+    /// Number of rows, as in [`Solve`].
     rows: u32,
     columns: u32,
     given: Vec<u32>,
@@ -50,8 +50,8 @@ pub struct Implicit {
     solved: Vec<(u32, u32, u32)>,
 }
 
-/// Where everything is, of columns of the derivative of `rows` rates; `velocities` are the
-/// entries of the state that are velocities, with their coordinates.
+/// Plans the solution for columns of the derivative of `rows` rates. `velocities` are the entries
+/// of the state that are velocities, with their coordinates.
 #[must_use]
 pub fn implicit(
     columns: &Columns,
@@ -61,13 +61,13 @@ pub fn implicit(
 ) -> Implicit {
     let wanted = velocities.iter().map(|(_, coordinate)| *coordinate).collect();
     let needed = needed(steps, &columns.sides.keys().copied().collect(), &wanted);
-    // Right sides by column, those only that have a say.
+    // Right sides by column, only those that affect the result.
     let mut sides: Vec<((usize, usize), NodeId)> = columns.sides.clone().into_iter().collect();
     sides.retain(|((row, _), _)| needed.sides.contains(row));
     sides.sort_by_key(|((row, column), _)| (*column, *row));
     let used: BTreeSet<usize> = sides.iter().map(|((_, column), _)| *column).collect();
     let place: BTreeMap<usize, u32> = used.into_iter().zip(0..).collect();
-    // Nonzeros of the result by row: given, or row of the solution.
+    // Nonzeros of the result by row: `None` if given, else the row of the solution.
     let mut entries: BTreeMap<(usize, usize), Option<usize>> =
         columns.given.keys().map(|at| (*at, None)).collect();
     for (entry, coordinate) in velocities {
@@ -103,7 +103,7 @@ pub fn implicit(
 }
 
 impl Implicit {
-    /// One of which every nonzero is known.
+    /// Returns a Jacobian of which every nonzero is known.
     #[must_use]
     pub fn unrolled(
         nonzeros: &BTreeMap<(usize, usize), NodeId>,
@@ -118,7 +118,7 @@ impl Implicit {
         }
     }
 
-    /// Whether a loop over all columns does little that is not needed.
+    /// Reports whether a loop over all columns does little unnecessary work.
     #[must_use]
     pub fn is_worth_a_loop(&self) -> bool {
         let all: usize = self.steps.iter().map(|step| step.terms.len()).sum();
@@ -126,13 +126,13 @@ impl Implicit {
         all <= SHORT || self.products * DENSE[1] >= all * DENSE[0]
     }
 
-    /// Whether anything is left to solve for.
+    /// Reports whether equations remain to be solved.
     #[must_use]
     pub fn is_solved(&self) -> bool {
         !self.solved.is_empty()
     }
 
-    /// As a model has it, with what it multiplies by among `factors`.
+    /// Returns the solution as data of a model, with indices of its factors in `factors`.
     ///
     /// # Panics
     /// If a factor is not among them.

@@ -1,4 +1,4 @@
-//! The functions of a scene, put together on one graph.
+//! The functions of a scene, assembled on one graph.
 
 mod watched;
 
@@ -22,8 +22,8 @@ use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::linearize::{Linearization, Partials};
 use crate::mechanics::state::Motion;
 
-/// One tape for each function of a simulator, behind one for what several of them need
-/// where the machine is large.
+/// Lowers a scene to one tape for each function of a simulator. If the machine is large, a
+/// further tape computes what several of them need.
 #[must_use]
 pub fn lower(linearization: &Linearization) -> Model {
     let mut build = Build::new(linearization);
@@ -48,7 +48,8 @@ pub fn lower(linearization: &Linearization) -> Model {
     let motion = OfMotion { time_derivative, outputs, power_balance, guard_rates, kink_rates };
     let graph = &build.graph;
     let rate = graph.tape(&build.rate);
-    // What events and constraints do is not in the rate. What fields do is, by parameters.
+    // The rate does not include effects of events and constraints. It includes those of fields,
+    // by parameters.
     let is_whole = system.events.is_empty() && system.constraints.is_empty();
     let model = Model {
         excitation: is_whole.then(|| excitation(&rate)).flatten(),
@@ -72,7 +73,8 @@ pub fn lower(linearization: &Linearization) -> Model {
     build.of_motion(model, jacobians, &motion)
 }
 
-/// Requirements on values of parameters, on a graph of their own: they share nothing with what runs.
+/// Returns requirements on values of parameters, on a separate graph: they share nothing with the
+/// other functions.
 fn required(equations: &EquationsOfMotion) -> Tape {
     let mut graph = Graph::for_scene(equations.layout.symbols());
     let required = equations.system.requirements.iter();
@@ -80,19 +82,19 @@ fn required(equations: &EquationsOfMotion) -> Tape {
     graph.tape(&values)
 }
 
-/// Products of a solve in all columns of the Jacobian, beyond which functions share the
-/// motion. Below, calling it costs about what it saves.
+/// Number of products of a solution for all columns of the Jacobian beyond which functions share
+/// the motion. Below, the call costs about as much as it saves.
 const LARGE: usize = 1500;
 
 /// dy'/dy and dy'/dp.
 enum Jacobians {
-    /// Each column solved for on the graph.
+    /// Each column is solved on the graph.
     Unrolled(Box<[MatrixTape; 2]>),
-    /// To be solved for in a loop.
+    /// Columns to be solved in a loop.
     Implicit([Columns; 2]),
 }
 
-/// Results of functions that need accelerations, of which the Jacobians are not.
+/// Results of functions that need accelerations, which the Jacobians are not among.
 struct OfMotion {
     time_derivative: Vec<NodeId>,
     outputs: Vec<NodeId>,
@@ -108,7 +110,7 @@ impl OfMotion {
     }
 }
 
-/// The motion, and what its factors are on the graph.
+/// The motion, and its factors on the graph.
 struct Shared {
     motion: machinist_model::Motion,
     factors: Vec<NodeId>,
@@ -124,7 +126,7 @@ struct Build<'a> {
     forcing: Vec<NodeId>,
     /// q'', then -lambda.
     solution: Vec<NodeId>,
-    /// y', an entry for each of the state.
+    /// y', one entry for each of the state.
     rate: Vec<NodeId>,
 }
 
@@ -185,7 +187,7 @@ impl<'a> Build<'a> {
         self.forcing.len()
     }
 
-    /// dy'/dy and dy'/dp.
+    /// Returns dy'/dy and dy'/dp.
     fn jacobians(&mut self) -> Jacobians {
         let partials = [&self.linearization.state, &self.linearization.parameters];
         if self.is_large() {
@@ -199,7 +201,7 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// Columns of a Jacobian of the rate, dy'/ds, to be solved for.
+    /// Returns columns of a Jacobian of the rate, dy'/ds, to be solved.
     fn columns(&mut self, partials: &[Partials]) -> Columns {
         let mut columns = Columns { count: partials.len(), ..Columns::default() };
         for (column, partials) in partials.iter().enumerate() {
@@ -217,7 +219,7 @@ impl<'a> Build<'a> {
         columns
     }
 
-    /// Right side of the equations of dq''/ds.
+    /// Returns the right side of the equations of dq''/ds.
     fn side(&mut self, partials: &Partials) -> BTreeMap<usize, NodeId> {
         let mut side = BTreeMap::new();
         for (row, expr) in &partials.forcing {
@@ -247,7 +249,7 @@ impl<'a> Build<'a> {
         right_side.insert(row, self.graph.sub(before, part));
     }
 
-    /// Entries of the state that are velocities, with their coordinates.
+    /// Iterates over the entries of the state that are velocities, with their coordinates.
     fn velocities(&self) -> impl Iterator<Item = (usize, usize)> + use<'a> {
         let states = self.linearization.equations.layout.states.iter().enumerate();
         states.filter_map(|(entry, state)| match state.motion {
@@ -256,12 +258,12 @@ impl<'a> Build<'a> {
         })
     }
 
-    /// Of each coordinate the entry of the state that is its velocity, if there is one.
+    /// For each coordinate, returns the entry of the state that is its velocity, if there is one.
     fn velocity_entries(&self) -> BTreeMap<usize, usize> {
         self.velocities().map(|(entry, coordinate)| (coordinate, entry)).collect()
     }
 
-    /// One column of a Jacobian of the rate: dy'/ds by entries, solved for on the graph.
+    /// Returns one column of a Jacobian of the rate: dy'/ds by entries, solved on the graph.
     fn column(
         &mut self,
         partials: &Partials,
@@ -279,7 +281,7 @@ impl<'a> Build<'a> {
         column
     }
 
-    /// Partial derivative of the rate by time.
+    /// Returns the partial derivative of the rate by time.
     fn time_derivative(&mut self) -> Vec<NodeId> {
         let entries = self.velocity_entries();
         let column = self.column(&self.linearization.time, &entries);
@@ -287,7 +289,7 @@ impl<'a> Build<'a> {
         (0..self.rate.len()).map(|entry| column.get(&entry).copied().unwrap_or(zero)).collect()
     }
 
-    /// A Jacobian each column of which is solved for on the graph.
+    /// Returns a Jacobian each column of which is solved on the graph.
     fn unrolled(&mut self, columns: &Columns, velocities: &[(usize, usize)]) -> Implicit {
         let mut nonzeros = columns.given.clone();
         let mut sides = vec![BTreeMap::new(); columns.count];
@@ -307,8 +309,8 @@ impl<'a> Build<'a> {
         Implicit::unrolled(&nonzeros, self.rate.len(), columns.count)
     }
 
-    /// Jacobians by columns, stored by rows, without the nodes that vanish; as one tape before they
-    /// are parted, so that what several need has the same form in each.
+    /// Returns Jacobians given by columns, stored by rows, without vanishing nodes. They are one
+    /// tape before they are separated, so that common parts have the same form in each.
     fn unrolled_matrices(&self, matrices: &[Vec<BTreeMap<usize, NodeId>>; 2]) -> [MatrixTape; 2] {
         let vanishes = self.graph.vanishing();
         let nonzeros = matrices.each_ref().map(|columns| {
@@ -338,8 +340,8 @@ impl<'a> Build<'a> {
         })
     }
 
-    /// Whether derivatives are worth a solve by factors: where factors change with the state,
-    /// and unrolled solves would be long.
+    /// Reports whether solving derivatives by factors is worthwhile: if factors change with the
+    /// state, and unrolled solutions would be long.
     fn is_large(&self) -> bool {
         let steps = &self.substitution.steps;
         let factors = steps.iter().flat_map(Step::factors);
@@ -348,7 +350,7 @@ impl<'a> Build<'a> {
         moves && products * self.rate.len() >= LARGE
     }
 
-    /// The functions that need accelerations or factors.
+    /// Adds the functions that need accelerations or factors.
     fn of_motion(mut self, model: Model, jacobians: Jacobians, motion: &OfMotion) -> Model {
         let columns = match jacobians {
             Jacobians::Implicit(columns) => columns,
@@ -396,7 +398,7 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// The motion, and what reads it.
+    /// Returns the motion, and the tapes that read it.
     fn shared(&self, matrices: &[Implicit; 2], motion: &OfMotion) -> (Shared, [Tape; 7]) {
         let mut factors: Vec<NodeId> = Vec::new();
         for factor in matrices.iter().flat_map(|matrix| &matrix.steps).flat_map(Step::factors) {
@@ -432,7 +434,7 @@ impl<'a> Build<'a> {
         self.part_tape(self.coordinates()..self.solution.len())
     }
 
-    /// Rows of the matrix, without what borders them.
+    /// Returns rows of the matrix, without the border.
     fn part_tape(&self, rows: Range<usize>) -> MatrixTape {
         let n = self.coordinates();
         let entries: Vec<_> = (0..)
@@ -444,7 +446,7 @@ impl<'a> Build<'a> {
         self.matrix_tape((rows.len(), n), &entries)
     }
 
-    /// A matrix by its nonzeros, row by row.
+    /// Returns a matrix by its nonzeros, row by row.
     fn matrix_tape(
         &self,
         (rows, columns): (usize, usize),
@@ -459,13 +461,13 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// y at the start.
+    /// Returns the initial y.
     fn initial_state(&mut self) -> Vec<NodeId> {
         let states = &self.linearization.equations.layout.states;
         states.iter().map(|state| self.lower(&state.initial)).collect()
     }
 
-    /// dE/dt by the chain rule, power supplied, power dissipated.
+    /// Returns dE/dt by the chain rule, power supplied, power dissipated.
     fn power_balance(&mut self) -> [NodeId; 3] {
         let linearization = self.linearization;
         let stored = self.total_derivative(|partials| &partials.energy);
@@ -476,8 +478,9 @@ impl<'a> Build<'a> {
         [stored, supplied, dissipated]
     }
 
-    /// Where the rate, or what holds, is not smooth, or changes within no time. What fields do is
-    /// not looked at: it is not on the graph.
+    /// Returns the surfaces at which the rate, or whether a constraint holds, is not smooth or
+    /// changes within a very short time. Effects of fields are not included: they are not on the
+    /// graph.
     fn kinks(&mut self, holds: &[NodeId], initial: &[NodeId]) -> Kinks {
         let equations = &self.linearization.equations;
         if !equations.system.handed.is_empty() {
@@ -508,7 +511,7 @@ impl<'a> Build<'a> {
         kinks(&mut self.graph, &self.rate, holds, &given)
     }
 
-    /// dX/dt = dX/dy y' + partial dX/dt.
+    /// Returns dX/dt = dX/dy y' + partial dX/dt.
     fn total_derivative(&mut self, of: impl Fn(&Partials) -> &Expr) -> NodeId {
         let mut total = self.lower(of(&self.linearization.time));
         for (index, partials) in self.linearization.state.iter().enumerate() {

@@ -1,24 +1,23 @@
-//! Steps of a substitution that matter for the columns it is done on.
+//! Selection of the substitution steps that affect given columns.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::substitute::Step;
 
-/// Steps of which only those are left that take something from right sides to rows that
-/// are wanted.
+/// The steps that carry values from right sides to the required rows.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Needed {
-    /// What is left of them.
+    /// The remaining steps.
     pub steps: Vec<Step>,
-    /// Rows of right sides that have a say.
+    /// Rows of right sides that affect the result.
     pub sides: BTreeSet<usize>,
-    /// Products of nonzeros, in all columns.
+    /// Number of products of nonzeros, in all columns.
     pub products: usize,
-    /// Columns in which a row may be nonzero afterwards.
+    /// For each row, the columns in which it may be nonzero afterwards.
     pub columns: BTreeMap<usize, BTreeSet<usize>>,
 }
 
-/// Leaves out steps on structural zeros and steps that no wanted row needs. `sides` are the
+/// Leaves out steps on structural zeros and steps that no required row needs. `sides` are the
 /// (row, column) of nonzeros of right sides.
 #[must_use]
 pub fn needed(

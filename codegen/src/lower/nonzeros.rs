@@ -1,38 +1,38 @@
-//! Matrices of nodes, of which most are zero.
+//! Sparse matrices of nodes.
 
 use std::collections::BTreeMap;
 
 use machinist_algebra::expr::Graph;
 use machinist_model::NodeId;
 
-/// Nodes by row and column; what is not there is zero.
+/// Nodes by row and column; missing entries are zero.
 #[derive(Debug, Clone, Default)]
 pub struct Nonzeros {
     rows: Vec<BTreeMap<usize, NodeId>>,
 }
 
 impl Nonzeros {
-    /// So many rows without entries.
+    /// Returns a matrix of `rows` empty rows.
     pub fn new(rows: usize) -> Self {
         Self { rows: vec![BTreeMap::new(); rows] }
     }
 
-    /// Number of rows.
+    /// Returns the number of rows.
     pub fn len(&self) -> usize {
         self.rows.len()
     }
 
-    /// Entries of a row by column.
+    /// Returns the entries of a row by column.
     pub fn row(&self, row: usize) -> &BTreeMap<usize, NodeId> {
         &self.rows[row]
     }
 
-    /// An entry, if it is not zero.
+    /// Returns an entry, if it is not zero.
     pub fn get(&self, row: usize, column: usize) -> Option<NodeId> {
         self.rows[row].get(&column).copied()
     }
 
-    /// Makes an entry what it is now.
+    /// Sets an entry.
     pub fn set(&mut self, graph: &Graph, (row, column): (usize, usize), node: NodeId) {
         if graph.is_zero(node) {
             self.rows[row].remove(&column);

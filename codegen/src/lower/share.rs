@@ -1,25 +1,25 @@
-//! What several functions need of the motion, computed by one tape that goes before theirs.
+//! Sharing of the motion: a tape computes what several functions need, before theirs.
 
 use std::collections::HashMap;
 
 use machinist_model::{Dependence, Motion, Node, NodeId, Op, Tape, reachable};
 
-/// Nodes of one tape and what they are for.
+/// Nodes of one tape, by their purpose.
 pub struct Parts {
-    /// Factors that steps of a solve multiply by.
+    /// Factors in the steps of a solution.
     pub factors: Vec<NodeId>,
-    /// What costs so much that a function which needs it reads it from the motion: the
-    /// accelerations, and those of the factors for which a matrix was factored.
+    /// Nodes so expensive that functions read them from the motion: the accelerations, and those
+    /// of the factors for which a matrix was factored.
     pub costly: Vec<NodeId>,
     /// Results of each function.
     pub functions: Vec<Vec<NodeId>>,
 }
 
-/// Cost of an operation, in sums, that is rather done again than handed over.
+/// Maximum cost of an operation, in sums, that is repeated rather than passed on.
 const DONE_AGAIN: u32 = 2;
 
-/// The motion, and the tapes of the functions; those that need nothing costly stand by
-/// themselves.
+/// Returns the motion, and the tapes of the functions. Tapes that need nothing expensive are
+/// independent of it.
 #[must_use]
 pub fn share(tape: &Tape, parts: &Parts) -> (Motion, Vec<Tape>) {
     let motion: Vec<NodeId> = [&parts.factors[..], &parts.costly].concat();
@@ -52,7 +52,7 @@ pub fn share(tape: &Tape, parts: &Parts) -> (Motion, Vec<Tape>) {
     (motion, tapes.collect())
 }
 
-/// Nodes that results need, not looking behind some.
+/// Returns the nodes that results need, without those needed only through `ends`.
 fn reached(tape: &Tape, results: &[NodeId], ends: impl Fn(NodeId) -> bool) -> Vec<bool> {
     let mut reached = vec![false; tape.nodes.len()];
     let mut open = results.to_vec();
@@ -64,7 +64,7 @@ fn reached(tape: &Tape, results: &[NodeId], ends: impl Fn(NodeId) -> bool) -> Ve
     reached
 }
 
-/// Nodes of the motion that are worth handing over, wherever one is read.
+/// Returns the nodes of the motion that are worth passing on, wherever one is read.
 fn handed_over(tape: &Tape, in_motion: &[bool], costly: &[NodeId]) -> Vec<bool> {
     let dependence = Dependence::of(tape);
     let mut handed = vec![false; tape.nodes.len()];
@@ -73,7 +73,7 @@ fn handed_over(tape: &Tape, in_motion: &[bool], costly: &[NodeId]) -> Vec<bool> 
         let operands = node.op.operands();
         let cost = operands.iter().fold(node.op.cost(), |sum, id| sum + costs[id.0 as usize]);
         let is_result = costly.contains(&NodeId(index as u32));
-        // What parameters alone decide is known once a run wherever it is needed.
+        // Nodes of parameters only are computed once a run wherever they are needed.
         let varies = dependence.on_anything(NodeId(index as u32));
         let is_worth_it = node.op.is_arithmetic() && (cost > DONE_AGAIN || is_result);
         handed[index] = varies && is_worth_it;
@@ -82,7 +82,7 @@ fn handed_over(tape: &Tape, in_motion: &[bool], costly: &[NodeId]) -> Vec<bool> 
     handed
 }
 
-/// The tape of results with those of the motion in place of their operations.
+/// Returns the tape of results, in which results of the motion replace their operations.
 fn behind(tape: &Tape, results: &[NodeId], places: &HashMap<NodeId, u32>) -> Tape {
     let nodes = tape.nodes.iter().enumerate().map(|(index, node)| {
         match places.get(&NodeId(index as u32)) {

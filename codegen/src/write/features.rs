@@ -1,4 +1,4 @@
-//! One Cargo feature for each emitted scene, so that a program links only what it runs.
+//! One Cargo feature for each emitted scene, so that a program links only the scenes it runs.
 //!
 //! Excluded: files (see [`crate::write`]).
 
@@ -7,21 +7,21 @@ use std::path::{Path, PathBuf};
 use crate::emit::rust::TAKEN;
 use toml_edit::{Array, DocumentMut, TomlError, value};
 
-/// The feature that turns all scenes on.
+/// The feature that enables all scenes.
 const ALL: &str = "scenes";
-/// What the comment above that feature says in manifests whose list is ours to keep.
+/// Mark in the comment above that feature, for manifests whose list Machinist maintains.
 const MARK: &str = "machinist gen";
 
-/// The manifest of the crate whose `src/scenes` a folder is, if there is one.
+/// Returns the manifest of the crate whose `src/scenes` the folder is, if there is one.
 pub(crate) fn manifest_of(folder: &Path) -> Option<PathBuf> {
     let source = folder.parent().filter(|source| source.ends_with("src"))?;
     let manifest = source.parent()?.join("Cargo.toml");
     manifest.is_file().then_some(manifest)
 }
 
-/// A manifest with a feature for each scene, and one for all of them; nothing if it has no
-/// feature for all with the mark in its comment. Features that are not in its list are none
-/// of ours and stay.
+/// Returns a manifest with a feature for each scene, and one for all of them. `None` if the
+/// manifest has no feature for all scenes with the mark in its comment. Features that are not in
+/// its list are kept.
 pub(crate) fn with_scenes(manifest: &str, scenes: &[&str]) -> Result<Option<String>, TomlError> {
     let mut document: DocumentMut = manifest.parse()?;
     let Some(features) = document.get_mut("features").and_then(|item| item.as_table_like_mut())
@@ -47,7 +47,7 @@ pub(crate) fn with_scenes(manifest: &str, scenes: &[&str]) -> Result<Option<Stri
     }
     all.set_trailing(if scenes.is_empty() { "" } else { "\n" });
     all.set_trailing_comma(!scenes.is_empty());
-    // In place, so that its comment stays.
+    // Changed in place, so that its comment is kept.
     if let Some(item) = features.get_mut(ALL) {
         *item = value(all);
     }

@@ -1,15 +1,15 @@
-//! Sums of terms: a coefficient that parameters decide, times an entry of the state
-//! or a function of time.
+//! Sums of terms. A term is a coefficient, which depends on parameters only, times an entry of
+//! the state or a function of time.
 
 use machinist_algebra::expr::Graph;
 use machinist_model::{Excitation, Function, NodeId, Op};
 
-/// More terms than this are no gain over stepping.
+/// Maximum number of terms. With more, stepping is as fast.
 const MOST_TERMS: usize = 400;
-/// Higher powers of waves than this neither.
+/// Maximum power of time in a wave, likewise.
 const HIGHEST_POWER: i32 = 8;
 
-/// What a coefficient multiplies.
+/// Factor of a coefficient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Basis {
     /// An entry of the state.
@@ -18,7 +18,7 @@ enum Basis {
     Wave(Wave),
 }
 
-/// t^power e^(growth t) cos(frequency t), or the sine.
+/// A wave t^power e^(growth t) cos(frequency t), or the sine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Wave {
     power: u32,
@@ -27,11 +27,11 @@ struct Wave {
     is_sine: bool,
 }
 
-/// A sum of terms, each basis once; none is zero.
+/// A sum of terms, each basis once; no term is zero.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Sum(Vec<(Basis, NodeId)>);
 
-/// Cosine and sine of one kind of wave together.
+/// Cosine and sine of one kind of wave.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WavePair {
     pub power: u32,
@@ -41,8 +41,7 @@ pub(super) struct WavePair {
     pub sine: NodeId,
 }
 
-/// Computes with sums; coefficients are nodes of one graph, on which equal ones
-/// are the same node.
+/// Algebra of sums. Coefficients are nodes of one graph, on which equal ones are the same node.
 pub(super) struct Algebra {
     graph: Graph,
     zero: NodeId,
@@ -59,7 +58,7 @@ impl Sum {
         self.0.iter().find(|(known, _)| *known == basis).map(|(_, coefficient)| *coefficient)
     }
 
-    /// Whether every term is one of the state.
+    /// Reports whether every term contains a state.
     pub(super) fn is_of_states(&self) -> bool {
         self.0.iter().all(|(basis, _)| matches!(basis, Basis::State(_)))
     }
@@ -68,7 +67,7 @@ impl Sum {
         self.0.iter().any(|(basis, _)| matches!(basis, Basis::State(_)))
     }
 
-    /// The functions of time, cosine and sine of a kind together.
+    /// Returns the functions of time, with cosine and sine of a kind together.
     pub(super) fn waves(&self, algebra: &Algebra) -> Vec<WavePair> {
         let mut pairs: Vec<WavePair> = Vec::new();
         for (basis, coefficient) in &self.0 {
@@ -112,7 +111,7 @@ impl Algebra {
         self.constant(node)
     }
 
-    /// What is known before a run, or handed over.
+    /// Returns the constant sum of an operation that is known before a run or passed by a field.
     pub(super) fn given(&mut self, op: Op) -> Sum {
         let node = self.graph.insert(op);
         self.constant(node)
@@ -138,8 +137,8 @@ impl Algebra {
         sum
     }
 
-    /// Nothing if it is not linear in the state, or a coefficient of the state
-    /// depends on time.
+    /// Multiplies sums. `None` if the product is not linear in the state, or a coefficient of the
+    /// state depends on time.
     pub(super) fn product(&mut self, a: &Sum, b: &Sum) -> Option<Sum> {
         if let Some(factor) = self.as_constant(b) {
             return Some(self.scaled(a, factor));
@@ -185,7 +184,7 @@ impl Algebra {
         Some(power)
     }
 
-    /// A function of what parameters decide.
+    /// Applies a function to sums that depend on parameters only.
     pub(super) fn of_constants(
         &mut self,
         arguments: &[&Sum],
@@ -197,7 +196,7 @@ impl Algebra {
         Some(self.constant(node))
     }
 
-    /// Sine, cosine and exponentials of a + b t; any function of constants.
+    /// Applies sine, cosine or exponential to a + b t, or any function to constants.
     pub(super) fn call(&mut self, function: Function, argument: &Sum) -> Option<Sum> {
         if let Some(argument) = self.as_constant(argument) {
             let node = self.graph.call(function, argument);
@@ -222,7 +221,7 @@ impl Algebra {
         }
     }
 
-    /// `then` where lhs < rhs; a comparison may depend on time, not on the state.
+    /// Selects `then` where lhs < rhs. The comparison may depend on time, not on the state.
     pub(super) fn choice(&mut self, lhs: &Sum, rhs: &Sum, branches: [&Sum; 2]) -> Option<Sum> {
         let (lhs, rhs) = (self.as_affine(lhs)?, self.as_affine(rhs)?);
         if lhs[1] != rhs[1] {
@@ -260,7 +259,7 @@ impl Algebra {
         Wave { power, growth: self.zero, frequency: self.zero, is_sine: false }
     }
 
-    /// Adds a term; terms that cancel and sines of nothing go.
+    /// Adds a term. Terms that cancel and sines of zero are removed.
     fn add(&mut self, sum: &mut Sum, basis: Basis, coefficient: NodeId) {
         let is_nothing = |wave: &Wave| wave.is_sine && self.graph.is_zero(wave.frequency);
         if matches!(&basis, Basis::Wave(wave) if is_nothing(wave)) {
@@ -282,7 +281,7 @@ impl Algebra {
         scaled
     }
 
-    /// cos a cos b = (cos(a - b) + cos(a + b))/2, and the like.
+    /// Adds cos a cos b = (cos(a - b) + cos(a + b))/2, and likewise for sines.
     fn add_product(&mut self, product: &mut Sum, a: Wave, b: Wave, coefficient: NodeId) {
         let power = a.power + b.power;
         let growth = self.graph.add(a.growth, b.growth);
@@ -311,7 +310,7 @@ impl Algebra {
         add(self, fast, is_sine, of_fast);
     }
 
-    /// The value of a sum that neither state nor time is in.
+    /// Returns the value of a sum that contains neither state nor time.
     fn as_constant(&self, sum: &Sum) -> Option<NodeId> {
         match sum.0.as_slice() {
             [] => Some(self.zero),
@@ -320,7 +319,7 @@ impl Algebra {
         }
     }
 
-    /// a and b of a + b t, both the same at all times.
+    /// Returns a and b of a + b t, both constant in time.
     fn as_affine(&self, sum: &Sum) -> Option<[NodeId; 2]> {
         let powers = [0, 1].map(|power| Basis::Wave(self.power_of_time(power)));
         let is_affine = sum.0.iter().all(|(basis, _)| powers.contains(basis));
@@ -329,14 +328,14 @@ impl Algebra {
         (is_affine && is_steady && !sum.depends_on_state()).then_some(values)
     }
 
-    /// a + b t as a node.
+    /// Returns a + b t as a node.
     fn at_time(&mut self, [offset, slope]: [NodeId; 2]) -> NodeId {
         let time = self.graph.time();
         let part = self.graph.mul(slope, time);
         self.graph.add(offset, part)
     }
 
-    /// sin(a + b t) = cos(a) sin(b t) + sin(a) cos(b t), and the cosine.
+    /// Returns sin(a + b t) = cos(a) sin(b t) + sin(a) cos(b t), or the cosine.
     fn wave(&mut self, function: Function, offset: NodeId, frequency: NodeId) -> Sum {
         let cosine = self.graph.call(Function::Cos, offset);
         let sine = self.graph.call(Function::Sin, offset);
@@ -350,7 +349,7 @@ impl Algebra {
         sum
     }
 
-    /// e^(a + b t)
+    /// Returns e^(a + b t).
     fn exponential(&mut self, offset: NodeId, growth: NodeId) -> Sum {
         let size = self.graph.call(Function::Exp, offset);
         let mut sum = Sum::default();

@@ -1,11 +1,11 @@
-//! What is watched along a run: guards of events, and constraints.
+//! Events and constraints along a run.
 
 use machinist_model::NodeId;
 
 use super::Build;
 
 impl Build<'_> {
-    /// Guards, their rates along the motion, and new values.
+    /// Returns guards, their rates along the motion, and resets.
     pub(super) fn events(&mut self) -> [Vec<NodeId>; 3] {
         let linearization = self.linearization;
         let events = &linearization.equations.events;
@@ -28,7 +28,7 @@ impl Build<'_> {
         [guards, rates, resets]
     }
 
-    /// dlambda/dt along the motion, of the same equations differentiated by time.
+    /// Returns dlambda/dt along the motion, from the same equations differentiated by time.
     fn rates_of_forces(&mut self) -> Vec<NodeId> {
         let linearization = self.linearization;
         let zero = self.graph.literal(0.0);
@@ -47,7 +47,7 @@ impl Build<'_> {
         negative.iter().map(|node| self.graph.neg(*node)).collect()
     }
 
-    /// g and g', of constraints that hold.
+    /// Returns g and g' of constraints that hold.
     pub(super) fn constraints(&mut self) -> [Vec<NodeId>; 2] {
         let constraints = &self.linearization.equations.constraints;
         [&constraints.values, &constraints.rates].map(|exprs| {

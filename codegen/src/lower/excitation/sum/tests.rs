@@ -1,4 +1,4 @@
-//! Sums of waves of literal numbers, by their values at some times.
+//! Tests of sums of waves with literal numbers, by their values at some times.
 
 use super::*;
 
@@ -6,7 +6,7 @@ type Of = fn(f64) -> f64;
 
 const TIMES: [f64; 4] = [0.0, 0.3, 1.1, 2.7];
 
-/// a t^power e^(growth t) sin(frequency t + phase)
+/// A term a t^power e^(growth t) sin(frequency t + phase).
 #[derive(Clone, Copy)]
 struct Term {
     size: f64,
@@ -48,7 +48,7 @@ const TERMS: [Term; 4] = [
     Term { size: 1.2, power: 0, growth: 0.0, frequency: 3.0, phase: -0.8 },
 ];
 
-/// What a sum of literal coefficients is at a time.
+/// Returns the value of a sum with literal coefficients at a given time.
 fn value(algebra: &Algebra, sum: &Sum, t: f64) -> f64 {
     let number = |node| algebra.graph.literal_value(node).expect("of literals");
     let waves = sum.waves(algebra).into_iter().map(|pair| {
@@ -136,7 +136,7 @@ fn what_is_not_linear_in_the_state_is_nothing() {
     assert!(algebra.power(&time, 0).is_none() && algebra.power(&two, -1).is_some());
     assert_eq!(algebra.power(&x, 1).expect("itself").0, x.0);
     assert!(algebra.call(Function::Sin, &x).is_none());
-    // As many terms as are a gain, and more; powers that a model can have, and higher ones.
+    // As many terms as allowed, and more; powers that a model can have, and higher ones.
     let mut many = Sum::default();
     for k in 1..=20 {
         let frequency = algebra.literal(f64::from(k));
@@ -186,7 +186,7 @@ fn a_choice_by_time_switches_where_both_sides_are_equal() {
             .collect();
         assert_eq!(switches, [2.0]);
     }
-    // What does not change with time is decided, and switches nothing.
+    // A comparison that is constant in time is decided, and gives no switch.
     let chosen = algebra.choice(&two, &three, [&time, &zero]).expect("by numbers");
     assert_eq!((chosen.0, algebra.switches().len()), (time.0, 1));
     assert!(algebra.choice(&x, &two, [&two, &three]).is_none());

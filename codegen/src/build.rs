@@ -146,7 +146,7 @@ pub enum BuildError {
     Emit {
         /// The scene.
         scene: String,
-        /// What is wrong with it.
+        /// The reason.
         source: EmitError,
     },
     /// A file cannot be written.

@@ -1,7 +1,7 @@
-//! Models derived by our own algebra against those derived by Symbolica.
+//! Comparison of models derived by Machinist's own algebra with those derived by Symbolica.
 //!
-//! Here and not in the workspace's `suite`, which starts compilers: a process that has used Symbolica
-//! starts no other.
+//! These tests are not in the workspace's `suite`, which starts compilers: a process that has
+//! used Symbolica starts no other.
 
 use std::path::{Path, PathBuf};
 
@@ -12,7 +12,7 @@ use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_contract::{Describe as _, Simulator, SparsityPattern};
 use machinist_model::ModelSimulator;
 
-/// Specs of a folder of scenes.
+/// Returns the specs of a folder of scenes.
 fn specs_in(folder: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes").join(folder);
     let files =
@@ -20,13 +20,13 @@ fn specs_in(folder: &str) -> Vec<PathBuf> {
     files.filter(|file| file.extension().is_some_and(|ending| ending == "toml")).collect()
 }
 
-/// The simulator that an algebra gives.
+/// Returns the simulator derived by an algebra.
 fn derived(algebra: Algebra, system: &LagrangianSystem) -> ModelSimulator {
     let model = pipeline::compile_by(algebra, system.clone(), Keep::Needed);
     ModelSimulator::interpreted(model.unwrap_or_else(|errors| panic!("{}", errors.render())))
 }
 
-/// dy'/dy, dy'/dp and dy'/dt at a place, in full.
+/// Returns dy'/dy, dy'/dp and dy'/dt at a place, in full.
 fn derivatives(of: &ModelSimulator, t: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
     let mut slopes = vec![0.0; state.len()];
     Simulator::<f64>::time_derivative(of, t, state, parameters, &mut slopes);

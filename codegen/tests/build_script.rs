@@ -1,4 +1,4 @@
-//! What a build script gets.
+//! Tests of scenes emitted by build scripts.
 
 use std::fs;
 use std::path::{Path, PathBuf};

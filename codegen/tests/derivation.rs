@@ -1,4 +1,4 @@
-//! What the computer algebra gives back.
+//! Tests of results of the computer algebra.
 
 use machinist_algebra::cas::{Algebra, session};
 use machinist_algebra::expr::operations;

@@ -1,5 +1,5 @@
-//! Expressions that grow without bound, or are zero in disguise: derived or refused, in
-//! time, and never with a panic.
+//! Expressions that grow without bound, or are equal to zero in disguise, are derived or
+//! rejected, in time and without a panic.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -11,10 +11,11 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_model::Model;
 
-/// Generous: unoptimized, and beside other builds. What has no bound fails all the same.
+/// Generous, for unoptimized code beside other builds. An unbounded derivation fails all the
+/// same.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A file of its own with a spec in it.
+/// Returns a temporary file with a spec.
 fn file(text: &str) -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("temporary folder");
     let path = folder.path().join("made.toml");
@@ -22,7 +23,8 @@ fn file(text: &str) -> (tempfile::TempDir, PathBuf) {
     (folder, path)
 }
 
-/// The model of a spec by the default algebra, or its report: every algebra gives one or the other.
+/// Returns the model of a spec by the default algebra, or its report. Every algebra returns one
+/// or the other.
 fn derived(text: &str) -> Result<Model, String> {
     let default = derived_by(Algebra::default(), text);
     for other in Algebra::ALL.iter().filter(|one| **one != Algebra::default()) {
@@ -39,7 +41,7 @@ fn derived_by(algebra: Algebra, text: &str) -> Result<Model, String> {
     std::thread::spawn(move || {
         let model = pipeline::check(&own)
             .and_then(|system| pipeline::compile_by(algebra, system, Keep::Needed));
-        // Nobody listens any more if it took too long.
+        // If it took too long, nothing receives the model.
         let _ = sender.send(model);
     });
     let start = Instant::now();
@@ -49,7 +51,8 @@ fn derived_by(algebra: Algebra, text: &str) -> Result<Model, String> {
     result.map_err(|errors| errors.render())
 }
 
-/// A mass with this potential energy in N m, of x in m, pure numbers a to e and x/1 m = u.
+/// Returns a mass with this potential energy in N m. Names are x in m, dimensionless numbers a to
+/// e, and x/1 m = u.
 fn with_potential(potential: &str) -> String {
     format!(
         "[scene]\nname = \"mass\"\nsource = \"Textbook.\"\n[units.m]\nunit = \"held\"\n\
@@ -70,14 +73,14 @@ fn numbers_of_twenty_thousand_digits_are_handed_over_in_time() {
     derived(&with_potential("asin((1e-320)^64)*u")).expect("is derived");
 }
 
-/// Sixty-five thousand digits took Symbolica most of a minute.
+/// Symbolica took most of a minute for sixty-five thousand digits.
 #[test]
 fn numbers_that_powers_make_too_long_are_refused() {
     let report = refusal("((t/1 [s] + u)*((1e-16)^64))^64");
     assert!(report.contains("powers of powers grow beyond"), "{report}");
 }
 
-/// Its derivative by the force holds the sign of the force.
+/// Its derivative by the force contains the sign of the force.
 #[test]
 fn a_guard_may_hold_the_size_of_a_force() {
     let text = "[scene]\nname = \"gripped\"\n[units.block]\nunit = \"block\"\n[run]\n\
@@ -89,7 +92,7 @@ fn a_guard_may_hold_the_size_of_a_force() {
     derived(text).expect("is derived");
 }
 
-/// To factor 1000^64 + a^65 is search without an end.
+/// Factoring 1000^64 + a^65 is a search without end.
 #[test]
 fn high_powers_with_large_numbers_are_derived_in_time() {
     for potential in ["((1000/a)^64 + a)*u", "((0 + 1e3/a)^64 + a)*u^2"] {
@@ -97,8 +100,8 @@ fn high_powers_with_large_numbers_are_derived_in_time() {
     }
 }
 
-/// Each number is one, and what the equations make of them is none: such a model was written,
-/// and could not be read again.
+/// Each number is finite, and results of the equations are not: such a model was written, and
+/// could not be read again.
 #[test]
 fn equations_with_numbers_beyond_all_bounds_are_refused() {
     for potential in ["((1e9/a)^64 + a)*u", "((0 + 1e9/a)^64 + a)*u^2", "atan(u/1e-308)^2"] {
@@ -108,7 +111,7 @@ fn equations_with_numbers_beyond_all_bounds_are_refused() {
     }
 }
 
-/// Who solves for an excitation takes room for each power of time.
+/// Computing an excitation takes memory for each power of time.
 #[test]
 fn powers_of_time_have_a_bound_beyond_which_they_are_stepped_through() {
     let inner = "((t/1 [s])^8 + p)^8";
@@ -210,7 +213,7 @@ fn helpers_that_square_each_other_are_derived() {
 fn bodies_that_attract_each_other_derive_in_time() {
     let model = derived(&machines::bodies(5)).expect("derived");
     assert_eq!(model.coordinates.len(), 10);
-    // Nothing changes if all of them move together, which takes two positions out.
+    // Nothing changes if all of them move together, so two positions are left out.
     assert_eq!(model.states.len(), 20);
     let needed = model.rate_jacobian.pattern.entries.len();
     assert!(needed > 0);
@@ -225,7 +228,7 @@ fn a_chain_of_rotors_derives_in_time() {
 #[test]
 fn positions_that_nothing_joins_derive_in_time() {
     let model = derived(&machines::uncoupled(60)).expect("derived");
-    // No output asks for the angles.
+    // No output needs the angles.
     assert_eq!(model.states.len(), 60);
 }
 

@@ -1,4 +1,4 @@
-//! Emitted modules, compiled here, against the evaluator: the same bits.
+//! Comparison of emitted modules, compiled here, with the evaluator: the same bits.
 
 #![allow(clippy::float_cmp, reason = "numbers that are only moved stay the same")]
 
@@ -33,7 +33,7 @@ mod oddities {
     include!("emitted/oddities.rs");
 }
 
-/// What `tape` gives by the evaluator.
+/// Evaluates `tape` by the evaluator.
 fn evaluated(model: &Model, tape: &Tape, (time, state, parameters): &Given) -> Vec<f64> {
     let mut results = vec![f64::NAN; tape.results.len()];
     let inputs =
@@ -42,7 +42,7 @@ fn evaluated(model: &Model, tape: &Tape, (time, state, parameters): &Given) -> V
     results
 }
 
-/// What a simulator writes into `length` numbers.
+/// Returns the `length` numbers that a simulator writes.
 fn simulated(length: usize, write: impl FnOnce(&mut [f64])) -> Vec<f64> {
     let mut values = vec![f64::NAN; length];
     write(&mut values);
@@ -135,7 +135,7 @@ proptest! {
     }
 }
 
-/// The pendulum's acceleration written once more, by hand.
+/// Repeats the pendulum's acceleration by hand.
 #[test]
 fn the_emitted_rate_is_the_pendulum_of_the_textbook() {
     let p = pendulum::Parameters::<f64>::default();
@@ -217,7 +217,7 @@ fn a_state_of_another_length_is_refused() {
     pendulum::Pendulum.rate(0.0, &[0.0; 4], &[1.0; 6], &mut [0.0; 3]);
 }
 
-/// Simulators are found at run time, whatever they compute with.
+/// Simulators are found at run time, whatever their number type.
 #[test]
 fn a_simulator_can_be_an_object() {
     fn find<R: machinist_contract::Real>() -> &'static dyn Simulator<R> {

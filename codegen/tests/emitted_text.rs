@@ -1,6 +1,6 @@
-//! What emitted modules look like, and that no text of a spec gets out of its
-//! comment. Emitted modules are kept in `tests/emitted/`, where the other tests
-//! compile them; `ACCEPT_EMITTED=1 cargo test -p machinist-codegen` renews them.
+//! Layout of emitted modules, and confinement of the spec's text to comments. Emitted modules are
+//! kept in `tests/emitted/`, where the other tests compile them; `ACCEPT_EMITTED=1 cargo test -p
+//! machinist-codegen` renews them.
 
 use std::path::Path;
 
@@ -53,7 +53,7 @@ fn the_same_model_gives_the_same_bytes() {
     assert_eq!(emitted(&pendulum()), emitted(&pendulum()));
 }
 
-/// Kind and name of every item of a module.
+/// Returns kind and name of every item of a module.
 fn items(text: &str) -> Vec<String> {
     let file = syn::parse_file(text).expect("emitted text is Rust");
     let items = file.items.iter().map(|item| match item {
@@ -92,7 +92,7 @@ fn hostile_text_reaches_readers_unchanged() {
     assert!(strings(tokens).iter().any(|string| string == HOSTILE), "as the doc of a quantity");
 }
 
-/// Every literal of a string, in macros too.
+/// Returns all string literals, also within macros.
 fn strings(tokens: TokenStream) -> Vec<String> {
     let strings = tokens.into_iter().flat_map(|token| match token {
         TokenTree::Group(group) => strings(group.stream()),

@@ -1,5 +1,5 @@
-//! Specs, tables, expressions and units of measure made by damaging good ones: each is read to a
-//! system that holds only numbers, or refused with a message, in time and without a panic.
+//! Specs, tables, expressions and units of measure made by damaging good ones. Each is read as a
+//! system that contains only numbers, or rejected with a message, in time and without a panic.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -18,12 +18,13 @@ use crate::common::describe;
 use crate::damaged_model::refused_or_run;
 use crate::mutation::{Fuzz, Rule, damage, expression, pick, texts};
 
-/// From where folders are named.
+/// Folder to which other folders are relative.
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const PATIENCE: Duration = Duration::from_secs(2);
-/// Begins each file of a bundle: a spec is damaged together with the units and tables it names.
+/// Marks the beginning of each file of a bundle: a spec is damaged together with the units and
+/// tables it names.
 const FILE: &str = "#=== ";
-/// Where the files of a bundle may stand; what is none of these is taken for the scene.
+/// Allowed paths for the files of a bundle; any other is replaced by that of the scene.
 const PLACES: [&str; 4] = ["scenes/made.toml", "units/made.toml", "scenes/a.csv", "scenes/b.csv"];
 const TABLE: &str = "time [s],force [N]\n0,0\n1,40\n2,0\n4,-20.5\n";
 
@@ -31,7 +32,7 @@ fn read_bundle(input: &[u8]) -> Result<bool, String> {
     read_system(input).map(|system| system.is_some())
 }
 
-/// Writes the files of a bundle, and reads the scene; nothing if it is refused as it should be.
+/// Writes the files of a bundle, and reads the scene; `None` if it is rejected as it should be.
 fn read_system(input: &[u8]) -> Result<Option<LagrangianSystem>, String> {
     let folder = tempfile::tempdir().expect("temporary folder");
     for name in ["scenes", "units"] {
@@ -66,7 +67,7 @@ fn read_system(input: &[u8]) -> Result<Option<LagrangianSystem>, String> {
     }
 }
 
-/// That no number of a system is none, neither where it is kept nor where it is printed.
+/// Checks that all numbers of a system are finite, both in memory and in print.
 fn holds_numbers(system: &LagrangianSystem) -> Result<(), String> {
     let mut numbers: Vec<(&str, f64)> =
         system.parameters.iter().map(|p| ("a parameter", p.value)).collect();
@@ -89,7 +90,7 @@ fn holds_numbers(system: &LagrangianSystem) -> Result<(), String> {
     if !(run.until > run.from && run.rtol > 0.0 && run.points >= 2) {
         return Err("a run that makes no sense".to_owned());
     }
-    // Texts of the user's own stand in lines that begin otherwise.
+    // The user's texts are on lines that begin otherwise.
     let kinds = ["  initial", "  rate", "T =", "V =", "D =", "Q =", "stored", "supplied", "dissip"];
     let printed = describe(system);
     let mut lines = printed.lines().filter(|line| kinds.iter().any(|kind| line.starts_with(kind)));
@@ -112,7 +113,7 @@ fn damaged_specs_are_read_to_numbers_or_refused() {
         let other = pick(rng, others).expect("another");
         let mut bundle = format!("{FILE}scenes/made.toml\n{scene}\n");
         if rng.u32(0..8) == 0 {
-            // The unit of some instance is of the user's own.
+            // The unit of some instance is defined by the user.
             let unit = pick(rng, &units).expect("a unit");
             let own = "[units.own]\nunit = \"made\"\n";
             bundle.extend([own, FILE, "units/made.toml\n", unit]);
@@ -127,7 +128,7 @@ fn damaged_specs_are_read_to_numbers_or_refused() {
     Fuzz { name: "specs", few: 150, patience: PATIENCE }.run(make, &rule);
 }
 
-/// A machine of one mass with places for an expression and a table.
+/// Returns a machine of one mass with places for an expression and a table.
 fn machine(expression: &str, table: &str) -> Vec<u8> {
     format!(
         "{FILE}scenes/made.toml\n\
@@ -156,7 +157,8 @@ fn random_expressions_are_read_to_numbers_or_refused() {
         let names = names.map(str::to_owned);
         let depth = [2, 3, 5, 7][rng.usize(0..4)];
         let text = expression(rng, &names, depth);
-        // Whatever the units of its numbers are, some expression of pure numbers is left.
+        // Whatever the units of its numbers are, some expression of dimensionless numbers is
+        // left.
         let text = if rng.bool() { text } else { pure(&text) };
         machine(&text, TABLE)
     };
@@ -164,7 +166,7 @@ fn random_expressions_are_read_to_numbers_or_refused() {
     Fuzz { name: "expressions", few: 150, patience: PATIENCE }.run(make, &rule);
 }
 
-/// What is read is derived as well, and its model run.
+/// Derives the system that was read too, and runs its model.
 fn derive(input: &[u8]) -> Result<bool, String> {
     let Some(system) = read_system(input)? else { return Ok(false) };
     match compile(system, Keep::Needed) {
@@ -182,7 +184,7 @@ fn derive(input: &[u8]) -> Result<bool, String> {
 
 #[test]
 fn machines_of_random_expressions_are_derived_and_run() {
-    // Small ones: whatever is made of them is derived at once, or has no bound.
+    // Only small ones: anything made of them is derived quickly, or without bound.
     let scenes = texts(ROOT, &["tests/pass", "../specs/scenes/parts"], "toml");
     let make = move |rng: &mut Rng| {
         if rng.u32(0..3) == 0 {
@@ -199,7 +201,7 @@ fn machines_of_random_expressions_are_derived_and_run() {
     Fuzz { name: "derived", few: 40, patience }.run(make, &rule);
 }
 
-/// An expression with its numbers and times made pure, as far as is told by looking.
+/// Makes the numbers and times of an expression dimensionless, as far as the text shows them.
 fn pure(text: &str) -> String {
     let mut kept = String::new();
     let mut rest = text;
@@ -240,7 +242,7 @@ fn damaged_units_of_measure_are_read_or_refused() {
             Err(_) => return Ok(false),
         };
         let (unit, written) = (unit.unit.dimension, unit.unit.dimension.as_unit());
-        // A product may have a higher power than a unit is written with.
+        // A product may have a higher power than units may be written with.
         match Measure::parse(&written) {
             Ok(again) if again.unit.dimension != unit => {
                 Err(format!("{text} is written {written}, which reads as another"))

@@ -1,4 +1,4 @@
-//! The scenes that come with Machinist are those of the folder of specs.
+//! Checks that the scenes that come with Machinist are those of the folder of specs.
 
 use std::path::{Path, PathBuf};
 
@@ -8,7 +8,7 @@ use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_codegen::spec::library::{LibraryScene, SCENES};
 use machinist_codegen::spec::{SceneSpec, load_library_scene, load_scene};
 
-/// A system without the places of its files.
+/// Returns a system without the paths of its files.
 fn system(spec: Result<SceneSpec, Diagnostics>) -> LagrangianSystem {
     let mut system =
         spec.and_then(|spec| compose(&spec)).unwrap_or_else(|e| panic!("{}", e.render()));

@@ -1,4 +1,4 @@
-//! Specs that are made at test time: too long, too deep, damaged at random.
+//! Specs generated at test time: too long, too deep, damaged at random.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_codegen::spec::load_scene;
 
-/// A mistake is found within this time, on a busy machine too: what would run for ever fails.
+/// Time within which a mistake is found, also on a busy machine. An endless search fails.
 const PATIENCE: Duration = Duration::from_secs(30);
 
 const GOOD: &str = include_str!("pass/two_rotors.toml");
@@ -18,7 +18,7 @@ fn read(path: &Path) -> Result<LagrangianSystem, Diagnostics> {
     compose(&load_scene(path)?)
 }
 
-/// A folder `scenes` of its own with the file `made.toml` in it.
+/// A temporary folder `scenes` that contains the file `made.toml`.
 struct Made {
     folder: tempfile::TempDir,
 }
@@ -40,7 +40,7 @@ impl Made {
         self.folder.path().join("scenes/made.toml")
     }
 
-    /// The first error, and the whole report.
+    /// Returns the first error, and the whole report.
     fn refusal(&self) -> (String, String) {
         let start = Instant::now();
         let errors = read(&self.scene()).expect_err("is refused");
@@ -57,7 +57,7 @@ fn refusal(text: &str) -> String {
     Made::new(text.as_bytes()).refusal().0
 }
 
-/// The good scene with its drive torque replaced.
+/// Returns the good scene with its drive torque replaced.
 fn with_expression(expression: &str) -> String {
     assert!(GOOD.contains("mean_torque*step(t, 0.1 [s])"));
     GOOD.replace("mean_torque*step(t, 0.1 [s])", expression)
@@ -267,7 +267,7 @@ fn tables_too_short_or_too_long_are_refused() {
     assert!(read(&made.scene()).is_ok());
 }
 
-/// xorshift64*, so that damage is the same on every machine.
+/// The xorshift64* generator, so that damage is the same on every machine.
 struct Dice(u64);
 
 impl Dice {
@@ -279,8 +279,8 @@ impl Dice {
     }
 }
 
-/// One random change: a byte flipped, a piece deleted, doubled, or moved in from
-/// elsewhere, or a word of the language thrown in.
+/// Makes one random change: a byte flipped, a piece deleted, doubled, or moved in from elsewhere,
+/// or a word of the language inserted.
 fn damage(text: &mut Vec<u8>, dice: &mut Dice) {
     const WORDS: &[&str] = &[
         "(",

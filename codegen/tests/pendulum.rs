@@ -1,4 +1,4 @@
-//! A chain of pendulums, derived, against the equations written by hand:
+//! Comparison of a derived chain of pendulums with the equations written by hand:
 //!
 //! ```text
 //! sum_j w_ij cos(th_i - th_j) th_j'' + w_ij sin(th_i - th_j) th_j'^2 + (n - i) g sin th_i = 0
@@ -42,7 +42,7 @@ fn empty_system() -> LagrangianSystem {
     }
 }
 
-/// n unit masses on unit links, absolute angles, the velocities of the masses
+/// Returns n unit masses on unit links, by absolute angles. The velocities of the masses are
 /// written out in Cartesian components: T = sum of (x'^2 + y'^2)/2.
 fn chain(n: u32) -> LagrangianSystem {
     let angle = |i| Expr::Symbol(Symbol::Coordinate(CoordinateId(i)));
@@ -101,7 +101,7 @@ fn evaluate(tape: &Tape, state: &[f64]) -> Vec<f64> {
     results
 }
 
-/// Angles and speeds that look random and are the same each time.
+/// Returns pseudorandom angles and speeds.
 fn states(n: usize) -> impl Iterator<Item = Vec<f64>> {
     let mut seed = 7_u64;
     let mut next = move || {
@@ -154,7 +154,7 @@ fn accelerations_solve_the_mass_matrix() {
 
 #[test]
 fn jacobian_of_a_full_mass_matrix_agrees_with_differences() {
-    // Solved for on the graph, and in a loop.
+    // Solved on the graph, and in a loop.
     for (n, is_looped) in [(3, false), (10, true)] {
         let program = program(chain(n as u32));
         assert_eq!(program.rate_jacobian.solve.is_some(), is_looped);
@@ -197,7 +197,7 @@ fn assert_column_is_of_differences(rate: &Tape, state: &[f64], dense: &[Vec<f64>
 
 #[test]
 fn a_conservative_chain_neither_gains_nor_loses_energy() {
-    // Functions of ten links share what they need of the motion.
+    // Functions of ten links share the motion.
     for n in [5, 10] {
         let program = program(chain(n));
         assert_eq!(program.motion.is_some(), n == 10);
@@ -227,7 +227,7 @@ fn links_are_coupled_by_their_angles_which_follow_their_speeds() {
     assert!(!two.constant_mass && !two.diagonal_mass && two.autonomous);
     assert_eq!((two.linear_rows, two.linear_part), (vec![0, 1], vec![]));
     assert_eq!(two.subsystems, [[0, 1, 2, 3]]);
-    // Two masses that know nothing of each other.
+    // Two masses that are independent of each other.
     let speed = |i| squared(Expr::Symbol(Symbol::Velocity(CoordinateId(i))));
     let apart = LagrangianSystem {
         kinetic: Expr::Sum(vec![speed(0), speed(1)]),

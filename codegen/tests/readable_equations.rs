@@ -58,7 +58,7 @@ fn every_unit_of_the_repository_comes_with_machinist() {
         let scene = empty.path().join("scene.toml");
         let text = format!("[scene]\nname = \"alone\"\n[units.it]\nunit = \"{unit}\"\n");
         std::fs::write(&scene, text).expect("written");
-        // The scene lacks much; that the unit is missing must not be said.
+        // The scene lacks much, but the unit must be found.
         if let Err(errors) = pipeline::check(&scene) {
             assert!(!errors.render().contains("there is no unit"), "{unit}: {}", errors.render());
         }

@@ -1,4 +1,4 @@
-//! Taylor series against the equations they solve, and emitted series against
+//! Comparison of Taylor series with the equations they solve, and of emitted series with
 //! interpreted ones.
 
 use crate::support;
@@ -25,7 +25,7 @@ mod pendulum {
 const ORDER: usize = 24;
 const PARAMETERS: [f64; 6] = [4.2, 0.75, 9.80665, 0.1, 0.2, 0.1];
 
-/// A time and a state away from knots, branches and poles.
+/// Returns a time and a state away from knots, branches and poles.
 fn start(states: usize) -> (f64, Vec<f64>) {
     let mut state: Vec<f64> = (0..states).map(|index| 0.2 + 0.03 * index as f64).collect();
     state[..2].copy_from_slice(&[0.3, 0.4]);
@@ -45,7 +45,7 @@ fn series(model: &Model, orders: usize) -> Vec<f64> {
     coefficients
 }
 
-/// Value and derivative of the series `step` after its start.
+/// Returns value and derivative of the series `step` after its start.
 fn sum(coefficients: &[f64], states: usize, step: f64) -> (Vec<f64>, Vec<f64>) {
     let (mut value, mut slope) = (vec![0.0; states], vec![0.0; states]);
     for terms in coefficients.chunks(states).rev() {

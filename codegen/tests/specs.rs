@@ -1,5 +1,5 @@
-//! Good and bad specs: one file a case, its composed system or its report beside
-//! it as a snapshot.
+//! Good and bad specs, one file per case, with the composed system or the report beside it as a
+//! snapshot.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -10,7 +10,7 @@ use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_codegen::spec::load_scene;
 
-/// A mistake is found within this time, on a busy machine too: what would run for ever fails.
+/// Time within which a mistake is found, also on a busy machine. An endless search fails.
 const PATIENCE: Duration = Duration::from_secs(30);
 
 fn read(path: &Path) -> Result<LagrangianSystem, Diagnostics> {
@@ -21,7 +21,7 @@ fn folder(kind: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(kind)
 }
 
-/// Specs of a folder, sorted, with their names.
+/// Returns the specs of a folder, sorted, with their names.
 fn specs(kind: &str) -> Vec<(String, PathBuf)> {
     let entries = std::fs::read_dir(folder(kind)).expect("folder of specs");
     let paths = entries.map(|entry| entry.expect("entry").path());
@@ -33,7 +33,7 @@ fn specs(kind: &str) -> Vec<(String, PathBuf)> {
     specs
 }
 
-/// Names, sizes and times of change of everything in a folder.
+/// Returns names, sizes and times of change of all files in a folder.
 fn contents(folder: &Path) -> Vec<(PathBuf, u64, std::time::SystemTime)> {
     let entries = std::fs::read_dir(folder).expect("folder");
     let mut contents: Vec<_> = entries
@@ -47,7 +47,7 @@ fn contents(folder: &Path) -> Vec<(PathBuf, u64, std::time::SystemTime)> {
     contents
 }
 
-/// The report of a bad spec, found in time and without a panic.
+/// Returns the report of a bad spec, found in time and without a panic.
 fn report(path: &Path) -> String {
     let start = Instant::now();
     let result = read(path);

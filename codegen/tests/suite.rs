@@ -1,5 +1,5 @@
-//! What the generator is relied on for, one module a subject; `cargo test -p
-//! machinist-codegen --test suite specs::` runs one.
+//! Tests of the generator, one module per subject; `cargo test -p machinist-codegen --test suite
+//! specs::` runs one.
 
 mod common;
 #[path = "../../tests/common/damaged_model.rs"]

@@ -64,7 +64,7 @@ pub struct Mistake {
     pub span: Span,
     /// Label of the span, a few words.
     pub label: String,
-    /// How to mend it; may be empty.
+    /// Hint for mending it; may be empty.
     pub help: String,
 }
 
@@ -96,7 +96,7 @@ pub struct Diagnostic {
     pub column: usize,
     /// Label of the span.
     pub label: Box<str>,
-    /// How to mend it.
+    /// Hint for mending it.
     pub help: Option<String>,
     /// True for a warning: the spec is accepted as it is.
     pub is_warning: bool,

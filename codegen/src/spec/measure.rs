@@ -233,7 +233,7 @@ pub(super) fn dimension_of(symbol: &str) -> Option<Dimension> {
 pub struct UnitError {
     /// The reason, without a full stop.
     pub message: String,
-    /// How to mend it; may be empty.
+    /// Hint for mending it; may be empty.
     pub help: String,
     /// The bytes of the text that are wrong.
     pub range: Range<usize>,

@@ -1,4 +1,4 @@
-//! A composed system as text that people can check.
+//! Readable text of a composed system.
 
 use std::fmt::Write as _;
 
@@ -6,7 +6,7 @@ use machinist_algebra::expr::{Expr, Function, Symbol};
 use machinist_codegen::scene::system::{Check, LagrangianSystem, Reference};
 use machinist_model::Quantity;
 
-/// Everything of a system but its files' paths, one thing a line.
+/// Describes everything of a system except its files' paths, one item per line.
 pub fn describe(system: &LagrangianSystem) -> String {
     let mut out = String::new();
     let show = |expr: &Expr| show(expr, system);
@@ -91,7 +91,7 @@ fn quantity(quantity: &Quantity) -> String {
     format!("{} {} {} [{}] {}", name.path, name.ident, name.latex, quantity.unit, quantity.doc)
 }
 
-/// Infix text of an expression, in the spec's own names.
+/// Returns the infix text of an expression, with the names of the spec.
 pub fn show(expr: &Expr, system: &LagrangianSystem) -> String {
     let each = |parts: &[Expr]| parts.iter().map(|part| show(part, system)).collect::<Vec<_>>();
     match expr {

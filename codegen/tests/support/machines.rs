@@ -1,8 +1,8 @@
-//! Machines of any size as specs, by which the work of deriving is measured.
+//! Specs of machines of any size, for measurements of derivation.
 
 use std::fmt::Write as _;
 
-/// The frame of a scene whose outputs are these.
+/// Returns the frame of a scene with these outputs.
 fn scene(name: &str, units: &str, outputs: &str) -> String {
     format!(
         "[scene]\nname = \"{name}\"\ntitle = \"{name}\"\nsource = \"Textbook.\"\n\n{units}\n\
@@ -10,7 +10,7 @@ fn scene(name: &str, units: &str, outputs: &str) -> String {
     )
 }
 
-/// Bodies in a plane that attract each other: V = -sum m_i m_j/r_ij.
+/// Returns bodies in a plane that attract each other: V = -sum m_i m_j/r_ij.
 pub fn bodies(count: usize) -> String {
     let (mut coordinates, mut parameters, mut starts) =
         (String::new(), String::new(), String::new());
@@ -38,7 +38,7 @@ pub fn bodies(count: usize) -> String {
     scene("bodies", &format!("{text}\n[initial]\n{starts}"), outputs)
 }
 
-/// Rotors one after the other on couplings, each a unit of its own.
+/// Returns rotors in series on couplings, each a unit of its own.
 pub fn rotors(count: usize) -> String {
     let mut units = String::new();
     for i in 0..count {
@@ -60,7 +60,7 @@ pub fn rotors(count: usize) -> String {
     scene("rotors", &units, &format!("last = \"r{}.omega\"\n", count - 1))
 }
 
-/// Rotors that nothing joins.
+/// Returns rotors without joints.
 pub fn uncoupled(count: usize) -> String {
     let mut units = String::new();
     let mut outputs = String::new();
@@ -76,7 +76,7 @@ pub fn uncoupled(count: usize) -> String {
     scene("uncoupled", &units, &outputs)
 }
 
-/// A pendulum of so many links, by absolute angles.
+/// Returns a pendulum of `count` links, by absolute angles.
 pub fn pendulum(count: usize) -> String {
     let (mut kinetic, mut potential) = (Vec::new(), Vec::new());
     let (mut x, mut y) = (Vec::new(), Vec::new());

@@ -1,4 +1,4 @@
-//! Models worked out by hand, without the stages that usually make them.
+//! Handwritten models, made without the usual stages.
 
 #![allow(dead_code, reason = "tests of other crates take what they need")]
 
@@ -14,7 +14,7 @@ use machinist_model::{
     SparsityPattern, State, StateKind, Table, TableId, Tape,
 };
 
-/// Builds a tape, writing equal operations once.
+/// Builds a tape, and writes equal operations once.
 #[derive(Default)]
 pub struct Builder {
     tape: Tape,
@@ -57,7 +57,7 @@ impl Builder {
     }
 }
 
-/// The tape of one closure.
+/// Returns the tape of one closure.
 pub fn tape(build: impl FnOnce(&mut Builder) -> Vec<NodeId>) -> Tape {
     let mut builder = Builder::default();
     let results = build(&mut builder);
@@ -92,7 +92,7 @@ const DAMPING: u32 = 3;
 const LAG: u32 = 4;
 const START: u32 = 5;
 
-/// A damped pendulum whose torque follows a table with a lag, from a given time:
+/// Returns a damped pendulum whose torque follows a table with a lag, from a given time:
 ///
 /// ```text
 /// m l^2 phi'' = torque - b phi' - m g l sin phi
@@ -102,7 +102,7 @@ pub fn pendulum() -> Model {
     pendulum_of(&pendulum_system())
 }
 
-/// What a model says of a system, all of whose coordinates are in the state; no tapes.
+/// Returns the description of a system with all coordinates in the state, without tapes.
 fn described(system: &LagrangianSystem) -> Model {
     let coordinates: Vec<machinist_model::Coordinate> = system
         .coordinates
@@ -156,7 +156,7 @@ fn described(system: &LagrangianSystem) -> Model {
     }
 }
 
-/// The pendulum's tapes under the names of a system.
+/// Returns the pendulum's model with the names of a system.
 fn pendulum_of(system: &LagrangianSystem) -> Model {
     Model {
         requirements: Vec::new(),
@@ -199,7 +199,7 @@ fn pendulum_of(system: &LagrangianSystem) -> Model {
     }
 }
 
-/// The system that the pendulum would come from, without its expressions.
+/// Returns the system of the pendulum, without its expressions.
 pub fn pendulum_system() -> LagrangianSystem {
     LagrangianSystem {
         starts_in_equilibrium: false,
@@ -303,7 +303,7 @@ fn acceleration(b: &mut Builder) -> NodeId {
     b.push(Op::Div(forcing, inertia))
 }
 
-/// The load or its derivative by time.
+/// Returns the load or its derivative by time.
 fn load(b: &mut Builder, order: u32) -> NodeId {
     let (time, start) = (b.push(Op::Time), b.parameter(START));
     let value = b.push(Op::Table { table: TableId(0), order, argument: time });
@@ -374,11 +374,11 @@ fn power_balance(b: &mut Builder) -> Vec<NodeId> {
     vec![b.push(Op::Sub(supplied, dissipated)), supplied, dissipated]
 }
 
-/// Text that would be code if a comment, a string or a link let it out.
+/// Text that would be code if it escaped from a comment, a string or a link.
 pub const HOSTILE: &str = "*/ } fn main() {} /* ` [main](x) <b> \"; // \\ \u{202e}\r\n    let code = 1;\n# [`x`]\n```\nlet y;";
 
-/// A scene with every operation on its tape of outputs and with names and texts
-/// that ask for care.
+/// Returns a scene with every operation on its tape of outputs, and with names and texts that
+/// need care.
 pub fn oddities() -> Model {
     let mut system = pendulum_system();
     system.name = String::from("oddities");
@@ -459,7 +459,7 @@ fn calls(b: &mut Builder, x: NodeId) -> Vec<NodeId> {
     [positive.to_vec(), bounded.to_vec(), any.to_vec()].concat()
 }
 
-/// A sum of sixty products: too long for one expression.
+/// Returns a sum of sixty products, which is too long for one expression.
 fn long_sum(b: &mut Builder, x: NodeId, y: NodeId) -> NodeId {
     let mut sum = b.push(Op::Mul(x, y));
     for index in 0..60 {
@@ -470,8 +470,8 @@ fn long_sum(b: &mut Builder, x: NodeId, y: NodeId) -> NodeId {
     sum
 }
 
-/// An oscillator, x' = v and v' = -x, and a first-order state for each kind of
-/// operation on x, v, time and parameters: z' = operation.
+/// Returns an oscillator, x' = v and v' = -x, and a first-order state for each kind of operation
+/// on x, v, time and parameters: z' = operation.
 pub fn recurrences() -> Model {
     let rate = tape(|b| {
         let (x, v) = (b.state(0), b.state(1));
@@ -506,7 +506,7 @@ pub fn recurrences() -> Model {
     model
 }
 
-/// Two coordinates whose mass matrix moves, as those of a double pendulum:
+/// Returns two coordinates whose mass matrix varies, like those of a double pendulum:
 ///
 /// ```text
 /// [2  c] q_0''   f_0     c = cos(q_0 - q_1)    f_0 = sin(q_1 - q_0) q_1'^2 - 2 g sin q_0
@@ -546,7 +546,7 @@ pub fn coupled() -> Model {
     model
 }
 
-/// A model without outputs, jumps and derivatives, for tests of its rate.
+/// Returns a model without outputs, discontinuities and derivatives, for tests of its rate.
 fn bare(mut system: LagrangianSystem, name: &str, rate: Tape) -> Model {
     let states = rate.results.len();
     name.clone_into(&mut system.name);
@@ -572,7 +572,7 @@ fn bare(mut system: LagrangianSystem, name: &str, rate: Tape) -> Model {
     }
 }
 
-/// Every function of a number below one in size, and of its negative.
+/// Returns every function of a number below one in absolute value, and of its negative.
 fn functions(b: &mut Builder, x: NodeId, v: NodeId) -> Vec<NodeId> {
     let two = b.number(2.0);
     let more = b.push(Op::Add(two, x));
@@ -625,7 +625,7 @@ fn arithmetic(b: &mut Builder, x: NodeId, v: NodeId) -> Vec<NodeId> {
     results
 }
 
-/// What is linear in time, functions of it, and products with it.
+/// Returns expressions linear in time, functions of them, and products with them.
 fn of_time(b: &mut Builder, x: NodeId) -> Vec<NodeId> {
     let (time, k, lag) = (b.push(Op::Time), b.parameter(LENGTH), b.parameter(LAG));
     let scaled = b.push(Op::Mul(k, time));

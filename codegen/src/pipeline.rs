@@ -111,6 +111,8 @@ impl Linear {
         Linear { machine: linearize(cas, equations), fields }
     }
 
+    /// Lowers the equations to a model.
+    ///
     /// # Errors
     /// If a number in the equations is not finite. All numbers of the spec are finite, but
     /// results of computations with them may overflow.

@@ -213,7 +213,8 @@ fn helpers_that_square_each_other_are_derived() {
 fn bodies_that_attract_each_other_derive_in_time() {
     let model = derived(&machines::bodies(5)).expect("derived");
     assert_eq!(model.coordinates.len(), 10);
-    // Nothing changes if all of them move together, so two positions are left out.
+    // Nothing changes if all of them move together, so two positions are integrated only for
+    // outputs.
     assert_eq!(model.states.len(), 20);
     let needed = model.rate_jacobian.pattern.entries.len();
     assert!(needed > 0);

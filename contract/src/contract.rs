@@ -38,7 +38,7 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// Length of the state: positions, velocities and first-order states.
+    /// Returns the length of the state: positions, velocities and first-order states.
     #[must_use]
     pub const fn states(&self) -> usize {
         self.positions + self.coordinates + self.first_order

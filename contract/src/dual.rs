@@ -187,7 +187,7 @@ impl Real for Dual {
         self.chain(Real::cosh(self.value), Real::sinh(self.value))
     }
 
-    /// The derivative is 1/cosh^2, because 1 - tanh^2 would cancel.
+    /// Uses the derivative 1/cosh^2, because 1 - tanh^2 would cancel.
     fn tanh(self) -> Self {
         let cosh = Real::cosh(self.value);
         self.chain(Real::tanh(self.value), 1.0 / (cosh * cosh))

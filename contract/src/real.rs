@@ -49,21 +49,21 @@ pub trait Real:
     }
     /// Returns the real power of a positive base.
     fn powf(self, exponent: Self) -> Self;
-    /// Square root.
+    /// Returns the square root.
     fn sqrt(self) -> Self;
-    /// Absolute value.
+    /// Returns the absolute value.
     fn abs(self) -> Self;
     /// Returns the largest whole number not above this one.
     fn floor(self) -> Self;
-    /// Exponential function.
+    /// Returns the exponential function.
     fn exp(self) -> Self;
-    /// Natural logarithm.
+    /// Returns the natural logarithm.
     fn ln(self) -> Self;
-    /// Sine.
+    /// Returns the sine.
     fn sin(self) -> Self;
-    /// Cosine.
+    /// Returns the cosine.
     fn cos(self) -> Self;
-    /// Sine and cosine.
+    /// Returns sine and cosine.
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         (self.sin(), self.cos())
@@ -74,19 +74,19 @@ pub trait Real:
     fn sin_cos_each<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
         angles.map(Self::sin_cos)
     }
-    /// Tangent.
+    /// Returns the tangent.
     fn tan(self) -> Self;
-    /// Inverse sine.
+    /// Returns the inverse sine.
     fn asin(self) -> Self;
-    /// Inverse cosine.
+    /// Returns the inverse cosine.
     fn acos(self) -> Self;
-    /// Inverse tangent.
+    /// Returns the inverse tangent.
     fn atan(self) -> Self;
-    /// Hyperbolic sine.
+    /// Returns the hyperbolic sine.
     fn sinh(self) -> Self;
-    /// Hyperbolic cosine.
+    /// Returns the hyperbolic cosine.
     fn cosh(self) -> Self;
-    /// Hyperbolic tangent.
+    /// Returns the hyperbolic tangent.
     fn tanh(self) -> Self;
     /// Returns hyperbolic tangents, likewise side by side.
     #[inline(always)]

@@ -258,7 +258,7 @@ impl<'a> Build<'a> {
         })
     }
 
-    /// For each coordinate, returns the entry of the state that is its velocity, if there is one.
+    /// Returns, for each coordinate, the entry of the state that is its velocity, if there is one.
     fn velocity_entries(&self) -> BTreeMap<usize, usize> {
         self.velocities().map(|(entry, coordinate)| (coordinate, entry)).collect()
     }

@@ -119,7 +119,7 @@ fn linear_rows(model: &Model) -> Vec<u32> {
     (0..model.states.len() as u32).filter(|row| is_linear(*row)).collect()
 }
 
-/// For each node, reports whether it depends on a comparison or an interval of a table that the
+/// Reports, for each node, whether it depends on a comparison or an interval of a table that the
 /// state selects.
 fn switched(tape: &Tape) -> Vec<bool> {
     let dependence = Dependence::of(tape);

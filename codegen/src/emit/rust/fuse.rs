@@ -70,7 +70,7 @@ pub(super) fn fuse(tape: &Tape) -> Vec<Option<Fused>> {
     nodes.map(|(node, uses)| if *uses > 0 { sum(node.op) } else { None }).collect()
 }
 
-/// For each node, returns whether it disappears into a fused sum.
+/// Returns, for each node, whether it disappears into a fused sum.
 pub(super) fn swallowed(fused: &[Option<Fused>]) -> Vec<bool> {
     let mut swallowed = vec![false; fused.len()];
     for id in fused.iter().flatten().flat_map(|fused| fused.swallowed).flatten() {

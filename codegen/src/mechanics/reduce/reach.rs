@@ -265,7 +265,7 @@ fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
     needed
 }
 
-/// For each coordinate, returns the first one it is coupled to, directly or not, by the mass
+/// Returns, for each coordinate, the first one it is coupled to, directly or not, by the mass
 /// matrix or by a constraint.
 fn blocks(equations: &EquationsOfMotion) -> Vec<usize> {
     let mut block: Vec<usize> = (0..equations.forcing.len()).collect();

@@ -8,8 +8,8 @@ use crate::spec::{did_you_mean, quoted};
 use machinist_model::Freeze;
 
 impl Assembler<'_> {
-    /// For each parameter, those of the scene first, returns whether runs may change it. All may,
-    /// if the scene does not list any.
+    /// Reports, for each parameter, whether runs may change it. All may, if the scene lists none.
+    /// Parameters of the scene come first.
     pub(super) fn tunable(&mut self) -> Vec<bool> {
         let Some(names) = &self.spec.tunable else { return vec![true; self.values.len()] };
         let mut tunable = vec![false; self.values.len()];

@@ -264,10 +264,6 @@ impl<R: StepNumber> FixedSteps<'_, R> {
     /// # Panics
     /// If there is less room than [`FixedSteps::room`] says, or the state has another length than
     /// the machine's.
-    ///
-    /// # Panics
-    /// If there is less room than [`FixedSteps::room`] says, or the state has another length than
-    /// the machine's.
     pub fn step(&self, time: R, step: R, state: &mut [R], room: &mut Room<'_, R>) -> Stepped {
         if self.simulator.events() > 0 {
             return self.step_with_events(time, step, state, room);

@@ -4,6 +4,7 @@
 //! exact number times a power of pi. They are allowed where a number is converted to SI on
 //! reading (`5 [mm]`, a parameter's value, a column of a table), and at outputs of scenes, which
 //! are shown in them.
+//!
 //! Excluded: offsets (degrees Celsius).
 
 use std::ops::Range;

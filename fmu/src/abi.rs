@@ -1,9 +1,8 @@
-//! The functions of `fmi3FunctionTypes.h`, for C.
+//! Functions of `fmi3FunctionTypes.h`, with the C ABI.
 //!
-//! Every one of them looks its instance up by its handle, does what an
-//! [`Instance`] does, and gives a status. Errors go to the host's log
-//! at once, events if it wants them. A panic is an error as well, after which the instance only
-//! can be reset or freed.
+//! Each function looks up its instance by the handle, calls the [`Instance`] and returns a status.
+//! Errors are always logged to the host, events if the host wants them. A panic is an error too;
+//! afterwards the instance can only be reset or freed.
 #![allow(unsafe_code, reason = "hosts hand pointers over and call by name")]
 #![allow(non_snake_case, reason = "names are those of the standard")]
 
@@ -35,10 +34,10 @@ pub use types::*;
 pub use unused::*;
 pub use values::*;
 
-/// Every instance of this process.
+/// All instances of this process.
 static INSTANCES: Registry<Host> = Registry::new();
 
-/// Categories of what is logged, with what they are.
+/// Log categories with their descriptions.
 pub const CATEGORIES: [(&str, &str); 3] = [
     (ERRORS, "calls that fail, with why"),
     (DISCARDS, "calls that a shorter step may spare"),
@@ -48,15 +47,15 @@ const ERRORS: &str = "logStatusError";
 const DISCARDS: &str = "logStatusDiscard";
 const EVENTS: &str = "logEvents";
 
-/// What an instance has of its host.
+/// Data of the host that belong to an instance.
 struct Host {
     environment: AtomicPtr<c_void>,
     log: Option<LogMessage>,
     update: Option<IntermediateUpdate>,
-    /// Whether it wants to know of events.
+    /// Whether the host wants events logged.
     wants_events: AtomicBool,
     is_broken: AtomicBool,
-    /// The last strings or bytes that it was handed, for as long as it may read them.
+    /// Strings or bytes handed to the host last, kept for as long as it may read them.
     name: Mutex<CString>,
 }
 
@@ -81,7 +80,7 @@ impl Host {
         self.environment.load(Ordering::Relaxed)
     }
 
-    /// Tells the host, whatever it wants to hear.
+    /// Logs a message to the host, whatever categories it wants.
     fn tell(&self, status: Status, category: &str, message: &str) {
         let Some(log) = self.log else { return };
         let name = self.name.lock().unwrap_or_else(PoisonError::into_inner);
@@ -100,21 +99,21 @@ impl Host {
 }
 
 fn tell(log: LogMessage, environment: *mut c_void, status: Status, category: &str, message: &str) {
-    // C ends strings at the first zero.
+    // C strings end at the first zero.
     let text = |text: &str| CString::new(text.replace('\0', " ")).unwrap_or_default();
     let (category, message) = (text(category), text(message));
-    // SAFETY: the host gave this function for these arguments, and strings live until it
+    // SAFETY: the host gave this function for these arguments, and the strings live until it
     // returns.
     unsafe { log(environment, status, category.as_ptr(), message.as_ptr()) };
 }
 
-/// What a panic says.
+/// Returns the message of a panic.
 fn message_of(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("a panic")
 }
 
-/// Calls something of an instance that is not locked; whatever it does is a status.
+/// Calls a function on an instance that is not locked, and turns its result into a status.
 fn with_held(
     instance: Handle,
     call: &str,
@@ -146,7 +145,7 @@ fn with_held(
     }
 }
 
-/// Calls something of an instance.
+/// Calls a function on a locked instance.
 fn with(
     instance: Handle,
     call: &str,
@@ -155,23 +154,23 @@ fn with(
     with_held(instance, call, |held| act(&mut held.lock()))
 }
 
-/// What a host hands over.
+/// Borrows values that a host hands over.
 ///
 /// # Safety
-/// A pointer that is not null points to so many, which stay as they are for as long.
+/// A pointer that is not null points to `count` values, which do not change during `'a`.
 unsafe fn read<'a, T>(from: *const T, count: usize) -> Result<&'a [T], Refusal> {
     require_room(from, count)?;
-    // SAFETY: by the caller, and not null.
+    // SAFETY: guaranteed by the caller, and not null.
     Ok(if count == 0 { &[] } else { unsafe { slice::from_raw_parts(from, count) } })
 }
 
-/// Where a host wants values.
+/// Borrows the memory to which a host wants values written.
 ///
 /// # Safety
-/// A pointer that is not null points to so many, which nobody else has for as long.
+/// A pointer that is not null points to `count` values, which nobody else uses during `'a`.
 unsafe fn write<'a, T>(to: *mut T, count: usize) -> Result<&'a mut [T], Refusal> {
     require_room(to.cast_const(), count)?;
-    // SAFETY: by the caller, and not null.
+    // SAFETY: guaranteed by the caller, and not null.
     Ok(if count == 0 { &mut [] } else { unsafe { slice::from_raw_parts_mut(to, count) } })
 }
 
@@ -187,30 +186,30 @@ fn require_room<T>(at: *const T, count: usize) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Hands one value over, if the host wants it.
+/// Writes one value, unless the pointer is null.
 ///
 /// # Safety
-/// A pointer that is not null points to one.
+/// A pointer that is not null points to one value.
 unsafe fn put<T>(to: *mut T, value: T) {
     if !to.is_null() && to.is_aligned() {
-        // SAFETY: by the caller.
+        // SAFETY: guaranteed by the caller.
         unsafe { to.write(value) };
     }
 }
 
-/// A string of the host's; nothing for null.
+/// Copies a string of the host; `None` for null.
 ///
 /// # Safety
-/// A pointer that is not null points to bytes of which one is zero.
+/// A pointer that is not null points to bytes that end with a zero.
 unsafe fn string(from: *const c_char) -> Option<String> {
     if from.is_null() {
         return None;
     }
-    // SAFETY: by the caller.
+    // SAFETY: guaranteed by the caller.
     Some(unsafe { CStr::from_ptr(from) }.to_string_lossy().into_owned())
 }
 
-/// Functions that hosts find by their names.
+/// Defines functions that hosts find by name.
 macro_rules! exported {
     ($(fn $name:ident($($argument:ident: $type:ty),* $(,)?) -> $result:ty $body:block)*) => {
         $(

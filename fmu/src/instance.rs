@@ -1,7 +1,7 @@
-//! An instance of an FMU: what it is at, what may be asked of it then, and its numbers.
+//! Instance of an FMU: its mode, the calls allowed in each mode, and its values.
 //!
-//! What fails changes nothing: after an error an instance is as it was before the call. Whoever
-//! asks for something at a time at which the standard does not allow it is refused.
+//! A call that fails changes nothing: the instance stays as it was before. Calls in a mode in which
+//! the standard does not allow them are refused.
 
 mod derivatives;
 mod snapshot;
@@ -22,21 +22,21 @@ pub use snapshot::Snapshot;
 pub use stepping::{Intermediate, Looks, Reply, Step, Stepped, Update};
 pub use values::Type;
 
-/// What an instance is driven by.
+/// Interface by which a host drives an instance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interface {
-    /// A method of the host's.
+    /// The host integrates with a method of its own.
     ModelExchange,
-    /// Ours, between the host's communication points.
+    /// The instance integrates between the host's communication points.
     CoSimulation {
         /// Whether the host handles events.
         event_mode: bool,
-        /// Whether it copes with steps that end early.
+        /// Whether the host accepts steps that end early.
         early_return: bool,
     },
 }
 
-/// What an instance is at, in the standard's words.
+/// Mode of an instance, in the standard's words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Phase {
     /// Instantiated.
@@ -49,51 +49,51 @@ pub enum Phase {
     ContinuousTime,
     /// Step mode.
     Step,
-    /// Within a step, while the host looks on.
+    /// Within a step, during a callback of the host.
     Intermediate,
     /// Terminated.
     Terminated,
 }
 
-/// Why an instance refuses something.
+/// Reason why an instance refuses a call.
 #[derive(Debug, Error)]
 pub enum Refusal {
-    /// It is not allowed now.
+    /// The call is not allowed in the present mode.
     #[error("{call} is not allowed in {phase:?} mode")]
     OutOfOrder {
-        /// What was called.
+        /// Name of the call.
         call: &'static str,
-        /// What the instance is at.
+        /// Mode of the instance.
         phase: Phase,
     },
-    /// It is of the other interface.
+    /// The call belongs to the other interface.
     #[error("{0} is not of the interface that was instantiated")]
     OtherInterface(&'static str),
-    /// An argument makes no sense.
+    /// An argument is invalid.
     #[error("{0}")]
     Argument(String),
-    /// The run does not begin or does not go on.
+    /// The run cannot start or continue.
     #[error(transparent)]
     Run(#[from] HostedError),
-    /// A number that is none: a shorter step may do.
+    /// A result is not finite. A shorter step may help.
     #[error("{0} is not a finite number")]
     NotFinite(String),
 }
 
 impl Refusal {
-    /// An argument that makes no sense.
+    /// Creates the refusal of an invalid argument.
     pub(crate) fn argument(message: impl Into<String>) -> Self {
         Self::Argument(message.into())
     }
 
-    /// Whether the host may try a shorter step.
+    /// Returns whether the host may try a shorter step.
     #[must_use]
     pub fn is_discard(&self) -> bool {
         matches!(self, Self::NotFinite(_))
     }
 }
 
-/// The host's experiment.
+/// Experiment of the host.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct Experiment {
     from: f64,
@@ -101,57 +101,57 @@ struct Experiment {
     rtol: f64,
 }
 
-/// All of an instance that changes.
+/// Mutable data of an instance.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Now {
     phase: Phase,
     parameters: Vec<f64>,
-    /// Entries of the state that the host has begin otherwise.
+    /// Start values that the host has set for entries of the state.
     chosen: Vec<Option<f64>>,
     experiment: Experiment,
-    /// Nothing before the start is computed.
+    /// State of the run; `None` until the start is computed.
     standing: Option<Standing>,
 }
 
-/// An instance.
+/// Instance of an FMU.
 #[derive(Debug)]
 pub struct Instance {
     machine: Arc<Machine>,
     interface: Interface,
     now: Now,
-    /// States that were kept for the host, by their handles.
+    /// States kept for the host, by their handles.
     kept: BTreeMap<usize, Snapshot>,
     handles: usize,
 }
 
 impl Instance {
-    /// A machine, instantiated.
+    /// Instantiates a machine.
     #[must_use]
     pub fn new(machine: Arc<Machine>, interface: Interface) -> Self {
         let now = Now::of(&machine);
         Self { machine, interface, now, kept: BTreeMap::new(), handles: 0 }
     }
 
-    /// What it is at.
+    /// Mode of the instance.
     #[must_use]
     pub fn phase(&self) -> Phase {
         self.now.phase
     }
 
-    /// The machine it is of.
+    /// Machine of the instance.
     #[must_use]
     pub fn machine(&self) -> &Arc<Machine> {
         &self.machine
     }
 
-    /// Time reached \[s\]; that of the start before it.
+    /// Time reached \[s\]; before the start, the start time.
     #[must_use]
     pub fn time(&self) -> f64 {
         let Now { standing, experiment, .. } = &self.now;
         standing.as_ref().map_or(experiment.from, |standing| standing.time)
     }
 
-    /// As instantiated.
+    /// Resets the instance to its state after instantiation.
     ///
     /// # Errors
     /// [`Refusal`] within a step.
@@ -166,7 +166,8 @@ impl Instance {
     /// Enters initialization mode.
     ///
     /// # Errors
-    /// [`Refusal`] if it was not just instantiated, or if times or the tolerance make no sense.
+    /// [`Refusal`] if the instance was not just instantiated, or if times or the tolerance are
+    /// invalid.
     pub fn enter_initialization(
         &mut self,
         tolerance: Option<f64>,
@@ -190,10 +191,10 @@ impl Instance {
         Ok(())
     }
 
-    /// Leaves it, for event mode or for the first step.
+    /// Leaves initialization mode for event mode or step mode.
     ///
     /// # Errors
-    /// [`Refusal`] if it is not in it, or if the machine cannot start there.
+    /// [`Refusal`] if the instance is not in initialization mode, or if the machine cannot start.
     pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
         self.require("fmi3ExitInitializationMode", &[Phase::Initialization])?;
         self.start()?;
@@ -234,7 +235,7 @@ impl Instance {
         if self.is_exchange() { Err(Refusal::OtherInterface(call)) } else { Ok(()) }
     }
 
-    /// Where the run stands; its start is computed if that has not been done.
+    /// Returns the state of the run, after computing the start if needed.
     fn start(&mut self) -> Result<&Standing, Refusal> {
         let standing = match self.now.standing.take() {
             Some(standing) => standing,
@@ -243,7 +244,7 @@ impl Instance {
         Ok(self.now.standing.insert(standing))
     }
 
-    /// Where the run stands.
+    /// Returns the state of the run.
     fn standing(&self) -> Result<&Standing, Refusal> {
         let missing = || Refusal::OutOfOrder { call: "this", phase: self.now.phase };
         self.now.standing.as_ref().ok_or_else(missing)
@@ -263,7 +264,7 @@ impl Instance {
         }
         let Experiment { from, until, rtol } = self.now.experiment;
         let in_equilibrium = simulator.starts_in_equilibrium();
-        // What the host sets is named to the search, as what `run` sets.
+        // Entries set by the host count as given in the search, like those that `run` sets.
         let is_given = |entry: usize| {
             let is_set = in_equilibrium && self.now.chosen[entry].is_some();
             is_set || simulator.is_given(entry)
@@ -274,7 +275,7 @@ impl Instance {
         Ok(Hosted::new(simulator, parameters).begin(beginning)?)
     }
 
-    /// Where a state's value at the start is from.
+    /// Returns the origin of the start value of an entry of the state.
     fn initial(&self, entry: usize) -> Option<Initial> {
         let variables = self.machine.variables.all();
         let found = variables.iter().find(|variable| variable.kind.entry() == Some(entry));

@@ -1,4 +1,4 @@
-//! What an archive holds for the library beside it: a model file, and what of it are inputs.
+//! Resources of an archive: a model file and the export settings.
 
 use std::fs;
 use std::io;
@@ -15,33 +15,33 @@ use thiserror::Error;
 
 use crate::variables::{Unfit, Variables};
 
-/// Name of the model file within `resources`, as `machinist compile` writes it.
+/// Name of the model file within `resources`, in the format of `machinist compile`.
 pub const MODEL: &str = "machine.model";
 /// Name of the file beside it that holds an [`Export`].
 pub const EXPORT: &str = "machine.export";
-/// The first bytes of that.
+/// First bytes of the export file.
 const MARK: &[u8; 16] = b"machinist export";
 
-/// How a model is exported.
+/// Settings of an export.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Export {
-    /// Names of parameters that are inputs.
+    /// Names of the parameters that are inputs.
     pub inputs: Vec<String>,
-    /// Number of elements of each field, where it is not the spec's.
+    /// Number of elements of each field, if not the spec's.
     pub elements: Option<usize>,
-    /// Their order, likewise.
+    /// Order of the elements, if not the spec's.
     pub order: Option<usize>,
 }
 
 impl Export {
-    /// Its bytes.
+    /// Serializes the settings.
     #[must_use]
     pub fn write(&self) -> Vec<u8> {
         file::seal(MARK, self)
     }
 }
 
-/// Why an archive's resources are not run.
+/// Reason why an archive's resources cannot be run.
 #[derive(Debug, Error)]
 pub enum LoadError {
     /// A file cannot be read.
@@ -49,23 +49,23 @@ pub enum LoadError {
     Read {
         /// The file.
         path: PathBuf,
-        /// Why not.
+        /// Reason for the failure.
         error: io::Error,
     },
-    /// A file is not what was written.
+    /// A file is invalid.
     #[error("{path}: {error}")]
     File {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// Defect of the file.
         error: FileError,
     },
-    /// The resources are not those of the description.
+    /// The resources do not match the description.
     #[error("the instantiation token is `{found}`, but that of the resources is `{expected}`")]
     Token {
-        /// That of the resources.
+        /// Token of the resources.
         expected: String,
-        /// That of the description.
+        /// Token of the description.
         found: String,
     },
     /// The model cannot be exported like that.
@@ -73,7 +73,7 @@ pub enum LoadError {
     Unfit(#[from] Unfit),
 }
 
-/// The token that ties a description to resources: of the bytes of both files.
+/// Returns the token that ties a description to its resources: a hash of the bytes of both files.
 #[must_use]
 pub fn token(model: &[u8], export: &[u8]) -> String {
     let mut hash = Sha256::new();
@@ -82,20 +82,20 @@ pub fn token(model: &[u8], export: &[u8]) -> String {
     let hash = hash.finalize();
     let mut hash = hash.iter().map(|byte| format!("{byte:02x}"));
     let mut hex = |bytes: usize| hash.by_ref().take(bytes).collect::<String>();
-    // In the form of a GUID, as descriptions have it.
+    // Descriptions want the form of a GUID.
     let [a, b, c, d, e] = [4, 2, 2, 2, 6].map(&mut hex);
     format!("{{{a}-{b}-{c}-{d}-{e}}}")
 }
 
-/// A model ready to be run as an FMU.
+/// Model ready to be run as an FMU.
 pub struct Machine {
-    /// It, compiled where the target can.
+    /// Simulator of the model, compiled where the target supports it.
     model: Arc<ModelSimulator>,
-    /// It with its fields cut, if it has any.
+    /// Simulator with discretized fields, if there are fields.
     cut: Option<FieldSimulator<'static, f64>>,
-    /// Its variables.
+    /// Variables of the model.
     pub variables: Variables,
-    /// The token of the resources it was read from.
+    /// Token of the resources that it was read from.
     pub token: String,
 }
 
@@ -106,7 +106,7 @@ impl std::fmt::Debug for Machine {
 }
 
 impl Machine {
-    /// Of a model, as it is exported.
+    /// Prepares a model with the settings of its export.
     ///
     /// # Errors
     /// [`Unfit`].
@@ -127,7 +127,7 @@ impl Machine {
         Ok(Self { model, cut, variables, token })
     }
 
-    /// What runs.
+    /// Returns the simulator to run.
     #[must_use]
     pub fn simulator(&self) -> &dyn Simulator<f64> {
         match &self.cut {
@@ -136,13 +136,13 @@ impl Machine {
         }
     }
 
-    /// The model that runs.
+    /// Returns the model to run.
     #[must_use]
     pub fn model(&self) -> &Model {
         self.model.model()
     }
 
-    /// Of the files of a folder, which must be those that a token is of.
+    /// Loads the files of a folder and compares their token with the given one.
     ///
     /// # Errors
     /// [`LoadError`].
@@ -165,7 +165,7 @@ impl Machine {
         Ok(Self::of(model, &export, expected)?)
     }
 
-    /// Values of parameters as the spec has them.
+    /// Returns the spec's values of the parameters.
     #[must_use]
     pub fn parameters(&self) -> Vec<f64> {
         let simulator = self.simulator();

@@ -15,27 +15,27 @@ use thiserror::Error;
 
 pub use reads::Reads;
 
-/// What a variable is of the machine.
+/// Quantity of the machine that a variable stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// t.
+    /// Time t.
     Time,
-    /// An entry of the state that is no mode.
+    /// Continuous entry of the state.
     State(usize),
-    /// Its rate.
+    /// Rate of a continuous entry of the state.
     Derivative(usize),
-    /// An entry of the state that is a mode.
+    /// Entry of the state that is a mode.
     Mode(usize),
     /// A parameter.
     Parameter(usize),
-    /// A wanted output.
+    /// Wanted output.
     Output(usize),
-    /// What changes its sign at the event, or behind the events at the kink, of this number.
+    /// Event indicator of this number: a guard or, after the guards of events, a switching surface.
     Indicator(usize),
 }
 
 impl Kind {
-    /// The entry of the state that it is.
+    /// Returns the entry of the state that the variable is, if it is one.
     #[must_use]
     pub fn entry(self) -> Option<usize> {
         match self {
@@ -45,22 +45,22 @@ impl Kind {
     }
 }
 
-/// What a variable is to the host.
+/// Role of a variable towards the host.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Causality {
     /// Time.
     Independent,
-    /// It sets it before the run, or at events.
+    /// Set by the host before the run or at events.
     Parameter,
-    /// It sets it along the run.
+    /// Set by the host along the run.
     Input,
-    /// It reads it.
+    /// Read by the host.
     Output,
-    /// It may look at it.
+    /// Internal; the host may read it.
     Local,
 }
 
-/// When a variable changes.
+/// Times at which a variable changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Variability {
     /// Never after the start.
@@ -73,66 +73,66 @@ pub enum Variability {
     Continuous,
 }
 
-/// Where a variable's value at the start is from.
+/// Origin of a variable's value at the start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Initial {
-    /// Its start value.
+    /// The start value.
     Exact,
-    /// Its start value is a guess.
+    /// The start value, as a guess.
     Approx,
-    /// Others.
+    /// Computed from other variables.
     Calculated,
 }
 
-/// A variable.
+/// Variable of an FMU.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
-    /// Its name, unique.
+    /// Unique name.
     pub name: String,
-    /// What it is of the machine.
+    /// Quantity of the machine.
     pub kind: Kind,
-    /// What it is to the host.
+    /// Role towards the host.
     pub causality: Causality,
-    /// When it changes.
+    /// Times at which it changes.
     pub variability: Variability,
-    /// Where its start is from; nothing for time and what the host sets.
+    /// Origin of the value at the start; `None` for time and for what the host sets.
     pub initial: Option<Initial>,
-    /// SI unit as specs write it; `1` for a pure number.
+    /// SI unit as specs write it; `1` if dimensionless.
     pub unit: String,
-    /// One sentence of meaning; may be empty.
+    /// Meaning in one sentence; may be empty.
     pub doc: String,
-    /// Its start value, if it has one.
+    /// Start value, if there is one.
     pub start: Option<f64>,
-    /// Its typical size, if that is known.
+    /// Typical size, if known.
     pub nominal: Option<f64>,
 }
 
-/// Why a model is not exported as wanted.
+/// Reason why a model cannot be exported as wanted.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Unfit {
-    /// It has no fields that could be cut.
+    /// The scene has no fields to discretize.
     #[error("scene `{scene}` has no fields")]
     NoFields {
         /// The scene.
         scene: String,
     },
-    /// Its fields cannot be cut as wanted.
+    /// The fields cannot be discretized as wanted.
     #[error(transparent)]
     Cut(#[from] FieldError),
-    /// There is no such parameter.
+    /// The parameter does not exist.
     #[error("scene `{scene}` has no parameter `{name}` that could be an input")]
     UnknownInput {
-        /// The scene.
+        /// Name of the scene.
         scene: String,
-        /// The name.
+        /// Name of the parameter.
         name: String,
     },
-    /// The equations of motion take a parameter for constant.
+    /// The equations of motion take the parameter to be constant.
     #[error("parameter `{name}` cannot be an input that changes with time: {why}")]
     NotAnInput {
         /// The parameter.
         name: String,
-        /// Where it is used.
+        /// Use that forbids it.
         why: &'static str,
     },
 }
@@ -141,16 +141,17 @@ pub enum Unfit {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variables {
     all: Vec<Variable>,
-    /// Entries of the state that are no modes.
+    /// Continuous entries of the state.
     states: Vec<usize>,
     indicators: usize,
 }
 
 impl Variables {
-    /// Those of a model that runs as a simulator, of whose parameters these are inputs.
+    /// Builds the variables of a model and its simulator, with the parameters named in `inputs` as
+    /// inputs.
     ///
     /// # Errors
-    /// [`Unfit`] if such a parameter does not exist or is one that must not change with time.
+    /// [`Unfit`] if such a parameter does not exist or must not change with time.
     pub fn of(
         model: &Model,
         simulator: &dyn Simulator<f64>,
@@ -175,30 +176,30 @@ impl Variables {
         Ok(Self { all, states, indicators })
     }
 
-    /// Every variable; its place is its reference.
+    /// All variables, in the order of their references.
     #[must_use]
     pub fn all(&self) -> &[Variable] {
         &self.all
     }
 
-    /// The variable of a reference.
+    /// Returns the variable of a reference.
     #[must_use]
     pub fn get(&self, reference: u32) -> Option<&Variable> {
         self.all.get(reference as usize)
     }
 
-    /// Every variable with its reference.
+    /// Iterates over all variables with their references.
     pub fn with_references(&self) -> impl Iterator<Item = (u32, &Variable)> {
         (0..).zip(&self.all)
     }
 
-    /// Reference of what something of the machine is shown as.
+    /// Returns the reference of the variable that stands for a quantity of the machine.
     #[must_use]
     pub fn reference(&self, kind: Kind) -> Option<u32> {
         self.with_references().find(|(_, variable)| variable.kind == kind).map(|(at, _)| at)
     }
 
-    /// Entries of the state that are continuous, in the order in which hosts know them.
+    /// Continuous entries of the state, in the order in which hosts know them.
     #[must_use]
     pub fn states(&self) -> &[usize] {
         &self.states
@@ -211,14 +212,14 @@ impl Variables {
     }
 }
 
-/// Where parameters are used.
+/// Uses of parameters in a model.
 struct Uses {
     constraints: Reads,
     kinetic: Reads,
     jumps: Reads,
     motion: Reads,
     initial: Vec<Reads>,
-    /// Parameters that fields are made of.
+    /// Parameters that fields depend on.
     fields: BTreeSet<u32>,
 }
 
@@ -249,7 +250,7 @@ impl Uses {
         }
     }
 
-    /// Why a parameter must not change with time; nothing if it may.
+    /// Returns the reason why a parameter must not change with time; `None` if it may.
     fn forbids_input(&self, parameter: usize) -> Option<&'static str> {
         let parameter = parameter as u32;
         let reasons = [
@@ -262,8 +263,8 @@ impl Uses {
         found.map(|(_, why)| why).or(of_fields)
     }
 
-    /// Whether a parameter may change at events: what constraints are made of must not, nor
-    /// does what matters at the start alone.
+    /// Returns whether a parameter may change at events. Parameters that constraints or fields
+    /// depend on must not, nor those that matter only at the start.
     fn is_tunable(&self, parameter: usize) -> bool {
         let parameter = parameter as u32;
         let is_of = |reads: &Reads| reads.parameters.contains(&parameter);
@@ -273,14 +274,14 @@ impl Uses {
     }
 }
 
-/// The list as it grows.
+/// List of variables under construction.
 struct Gather<'a> {
     model: &'a Model,
     simulator: &'a dyn Simulator<f64>,
     uses: &'a Uses,
     inputs: &'a [String],
     states: &'a Vec<usize>,
-    /// The state as a run starts with the spec's parameters.
+    /// State at the start of a run with the spec's parameters.
     start: Vec<f64>,
     names: BTreeSet<String>,
     all: Vec<Variable>,
@@ -343,7 +344,7 @@ impl<'a> Gather<'a> {
         self.all
     }
 
-    /// Takes a variable, under a name that no other has.
+    /// Adds a variable under a unique name.
     fn push(&mut self, mut variable: Variable) {
         if variable.causality != Causality::Output {
             let group = match variable.kind {
@@ -361,10 +362,11 @@ impl<'a> Gather<'a> {
         self.all.push(variable);
     }
 
-    /// The entry of the state that an output is and is named as.
+    /// Returns the entry of the state whose value and name an output has.
     fn state_of_output(&self, index: usize) -> Option<usize> {
         if !self.model.fields.is_empty() {
-            // Their states stand among those of the machine, which has other numbers for them.
+            // The states of fields stand between those of the machine, so that entries have other
+            // numbers.
             return None;
         }
         let NodeId(result) = *self.model.outputs.results.get(index)?;
@@ -373,7 +375,8 @@ impl<'a> Gather<'a> {
         (*name == self.model.wanted[index].name.path).then_some(entry as usize)
     }
 
-    /// Output or local, for an entry of the state; a scene that wants nothing wants all of them.
+    /// Returns whether an entry of the state is an output or local. All are outputs if the scene
+    /// wants none.
     fn causality(&self, entry: usize) -> Causality {
         let mut outputs = 0..self.model.wanted.len();
         let is_output = self.model.wanted.is_empty()
@@ -463,8 +466,8 @@ impl<'a> Gather<'a> {
     }
 }
 
-/// The equilibrium near a state in which a run starts with these parameters; nothing if there is
-/// none, for the host may set others.
+/// Computes the equilibrium near a state in which a run with these parameters starts. `None` if
+/// there is none, because the host may set other parameters.
 fn equilibrium(
     (model, simulator): (&Model, &dyn Simulator<f64>),
     parameters: &[f64],
@@ -478,7 +481,7 @@ fn equilibrium(
     Some(Hosted::new(simulator, parameters).begin(beginning).ok()?.state)
 }
 
-/// A local variable that is calculated and changes with time, a pure number without a meaning.
+/// Builds a calculated, continuous local variable, dimensionless and without a description.
 fn continuous(name: &str, kind: Kind) -> Variable {
     Variable {
         name: name.to_owned(),
@@ -493,7 +496,7 @@ fn continuous(name: &str, kind: Kind) -> Variable {
     }
 }
 
-/// The unit of a rate.
+/// Returns the unit of the rate of a quantity with this unit.
 fn per_second(unit: &str) -> String {
     match unit {
         "1" => "1/s".to_owned(),

@@ -1,4 +1,4 @@
-//! Instances made, freed, initialised; their modes.
+//! Functions that create, free and initialize instances and change their modes.
 
 use std::ffi::{CString, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -15,7 +15,7 @@ use super::{
 use crate::instance::{Instance, Interface, Refusal};
 use crate::resource::Machine;
 
-/// What every instantiation is given.
+/// Arguments of an instantiation.
 struct Asked {
     name: Text,
     token: Text,
@@ -26,14 +26,14 @@ struct Asked {
     update: Option<IntermediateUpdate>,
 }
 
-/// Makes an instance; null, with a message to the host, if that fails.
+/// Creates an instance. Returns null and logs a message to the host on failure.
 ///
 /// # Safety
 /// Strings are null or end with a zero.
 unsafe fn instantiate(asked: &Asked, interface: Interface) -> Handle {
     let Asked { environment, log, .. } = *asked;
     let made = catch_unwind(AssertUnwindSafe(|| {
-        // SAFETY: by the caller.
+        // SAFETY: guaranteed by the caller.
         let [name, token, resources] =
             [asked.name, asked.token, asked.resources].map(|text| unsafe { string(text) });
         let token = token.ok_or_else(|| "there is no instantiation token".to_owned())?;
@@ -79,7 +79,7 @@ exported! {
             log: logMessage,
             update: None,
         };
-        // SAFETY: by the host.
+        // SAFETY: the host guarantees that its pointers are valid.
         unsafe { instantiate(&asked, Interface::ModelExchange) }
     }
 
@@ -110,7 +110,7 @@ exported! {
             event_mode: eventModeUsed != 0,
             early_return: earlyReturnAllowed != 0,
         };
-        // SAFETY: by the host.
+        // SAFETY: the host guarantees that its pointers are valid.
         unsafe { instantiate(&asked, interface) }
     }
 
@@ -144,11 +144,11 @@ exported! {
         categories: *const Text,
     ) -> Status {
         with_held(instance, "fmi3SetDebugLogging", |held| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let names = unsafe { read(categories, nCategories) }?;
             let mut wants_events = names.is_empty();
             for name in names {
-                // SAFETY: by the host.
+                // SAFETY: the host guarantees that its pointers are valid.
                 let name = unsafe { string(*name) }.unwrap_or_default();
                 if !CATEGORIES.iter().any(|(known, _)| *known == name) {
                     return Err(Refusal::argument(format!("there is no category `{name}`")));
@@ -197,7 +197,7 @@ exported! {
                 let mut instance = held.lock();
                 (instance.update_discrete_states()?, instance.time())
             };
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             unsafe {
                 put(discreteStatesNeedUpdate, 0);
                 put(terminateSimulation, 0);

@@ -1,4 +1,4 @@
-//! Partial derivatives and dependencies.
+//! Functions for partial derivatives and dependencies.
 
 use super::{Handle, Status, ValueReference, exported, read, with, write};
 use crate::instance::Refusal;
@@ -16,7 +16,7 @@ exported! {
         nSensitivity: usize,
     ) -> Status {
         with(instance, "fmi3GetDirectionalDerivative", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let (of, seed, sensitivity) = unsafe {
                 let of = (read(unknowns, nUnknowns)?, read(knowns, nKnowns)?);
                 (of, read(seed, nSeed)?, write(sensitivity, nSensitivity)?)
@@ -37,7 +37,7 @@ exported! {
         nSensitivity: usize,
     ) -> Status {
         with(instance, "fmi3GetAdjointDerivative", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let (of, seed, sensitivity) = unsafe {
                 let of = (read(unknowns, nUnknowns)?, read(knowns, nKnowns)?);
                 (of, read(seed, nSeed)?, write(sensitivity, nSensitivity)?)

@@ -1,4 +1,4 @@
-//! Model Exchange.
+//! Functions of Model Exchange.
 
 use super::{Boolean, Handle, Status, exported, put, read, with, write};
 use crate::instance::Instance;
@@ -16,7 +16,7 @@ exported! {
     ) -> Status {
         with(instance, "fmi3CompletedIntegratorStep", |instance| {
             let asks = instance.completed_step()?;
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             unsafe {
                 put(enterEventMode, asks.into());
                 put(terminateSimulation, 0);
@@ -35,7 +35,7 @@ exported! {
         nContinuousStates: usize,
     ) -> Status {
         with(instance, "fmi3SetContinuousStates", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             instance.set_continuous_states(unsafe { read(continuousStates, nContinuousStates) }?)
         })
     }
@@ -46,7 +46,7 @@ exported! {
         nContinuousStates: usize,
     ) -> Status {
         with(instance, "fmi3GetContinuousStateDerivatives", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             instance.derivatives(unsafe { write(derivatives, nContinuousStates) }?)
         })
     }
@@ -57,7 +57,7 @@ exported! {
         nEventIndicators: usize,
     ) -> Status {
         with(instance, "fmi3GetEventIndicators", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             instance.event_indicators(unsafe { write(eventIndicators, nEventIndicators) }?)
         })
     }
@@ -68,7 +68,7 @@ exported! {
         nContinuousStates: usize,
     ) -> Status {
         with(instance, "fmi3GetContinuousStates", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             instance.continuous_states(unsafe { write(continuousStates, nContinuousStates) }?)
         })
     }
@@ -79,14 +79,14 @@ exported! {
         nContinuousStates: usize,
     ) -> Status {
         with(instance, "fmi3GetNominalsOfContinuousStates", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             instance.nominals(unsafe { write(nominals, nContinuousStates) }?)
         })
     }
 
     fn fmi3GetNumberOfEventIndicators(instance: Handle, nEventIndicators: *mut usize) -> Status {
         with(instance, "fmi3GetNumberOfEventIndicators", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             unsafe { put(nEventIndicators, instance.machine().variables.indicators()) };
             Ok(())
         })
@@ -94,7 +94,7 @@ exported! {
 
     fn fmi3GetNumberOfContinuousStates(instance: Handle, nContinuousStates: *mut usize) -> Status {
         with(instance, "fmi3GetNumberOfContinuousStates", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             unsafe { put(nContinuousStates, instance.machine().variables.states().len()) };
             Ok(())
         })

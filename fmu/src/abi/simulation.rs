@@ -1,4 +1,4 @@
-//! Co-Simulation.
+//! Functions of Co-Simulation.
 
 use super::{
     Boolean, Handle, Host, Status, ValueReference, exported, put, read, with, with_held, write,
@@ -20,7 +20,7 @@ exported! {
         nValues: usize,
     ) -> Status {
         with(instance, "fmi3GetOutputDerivatives", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let (references, orders, values) = unsafe {
                 let references = read(valueReferences, nValueReferences)?;
                 (references, read(orders, nValueReferences)?, write(values, nValues)?)
@@ -40,7 +40,7 @@ exported! {
         lastSuccessfulTime: *mut f64,
     ) -> Status {
         with_held(instance, "fmi3DoStep", |held| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             unsafe {
                 put(eventHandlingNeeded, 0);
                 put(terminateSimulation, 0);
@@ -51,8 +51,8 @@ exported! {
                 let mut instance = held.lock();
                 instance.begin_step(currentCommunicationPoint, communicationStepSize)?
             };
-            // The instance is free meanwhile: the host looks at it when it is called back. It
-            // leaves the step however that ends.
+            // The instance is not locked during the step, so the host can read it when called back.
+            // The guard ends the step however it returns.
             let mut under_way = UnderWay { held, step: &step, stepped: None };
             let looks = |intermediate: &Intermediate<'_>| look(held, &step, intermediate);
             let looks: Option<&Looks<'_>> = match held.host.update {
@@ -60,7 +60,7 @@ exported! {
                 None => None,
             };
             let stepped = step.take(looks)?;
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             unsafe {
                 put(eventHandlingNeeded, stepped.event.into());
                 put(earlyReturn, stepped.early.into());
@@ -72,7 +72,7 @@ exported! {
     }
 }
 
-/// A step until it is ended.
+/// Guard of a step that is under way, which ends the step when dropped.
 struct UnderWay<'a> {
     held: &'a Held<Host>,
     step: &'a Step,
@@ -85,7 +85,7 @@ impl Drop for UnderWay<'_> {
     }
 }
 
-/// Shows the host where a step has got to, and hears what it says.
+/// Shows the host the state within a step and returns its reply.
 fn look(held: &Held<Host>, step: &Step, intermediate: &Intermediate<'_>) -> Reply {
     let Some(update) = held.host.update else { return Reply::default() };
     let before = {

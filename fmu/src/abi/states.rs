@@ -1,4 +1,4 @@
-//! States of an instance: kept, returned to, written and read.
+//! Functions that keep, restore, serialize and deserialize states of an instance.
 
 use std::ptr;
 
@@ -8,7 +8,7 @@ use crate::instance::Refusal;
 exported! {
     fn fmi3GetFMUState(instance: Handle, FMUState: *mut StateHandle) -> Status {
         with(instance, "fmi3GetFMUState", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let kept = unsafe { write(FMUState, 1) }?;
             let before = kept[0].addr();
             let handle = instance.keep((before != 0).then_some(before))?;
@@ -26,7 +26,7 @@ exported! {
             if FMUState.is_null() {
                 return Ok(());
             }
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let kept = unsafe { write(FMUState, 1) }?;
             if !kept[0].is_null() {
                 instance.forget(kept[0].addr())?;
@@ -43,7 +43,7 @@ exported! {
     ) -> Status {
         with(instance, "fmi3SerializedFMUStateSize", |instance| {
             let bytes = instance.write(FMUState.addr())?;
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             unsafe { put(size, bytes.len()) };
             Ok(())
         })
@@ -57,7 +57,7 @@ exported! {
     ) -> Status {
         with(instance, "fmi3SerializeFMUState", |instance| {
             let bytes = instance.write(FMUState.addr())?;
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let into = unsafe { write(serializedState, size) }?;
             if into.len() != bytes.len() {
                 let message = format!("the state has {} bytes, not {size}", bytes.len());
@@ -75,7 +75,7 @@ exported! {
         FMUState: *mut StateHandle,
     ) -> Status {
         with(instance, "fmi3DeserializeFMUState", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let (bytes, kept) = unsafe { (read(serializedState, size)?, write(FMUState, 1)?) };
             let handle = instance.read(bytes)?;
             kept[0] = ptr::without_provenance_mut(handle);

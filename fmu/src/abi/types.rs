@@ -1,6 +1,6 @@
 //! Types of `fmi3PlatformTypes.h` and `fmi3FunctionTypes.h`.
 //!
-//! A boolean is a byte here: what a host hands over may be any.
+//! A boolean is a byte here, because a host may hand over any value.
 
 use std::ffi::{c_char, c_void};
 
@@ -21,15 +21,15 @@ pub type Text = *const c_char;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Status {
-    /// All is well.
+    /// Success.
     Ok = 0,
-    /// Nearly.
+    /// Success with a warning.
     Warning = 1,
-    /// A shorter step may do.
+    /// Failure that a shorter step may avoid.
     Discard = 2,
-    /// Not so.
+    /// Failure of this call.
     Error = 3,
-    /// Nothing will.
+    /// Failure of the whole process.
     Fatal = 4,
 }
 

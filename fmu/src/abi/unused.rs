@@ -1,10 +1,10 @@
-//! What is for variables and modes that no archive of ours has: clocks, structural parameters,
+//! Functions for features that no archive of Machinist has: clocks, structural parameters and
 //! scheduled execution.
 
 use super::{Handle, Status, ValueReference, exported, with};
 use crate::instance::{Instance, Refusal};
 
-/// Functions that ask about so many clocks.
+/// Defines functions that ask about clocks.
 macro_rules! of_clocks {
     ($($name:ident($($argument:ident: $type:ty),*);)*) => {
         exported! {

@@ -1,4 +1,4 @@
-//! Values of variables, type by type.
+//! Functions that get and set values of variables, by type.
 
 use super::{Boolean, Handle, Status, Text, ValueReference, exported, read, with, write};
 use crate::instance::{Refusal, Type};
@@ -12,7 +12,7 @@ exported! {
         nValues: usize,
     ) -> Status {
         with(instance, "fmi3GetFloat64", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let (references, values) =
                 unsafe { (read(valueReferences, nValueReferences)?, write(values, nValues)?) };
             instance.get(Type::Float64, references, values)
@@ -27,7 +27,7 @@ exported! {
         nValues: usize,
     ) -> Status {
         with(instance, "fmi3SetFloat64", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let (references, values) =
                 unsafe { (read(valueReferences, nValueReferences)?, read(values, nValues)?) };
             instance.set(Type::Float64, references, values)
@@ -42,7 +42,7 @@ exported! {
         nValues: usize,
     ) -> Status {
         with(instance, "fmi3GetInt32", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let (references, values) =
                 unsafe { (read(valueReferences, nValueReferences)?, write(values, nValues)?) };
             let mut numbers = vec![0.0; values.len()];
@@ -62,7 +62,7 @@ exported! {
         nValues: usize,
     ) -> Status {
         with(instance, "fmi3SetInt32", |instance| {
-            // SAFETY: by the host.
+            // SAFETY: the host guarantees that its pointers are valid.
             let (references, values) =
                 unsafe { (read(valueReferences, nValueReferences)?, read(values, nValues)?) };
             let numbers: Vec<f64> = values.iter().map(|value| f64::from(*value)).collect();
@@ -71,7 +71,7 @@ exported! {
     }
 }
 
-/// Functions of types that no variable has.
+/// Defines functions for types that no variable has.
 macro_rules! none_of_type {
     ($($get:ident $set:ident $type:ty;)*) => {
         exported! {
@@ -155,7 +155,7 @@ exported! {
     }
 }
 
-/// No variable is of the type.
+/// Returns an error unless no variables of the type are asked for.
 fn require_none(count: usize) -> Result<(), Refusal> {
     if count == 0 { Ok(()) } else { Err(Refusal::argument("there are no variables of this type")) }
 }

@@ -1,9 +1,8 @@
-//! Partial derivatives: exact, by the Jacobians of the model and by its functions on dual
-//! numbers.
+//! Exact partial derivatives, from the Jacobians of the model and its functions of dual numbers.
 //!
-//! Unknowns are rates of states, outputs and event indicators; before the start also states
-//! that are calculated. Knowns are continuous states, inputs and time; before the start also
-//! parameters, whereupon what is calculated from them at the start goes with them.
+//! Unknowns are rates of states, outputs and event indicators; before the start also states that
+//! are calculated. Knowns are continuous states, inputs and time; before the start also parameters.
+//! The values calculated from a parameter at the start then change with it.
 
 use machinist::hosted::Standing;
 use machinist_contract::{Derivatives, Dual, DualFunction, SparsityPattern};
@@ -12,7 +11,7 @@ use super::values::{Type, require_count};
 use super::{Instance, Phase, Refusal};
 use crate::variables::{Causality, Initial, Kind};
 
-/// A move of everything that functions of a machine read.
+/// Direction in the space of everything that a machine's functions read.
 #[derive(Debug, Clone)]
 struct Move {
     time: f64,
@@ -20,8 +19,7 @@ struct Move {
     parameters: Vec<f64>,
 }
 
-/// What such moves make of everything that a host may ask for, one of each of
-/// [`Dual::DIRECTIONS`] directions.
+/// Derivatives of everything that a host may ask for, along up to [`Dual::DIRECTIONS`] directions.
 struct Moved<'a> {
     instance: &'a Instance,
     exact: &'a dyn Derivatives,
@@ -31,7 +29,7 @@ struct Moved<'a> {
     rates: Vec<[f64; Dual::DIRECTIONS]>,
 }
 
-/// Which outcomes are asked for.
+/// Results that are asked for.
 #[derive(Debug, Clone, Copy, Default)]
 struct Asked {
     rates: bool,
@@ -40,11 +38,11 @@ struct Asked {
 }
 
 impl Instance {
-    /// `sensitivity = (d unknowns / d knowns) seed`.
+    /// Computes `sensitivity = (d unknowns / d knowns) seed`.
     ///
     /// # Errors
-    /// [`Refusal`] for variables that are none of these now, and before the start where
-    /// constraints decide it, or an equilibrium is looked for.
+    /// [`Refusal`] for variables that are not unknowns or knowns at this time, and before the start
+    /// if constraints or the search for an equilibrium determine the start.
     pub fn directional_derivative(
         &mut self,
         (unknowns, knowns): (&[u32], &[u32]),
@@ -69,7 +67,7 @@ impl Instance {
         Ok(())
     }
 
-    /// `sensitivity^T = seed^T (d unknowns / d knowns)`.
+    /// Computes `sensitivity^T = seed^T (d unknowns / d knowns)`.
     ///
     /// # Errors
     /// As [`Instance::directional_derivative`].
@@ -104,11 +102,11 @@ impl Instance {
         Ok(())
     }
 
-    /// Rates of outputs along the motion, while inputs stay as they are.
+    /// Computes the rates of outputs along the motion, with constant inputs.
     ///
     /// # Errors
-    /// [`Refusal`] for what is no output, for orders other than 1, and in others than the modes
-    /// of a run by Co-Simulation.
+    /// [`Refusal`] for variables that are not outputs, for orders other than 1, and outside the
+    /// modes of a run by Co-Simulation.
     pub fn output_derivatives(
         &mut self,
         references: &[u32],
@@ -144,7 +142,7 @@ impl Instance {
         Ok(())
     }
 
-    /// The machine on numbers that carry derivatives.
+    /// Returns the machine's functions of dual numbers.
     fn exact(&self) -> Result<&dyn Derivatives, Refusal> {
         let missing = || Refusal::argument("a machine with fields has no exact derivatives");
         self.machine.simulator().derivatives().ok_or_else(missing)
@@ -202,7 +200,7 @@ impl Instance {
         Move { time: 0.0, state, parameters }
     }
 
-    /// Adds a move of one known; before the start, what is calculated from it goes with it.
+    /// Adds the direction of one known. Before the start, the values calculated from it change too.
     fn add(&self, exact: &dyn Derivatives, along: &mut Move, known: Kind, by: f64) {
         match known {
             Kind::Time => along.time += by,
@@ -217,7 +215,7 @@ impl Instance {
         }
     }
 
-    /// Adds the move of the state at the start that a parameter makes.
+    /// Adds the change of the start state with a parameter.
     fn add_start(&self, exact: &dyn Derivatives, along: &mut Move, parameter: usize, by: f64) {
         let mut parameters: Vec<Dual> =
             self.now.parameters.iter().map(|value| Dual::constant(*value)).collect();
@@ -271,7 +269,7 @@ impl<'a> Moved<'a> {
         moved
     }
 
-    /// The moves of one variable.
+    /// Returns the derivatives of one variable.
     fn of(&self, unknown: Kind) -> [f64; Dual::DIRECTIONS] {
         match unknown {
             Kind::Derivative(entry) => self.rates[entry],
@@ -285,7 +283,7 @@ impl<'a> Moved<'a> {
         }
     }
 
-    /// Of all rates: (dy'/dt) dt + (dy'/dy) dy + (dy'/dp) dp.
+    /// Computes the derivatives of all rates: (dy'/dt) dt + (dy'/dy) dy + (dy'/dp) dp.
     fn rates(&self) -> Vec<[f64; Dual::DIRECTIONS]> {
         let Self { instance, standing, moves, .. } = self;
         let simulator = instance.machine.simulator();
@@ -299,7 +297,7 @@ impl<'a> Moved<'a> {
             for ((row, column), value) in pattern.entries.iter().zip(values) {
                 for (sum, along) in rates[*row as usize].iter_mut().zip(moves) {
                     let by = of(along)[*column as usize];
-                    // Where nothing moves nothing follows, also of a slope that is infinite.
+                    // An infinite slope contributes nothing along a zero direction.
                     *sum += if by == 0.0 { 0.0 } else { value * by };
                 }
             }

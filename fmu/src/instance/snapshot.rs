@@ -1,23 +1,23 @@
-//! States of an instance that are kept, written and read.
+//! Kept states of an instance and their serialization.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Instance, Now, Phase, Refusal};
 
-/// All of an instance that changes, to be returned to.
+/// Copy of an instance's mutable data.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
-    /// Token of the machine, and whether it is of Model Exchange.
+    /// Token of the machine, and whether the interface is Model Exchange.
     of: (String, bool),
     now: Now,
 }
 
 impl Instance {
-    /// Keeps the instance as it is; the handle of that, which is not 0. It takes the place of
-    /// what a handle stood for that is given.
+    /// Keeps the present state and returns its handle, which is never 0. A given handle is reused:
+    /// its state is replaced.
     ///
     /// # Errors
-    /// [`Refusal`] within a step, and for a handle of nothing.
+    /// [`Refusal`] within a step, and for an unknown handle.
     pub fn keep(&mut self, handle: Option<usize>) -> Result<usize, Refusal> {
         if self.now.phase == Phase::Intermediate {
             let call = "fmi3GetFMUState";
@@ -35,10 +35,10 @@ impl Instance {
         Ok(handle)
     }
 
-    /// Returns to what was kept.
+    /// Restores a kept state.
     ///
     /// # Errors
-    /// [`Refusal`] within a step, and for a handle of nothing.
+    /// [`Refusal`] within a step, and for an unknown handle.
     pub fn return_to(&mut self, handle: usize) -> Result<(), Refusal> {
         if self.now.phase == Phase::Intermediate {
             let call = "fmi3SetFMUState";
@@ -48,29 +48,29 @@ impl Instance {
         Ok(())
     }
 
-    /// Forgets what was kept.
+    /// Forgets a kept state.
     ///
     /// # Errors
-    /// [`Refusal`] for a handle of nothing.
+    /// [`Refusal`] for an unknown handle.
     pub fn forget(&mut self, handle: usize) -> Result<(), Refusal> {
         self.kept(handle)?;
         self.kept.remove(&handle);
         Ok(())
     }
 
-    /// What was kept, as bytes that another instance of the same archive reads.
+    /// Serializes a kept state to bytes that another instance of the same archive can read.
     ///
     /// # Errors
-    /// [`Refusal`] for a handle of nothing.
+    /// [`Refusal`] for an unknown handle.
     pub fn write(&self, handle: usize) -> Result<Vec<u8>, Refusal> {
         let unwritable = |error| Refusal::Argument(format!("the state cannot be written: {error}"));
         postcard::to_stdvec(self.kept(handle)?).map_err(unwritable)
     }
 
-    /// Keeps what was written; its handle.
+    /// Deserializes a state, keeps it and returns its handle.
     ///
     /// # Errors
-    /// [`Refusal`] for bytes that are no state of an instance of this archive and interface.
+    /// [`Refusal`] for bytes that are not a state of an instance of this archive and interface.
     pub fn read(&mut self, bytes: &[u8]) -> Result<usize, Refusal> {
         let unreadable = |why: String| Refusal::Argument(format!("this is no state: {why}"));
         let (snapshot, rest): (Snapshot, _) =
@@ -99,7 +99,7 @@ impl Instance {
         self.kept.get(&handle).ok_or_else(unknown)
     }
 
-    /// Whether numbers are as many and such as the machine takes.
+    /// Returns whether the values are valid for the machine in number and kind.
     fn fits(&self, now: &Now) -> bool {
         let Now { phase, parameters, chosen, experiment, standing } = now;
         let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());

@@ -9,63 +9,63 @@ use machinist::hosted::{Hosted, Reached, Standing};
 use super::{Instance, Interface, Phase, Refusal};
 use crate::resource::Machine;
 
-/// Communication points may be off by so much of the time reached, or of the step.
+/// Permitted deviation of communication points, relative to the time reached or to the step.
 const OFF: f64 = 1e-6;
 
-/// What followed of an update of discrete states.
+/// Result of an update of discrete states.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Update {
-    /// Events that happened.
+    /// Names of the events that happened.
     pub events: Vec<String>,
-    /// Whether a continuous state has another value.
+    /// Whether a continuous state has changed.
     pub moves: bool,
-    /// The next time at which the rate jumps \[s\].
+    /// Next time at which the rate jumps \[s\].
     pub next: Option<f64>,
 }
 
-/// A step that is under way: what it takes, while others may look at its instance.
+/// Step under way, detached from its instance so that others may look at the instance.
 pub struct Step {
     machine: Arc<Machine>,
     parameters: Vec<f64>,
     standing: Standing,
     until: f64,
     halts: bool,
-    /// Whether the host lets it end early.
+    /// Whether the host allows the step to end early.
     pub may_return_early: bool,
-    /// Whether there are inputs that a host may set on the way.
+    /// Whether there are inputs that a host may set within the step.
     pub has_inputs: bool,
 }
 
-/// What the host is shown on the way.
+/// State within a step, shown to the host.
 pub struct Intermediate<'a> {
     /// Time reached \[s\].
     pub time: f64,
-    /// Where the run stands.
+    /// State of the run.
     pub standing: &'a Standing,
 }
 
-/// What it says to that.
+/// Reply of the host to an intermediate state.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Reply {
-    /// Parameters, inputs among them, if it has set one.
+    /// Parameters including inputs, if the host has set one.
     pub parameters: Option<Vec<f64>>,
-    /// Where it wants the step to end \[s\].
+    /// Time at which the host wants the step to end \[s\].
     pub end: Option<f64>,
 }
 
-/// Who is shown that.
+/// Callback for intermediate states.
 pub type Looks<'a> = dyn Fn(&Intermediate<'_>) -> Reply + 'a;
 
-/// How a step ended.
+/// Result of a step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stepped {
-    /// Where the run stands.
+    /// State of the run at the end.
     pub standing: Standing,
-    /// Parameters, with inputs that were set on the way.
+    /// Parameters, with inputs set within the step.
     pub parameters: Vec<f64>,
     /// Whether the host has to handle an event.
     pub event: bool,
-    /// Whether it ended before its end.
+    /// Whether the step ended early.
     pub early: bool,
 }
 
@@ -73,7 +73,7 @@ impl Instance {
     /// Enters event mode.
     ///
     /// # Errors
-    /// [`Refusal`] where there is none, or in others than the modes of a run.
+    /// [`Refusal`] if the host has not asked for event mode, or outside the modes of a run.
     pub fn enter_event_mode(&mut self) -> Result<(), Refusal> {
         let call = "fmi3EnterEventMode";
         match self.interface {
@@ -89,10 +89,10 @@ impl Instance {
         Ok(())
     }
 
-    /// Lets happen what is to happen at the time reached.
+    /// Handles the events at the time reached.
     ///
     /// # Errors
-    /// [`Refusal`] in others than event mode, and where events have no end or no sense.
+    /// [`Refusal`] outside event mode, and if events are endless or fail.
     pub fn update_discrete_states(&mut self) -> Result<Update, Refusal> {
         self.require("fmi3UpdateDiscreteStates", &[Phase::Event])?;
         self.start()?;
@@ -111,7 +111,7 @@ impl Instance {
     /// Enters continuous-time mode.
     ///
     /// # Errors
-    /// [`Refusal`] if it is not in event mode of Model Exchange.
+    /// [`Refusal`] if the instance is not in event mode of Model Exchange.
     pub fn enter_continuous_time(&mut self) -> Result<(), Refusal> {
         let call = "fmi3EnterContinuousTimeMode";
         self.require_exchange(call)?;
@@ -121,10 +121,10 @@ impl Instance {
         Ok(())
     }
 
-    /// The host has taken a step; whether it has to enter event mode.
+    /// Accepts a step of the host. Returns whether the host has to enter event mode.
     ///
     /// # Errors
-    /// [`Refusal`] if it is not in continuous-time mode.
+    /// [`Refusal`] if the instance is not in continuous-time mode.
     pub fn completed_step(&mut self) -> Result<bool, Refusal> {
         let call = "fmi3CompletedIntegratorStep";
         self.require_exchange(call)?;
@@ -136,7 +136,7 @@ impl Instance {
     /// Enters step mode.
     ///
     /// # Errors
-    /// [`Refusal`] if it is not in event mode of Co-Simulation.
+    /// [`Refusal`] if the instance is not in event mode of Co-Simulation.
     pub fn enter_step_mode(&mut self) -> Result<(), Refusal> {
         let call = "fmi3EnterStepMode";
         self.require_simulation(call)?;
@@ -145,11 +145,11 @@ impl Instance {
         Ok(())
     }
 
-    /// Begins a step between communication points; it has to be [ended](Instance::end_step).
+    /// Begins a step between communication points, which has to be [ended](Instance::end_step).
     ///
     /// # Errors
-    /// [`Refusal`] if it is not in step mode, or not at that time, or if the step does not go
-    /// forward.
+    /// [`Refusal`] if the instance is not in step mode or not at that time, or if the step does not
+    /// go forward.
     pub fn begin_step(&mut self, from: f64, size: f64) -> Result<Step, Refusal> {
         let call = "fmi3DoStep";
         self.require_simulation(call)?;
@@ -168,7 +168,7 @@ impl Instance {
             return Err(Refusal::Argument(message));
         }
         if standing.is_at_event() {
-            // The host has left it to us.
+            // The host leaves events to the instance.
             let machine = Arc::clone(&self.machine);
             Hosted::new(machine.simulator(), &self.now.parameters).happen(&mut standing)?;
         }
@@ -188,18 +188,18 @@ impl Instance {
         Ok(step)
     }
 
-    /// Shows the host where a step has got to; gives the parameters that it was shown with.
+    /// Sets the state that the host sees within a step.
     pub fn show(&mut self, standing: &Standing) {
         self.now.standing = Some(standing.clone());
     }
 
-    /// Parameters as they are now.
+    /// Present values of the parameters.
     #[must_use]
     pub fn parameters(&self) -> &[f64] {
         &self.now.parameters
     }
 
-    /// Ends a step: as it ended, or as if it had not been begun.
+    /// Ends a step with its result, or restores the state before it if there is none.
     pub fn end_step(&mut self, before: &Step, stepped: Option<&Stepped>) {
         let (standing, parameters) = stepped.map_or_else(
             || (&before.standing, &before.parameters),
@@ -212,17 +212,17 @@ impl Instance {
 }
 
 impl Step {
-    /// Takes it. `looks` is shown every step of the method's on the way.
+    /// Takes the step. `looks` is called after every step of the method.
     ///
     /// # Errors
-    /// [`Refusal`] where the method cannot go on.
+    /// [`Refusal`] if the method fails.
     pub fn take(&self, looks: Option<&Looks<'_>>) -> Result<Stepped, Refusal> {
         let mut standing = self.standing.clone();
         let mut parameters = self.parameters.clone();
         let mut until = self.until;
         loop {
             let hosted = Hosted::new(self.machine.simulator(), &parameters);
-            // The host handles jumps as it does events.
+            // The host handles jumps in the same way as events.
             let jump = standing.next_jump().filter(|jump| self.halts && *jump < until);
             let reply = Cell::new(Reply::default());
             let shown = standing.clone();

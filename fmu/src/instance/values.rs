@@ -1,4 +1,4 @@
-//! Values of variables: read, and set where the standard allows it.
+//! Values of variables: reading, and setting where the standard allows it.
 
 use std::cell::OnceCell;
 
@@ -7,7 +7,7 @@ use machinist::hosted::{Hosted, Standing};
 use super::{Instance, Phase, Refusal};
 use crate::variables::{Causality, Initial, Kind, Variability, Variable};
 
-/// Of which type a function asks.
+/// Type of the variables that a function gets or sets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Type {
     /// Floating-point numbers of 64 bits.
@@ -22,7 +22,7 @@ impl Type {
     }
 }
 
-/// What is computed where the run stands, once for all variables that are asked for.
+/// Quantities at the present state, computed once for all variables asked for.
 struct Looks<'a> {
     instance: &'a Instance,
     standing: &'a Standing,
@@ -56,11 +56,11 @@ impl<'a> Looks<'a> {
 }
 
 impl Instance {
-    /// Values of variables of one type, by their references.
+    /// Gets values of variables of one type, by reference.
     ///
     /// # Errors
-    /// [`Refusal`] before initialization mode, for references of no such variable, and if the
-    /// machine cannot start.
+    /// [`Refusal`] before initialization mode, for references that are no variables of the type,
+    /// and if the machine cannot start.
     pub fn get(&mut self, of: Type, references: &[u32], values: &mut [f64]) -> Result<(), Refusal> {
         if self.now.phase == Phase::Instantiated {
             let call = "reading values";
@@ -81,8 +81,8 @@ impl Instance {
     /// Sets variables of one type, all or none.
     ///
     /// # Errors
-    /// [`Refusal`] for references of no such variable, for variables that cannot be set now, and
-    /// for values that are not finite.
+    /// [`Refusal`] for references that are no variables of the type, for variables that cannot be
+    /// set in this mode, and for values that are not finite.
     pub fn set(&mut self, of: Type, references: &[u32], values: &[f64]) -> Result<(), Refusal> {
         require_count(references.len(), values.len())?;
         for (reference, value) in references.iter().zip(values) {
@@ -144,7 +144,7 @@ impl Instance {
         }
     }
 
-    /// y' where a run stands.
+    /// Computes y' at a state of the run.
     pub(super) fn rate(&self, standing: &Standing) -> Vec<f64> {
         let simulator = self.machine.simulator();
         let mut rate = vec![0.0; standing.state.len()];
@@ -168,18 +168,18 @@ impl Instance {
         indicators
     }
 
-    /// Continuous states, in the order in which the host knows them.
+    /// Gets the continuous states, in the order in which the host knows them.
     ///
     /// # Errors
-    /// [`Refusal`] as for the functions below, in which `call` is one of Model Exchange.
+    /// [`Refusal`] if the call is not allowed in this mode or interface.
     pub fn continuous_states(&mut self, values: &mut [f64]) -> Result<(), Refusal> {
         self.for_states("fmi3GetContinuousStates", values, |_, standing| standing.state.clone())
     }
 
-    /// Their derivatives.
+    /// Gets the derivatives of the continuous states.
     ///
     /// # Errors
-    /// [`Refusal`] likewise, or if one is not finite.
+    /// [`Refusal`] likewise, or if a derivative is not finite.
     pub fn derivatives(&mut self, values: &mut [f64]) -> Result<(), Refusal> {
         self.for_states("fmi3GetContinuousStateDerivatives", values, Self::rate)?;
         match values.iter().position(|value| !value.is_finite()) {
@@ -192,7 +192,7 @@ impl Instance {
         }
     }
 
-    /// Their typical sizes.
+    /// Gets the typical sizes of the continuous states.
     ///
     /// # Errors
     /// [`Refusal`] likewise.
@@ -223,7 +223,7 @@ impl Instance {
         Ok(())
     }
 
-    /// Event indicators.
+    /// Gets the event indicators.
     ///
     /// # Errors
     /// [`Refusal`] likewise.
@@ -242,7 +242,7 @@ impl Instance {
     /// Sets time, in continuous-time mode.
     ///
     /// # Errors
-    /// [`Refusal`] in others, or if it is not finite.
+    /// [`Refusal`] in other modes, or if the time is not finite.
     pub fn set_time(&mut self, time: f64) -> Result<(), Refusal> {
         let call = "fmi3SetTime";
         self.require_exchange(call)?;
@@ -259,7 +259,7 @@ impl Instance {
     /// Sets continuous states, in continuous-time mode.
     ///
     /// # Errors
-    /// [`Refusal`] in others, or if one is not finite.
+    /// [`Refusal`] in other modes, or if a state is not finite.
     pub fn set_continuous_states(&mut self, values: &[f64]) -> Result<(), Refusal> {
         let call = "fmi3SetContinuousStates";
         self.require_exchange(call)?;
@@ -279,7 +279,7 @@ impl Instance {
     }
 }
 
-/// As many values as variables.
+/// Returns an error unless there are as many values as variables.
 pub(super) fn require_count(expected: usize, found: usize) -> Result<(), Refusal> {
     if expected == found {
         Ok(())

@@ -1,34 +1,34 @@
-//! What results of tapes depend on.
+//! Dependencies of the results of tapes.
 
 use std::collections::BTreeSet;
 
 use machinist_model::{Model, NodeId, Op, Tape};
 
-/// What something is computed from.
+/// Time, states and parameters from which something is computed.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Reads {
-    /// Whether time is.
+    /// Whether time is read.
     pub time: bool,
-    /// Entries of the state.
+    /// Entries of the state that are read.
     pub states: BTreeSet<u32>,
-    /// Parameters.
+    /// Parameters that are read.
     pub parameters: BTreeSet<u32>,
 }
 
 impl Reads {
-    /// Of one result of a model's tape.
+    /// Returns the dependencies of one result of a model's tape.
     #[must_use]
     pub fn of(model: &Model, tape: &Tape, result: NodeId) -> Self {
         Self::of_results(model, tape, &[result])
     }
 
-    /// Of all results of a model's tape.
+    /// Returns the dependencies of all results of a model's tape.
     #[must_use]
     pub fn of_all(model: &Model, tape: &Tape) -> Self {
         Self::of_results(model, tape, &tape.results)
     }
 
-    /// Adds what something else is computed from.
+    /// Adds the dependencies of something else.
     pub fn extend(&mut self, other: &Self) {
         self.time |= other.time;
         self.states.extend(&other.states);
@@ -60,7 +60,7 @@ impl Reads {
         if let (Some(motion), false) = (&model.motion, of_motion.is_empty()) {
             let results: Vec<NodeId> =
                 of_motion.iter().map(|result| motion.tape.results[*result as usize]).collect();
-            // The motion's tape goes before others and reads none.
+            // The tape of the motion is evaluated first and reads no other.
             reads.extend(&Self::of_results(model, &motion.tape, &results));
         }
         reads

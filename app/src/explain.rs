@@ -1,4 +1,4 @@
-//! What is left out of a scene, why, and what that saves, measured.
+//! Reduction of a scene: what is left out, why, and the measured savings.
 
 use std::time::{Duration, Instant};
 
@@ -20,49 +20,49 @@ use crate::failure::Failure;
 use crate::freeze::{self, Candidate};
 use crate::spec_source::SpecSource;
 
-/// Runs of each, of which the median counts.
+/// Runs of each scene, of which the median counts.
 const RUNS: usize = 5;
-/// Tolerance at which outputs are compared.
+/// Relative tolerance at which outputs are compared.
 const FINE: f64 = 1e-12;
 
-/// A scene, whole and reduced.
+/// Comparison of a scene, whole and reduced.
 pub struct Explanation {
-    /// The scene.
+    /// Name of the scene.
     pub scene: String,
-    /// One line for people.
+    /// Title in one line.
     pub title: String,
-    /// Each thing left out.
+    /// States and parameters left out, with reasons.
     pub reduction: Reduction,
-    /// The scene after each step of reduction that changed it, the whole one first.
+    /// Scene after each step of the reduction that changed it, the whole one first.
     pub stages: Vec<Stage>,
-    /// Names of the states that are left.
+    /// Names of the remaining states.
     pub states: Vec<String>,
-    /// What the structure of what is left allows.
+    /// Structure of the remaining equations.
     pub structure: Structure,
-    /// Whether fields belong to it, whose part is not in the structure.
+    /// Whether the scene has fields, which the structure does not include.
     pub has_fields: bool,
-    /// Why there are no object files, where they were wanted.
+    /// Reason why there are no object files, if they were wanted.
     pub no_object: Option<ObjectError>,
-    /// What could be taken for rigid, and at what price, if runs were wanted.
+    /// Parts that could be taken as rigid, with the error of doing so, if runs were wanted.
     pub candidates: Vec<Candidate>,
-    /// Run times, if they were measured.
+    /// Run times, if measured.
     pub times: Option<Result<Times, SimulateError>>,
 }
 
-/// The scene after a step of reduction.
+/// Scene after a step of the reduction.
 pub struct Stage {
-    /// What has been done up to here.
+    /// Steps done so far.
     pub done: &'static str,
-    /// What is left.
+    /// Size of what remains.
     pub size: Size,
 }
 
-/// How large a scene is.
+/// Size of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Size {
     /// Entries of the state.
     pub states: usize,
-    /// How many of them are only integrated for an output.
+    /// States that are integrated only for an output.
     pub quadratures: usize,
     /// Parameters.
     pub parameters: usize,
@@ -80,8 +80,8 @@ pub struct Size {
     pub object_bytes: Option<usize>,
 }
 
-/// Times of the scene's own run, whole and reduced, by one method at one tolerance,
-/// both evaluated from their tapes.
+/// Times of the scene's own run, whole and reduced, by one method at one tolerance, both evaluated
+/// from their tapes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Times {
     /// Median of the whole scene \[ms\].
@@ -92,24 +92,23 @@ pub struct Times {
     pub whole_steps: u64,
     /// Steps of the reduced scene.
     pub needed_steps: u64,
-    /// Largest difference of an output at relative tolerance 1e-12, relative to its
-    /// largest value.
+    /// Largest difference of an output at relative tolerance 1e-12, relative to its largest value.
     pub difference: f64,
 }
 
 impl Explanation {
-    /// Looks at the models of a scene, and times them if asked to; with its spec, also at
-    /// what could be frozen.
+    /// Compares the models of a scene, and times them on request. With the spec, candidates for
+    /// freezing are found too.
     pub fn new(
         scene: Option<&SpecSource>,
         models: Stages,
         with_times: bool,
     ) -> Result<Self, Failure> {
-        // A scene with fields is kept whole, and runs once it is cut into elements only.
+        // A scene with fields is kept whole, and cannot run before it is discretized.
         let with_times = with_times && models.whole.fields.is_empty();
         let mut stages = vec![(Stage::of(Keep::All, &models.whole), &models.whole)];
         stages.extend(models.steps.iter().map(|(step, model)| (Stage::of(*step, model), model)));
-        // A step that renamed or noted something only is none to show.
+        // Steps that only renamed or noted something are not shown.
         stages.dedup_by(|(next, _), (last, _)| next.size == last.size);
         let no_object = if with_times { measure_objects(&mut stages).err() } else { None };
         let stages = stages.into_iter().map(|(stage, _)| stage).collect();
@@ -159,7 +158,7 @@ impl Size {
         }
     }
 
-    /// The figures with their names.
+    /// Returns the figures with their names.
     pub fn figures(&self) -> Vec<(&'static str, usize)> {
         let mut figures = vec![
             ("states", self.states),
@@ -175,8 +174,8 @@ impl Size {
     }
 }
 
-/// Compiles what each stage emits, all at once; nothing where nothing is left out, as the
-/// compiler takes longer than all else.
+/// Compiles the emitted code of all stages in parallel. Does nothing if nothing is left out,
+/// because compiling takes longer than all else.
 fn measure_objects(stages: &mut [(Stage, &Model)]) -> Result<(), ObjectError> {
     if stages.len() < 2 {
         return Ok(());
@@ -197,7 +196,7 @@ impl Times {
         let [whole, needed] = [whole, needed].map(ModelSimulator::compiled_at_once);
         let (mut whole_times, mut needed_times) = (Vec::new(), Vec::new());
         let mut steps = (0, 0);
-        // In turns, so that what slows the machine down slows both.
+        // The runs alternate, so that a slow moment of the computer affects both.
         for _ in 0..RUNS {
             let (time, run) = timed(&whole)?;
             whole_times.push(time);
@@ -217,20 +216,20 @@ impl Times {
         })
     }
 
-    /// Time of the reduced scene for that of the whole one.
+    /// Ratio of the reduced scene's time to that of the whole one.
     pub fn ratio(&self) -> f64 {
         self.needed / self.whole
     }
 }
 
-/// Time of the scene's own run \[ms\], and the run.
+/// Runs the scene and returns the time \[ms\] with the run.
 pub fn timed(simulator: &ModelSimulator) -> Result<(f64, Trajectory), SimulateError> {
     let start = Instant::now();
     let run = limited(simulator).run()?;
     Ok((start.elapsed().as_secs_f64() * 1e3, run))
 }
 
-/// A run that ends if it takes too long to be compared.
+/// Prepares a run with a time limit.
 pub fn limited(simulator: &ModelSimulator) -> Simulation<'_> {
     const LONGEST: Duration = Duration::from_secs(60);
     Simulation::new(simulator).time_limit(LONGEST)
@@ -241,13 +240,13 @@ fn fine(simulator: &ModelSimulator) -> Result<Trajectory, SimulateError> {
     limited(simulator).rtol(FINE).atol(&atol).points(101).run()
 }
 
-/// The middle one.
+/// Returns the median.
 pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// Of each output, the largest difference relative to its largest value.
+/// Returns the largest difference of each output, relative to its largest value.
 pub fn relative_differences(exact: &Trajectory, other: &Trajectory) -> Vec<(String, f64)> {
     let columns = exact.of_kind(machinist::trajectory::ColumnKind::Output);
     let differences = columns.map(|column| {

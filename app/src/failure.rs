@@ -1,4 +1,4 @@
-//! How a command ends that does not succeed: what is said, and the exit code.
+//! Failures of commands: the message and the exit code.
 
 use std::fmt::Display;
 use std::io;
@@ -16,32 +16,32 @@ use miette::{Report, miette};
 #[cfg(feature = "derive")]
 use serde::{Deserialize, Serialize};
 
-/// Why a command did not succeed.
+/// Failure of a command.
 #[derive(Debug)]
 pub enum Failure {
-    /// What was asked for makes no sense; exit code 2.
+    /// The input is invalid; exit code 2.
     Input(Vec<Report>),
     /// A check failed, a run stopped, or a file could not be written; exit code 1.
     Unsuccessful(Report),
 }
 
 impl Failure {
-    /// Bad input with a hint, which may be empty.
+    /// Creates a failure of the input with a hint, which may be empty.
     pub fn input(message: impl Display, help: impl Display) -> Self {
         Self::Input(vec![with_help(&message.to_string(), &help.to_string())])
     }
 
-    /// A failed check, likewise.
+    /// Creates an unsuccessful end with a hint, which may be empty.
     pub fn unsuccessful(message: impl Display, help: impl Display) -> Self {
         Self::Unsuccessful(with_help(&message.to_string(), &help.to_string()))
     }
 
-    /// A file that cannot be read or written.
+    /// Creates the failure of a file that cannot be read or written.
     pub fn file(path: &Path, error: &io::Error) -> Self {
         Self::unsuccessful(format!("{}: {error}", path.display()), "")
     }
 
-    /// Says on standard error what is wrong, and gives the exit code.
+    /// Prints the messages on standard error and returns the exit code.
     pub fn tell(&self) -> ExitCode {
         let (reports, code) = match self {
             Self::Input(reports) => (reports.as_slice(), 2),
@@ -54,19 +54,19 @@ impl Failure {
     }
 }
 
-/// An error or a warning with its place, for somebody who shows it elsewhere than in a terminal.
+/// Error or warning with its location, to be shown outside a terminal.
 #[cfg(feature = "derive")]
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Trouble {
-    /// Label of the file, empty where it belongs to none.
+    /// Label of the file; empty if there is none.
     pub file: String,
-    /// Line, from 1; 0 where there is none.
+    /// Line, from 1; 0 if there is none.
     pub line: usize,
-    /// Column in characters, from 1; 0 likewise.
+    /// Column in characters, from 1; 0 if there is none.
     pub column: usize,
-    /// Message, one sentence.
+    /// Message in one sentence.
     pub message: String,
-    /// All of it as commands print it, without colours.
+    /// Full text as commands print it, without colours.
     pub text: String,
     /// True if the machine runs all the same.
     pub is_warning: bool,
@@ -74,7 +74,7 @@ pub struct Trouble {
 
 #[cfg(feature = "derive")]
 impl Trouble {
-    /// The same as a warning.
+    /// Returns the same as a warning.
     pub fn into_warning(self) -> Self {
         Self { is_warning: true, ..self }
     }
@@ -96,7 +96,7 @@ impl From<&Diagnostic> for Trouble {
 
 #[cfg(feature = "derive")]
 impl Failure {
-    /// Errors, each by itself.
+    /// Returns the errors one by one.
     pub fn troubles(&self) -> Vec<Trouble> {
         let reports = match self {
             Self::Input(reports) => reports.as_slice(),
@@ -113,7 +113,7 @@ impl Failure {
     }
 }
 
-/// Applies a stage to every item; if any fails, fails with what is wrong in all.
+/// Applies a stage to every item. If any fail, returns all their errors together.
 #[cfg(feature = "derive")]
 pub fn all<I, T>(
     items: impl IntoIterator<Item = I>,
@@ -129,7 +129,7 @@ pub fn all<I, T>(
     if wrong.is_empty() { Ok(done) } else { Err(Failure::Input(wrong)) }
 }
 
-/// A hint for a name that is not known: the nearest one, or all there are.
+/// Returns a hint for an unknown name: the nearest known name, or all of them.
 pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
     match nearest(name, known.clone()) {
         Some(nearest) => format!("did you mean `{nearest}`?"),

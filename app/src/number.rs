@@ -1,9 +1,9 @@
-//! Numbers for people.
+//! Numbers formatted for people.
 
-/// Below and from here on numbers are written with a power of ten.
+/// Range in which numbers are written without a power of ten.
 const POSITIONAL: std::ops::Range<f64> = 1e-4..1e7;
 
-/// `value` in so many significant digits at most: `77.173`, `1.2e-10`.
+/// Formats `value` with at most `digits` significant digits: `77.173`, `1.2e-10`.
 pub fn number(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return value.to_string();
@@ -21,7 +21,7 @@ pub fn number(value: f64, digits: usize) -> String {
     }
 }
 
-/// `value` so that it reads back as the same: `23065.2`, `9.817e-6`.
+/// Formats `value` so that it reads back unchanged: `23065.2`, `9.817e-6`.
 pub fn exact(value: f64) -> String {
     if value == 0.0 || POSITIONAL.contains(&value.abs()) {
         format!("{value}")

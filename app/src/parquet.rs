@@ -1,8 +1,8 @@
-//! Tables as Parquet files, as the Python package writes and reads them.
+//! Tables as Parquet files, in the layout that the Python package writes and reads.
 //!
-//! Columns are plain: numbers are `double`, counts `int64`, texts UTF-8; what is missing is
-//! null. What a table is of stands in the file's metadata, as JSON under `machinist.sweep`,
-//! `machinist.run` and so on, and the units of columns under `machinist.units`.
+//! Columns are plain: numbers are `double`, counts `int64`, texts UTF-8; missing values are null.
+//! The origin of a table is in the file's metadata, as JSON under `machinist.sweep`,
+//! `machinist.run` and so on, and the units of columns are under `machinist.units`.
 
 use std::path::Path;
 
@@ -17,45 +17,45 @@ use crate::failure::Failure;
 use machinist_model::file::write;
 use machinist_model::fingerprint::{of_behaviour, of_bytes};
 
-/// How names of such files end.
+/// Extension of Parquet files.
 pub const ENDING: &str = "parquet";
 
-/// Numbers of a column.
+/// Values of a column.
 #[cfg_attr(not(feature = "parquet"), expect(dead_code, reason = "written by none"))]
 pub enum Values {
     /// Numbers.
     Numbers(Vec<f64>),
-    /// Numbers, some of which are missing.
+    /// Numbers with missing values.
     Some(Vec<Option<f64>>),
     /// Counts.
     Counts(Vec<i64>),
-    /// Texts, some of which are missing.
+    /// Texts with missing values.
     Texts(Vec<Option<String>>),
 }
 
-/// A column.
+/// Column of a table.
 #[cfg_attr(not(feature = "parquet"), expect(dead_code, reason = "written by none"))]
 pub struct Column {
     pub name: String,
-    /// SI unit, of numbers.
+    /// SI unit of numbers.
     pub unit: Option<String>,
     pub values: Values,
 }
 
 impl Column {
-    /// Numbers in a unit.
+    /// Creates a column of numbers in a unit.
     pub fn numbers(name: impl Into<String>, unit: &str, values: Vec<f64>) -> Self {
         let (name, unit) = (name.into(), Some(unit.to_owned()));
         Self { name, unit, values: Values::Numbers(values) }
     }
 }
 
-/// Whether a file is to be a Parquet file, by its name.
+/// Returns whether a file is to be a Parquet file, by its extension.
 pub fn is_named(file: &Path) -> bool {
     file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(ENDING))
 }
 
-/// Refuses to write such files where the program cannot.
+/// Returns an error if the file is a Parquet file and the program cannot write it.
 pub fn require(file: &Path) -> Result<(), Failure> {
     if cfg!(feature = "parquet") || !is_named(file) {
         return Ok(());
@@ -69,7 +69,7 @@ fn unavailable(file: &Path) -> Failure {
     Failure::input(message, help)
 }
 
-/// What results are of: the machine and the program.
+/// Describes the origin of results: the machine and the program.
 fn provenance(argument: &str, scene: &Scene) -> Result<Map<String, Value>, Failure> {
     let simulator = scene.simulator();
     let of_model = |argument: &str| -> Result<String, Failure> {
@@ -94,13 +94,14 @@ fn provenance(argument: &str, scene: &Scene) -> Result<Map<String, Value>, Failu
     Ok(told)
 }
 
-/// What made them.
+/// Describes the program and system that made the results.
 fn made_by() -> Value {
     let system = format!("{} {}", std::env::consts::OS, std::env::consts::ARCH);
     json!({ "program": concat!("machinist ", env!("CARGO_PKG_VERSION")), "system": system })
 }
 
-/// Writes a table that a command made of a scene; `more` is what else decides its numbers.
+/// Writes a table that a command made of a scene. `more` holds the other settings that determine
+/// its numbers.
 pub fn write_table(
     file: &Path,
     columns: &[Column],
@@ -118,7 +119,8 @@ pub fn write_table(
     write_file(file, |out| out.write_all(&bytes))
 }
 
-/// Columns of a run, time first; of a state and an output of one name the state.
+/// Returns the columns of a run, time first. If a state and an output share a name, the state is
+/// taken.
 pub fn of_run(run: &Trajectory) -> Vec<Column> {
     let mut columns = vec![Column::numbers("time", "s", run.times.clone())];
     for column in &run.columns {
@@ -129,7 +131,7 @@ pub fn of_run(run: &Trajectory) -> Vec<Column> {
     columns
 }
 
-/// The bytes of a file of columns of one length, which is of `told`.
+/// Encodes columns of equal length as a file with the metadata `told`.
 #[cfg(not(feature = "parquet"))]
 fn bytes(_columns: &[Column], _name: &str, _told: &Value) -> Result<Vec<u8>, Failure> {
     Err(Failure::unsuccessful("this program was built without Parquet", ""))
@@ -154,7 +156,7 @@ mod with_crate {
     use super::{Column, Values};
     use crate::failure::Failure;
 
-    /// The bytes of a file of columns of one length, which is of `told`.
+    /// Encodes columns of equal length as a file with the metadata `told`.
     pub fn bytes(columns: &[Column], name: &str, told: &Value) -> Result<Vec<u8>, Failure> {
         let failed = |error: ParquetError| Failure::unsuccessful(format!("the table: {error}"), "");
         written(columns, name, told).map_err(failed)
@@ -203,7 +205,7 @@ mod with_crate {
     }
 
     fn write(column: &Column, writer: &mut SerializedColumnWriter<'_>) -> Result<(), ParquetError> {
-        /// 1 where something is, 0 where nothing is; and what is.
+        /// Returns the definition levels, 1 for present and 0 for missing, and the present values.
         fn levels<T, U>(all: &[Option<T>], of: impl Fn(&T) -> U) -> (Vec<i16>, Vec<U>) {
             let levels = all.iter().map(|value| i16::from(value.is_some())).collect();
             (levels, all.iter().flatten().map(of).collect())

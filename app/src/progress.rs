@@ -1,4 +1,4 @@
-//! A spinner for steps that take long, on terminals only.
+//! Spinner for long steps, on terminals only.
 
 use std::io::{IsTerminal as _, stderr};
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -7,11 +7,11 @@ use std::time::Duration;
 
 use indicatif::ProgressBar;
 
-/// Steps shorter than this show nothing.
+/// Duration before a step shows a spinner.
 const PATIENCE: Duration = Duration::from_secs(1);
 const TICK: Duration = Duration::from_millis(120);
 
-/// A spinner on a terminal, with a message that may change; elsewhere nothing.
+/// Creates a spinner with a variable message on a terminal, and a hidden one elsewhere.
 pub fn spinner(message: &'static str) -> ProgressBar {
     if !stderr().is_terminal() {
         return ProgressBar::hidden();
@@ -21,7 +21,7 @@ pub fn spinner(message: &'static str) -> ProgressBar {
     spinner
 }
 
-/// Does `work`, and says `message` on a terminal while it takes long.
+/// Does `work`, and shows `message` on a terminal while it takes long.
 pub fn during<T>(message: &str, work: impl FnOnce() -> T) -> T {
     if !stderr().is_terminal() {
         return work();
@@ -32,7 +32,7 @@ pub fn during<T>(message: &str, work: impl FnOnce() -> T) -> T {
             if finished.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
                 let spinner = ProgressBar::new_spinner().with_message(message.to_owned());
                 spinner.enable_steady_tick(TICK);
-                // Ends when `done` is dropped, also by a panic of the work.
+                // Returns when `done` is dropped, even if the work panics.
                 let _ = finished.recv();
                 spinner.finish_and_clear();
             }

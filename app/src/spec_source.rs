@@ -1,4 +1,4 @@
-//! Where the spec of a scene is: in a file, or within this program.
+//! Source of a scene's spec: a file, or this program.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -12,18 +12,18 @@ use machinist_codegen::{
 };
 use serde::{Deserialize, Serialize};
 
-/// Where the spec of a scene is.
+/// Source of a scene's spec.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SpecSource {
-    /// In a file.
+    /// File.
     File(PathBuf),
-    /// Within this program, under this name.
+    /// Spec built into this program, by name.
     BuiltIn(String),
 }
 
 #[cfg(feature = "derive")]
 impl SpecSource {
-    /// The spec as written, with the units it names.
+    /// Reads the spec with the units it names.
     pub fn read(&self) -> Result<SceneSpec, Diagnostics> {
         match self {
             Self::File(path) => spec::load_scene(path),
@@ -34,7 +34,7 @@ impl SpecSource {
         }
     }
 
-    /// The spec, checked and joined to one system.
+    /// Reads and checks the spec, and composes it to one system.
     pub fn system(&self) -> Result<LagrangianSystem, Diagnostics> {
         compose(&self.read()?)
     }

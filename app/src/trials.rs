@@ -1,10 +1,11 @@
-//! The outcome of trials of methods in words, for the command and for the report.
+//! Results of trials of methods in words, for the command and the report.
 
 use machinist_studies::stability::{ALLOWED, LARGEST, LongRun, MAX_STEPS, Outcome, Study};
 
 use crate::number::number;
 
-/// Scene, method, end, steps, and how far it was off before and after being put back.
+/// Returns scene, method, end, steps, and the violation of the constraints before and after
+/// projection.
 pub fn drift_cells(run: &LongRun) -> [String; 6] {
     [
         run.scene.to_owned(),
@@ -16,22 +17,22 @@ pub fn drift_cells(run: &LongRun) -> [String; 6] {
     ]
 }
 
-/// What the long runs show.
+/// Caption of the long runs.
 pub const DRIFT: &str = "How far machines come off their constraints at most over very many \
     steps, relative to the size of their coordinates: at the ends of steps, and after being put \
     back there.";
 
-/// What the orders are.
+/// Caption of the orders of convergence.
 pub const ORDERS: &str = "Orders of convergence that remain on the problem of Prothero and \
     Robinson, y' = lambda (y - cos t) - sin t, between equal steps and half of them; a dash \
     where only rounding is left of the errors.";
 
-/// One order.
+/// Formats an order.
 pub fn order(found: Option<f64>) -> String {
     found.map_or_else(|| "-".to_owned(), |order| format!("{order:.1}"))
 }
 
-/// One outcome in a few letters.
+/// Formats an outcome in a few letters.
 pub fn cell(outcome: &Outcome) -> String {
     match outcome {
         Outcome::Right { error, .. } => number(*error, 2),
@@ -40,7 +41,7 @@ pub fn cell(outcome: &Outcome) -> String {
     }
 }
 
-/// What the numbers are and what counts as wrong.
+/// Explains the numbers, and which of them count as wrong.
 pub fn rule(study: &Study) -> String {
     format!(
         "Numbers are errors over the relative tolerance, which is {:.0e}: the largest over all \
@@ -52,7 +53,7 @@ pub fn rule(study: &Study) -> String {
     )
 }
 
-/// What the words mean that occur.
+/// Explains the words that occur.
 pub fn refusals(study: &Study) -> String {
     const WORDS: [(&str, &str); 10] = [
         ("steps", "more steps than are allowed"),

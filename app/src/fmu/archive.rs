@@ -1,4 +1,4 @@
-//! The archive. The same scene gives the same bytes.
+//! Archive of an FMU. The same scene gives the same bytes.
 
 use machinist_fmu::resource::{EXPORT, Export, MODEL, Machine, token};
 use machinist_fmu::variables::Unfit;
@@ -11,14 +11,14 @@ use super::zip::archive;
 use crate::cli::scene::CUTTING;
 use crate::failure::{Failure, did_you_mean};
 
-/// A functional mock-up unit.
+/// Functional mock-up unit.
 pub struct Archive {
     bytes: Vec<u8>,
     variables: usize,
 }
 
 impl Archive {
-    /// Of a model, exported as wanted.
+    /// Builds the archive of a model with the settings of its export.
     pub fn of(stamped: &Stamped, export: &Export, library: &Library) -> Result<Self, Failure> {
         let model = &stamped.model;
         let inputs = &export.inputs;
@@ -63,12 +63,12 @@ impl Archive {
         Ok(Self { bytes, variables: machine.variables.all().len() })
     }
 
-    /// Its bytes.
+    /// Returns the bytes.
     pub fn bytes(&self) -> &[u8] {
         &self.bytes
     }
 
-    /// How many variables it has.
+    /// Number of variables.
     pub fn variables(&self) -> usize {
         self.variables
     }

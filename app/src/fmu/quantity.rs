@@ -8,14 +8,14 @@ use machinist_fmu::variables::Variables;
 use super::xml::Element;
 use crate::failure::Failure;
 
-/// Base units as FMI calls them.
+/// Base units by FMI's names.
 const BASES: [&str; 8] = ["kg", "m", "s", "A", "K", "mol", "cd", "rad"];
 
-/// Units that people want to see besides, with how many of them one is.
+/// Additional units for display, with the number of them per unit.
 const DISPLAYED: [(&str, &str, f64); 2] =
     [("rad", "deg", 180.0 / std::f64::consts::PI), ("rad/s", "rpm", 30.0 / std::f64::consts::PI)];
 
-/// Quantities by a unit that is theirs alone.
+/// Quantities, each with the unit that only it has.
 const QUANTITIES: [(&str, &str); 22] = [
     ("A", "ElectricCurrent"),
     ("C", "ElectricCharge"),
@@ -44,18 +44,18 @@ const QUANTITIES: [(&str, &str); 22] = [
 /// Name of the type of modes.
 pub const MODE: &str = "Types.Mode";
 
-/// The unit of an attribute; nothing for a pure number.
+/// Returns the unit of an attribute; `None` if dimensionless.
 pub fn unit_of(unit: &str) -> Option<&str> {
     (unit != "1" && !unit.is_empty()).then_some(unit)
 }
 
-/// The type of numbers in a unit, if it has a name.
+/// Returns the type of numbers in a unit, if it has a name.
 pub fn type_of(unit: &str) -> Option<String> {
     let (_, quantity) = QUANTITIES.iter().find(|(known, _)| *known == unit)?;
     Some(format!("Types.{quantity}"))
 }
 
-/// Definitions of all units that variables have.
+/// Returns definitions of all units that variables have.
 pub fn units(variables: &Variables) -> Result<Vec<Element>, Failure> {
     let all = variables.all().iter();
     let units: BTreeSet<&str> = all.filter_map(|variable| unit_of(&variable.unit)).collect();
@@ -80,7 +80,7 @@ fn definition(unit: &str) -> Result<Element, Failure> {
     Ok(Element::new("Unit").with("name", unit).holding([base]).holding(displayed))
 }
 
-/// Definitions of the types that variables have.
+/// Returns definitions of the types that variables have.
 pub fn types(variables: &Variables, has_modes: bool) -> Vec<Element> {
     let is_used = |unit: &str| variables.all().iter().any(|variable| variable.unit == unit);
     let mut types: Vec<Element> = QUANTITIES

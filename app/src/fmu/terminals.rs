@@ -1,10 +1,9 @@
-//! `terminalsAndIcons/terminalsAndIcons.xml`: which variables are those of a shaft, or of
-//! something that slides, so that hosts connect them together.
+//! `terminalsAndIcons/terminalsAndIcons.xml`: groups of variables of a shaft or sliding part, which
+//! hosts connect together.
 //!
-//! Ports that joints connect move as one, and are one terminal. Of it there is what the standard
-//! allows in terminals: outputs and inputs. So its angle and its speed are there where the scene
-//! wants them as outputs, and the torque on it where an input is that torque. Members are named
-//! as those of Modelica's flanges.
+//! Ports that joints connect move together and form one terminal. The standard allows only outputs
+//! and inputs as members. Angle and speed are members if the scene has them as outputs, and the
+//! torque if it is an input. Members are named as in Modelica's flanges.
 
 use machinist_contract::Simulator;
 use machinist_fmu::resource::Machine;
@@ -13,12 +12,12 @@ use machinist_model::{Coordinate, NodeId, Op};
 
 use super::xml::Element;
 
-/// A kind of ports.
+/// Kind of ports.
 struct Domain {
-    /// By the unit of their coordinate.
+    /// Unit of the coordinate.
     unit: &'static str,
     kind: &'static str,
-    /// Position, velocity.
+    /// Names of position and velocity.
     across: [&'static str; 2],
     /// Torque or force, and its unit.
     through: [&'static str; 2],
@@ -29,7 +28,7 @@ const DOMAINS: [Domain; 2] = [
     Domain { unit: "m", kind: "translational", across: ["s", "v"], through: ["f", "N"] },
 ];
 
-/// The text of the file; nothing where no terminal has a member.
+/// Returns the text of the file; `None` if no terminal has a member.
 pub fn text(machine: &Machine) -> Option<String> {
     let coordinates = &machine.model().coordinates;
     let found: Vec<(&Coordinate, &Domain, Vec<Element>)> = coordinates
@@ -52,7 +51,7 @@ pub fn text(machine: &Machine) -> Option<String> {
         let doc = &coordinate.position.doc;
         Element::new("Terminal")
             .with("name", name)
-            // Some members are there, and others are not.
+            // The set of members varies.
             .with("matchingRule", "bus")
             .with("terminalKind", format!("_machinist_{}", domain.kind))
             .with_some("description", Some(doc).filter(|doc| !doc.is_empty()))
@@ -63,7 +62,7 @@ pub fn text(machine: &Machine) -> Option<String> {
     Some(root.holding([terminals]).document())
 }
 
-/// The unit that a coordinate is of: `cylinder` of `cylinder.phi`.
+/// Returns the unit of a coordinate: `cylinder` of `cylinder.phi`.
 fn unit_of(coordinate: &Coordinate) -> &str {
     let path = coordinate.position.name.path.as_str();
     path.rsplit_once('.').map_or(path, |(unit, _)| unit)
@@ -89,7 +88,8 @@ fn members(machine: &Machine, coordinate: &Coordinate, domain: &Domain) -> Vec<E
         };
         Some(element(input, member, kind))
     });
-    // Names of members are unique: of several forces on a port none is the whole of it.
+    // Names of members are unique. If several forces act on a port, none is the total, and none is
+    // a member.
     let force = forces.next();
     let is_only = forces.next().is_none();
     signals.chain(force.filter(|_| is_only)).collect()
@@ -102,7 +102,7 @@ fn element(variable: &Variable, member: &'static str, kind: &'static str) -> Ele
         .with("variableKind", kind)
 }
 
-/// The output that an entry of the state is, if it is one.
+/// Returns the output that shows a state, if there is one.
 fn output<'a>(machine: &'a Machine, state: &str) -> Option<&'a Variable> {
     let (model, simulator) = (machine.model(), machine.simulator());
     let is_it = |kind: Kind| match kind {
@@ -125,10 +125,10 @@ enum Sign {
     Against,
 }
 
-/// Whether a parameter is the torque or force on what moves with a velocity: the power that it
-/// supplies is that velocity times it, wherever the machine is.
+/// Returns the sign of a parameter that is the torque or force on a part with the given velocity:
+/// the supplied power is velocity times parameter in every state. `None` for other parameters.
 fn sign_of_force(simulator: &dyn Simulator<f64>, parameter: usize, velocity: &str) -> Option<Sign> {
-    /// Rounding of powers.
+    /// Relative rounding of powers.
     const ROUNDING: f64 = 1e-9;
     let shape = simulator.shape();
     let entry = (0..shape.states()).find(|entry| simulator.state(*entry).name == velocity)?;
@@ -140,7 +140,7 @@ fn sign_of_force(simulator: &dyn Simulator<f64>, parameter: usize, velocity: &st
     };
     let mut is = [true, true];
     for place in 1..=4 {
-        // Anywhere, and the same each time.
+        // Arbitrary but reproducible states.
         let around = |entry: usize| ((place * 7 + entry * 3) as f64 * 0.618).sin();
         let state: Vec<f64> =
             (0..shape.states()).map(|entry| around(entry) * simulator.state_scale(entry)).collect();

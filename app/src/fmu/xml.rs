@@ -1,8 +1,8 @@
-//! Elements of XML, written.
+//! Elements of XML and their serialization.
 
 use std::fmt::Write as _;
 
-/// An element with attributes and elements in it.
+/// Element with attributes and children.
 #[derive(Debug, Clone, Default)]
 pub struct Element {
     name: &'static str,
@@ -11,19 +11,19 @@ pub struct Element {
 }
 
 impl Element {
-    /// An element without anything.
+    /// Creates an empty element.
     pub fn new(name: &'static str) -> Self {
         Self { name, ..Self::default() }
     }
 
-    /// The same with an attribute.
+    /// Adds an attribute.
     #[allow(clippy::needless_pass_by_value, reason = "numbers and texts alike")]
     pub fn with(mut self, name: &'static str, value: impl ToString) -> Self {
         self.attributes.push((name, value.to_string()));
         self
     }
 
-    /// The same with an attribute, if there is a value.
+    /// Adds an attribute if there is a value.
     pub fn with_some<V: ToString>(self, name: &'static str, value: Option<V>) -> Self {
         match value {
             Some(value) => self.with(name, value),
@@ -31,18 +31,18 @@ impl Element {
         }
     }
 
-    /// The same with a number, as short as it can be read back.
+    /// Adds an attribute with a number, in the shortest form that reads back unchanged.
     pub fn with_number(self, name: &'static str, value: f64) -> Self {
         self.with(name, format!("{value:?}"))
     }
 
-    /// The same with elements in it.
+    /// Adds children.
     pub fn holding(mut self, children: impl IntoIterator<Item = Element>) -> Self {
         self.children.extend(children);
         self
     }
 
-    /// The text of a file.
+    /// Returns the text of a file.
     pub fn document(&self) -> String {
         let mut text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n".to_owned();
         self.write(0, &mut text);
@@ -67,7 +67,7 @@ impl Element {
     }
 }
 
-/// Text within quotes. What XML has no signs for becomes a space, and so do ends of lines.
+/// Escapes text within quotes. Characters that XML does not allow and line ends become spaces.
 fn escaped(value: &str) -> String {
     let mut text = String::with_capacity(value.len());
     for sign in value.chars() {

@@ -1,4 +1,4 @@
-//! Answers to the questions of the studies' authors, a picture and two sentences each.
+//! Answers to the questions of the studies' authors, with a picture and two sentences each.
 
 use machinist_studies::closed_form::two_mass::{SAW_GIN, TwoMass};
 use machinist_studies::conclusions::{
@@ -12,13 +12,13 @@ use maud::{Markup, html};
 use super::figure::{self, Named};
 use crate::number::number;
 
-/// Answers, computed.
+/// Computed answers.
 pub struct Study {
     couplings: Couplings,
     /// Largest acceleration and torque with the study's own coupling.
     own: (f64, f64),
     speeds: StableSpeeds,
-    /// Of the bench winder.
+    /// Limit of the bench winder.
     bench: (Winder, Limit),
     window: PressureWindow,
     fells: Vec<Beat>,
@@ -28,14 +28,14 @@ pub struct Study {
 const OWN: (f64, f64) = (23_065.2, 128.5346);
 /// Frequency of the supply \[rad/s\].
 const SUPPLY: f64 = 100.0 * std::f64::consts::PI;
-/// Share by which a peak may exceed that of a soft coupling before the coupling counts as hard.
+/// Ratio of a peak to that of a soft coupling above which the coupling counts as hard.
 const SPARED: f64 = 1.1;
 
 impl Study {
-    /// Computes.
+    /// Computes the answers.
     ///
     /// # Errors
-    /// Why that could not be done.
+    /// The reason of the failure.
     pub fn new() -> Result<Self, String> {
         Self::computed().map_err(|error| error.to_string())
     }
@@ -54,7 +54,7 @@ impl Study {
     }
 }
 
-/// Answers, or why there are none.
+/// Renders the answers, or the reason why there are none.
 pub fn section(study: &Result<Study, String>) -> Markup {
     html! {
         @match study {
@@ -96,7 +96,7 @@ fn coupling(study: &Study) -> Markup {
     }
 }
 
-/// Two sentences on the couplings of the study's dissipation.
+/// Renders two sentences on the couplings with the study's dissipation.
 fn judged(stiffnesses: &[f64], [accelerations, of_more]: [&[f64]; 2], own: (f64, f64)) -> Markup {
     let soft = accelerations.first().copied().unwrap_or(f64::NAN);
     let pairs = || stiffnesses.iter().zip(accelerations);
@@ -155,7 +155,7 @@ fn winding(study: &Study) -> Markup {
     }
 }
 
-/// Figure 8 of the study.
+/// Renders figure 8 of the study.
 fn window(window: &PressureWindow) -> Markup {
     let radii: Vec<f64> = window.radii.iter().map(|radius| 1e3 * radius).collect();
     let curve = |name: &str, values: &[f64]| (name.to_owned(), radii.clone(), values.to_vec());
@@ -176,7 +176,7 @@ fn window(window: &PressureWindow) -> Markup {
     )
 }
 
-/// Verdict on the study's conclusion that motion changes little and stress markedly.
+/// Returns the verdict on the study's conclusion that motion changes little and stress markedly.
 fn verdict(change: &[f64; 5]) -> &'static str {
     let motion = change[0].abs().max(change[1].abs());
     if motion < 0.2 * change[2].abs() {

@@ -5,7 +5,7 @@ use maud::{Markup, PreEscaped, html};
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Parser, Storage, push_mathml};
 
-/// A group of equations under a heading, aligned at their equals signs.
+/// Renders a group of equations under a heading, aligned at their equals signs.
 pub fn section(heading: &str, equations: &[Equation]) -> Markup {
     html! {
         @if !equations.is_empty() {
@@ -31,7 +31,7 @@ fn row(equation: &Equation) -> Markup {
     }
 }
 
-/// The spec's name and what it means.
+/// Renders the spec's name of a quantity and its meaning.
 fn meaning(equation: &Equation) -> Markup {
     html! {
         @if equation.subject.len() > 1 { code { (equation.subject) } }
@@ -39,7 +39,7 @@ fn meaning(equation: &Equation) -> Markup {
     }
 }
 
-/// LaTeX as MathML; as it stands, if it is beyond the converter.
+/// Converts LaTeX to MathML, or returns it unchanged if the converter fails.
 fn math(latex: &str) -> Markup {
     let storage = Storage::new();
     let events: Result<Vec<_>, _> = Parser::new(latex, &storage).collect();

@@ -1,5 +1,5 @@
-//! Scenes with fields: runs cut into elements, pictures along the field, and what the
-//! number of elements and the stiffness of the reed's contact do.
+//! Scenes with fields: discretized runs, pictures along the field, and the effects of the number of
+//! elements and of the stiffness of the reed's contact.
 
 use std::time::Duration;
 
@@ -23,31 +23,31 @@ use super::modes::{self, Modes, NoModes};
 use crate::failure::Failure;
 use crate::number::number;
 
-/// Modes are those of so many elements of this order, which a table has room for.
+/// Discretization for modes, coarse enough for a table.
 const FEW: Discretisation = Discretisation { elements: Some(8), order: Some(4) };
-/// Times and modes shown in pictures.
+/// Number of times and modes shown in pictures.
 const TIMES: usize = 240;
 const SHAPES: usize = 5;
 
-/// A field of a scene over time.
+/// Field of a scene over time.
 pub struct Along {
     name: String,
     unit: String,
     times: Vec<f64>,
     places: Vec<f64>,
-    /// A row for each place: the field less its value at x = 0.
+    /// Row for each place: the field minus its value at x = 0.
     twist: Vec<Vec<f64>>,
     shapes: Vec<Named>,
 }
 
-/// A scene's run, its modes, and its fields.
+/// Run of a scene with its modes and fields.
 pub struct FieldRun {
     pub trajectory: Result<Trajectory, SimulateError>,
     pub modes: Result<Modes, NoModes>,
     pub along: Vec<Along>,
 }
 
-/// Runs a scene as its spec cuts it; its modes are those of a coarser cut.
+/// Runs a scene with the discretization of its spec. The modes use a coarser one.
 pub fn run(scene: &dyn FieldScene<f64>, time_limit: Duration) -> Result<FieldRun, Failure> {
     let refused = |error: FieldError| Failure::input(error, "");
     let simulator = FieldSimulator::new(scene, Discretisation::default()).map_err(refused)?;
@@ -122,7 +122,8 @@ fn defaults(simulator: &FieldSimulator<'_, f64>) -> Vec<f64> {
     (0..simulator.shape().parameters).map(|index| simulator.parameter_default(index)).collect()
 }
 
-/// Shapes along a field, each with 1 as its largest size, about the end of the run.
+/// Returns the mode shapes along a field about the end of the run, each scaled to a largest size of
+/// 1.
 fn shapes(simulator: &FieldSimulator<'_, f64>, field: usize) -> Result<Vec<Named>, LinearError> {
     let until = simulator.run_defaults().until;
     let point = operating_point(&Simulation::new(simulator), Place::Time(until))?;
@@ -148,7 +149,7 @@ fn shapes(simulator: &FieldSimulator<'_, f64>, field: usize) -> Result<Vec<Named
     Ok(curves)
 }
 
-/// Pictures of a scene's fields.
+/// Renders pictures of a scene's fields.
 pub fn section(scene: &str, fields: &[Along]) -> Markup {
     html! {
         @if !fields.is_empty() {
@@ -158,15 +159,15 @@ pub fn section(scene: &str, fields: &[Along]) -> Markup {
     }
 }
 
-/// What is measured of fields apart from scenes.
+/// Measurements of fields apart from scenes.
 pub struct Study {
     errors: Result<Vec<Named>, String>,
-    /// With a fell that only pushes, and with one that also pulls.
+    /// Beats with a fell that only pushes, and with one that also pulls.
     beats: Result<[[Beat; 3]; 2], String>,
 }
 
 impl Study {
-    /// Measures.
+    /// Measures fields.
     pub fn new() -> Self {
         Self {
             errors: errors().map_err(|error| error.to_string()),
@@ -174,7 +175,7 @@ impl Study {
         }
     }
 
-    /// The section of the page.
+    /// Renders the section of the page.
     pub fn section(&self) -> Markup {
         html! {
             h3 { "Error against number of elements" }

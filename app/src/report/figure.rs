@@ -1,4 +1,4 @@
-//! Plots of the page; `page.js` tells values where one points at them.
+//! Plots of the page. `page.js` shows values at the pointer.
 
 mod chart;
 
@@ -10,17 +10,17 @@ use crate::number::number;
 use crate::plot::ruler::Axis;
 use chart::{Colour, Frame, Panel, figure, keys, legend};
 
-/// More points than this are drawn by the least and greatest of each bin.
+/// Number of points above which only the least and greatest of each bin are drawn.
 const MAX_POINTS: usize = 1600;
-/// Rows of a picture of a field.
+/// Rows of a field's picture.
 const ROWS: usize = 120;
 
-/// The script of the page.
+/// Returns the script of the page.
 pub fn script() -> Markup {
     html! { script { (PreEscaped(include_str!("page.js"))) } }
 }
 
-/// Columns of one unit over time.
+/// Plots columns of one unit over time.
 pub fn over_time(id: &str, times: &[f64], columns: &[&Column], caption: &Markup) -> Markup {
     let Some(first) = columns.first() else { return html! {} };
     let quantity = if let [only] = columns { only.name.as_str() } else { "" };
@@ -39,12 +39,12 @@ pub fn over_time(id: &str, times: &[f64], columns: &[&Column], caption: &Markup)
     } else {
         html! {}
     };
-    // All figures of a scene point at the same time.
+    // All figures of a scene share the time at the pointer.
     let scene = id.split('-').next();
     figure(id, &[panel], &legend, scene, caption)
 }
 
-/// Error against run time, and beside it error over tolerance; a curve a method.
+/// Plots the error over run time, and beside it the error over tolerance, a curve for each method.
 pub fn work_precision(id: &str, measured: &WorkPrecision, caption: &Markup) -> Markup {
     let all = |of: &dyn Fn(&Point) -> f64| -> Vec<f64> {
         measured.curves.iter().flat_map(|curve| curve.points.iter().map(of)).collect()
@@ -77,7 +77,7 @@ pub fn work_precision(id: &str, measured: &WorkPrecision, caption: &Markup) -> M
     figure(id, &[left, right], &legend(names), None, caption)
 }
 
-/// A quantity over time and place, as colours: a row of `values` for each place.
+/// Draws a quantity over time and place as colours, with a row of `values` for each place.
 pub fn picture(
     id: &str,
     (times, places): (&[f64], &[f64]),
@@ -88,7 +88,7 @@ pub fn picture(
     let largest = values.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
     let shade = |value: f64| diverging(if largest > 0.0 { value / largest } else { 0.0 });
     let (Some(low), Some(high)) = (places.first(), places.last()) else { return html! {} };
-    // Places are not equally far apart; rows of a picture are.
+    // Places are not equally spaced, but rows of a picture are.
     let row = |index: usize| {
         let place = high + (low - high) * (index as f64 + 0.5) / ROWS as f64;
         let above = places.partition_point(|at| *at < place).clamp(1, places.len() - 1);
@@ -110,13 +110,13 @@ pub fn picture(
     figure(id, &[panel], &keys, None, caption)
 }
 
-/// Something that is the case at some places, and its colour.
+/// Class of places with its colour.
 pub struct Class {
     pub name: &'static str,
     pub colour: Colour,
 }
 
-/// What is the case where: a row of indices of `classes` for each place, from below.
+/// Draws the class at each place, from rows of indices of `classes`, the lowest place first.
 pub fn classes(
     id: &str,
     axes: (&[f64], &[f64]),
@@ -137,10 +137,10 @@ pub fn classes(
     figure(id, &[panel], &keys(found), None, caption)
 }
 
-/// A curve by its name.
+/// Curve with its name.
 pub type Named = (String, Vec<f64>, Vec<f64>);
 
-/// Curves of one quantity over another, on logarithmic axes if wanted.
+/// Plots curves of one quantity over another, on logarithmic axes if wanted.
 pub fn curves(
     id: &str,
     titles: [&str; 2],
@@ -175,7 +175,7 @@ fn in_brackets(unit: &str) -> String {
     if unit == "1" { String::new() } else { format!(" [{unit}]") }
 }
 
-/// From blue at -1 over white at 0 to red at 1.
+/// Returns a colour from blue at -1 over white at 0 to red at 1.
 fn diverging(share: f64) -> Colour {
     let ends: [[f64; 3]; 2] = [[33.0, 102.0, 172.0], [178.0, 24.0, 43.0]];
     let end = ends[usize::from(share > 0.0)];
@@ -183,7 +183,7 @@ fn diverging(share: f64) -> Colour {
     end.map(|end| (247.0 + share * (end - 247.0)).round() as u8)
 }
 
-/// The curve with so many points that it looks the same; spikes stay.
+/// Reduces the number of points of a curve without a visible change. Spikes stay.
 fn reduced(times: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
     if times.len() <= MAX_POINTS {
         return (times.to_vec(), values.to_vec());

@@ -1,4 +1,4 @@
-//! What the pages show, gathered; and the pages, made of it.
+//! Collection of the data that the pages show, and rendering of the pages.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -26,45 +26,45 @@ use crate::freeze::admit;
 use crate::progress::during;
 use crate::spec_source::SpecSource;
 
-/// Where the page of a machine is, within the report's folder.
+/// Returns the path of a machine's page within the report's folder.
 pub(super) fn page_of(name: &str) -> String {
     format!("machines/{name}.html")
 }
 
-/// Pages, made.
+/// Rendered pages.
 pub struct Pages {
-    /// Each with where it belongs in the report's folder.
+    /// Pages by their paths within the report's folder.
     pub files: Vec<(PathBuf, String)>,
     /// Whether every check passed.
     pub all_passed: bool,
 }
 
-/// What there is to say of all scenes.
+/// Data of the report on all scenes.
 pub(super) struct Report {
     pub(super) machines: Vec<Machine>,
-    /// Files of emitted code; none were looked at if an algebra was named.
+    /// Summary of the emitted code; `None` if an algebra was named.
     pub(super) emitted: Option<Summary>,
     /// All checks; those of a machine are also with the machine.
     pub(super) verdicts: Vec<Verdict>,
     pub(super) ledger: Result<Vec<LedgerRow>, String>,
     pub(super) conclusions: Result<conclusions::Study, String>,
     pub(super) winder: Result<winder_walk::Study, String>,
-    /// Where a scene has fields.
+    /// Study of fields, if a scene has any.
     pub(super) fields: Option<fields::Study>,
-    /// Takes about a minute, and so is left out with the times.
+    /// Study of extreme cases. It takes about a minute and is left out together with the times.
     pub(super) stability: Option<Study>,
 }
 
-/// How far pages go.
+/// Extent of the pages.
 #[derive(Debug, Clone, Copy)]
 pub struct Extent {
     /// Whether error against run time is measured.
     pub with_times: bool,
-    /// How long each run may compute.
+    /// Time limit of each run.
     pub time_limit: Duration,
 }
 
-/// The page of one machine of the user's own.
+/// Makes the page of a machine of the user's own.
 pub fn own(argument: &str, extent: Extent) -> Result<Pages, Failure> {
     let spec = match Given::of(argument)? {
         Given::Spec(spec) => spec,
@@ -78,7 +78,7 @@ pub fn own(argument: &str, extent: Extent) -> Result<Pages, Failure> {
     Ok(Pages { files: vec![file_of(&machine, false)], all_passed })
 }
 
-/// The machine of a spec, run by its model, with what can be checked of any machine.
+/// Runs the machine of a spec by its model and applies the checks that exist for any machine.
 fn of_spec(spec: &SpecSource, purpose: Purpose, extent: Extent) -> Result<Machine, Failure> {
     let derived = deriving::derivation(spec, Keep::Needed, purpose)?;
     admit(spec, derived.stages.needed())?;
@@ -95,13 +95,13 @@ fn of_spec(spec: &SpecSource, purpose: Purpose, extent: Extent) -> Result<Machin
     Ok(machine)
 }
 
-/// The page of a machine with its place.
+/// Renders the page of a machine and returns it with its path.
 fn file_of(machine: &Machine, has_index: bool) -> (PathBuf, String) {
     (page_of(machine.name()).into(), scene::page(machine, has_index))
 }
 
-/// The pages of all scenes. Brings emitted scenes up to
-/// date on the way, unless an algebra was named.
+/// Makes the pages of all scenes. Updates emitted scenes along the way, unless an algebra was
+/// named.
 pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Failure> {
     let with_times = extent.with_times;
     let files = specs::scene_files(specs)?;
@@ -110,8 +110,8 @@ pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Fail
         admit(file, derived.stages.needed())?;
     }
     let models: Vec<_> = derived.iter().map(|derived| derived.stages.needed().clone()).collect();
-    // Algebras arrange equations differently: what is emitted must not depend on how a report
-    // was asked for.
+    // Algebras arrange equations differently, and emitted code must not depend on the options of a
+    // report.
     let emitted = (!deriving::is_algebra_named())
         .then(|| emit_scenes(emitted, &models, Mode::Write))
         .transpose()?;
@@ -130,7 +130,7 @@ pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Fail
         let of_machine = |verdict: &&Verdict| verdict.scene == machine.model.name;
         machine.verdicts = verdicts.iter().filter(of_machine).cloned().collect();
     }
-    // As in the table of checks, which goes from the simple to the whole.
+    // The order is that of the table of checks, from simple to complete machines.
     machines.sort_by_key(|machine| {
         verdicts.iter().position(|row| row.scene == machine.name()).unwrap_or(usize::MAX)
     });
@@ -164,7 +164,7 @@ pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Fail
     Ok(Pages { files: pages, all_passed })
 }
 
-/// Error against time of the scenes that are built in.
+/// Measures the error against run time of built-in scenes.
 fn measure_built_in(machines: &mut [Machine], time_limit: Duration) -> Result<(), Failure> {
     for machine in machines {
         if let Some(simulator) = scenes::find_f64(machine.name()) {
@@ -180,14 +180,14 @@ fn measure(
     twin: Option<&'static dyn Twin>,
     time_limit: Duration,
 ) -> Result<WorkPrecision, machinist::SimulateError> {
-    // Some hundred points a machine, each as long as it takes to tell its median.
+    // A machine has some hundred points, each measured long enough for its median.
     let time_limit = Some(time_limit);
     let plan = Plan { enough: 10.0, longest: 100.0, time_limit, ..Plan::default() };
     work_precision::measure(simulator, twin, &plan)
 }
 
 impl Report {
-    /// A machine by its name, which leads to its page if it has one.
+    /// Renders the name of a machine, with a link to its page if there is one.
     pub(super) fn named(&self, name: &str) -> Markup {
         let has_page = self.machines.iter().any(|machine| machine.name() == name);
         html! {
@@ -195,7 +195,7 @@ impl Report {
         }
     }
 
-    /// Emitted files that were not what the specs give.
+    /// Returns the emitted files that differed from what the specs give.
     pub(super) fn stale(&self) -> impl Iterator<Item = &str> {
         let files = self.emitted.iter().flat_map(|emitted| &emitted.files);
         files.filter(|(_, written)| *written != Written::Unchanged).map(|(file, _)| file.as_str())

@@ -1,4 +1,4 @@
-//! The first page: what the report says in short, and a card for each machine.
+//! First page: a summary of the report and a card for each machine.
 
 use machinist::Method;
 use machinist_studies::verify::Tally;
@@ -10,12 +10,12 @@ use super::page::{Page, section};
 use super::verification::badge;
 use super::{licences, schematic, verification};
 
-/// The command that makes the report.
+/// Command that makes the report.
 const COMMAND: &str = "cargo run --release -- report";
-/// Figures on a card.
+/// Number of figures on a card.
 const FIGURES: usize = 3;
 
-/// The page.
+/// Renders the page.
 pub(super) fn page(report: &Report) -> String {
     let cards = html! {
         div.cards { @for machine in &report.machines { (card(machine)) } }
@@ -103,12 +103,12 @@ fn introduction(report: &Report) -> Markup {
     }
 }
 
-/// Whether this build has a package that is pinned.
+/// Returns whether this build has a pinned package.
 fn is_in(package: &str) -> bool {
     package != "diffsol" || Method::Bdf.is_compiled_in()
 }
 
-/// Versions of what is pinned.
+/// Versions of pinned packages.
 const PINNED: [(&str, &str); 2] = [("diffsol", "0.18.0"), ("Symbolica", "2.2.0")];
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The figures that one asks for first.
+//! Key figures of a run.
 
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use maud::{Markup, html};
@@ -6,29 +6,28 @@ use maud::{Markup, html};
 use super::modes::Modes;
 use crate::number::number;
 
-/// Outputs have come to rest once they stay so near to where they end, as a part of their
-/// range.
+/// Distance from its final value within which an output counts as at rest, relative to its range.
 const REST: f64 = 0.02;
-/// And a run has if they do so before this part of it is over.
+/// Fraction of the run before which outputs must have come to rest.
 const EARLY: f64 = 0.9;
 /// Damping ratios below this are rounding.
 const UNDAMPED: f64 = 1e-9;
-/// Units of what loads a machine, and of how fast it is; the first that an output has.
+/// Units of loads and of speeds. The first unit that an output has is used.
 const LOADS: [&str; 6] = ["N m", "N", "Pa", "N/m", "V", "A"];
 const SPEEDS: [&str; 2] = ["rad/s", "m/s"];
 
-/// One of them.
+/// Key figure.
 pub struct Figure {
-    /// What it is.
+    /// Name of the figure.
     pub what: String,
-    /// The number with its unit, or words where there is none.
+    /// Number with its unit, or words if there is no number.
     pub value: String,
-    /// What belongs to it; may be empty.
+    /// Remark; may be empty.
     pub note: String,
 }
 
 impl Figure {
-    /// As an entry of a list of terms.
+    /// Renders the figure as an entry of a list of terms.
     pub fn entry(&self) -> Markup {
         html! {
             div {
@@ -40,7 +39,7 @@ impl Figure {
     }
 }
 
-/// What a run and the motions about its end say.
+/// Returns the key figures of a run and of the eigenmodes at its end.
 pub fn figures(run: &Trajectory, modes: Option<&Modes>) -> Vec<Figure> {
     let mut figures = Vec::new();
     let mut say = |what: &str, value: String, note: String| {
@@ -74,13 +73,13 @@ pub fn figures(run: &Trajectory, modes: Option<&Modes>) -> Vec<Figure> {
     figures
 }
 
-/// Outputs; states if there are none.
+/// Returns the outputs, or the states if there are no outputs.
 pub(super) fn shown(run: &Trajectory) -> impl Iterator<Item = &Column> {
     let has_outputs = run.of_kind(ColumnKind::Output).next().is_some();
     run.of_kind(if has_outputs { ColumnKind::Output } else { ColumnKind::State })
 }
 
-/// The greatest size among columns of a unit, as the value is, and when.
+/// Returns the value largest in size among the columns of a unit, with its column and time.
 fn greatest<'a>(run: &'a Trajectory, unit: &str) -> Option<(&'a Column, f64, f64)> {
     let columns = shown(run).filter(|column| column.unit == unit);
     let all = columns.flat_map(|column| {
@@ -89,8 +88,8 @@ fn greatest<'a>(run: &'a Trajectory, unit: &str) -> Option<(&'a Column, f64, f64
     all.filter(|(_, value, _)| value.is_finite()).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
 }
 
-/// From when on all outputs stay where they end; nothing if none ever moves, or not before the
-/// run is nearly over.
+/// Returns the time from which all outputs stay near their final values. `None` if no output moves,
+/// or if they come to rest only near the end.
 fn rest(run: &Trajectory) -> Option<f64> {
     let (first, last) = (*run.times.first()?, *run.times.last()?);
     let mut latest = None;
@@ -106,7 +105,7 @@ fn rest(run: &Trajectory) -> Option<f64> {
     latest.filter(|latest| latest - first <= EARLY * (last - first))
 }
 
-/// First, last, least and greatest of every output.
+/// Renders a table of the first, last, least and greatest value of every output.
 pub fn table(run: &Trajectory) -> Markup {
     html! {
         div.scroll {

@@ -1,11 +1,11 @@
-//! The reproduction ledger: printed figures, and what becomes of them.
+//! Reproduction ledger: printed figures and the result of reproducing each.
 
 use machinist_studies::ledger::LedgerRow;
 use maud::{Markup, html};
 
 use crate::number::number;
 
-/// All rows, or why there are none.
+/// Renders all rows, or the reason why there are none.
 pub fn section(ledger: &Result<Vec<LedgerRow>, String>) -> Markup {
     html! {
         p {
@@ -53,7 +53,7 @@ fn table(rows: &[LedgerRow]) -> Markup {
     }
 }
 
-/// Text with what stands between backticks as code.
+/// Renders text with backticks as code.
 fn coded(text: &str) -> Markup {
     html! {
         @for (index, part) in text.split('`').enumerate() {

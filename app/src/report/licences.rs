@@ -1,8 +1,8 @@
-//! Who may use what.
+//! Licences.
 
 use maud::{Markup, html};
 
-/// The licences in short.
+/// Renders a summary of the licences.
 pub fn section() -> Markup {
     html! {
         ul {

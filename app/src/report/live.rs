@@ -1,5 +1,5 @@
-//! What makes the page of a machine live: the model as WebAssembly, methods as scripts, and
-//! sliders of its parameters. Without scripts the page stays as it is.
+//! Live page of a machine: the model as WebAssembly, methods as scripts, and sliders of its
+//! parameters. Without scripts the page stays static.
 
 mod moving;
 mod order;
@@ -19,7 +19,7 @@ pub(super) use moving::Moving;
 use super::machine::Machine;
 use crate::number::exact;
 
-/// Scripts of a live page, in the order in which they build on each other.
+/// Scripts of a live page, in the order of their dependencies.
 const SCRIPTS: [&str; 15] = [
     include_str!("live/machine.js"),
     include_str!("live/matrix.js"),
@@ -38,14 +38,14 @@ const SCRIPTS: [&str; 15] = [
     include_str!("live/page.js"),
 ];
 
-/// Bytes of a module at most: a page is to stay below 1.5 MB with everything else.
+/// Maximum bytes of a module, so that a page stays below 1.5 MB in total.
 const LARGEST: usize = 500_000;
-/// Sliders that stand in sight; others are folded away.
+/// Number of sliders in view; others are folded away.
 const IN_SIGHT: usize = 8;
-/// Points of a run in a page at most: more are not seen.
+/// Maximum number of points of a run in a page; more would not be visible.
 const MOST_POINTS: usize = 2001;
 
-/// Functions that a page runs, beside those that only some machines have.
+/// Functions that every page runs. Some machines have more.
 const FUNCTIONS: [FunctionId; 14] = [
     FunctionId::InitialState,
     FunctionId::Discontinuities,
@@ -65,33 +65,33 @@ const FUNCTIONS: [FunctionId; 14] = [
 /// Functions that only implicit methods call.
 const OF_IMPLICIT: [FunctionId; 2] = [FunctionId::RateJacobian, FunctionId::TimeDerivative];
 
-/// What a page needs to run a machine.
+/// Data and order of parameters of a live page.
 pub(super) struct Live {
     known: Known,
-    /// Parameters by what they do to the run, the most first.
+    /// Parameters in the order of their effect on the run, the largest first.
     order: Vec<usize>,
 }
 
-/// What scripts know of the machine.
+/// Data of the machine for scripts.
 #[derive(Serialize)]
 struct Known {
     name: String,
-    /// The command that runs it outside of the page.
+    /// Command that runs the machine outside of the page.
     command: String,
-    /// In base 64.
+    /// Module in base 64.
     module: String,
     layout: Layout,
     coordinates: usize,
     states: Vec<State>,
     parameters: Vec<Parameter>,
-    /// Names of what is shown: outputs, or states where there are none.
+    /// Names of the quantities shown: outputs, or states if there are none.
     outputs: Vec<String>,
     shows_states: bool,
     discontinuities: usize,
     events: Vec<Event>,
     kinks: usize,
     constraints: Vec<String>,
-    /// Whether one of them holds in some modes only.
+    /// Whether a discontinuity exists in some modes only.
     holds_in_modes: bool,
     rate_jacobian: SparsityPattern,
     mass_matrix: SparsityPattern,
@@ -99,17 +99,17 @@ struct Known {
     moving: Moving,
     methods: Methods,
     run: RunOfPage,
-    /// Of a machine that starts in equilibrium.
+    /// Present if the machine starts in equilibrium.
     #[serde(skip_serializing_if = "Option::is_none")]
     equilibrium: Option<Equilibrium>,
 }
 
-/// Where the stored run starts, and the guess near which that was found.
+/// Start of the stored run, and the guess near which it was found.
 #[derive(Serialize)]
 struct Equilibrium {
     guess: Vec<f64>,
     state: Vec<f64>,
-    /// States that are looked for: positions, first-order states, velocities that are not zero.
+    /// Unknown states: positions, first-order states, velocities that are not zero.
     unknown: Vec<usize>,
     /// States whose rates are zero.
     still: Vec<usize>,
@@ -151,22 +151,22 @@ struct RunOfPage {
     from: f64,
     until: f64,
     points: usize,
-    /// Output times, where they are not equally spaced.
+    /// Output times, if they are not equally spaced.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     times: Vec<f64>,
     rtol: f64,
     method: &'static str,
     /// Whether the spec's method is for stiff machines.
     is_stiff: bool,
-    /// Whether the spec's method is explicit whatever the machine does.
+    /// Whether the spec's method is always explicit.
     stays_explicit: bool,
 }
 
 impl Live {
-    /// Of a machine and its stored run; nothing without one.
+    /// Builds the live page of a machine with its stored run; `None` without a run.
     ///
     /// # Errors
-    /// A sentence that says why the machine cannot be run in a page.
+    /// A sentence that says why the machine cannot run in a page.
     pub(super) fn of(machine: &Machine) -> Option<Result<Self, String>> {
         let run = machine.trajectory()?;
         Some(Self::of_run(machine, run))
@@ -189,7 +189,7 @@ impl Live {
         Ok(Self { known: Known::of(machine, run, &module, is_implicit), order })
     }
 
-    /// Sliders, which the script shows once the machine runs.
+    /// Renders the sliders, which the script shows once the machine runs.
     pub(super) fn controls(&self) -> Markup {
         let (first, rest) = self.order.split_at(self.order.len().min(IN_SIGHT));
         let RunOfPage { until, .. } = self.known.run;
@@ -222,8 +222,8 @@ impl Live {
         }
     }
 
-    /// The run as a motion of the drawing above, which the script shows; nothing where nothing
-    /// moves that could be drawn.
+    /// Renders the controls of the animated drawing, which the script shows. Empty if nothing in
+    /// the drawing moves.
     pub(super) fn motion(&self) -> Markup {
         html! {
             @if !self.known.moving.is_empty() {
@@ -247,7 +247,7 @@ impl Live {
         slider(&index.to_string(), name, unit, doc, *value)
     }
 
-    /// What runs the machine: for the end of the page.
+    /// Renders the data and script that run the machine, for the end of the page.
     pub(super) fn scripts(&self) -> Markup {
         html! {
             (data(&self.known()))
@@ -255,28 +255,28 @@ impl Live {
         }
     }
 
-    /// Data of the machine for scripts, as JSON.
+    /// Returns the data of the machine for scripts, as JSON.
     pub(super) fn known(&self) -> String {
         serde_json::to_string(&self.known).unwrap_or_default()
     }
 }
 
-/// Data of a machine for scripts, in the page.
+/// Renders the data of a machine for scripts.
 pub(super) fn data(known: &str) -> Markup {
     html! {
         script type="application/json" id="live-known" {
-            // No text of a spec ends the script.
+            // Escaped so that no text of a spec ends the script.
             (PreEscaped(known.replace('<', "\\u003c")))
         }
     }
 }
 
-/// The script that runs the machine of [`data`].
+/// Returns the script that runs the machine of [`data`].
 pub(super) fn script() -> String {
     format!("(() => {{\n\"use strict\";\n{}}})();\n", SCRIPTS.concat())
 }
 
-/// A slider with its number and a way back; the script gives it its range.
+/// Renders a slider with its number and a reset. The script sets its range.
 fn slider(key: &str, name: &str, unit: &str, doc: &str, value: f64) -> Markup {
     let unit = if unit == "1" { "" } else { unit };
     html! {
@@ -292,7 +292,8 @@ fn slider(key: &str, name: &str, unit: &str, doc: &str, value: f64) -> Markup {
     }
 }
 
-/// The module, with what implicit methods need if that has room; and whether it has.
+/// Compiles the module, with the functions of implicit methods if they fit. Returns whether they
+/// did.
 fn modules(model: &Model) -> Result<(WasmModule, bool), NotInWasm> {
     let all: Vec<FunctionId> = FUNCTIONS.into_iter().chain(OF_IMPLICIT).collect();
     match module(model, &all) {

@@ -1,4 +1,4 @@
-//! What the page of a machine shows, gathered.
+//! Collection of the data that the page of a machine shows.
 
 use std::cell::LazyCell;
 use std::time::Duration;
@@ -26,31 +26,31 @@ use crate::explain::Explanation;
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
 
-/// One scene, derived, run and checked.
+/// Scene after derivation, run and checks.
 pub(super) struct Machine {
-    /// What commands call it.
+    /// Argument by which commands find the scene.
     pub(super) argument: String,
-    /// What the outputs need.
+    /// Model reduced to what the outputs need.
     pub(super) model: Model,
-    /// What the scene says of itself, without its units.
+    /// Description of the scene, without its units.
     pub(super) doc: String,
     pub(super) schematic: Schematic,
     pub(super) moving: Moving,
     pub(super) document: Document,
-    /// Parts left out of it, once known.
+    /// Reduction of the scene, once known.
     pub(super) explanation: Option<Explanation>,
     pub(super) dependencies: Dependencies,
     pub(super) by: By,
     pub(super) run: Result<Trajectory, SimulateError>,
-    /// Modes at the end of the run, once they were looked for.
+    /// Modes at the end of the run, once computed.
     pub(super) modes: Option<Result<Modes, NoModes>>,
-    /// Its fields over time, if it has any.
+    /// Fields over time, if there are any.
     pub(super) along: Vec<fields::Along>,
     pub(super) verdicts: Vec<Verdict>,
     pub(super) work_precision: Option<WorkPrecision>,
 }
 
-/// What a scene is run by.
+/// Simulator by which a scene was run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum By {
     Emitted,
@@ -58,19 +58,19 @@ pub(super) enum By {
     Interpreted,
 }
 
-/// Ways in which a scene may be run.
+/// Choice of the simulator of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ways {
     /// Emitted code if it is built in, else as [`Ways::Compiled`].
     BuiltIn,
-    /// Machine code of its model from the first call on.
+    /// Machine code of the model from the first call on.
     Compiled,
-    /// Its model, and machine code once that pays.
+    /// The model's tapes, and machine code once that pays.
     Soonest,
 }
 
 impl Machine {
-    /// Runs and explains the model of a scene file. Checks are still to come.
+    /// Runs and explains the model of a scene file. Checks are not included.
     pub(super) fn new(
         derived: Derivation,
         source: &SpecSource,
@@ -80,12 +80,12 @@ impl Machine {
         let Derivation { stages, latex, dependencies, .. } = derived;
         let outline = Outline { model: stages.needed().clone(), latex, dependencies };
         let mut machine = Self::ran(outline, source, &source.read()?, ways, extent.time_limit)?;
-        // What does not run is not timed.
+        // A machine that does not run is not timed.
         machine.explain(source, stages, extent.with_times && machine.run.is_ok())?;
         Ok(machine)
     }
 
-    /// Looks at what is left out of it, with times of runs if wanted.
+    /// Explains the reduction, with times of runs if wanted.
     pub(super) fn explain(
         &mut self,
         source: &SpecSource,
@@ -96,7 +96,7 @@ impl Machine {
         Ok(())
     }
 
-    /// Looks for its modes, if nobody has.
+    /// Computes the modes unless they are known.
     pub(super) fn find_modes(&mut self, time_limit: Duration) {
         if self.modes.is_none() {
             let simulator = ModelSimulator::new(self.model.clone());
@@ -105,7 +105,7 @@ impl Machine {
         }
     }
 
-    /// Runs the model of a spec, and nothing more.
+    /// Runs the model of a spec and does nothing else.
     pub(super) fn ran(
         outline: Outline,
         source: &SpecSource,
@@ -131,7 +131,7 @@ impl Machine {
             let built_in = scenes::find_f64(name).filter(|_| may_be_built_in);
             let simulator: &dyn Simulator<f64> = built_in.unwrap_or_else(|| &*own);
             let limited = Simulation::new(simulator).time_limit(time_limit);
-            // Nobody waits for them before the run.
+            // Modes can wait until after the run.
             let modes = (ways != Ways::Soonest).then(|| modes::modes(&limited));
             (limited.with_energy_balance(true).run(), modes, by(built_in.is_some()))
         } else {
@@ -169,7 +169,7 @@ impl Machine {
         &self.model.title
     }
 
-    /// The run, also one that stopped, as far as it went.
+    /// Returns the run, up to where it stopped if it did.
     pub(super) fn trajectory(&self) -> Option<&Trajectory> {
         match &self.run {
             Ok(trajectory) => Some(trajectory),
@@ -178,13 +178,13 @@ impl Machine {
         }
     }
 
-    /// The figures that one asks for first.
+    /// Returns the key figures.
     pub(super) fn figures(&self) -> Vec<Figure> {
         let modes = self.modes.as_ref().and_then(|modes| modes.as_ref().ok());
         self.trajectory().map(|run| key::figures(run, modes)).unwrap_or_default()
     }
 
-    /// What came of its checks.
+    /// Returns the tally of the checks.
     pub(super) fn tally(&self) -> Tally {
         Tally::of(&self.verdicts)
     }

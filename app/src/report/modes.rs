@@ -1,4 +1,4 @@
-//! Natural motions of a scene about its operating point.
+//! Eigenmodes of a scene about its operating point.
 
 use machinist::Simulation;
 use machinist::linear_analysis::{LinearError, Linearization, ModeKind, Place, operating_point};
@@ -6,12 +6,12 @@ use maud::{Markup, html};
 
 use crate::cli::modes::{HEADING, NO_MOTION, row};
 
-/// Scenes with more states are left to the command.
+/// Maximum number of states; larger scenes are left to the command.
 const MAX_STATES: usize = 200;
-/// Motions shown of a scene at most.
+/// Maximum number of modes shown.
 const MAX_ROWS: usize = 24;
 
-/// The table and where it holds.
+/// Table of modes and the operating point.
 pub struct Modes {
     place: String,
     rows: Vec<[String; 7]>,
@@ -20,16 +20,16 @@ pub struct Modes {
     pub slowest: Option<(f64, f64)>,
 }
 
-/// Why there are no modes.
+/// Reason why there are no modes.
 pub enum NoModes {
-    /// The scene is left to the command.
+    /// The scene is too large and left to the command.
     TooLarge,
-    /// It cannot be linearized.
+    /// The scene cannot be linearized.
     Linear(LinearError),
 }
 
-/// The motions about the equilibrium near the end of the run; where there is none,
-/// about the state at the end.
+/// Computes the modes about the equilibrium near the end of the run, or about the state at the end
+/// if there is no equilibrium.
 pub fn modes(run: &Simulation<'_>) -> Result<Modes, NoModes> {
     if run.simulator().shape().states() > MAX_STATES {
         return Err(NoModes::TooLarge);
@@ -57,7 +57,7 @@ fn about_the_end(run: &Simulation<'_>) -> Result<Modes, LinearError> {
     Ok(Modes { place, rows, left_out: modes.len().saturating_sub(MAX_ROWS), slowest })
 }
 
-/// The part of a scene's section.
+/// Renders the modes in a scene's section.
 pub fn section(scene: &str, modes: &Result<Modes, NoModes>) -> Markup {
     let command = format!("machinist modes {scene}");
     html! {

@@ -1,39 +1,40 @@
-//! A page: its head, its contents on the side, and what stands in it.
+//! Page: head, contents on the side, and body.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::figure;
 
-/// Nothing may be loaded: everything a page needs is in it. Pages that run a machine compile it.
+/// Content security policy: nothing is loaded, because everything is within the page. Pages that
+/// run a machine compile it.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; font-src data:; \
      img-src data: blob:";
 
-/// Addresses that a served page loads from: content and events of the same server.
+/// Addition for a served page, which loads content and events from its own server.
 const SERVED: &str = "; connect-src 'self'";
 
-/// Style and script of a page that is served and changes while it is shown.
+/// Style and script of a served page that changes while it is shown.
 pub(super) struct Served {
     pub(super) style: &'static str,
     pub(super) script: &'static str,
 }
 
-/// A page without its head.
+/// Page without its head.
 pub(super) struct Page<'a> {
     pub(super) title: String,
     /// Other pages, by address and name.
     pub(super) others: Vec<(&'static str, &'static str)>,
     /// Sections, by id and name.
     pub(super) contents: Vec<(&'a str, String)>,
-    /// Whether there are equations in it, which need their font.
+    /// Whether the page has equations, which need their font.
     pub(super) has_equations: bool,
-    /// Nothing in a page that is a file.
+    /// `None` in a page that is a file.
     pub(super) served: Option<Served>,
     pub(super) body: Markup,
 }
 
 impl Page<'_> {
-    /// The whole of it as HTML.
+    /// Renders the whole page as HTML.
     pub(super) fn render(&self) -> String {
         let page = html! {
             (DOCTYPE)
@@ -58,7 +59,7 @@ impl Page<'_> {
                 meta http-equiv="Content-Security-Policy" content={ (POLICY) (more) };
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
-                // A server would be asked for one.
+                // Without it, browsers would ask the server for an icon.
                 @if self.served.is_some() { link rel="icon" href="data:,"; }
                 title { (self.title) }
                 style {
@@ -87,13 +88,13 @@ impl Page<'_> {
     }
 }
 
-/// Links to sections of the page, by id and name.
+/// Renders links to sections of the page, by id and name.
 pub(super) fn entries(contents: &[(&str, String)]) -> Markup {
     html! { @for (id, name) in contents { li { a href={ "#" (id) } { (name) } } } }
 }
 
-/// The font of the equations, within the page: most systems have none that knows
-/// how to set mathematics.
+/// Returns the style that embeds the font of the equations. Most systems have no font for
+/// mathematics.
 fn math_font() -> String {
     let font = BASE64_STANDARD.encode(include_bytes!("font/latinmodern-math.woff2"));
     format!(
@@ -102,12 +103,12 @@ fn math_font() -> String {
     )
 }
 
-/// A section of a page.
+/// Renders a section of a page.
 pub(super) fn section(id: &str, title: &str, content: &Markup) -> Markup {
     html! { section id=(id) { h2 { (title) } (content) } }
 }
 
-/// Text with what is between backticks as code.
+/// Renders text with backticks as code.
 pub(super) fn prose(text: &str) -> Markup {
     html! {
         @for (index, piece) in text.split('`').enumerate() {

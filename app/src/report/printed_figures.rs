@@ -12,7 +12,7 @@ use crate::number::number;
 const TIMES: u32 = 1800;
 const PLACES: u32 = 60;
 
-/// Both figures.
+/// Renders both figures.
 pub fn section() -> Markup {
     let shaft = SAW_GIN_SHAFT;
     html! {

@@ -1,4 +1,4 @@
-//! What is left out of a scene, with a drawing of who needs whom.
+//! Reduction of a scene, with a drawing of the dependencies.
 
 use std::collections::BTreeMap;
 
@@ -21,7 +21,7 @@ const COLUMNS: [(Column, &str); 4] = [
 /// Width of a name's box.
 const BOX: usize = 180;
 
-/// The section of one scene.
+/// Renders the section of one scene.
 pub fn section(explanation: &Explanation, dependencies: &Dependencies) -> Markup {
     html! {
         @if explanation.reduction.left_out.is_empty() {
@@ -92,7 +92,7 @@ fn sizes(explanation: &Explanation) -> Markup {
     }
 }
 
-/// Four columns of names, and a curve for each need.
+/// Draws four columns of names and a curve for each dependency.
 fn drawing(graph: &Dependencies) -> Markup {
     let mut rows: BTreeMap<Column, usize> = BTreeMap::new();
     let places: Vec<(usize, usize)> = graph

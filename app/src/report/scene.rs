@@ -1,4 +1,4 @@
-//! The page of one machine: what it is, its run, checks, equations, parameters, structure.
+//! Page of one machine: description, run, checks, equations, parameters, structure.
 
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use machinist_codegen::emit::document::Document;
@@ -14,7 +14,7 @@ use crate::cli::specs::{Cost, costs};
 use crate::explain::Explanation;
 use crate::number::{exact, number};
 
-/// The page of a machine in pieces.
+/// Page of a machine in pieces.
 pub(super) struct Pieces {
     pub(super) title: String,
     pub(super) header: Markup,
@@ -25,7 +25,7 @@ pub(super) struct Pieces {
 }
 
 impl Pieces {
-    /// Of a machine; without the sections of what was not looked at.
+    /// Renders the pieces for a machine, without the sections whose data are missing.
     pub(super) fn of(machine: &Machine) -> Self {
         let model = &machine.model;
         let (name, argument) = (machine.name(), machine.argument.as_str());
@@ -56,13 +56,13 @@ impl Pieces {
         Self { title, header: header(machine), sections, live: live.and_then(Result::ok) }
     }
 
-    /// The sections by id and title.
+    /// Returns the sections by id and title.
     pub(super) fn contents(&self) -> Vec<(&'static str, String)> {
         self.sections.iter().map(|(id, name, _)| (*id, (*name).to_owned())).collect()
     }
 }
 
-/// The page of a machine, with a link to the others if there are any.
+/// Renders the page of a machine, with a link to the others if there are any.
 pub(super) fn page(machine: &Machine, has_index: bool) -> String {
     let pieces = Pieces::of(machine);
     let page = Page {
@@ -80,7 +80,8 @@ pub(super) fn page(machine: &Machine, has_index: bool) -> String {
     page.render()
 }
 
-/// Scenes that are built in have rows of their own beside those that any machine has.
+/// Returns the command that verifies the machine. Built-in scenes have rows of their own beside
+/// those of any machine.
 fn verify_command(machine: &Machine) -> String {
     let argument = &machine.argument;
     match machine.by {
@@ -130,7 +131,7 @@ fn picture(machine: &Machine, live: Option<&Result<Live, String>>) -> Markup {
     }
 }
 
-/// The run, also one that stopped, as far as it went.
+/// Renders the run, up to where it stopped if it did.
 fn ran(machine: &Machine, argument: &str, live: Option<&Result<Live, String>>) -> Markup {
     html! {
         @if let Err(error) = &machine.run { p.warning { "The run stopped. " (error) } }
@@ -281,7 +282,7 @@ fn run(
     }
 }
 
-/// How often each event happened, and when first and last.
+/// Renders how often each event happened, and its first and last time.
 fn switches(trajectory: &Trajectory) -> Markup {
     let mut events: Vec<(&str, usize, f64, f64)> = Vec::new();
     for switch in &trajectory.switches {
@@ -308,7 +309,7 @@ fn switches(trajectory: &Trajectory) -> Markup {
     }
 }
 
-/// What is shown of one unit shares a figure.
+/// Groups columns by unit, so that those of one unit share a figure.
 fn by_unit(trajectory: &Trajectory) -> Vec<Vec<&Column>> {
     let mut groups: Vec<Vec<&Column>> = Vec::new();
     for column in key::shown(trajectory) {
@@ -320,7 +321,7 @@ fn by_unit(trajectory: &Trajectory) -> Vec<Vec<&Column>> {
     groups
 }
 
-/// `motor_speed: angular speed of the rotor; ...`
+/// Renders `motor_speed: angular speed of the rotor; ...`
 fn meanings(columns: &[&Column]) -> Markup {
     html! {
         @for (index, column) in columns.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! A drawing of a machine: its parts, and what joins them.
+//! Drawing of a machine: its parts and their connections.
 
 mod arrange;
 mod draw;
@@ -11,32 +11,32 @@ use maud::{Markup, html};
 use super::page::prose;
 pub use draw::{drawing, legend};
 
-/// What is drawn of a scene.
+/// Elements of a scene's drawing.
 pub struct Schematic {
     parts: Vec<Part>,
     nets: Vec<Net>,
     links: Vec<Link>,
 }
 
-/// An instance of a unit, or a force of the scene.
+/// Instance of a unit, or a force of the scene.
 struct Part {
     name: String,
-    /// The name of its unit; none of a force.
+    /// Name of the unit; empty for a force.
     unit: String,
-    /// What it is, in short and at length.
+    /// Title and description.
     title: String,
     doc: String,
     symbol: Option<Symbol>,
 }
 
-/// Ports that move as one.
+/// Ports that move together.
 struct Net {
     kind: PortKind,
     /// Parts, each with the name of its port.
     ports: Vec<(usize, String)>,
 }
 
-/// What passes from one part to another beside joints.
+/// Connection between two parts without a joint.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Link {
     from: usize,
@@ -46,13 +46,13 @@ struct Link {
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Tie {
-    /// An input is an expression of what another part does.
+    /// An input is an expression of another part's motion.
     Signal,
-    /// A constraint of the scene mentions both.
+    /// A constraint of the scene depends on both parts.
     Constraint,
 }
 
-/// What is drawn: all but assemblies that are nothing beside what is inside them.
+/// Returns the instances to draw: all except assemblies that are nothing beside their contents.
 pub fn drawn(scene: &SceneSpec) -> impl Iterator<Item = &InstanceSpec> {
     scene.instances.iter().filter(|instance| {
         let unit = &scene.units[instance.unit];
@@ -61,7 +61,7 @@ pub fn drawn(scene: &SceneSpec) -> impl Iterator<Item = &InstanceSpec> {
 }
 
 impl Schematic {
-    /// What a scene says of its parts.
+    /// Collects the parts of a scene.
     pub fn of(scene: &SceneSpec) -> Self {
         let part = |instance: &InstanceSpec| {
             let unit = &scene.units[instance.unit];
@@ -87,12 +87,12 @@ impl Schematic {
         schematic
     }
 
-    /// How many parts there are.
+    /// Number of parts.
     pub fn parts(&self) -> usize {
         self.parts.len()
     }
 
-    /// What each part is.
+    /// Renders a list of the parts with their descriptions.
     pub fn list(&self) -> Markup {
         html! {
             div.scroll {
@@ -115,7 +115,7 @@ impl Schematic {
         self.parts.iter().position(|part| part.name == name)
     }
 
-    /// A port by `instance.port`, with what goes through it.
+    /// Returns a port by `instance.port`, with its kind.
     fn port(&self, scene: &SceneSpec, text: &str) -> Option<(usize, String, PortKind)> {
         let (instance, port) = text.rsplit_once('.')?;
         let part = self.index(instance)?;
@@ -124,7 +124,7 @@ impl Schematic {
         Some((part, port.to_owned(), kind))
     }
 
-    /// The net of a port, which is a new one if the port is in none.
+    /// Returns the net of a port, after adding a new one if the port is in none.
     fn net(&mut self, (part, port, kind): (usize, String, PortKind)) -> usize {
         let port = (part, port);
         self.nets.iter().position(|net| net.ports.contains(&port)).unwrap_or_else(|| {
@@ -182,7 +182,8 @@ impl Schematic {
         }
     }
 
-    /// The parts that an expression of the scene or of an assembly mentions, itself or by helpers.
+    /// Returns the parts that an expression of the scene or of an assembly mentions, directly or
+    /// through helpers.
     fn mentioned(&self, scene: &SceneSpec, within: Option<usize>, ast: &Ast) -> Vec<usize> {
         let (mut parts, mut seen) = (Vec::new(), Vec::new());
         let assembly = within.map(|at| &scene.instances[at]);

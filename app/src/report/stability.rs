@@ -1,11 +1,11 @@
-//! The table of extreme cases: what is right, what refuses, what is wrong.
+//! Table of extreme cases: right, refused and wrong results.
 
 use machinist_studies::stability::{LongRun, ObservedOrders, Outcome, POWERS, Row, Study};
 use maud::{Markup, html};
 
 use crate::trials::{DRIFT, ORDERS, cell, drift_cells, order, refusals, rule};
 
-/// All cases by all methods.
+/// Renders all cases by all methods.
 pub fn section(study: &Study) -> Markup {
     html! {
         p {

@@ -1,6 +1,5 @@
-//! The page of what does not belong to one machine: what the studies' authors wanted to know, the
-//! reproduction ledger, which model a
-//! winder needs, fields, extreme cases.
+//! Page of the studies that do not belong to one machine: the questions of the studies' authors,
+//! the reproduction ledger, models of a winder, fields, extreme cases.
 
 use maud::html;
 
@@ -8,7 +7,7 @@ use super::gather::Report;
 use super::page::{Page, section};
 use super::{conclusions, ledger, printed_figures, stability, winder_walk};
 
-/// The page.
+/// Renders the page.
 pub(super) fn page(report: &Report) -> String {
     let mut contents = vec![
         ("conclusions", CONCLUSIONS),

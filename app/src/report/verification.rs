@@ -1,11 +1,11 @@
-//! The table of checks.
+//! Table of checks.
 
 use machinist_studies::verify::{Tally, Verdict, because};
 use maud::{Markup, html};
 
 use crate::number::number;
 
-/// The verdicts of a machine, and the command that prints them.
+/// Renders the verdicts of a machine and the command that prints them.
 pub fn section(verdicts: &[Verdict], command: &str) -> Markup {
     html! {
         p {
@@ -30,7 +30,7 @@ pub fn section(verdicts: &[Verdict], command: &str) -> Markup {
     }
 }
 
-/// Rows that passed of those that were asked, as one of the figures of a page.
+/// Renders the number of passed rows among the checked ones, as a figure of a page.
 pub fn entry(tally: Tally) -> Markup {
     let Tally { checked, passed, left_out, unchecked } = tally;
     html! {
@@ -42,7 +42,7 @@ pub fn entry(tally: Tally) -> Markup {
     }
 }
 
-/// That some rows were not asked.
+/// Returns a sentence on the rows that were left out, if there are any.
 fn left_out(verdicts: &[Verdict]) -> Option<String> {
     let Tally { left_out, .. } = Tally::of(verdicts);
     let text = match left_out {
@@ -55,7 +55,7 @@ fn left_out(verdicts: &[Verdict]) -> Option<String> {
     Some(text)
 }
 
-/// That some rows were asked and not checked.
+/// Returns a sentence on the rows that were not checked, if there are any.
 fn unchecked(verdicts: &[Verdict]) -> Option<String> {
     let Tally { unchecked, .. } = Tally::of(verdicts);
     match unchecked {
@@ -68,7 +68,7 @@ fn unchecked(verdicts: &[Verdict]) -> Option<String> {
 }
 
 fn row(verdict: &Verdict) -> Markup {
-    // What was not checked has neither.
+    // Rows that were not checked have neither.
     let is_checked = verdict.skipped.is_none() && verdict.unchecked.is_none();
     let asked = |value| if is_checked { number(value, 2) } else { String::new() };
     html! {
@@ -95,7 +95,7 @@ fn numbers(verdict: &Verdict) -> Markup {
     }
 }
 
-/// Pass or fail, told by a word and not by colour alone.
+/// Renders pass or fail as a word, not by colour alone.
 pub fn badge(pass: bool) -> Markup {
     html! { @if pass { span.badge.pass { "pass" } } @else { span.badge.fail { "FAIL" } } }
 }

@@ -1,4 +1,5 @@
-//! The page of a machine that `machinist watch` serves: made once as a whole, then updated piece by piece.
+//! Page of a machine that `machinist watch` serves: made as a whole once, then updated piece by
+//! piece.
 
 use std::time::Duration;
 
@@ -15,7 +16,7 @@ use crate::cli::verify::{Changes, verify_spec};
 use crate::failure::{Failure, Trouble};
 use crate::spec_source::SpecSource;
 
-/// A machine that was run, and its page.
+/// Machine that was run, with its page.
 pub struct Ran {
     machine: Machine,
     source: SpecSource,
@@ -27,25 +28,25 @@ pub struct Ran {
 pub struct Content {
     /// Title of the page.
     pub title: String,
-    /// Pieces of the page from above.
+    /// Pieces of the page, from top to bottom.
     pub pieces: Vec<Piece>,
-    /// Data of the machine for scripts, as JSON; nothing where pages cannot run it.
+    /// Data of the machine for scripts, as JSON; `None` if pages cannot run the machine.
     pub known: Option<String>,
 }
 
-/// A piece of a page.
+/// Piece of a page.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Piece {
-    /// Its id, unique in the page.
+    /// Id, unique in the page.
     pub id: String,
-    /// Its entry in the contents, if it has one.
+    /// Entry in the contents, if there is one.
     pub title: Option<String>,
-    /// One element of HTML with this id.
+    /// Element of HTML with this id.
     pub html: String,
 }
 
 impl Ran {
-    /// Runs what was derived of a spec.
+    /// Runs the machine derived from a spec.
     pub fn new(
         outline: Outline,
         source: &SpecSource,
@@ -56,12 +57,12 @@ impl Ran {
         Ok(Self { machine, source: source.clone(), time_limit })
     }
 
-    /// Why the run stopped, if it did.
+    /// Returns the reason why the run stopped, if it did.
     pub fn stopped(&self) -> Option<String> {
         self.machine.run.as_ref().err().map(ToString::to_string)
     }
 
-    /// Looks at all that nobody waits for before the run: modes, what is left out, and the checks of
+    /// Completes the page with what the run need not wait for: modes, reduction, and the checks of
     /// `machinist verify`.
     pub fn complete(&mut self, stages: Stages) -> Result<(), Failure> {
         self.machine.find_modes(self.time_limit);
@@ -72,7 +73,7 @@ impl Ran {
         Ok(())
     }
 
-    /// Content of its page.
+    /// Returns the content of the page.
     pub fn content(&self) -> Content {
         let Pieces { title, header, sections, live } = Pieces::of(&self.machine);
         let header = Piece { id: "summary".to_owned(), title: None, html: header.into_string() };
@@ -97,7 +98,7 @@ impl Content {
         titled.collect()
     }
 
-    /// Entries of the contents on the side.
+    /// Renders the entries of the contents on the side.
     pub fn navigation(&self) -> String {
         entries(&self.contents()).into_string()
     }
@@ -105,15 +106,15 @@ impl Content {
 
 /// Status and messages beside the machine.
 pub struct Beside<'a> {
-    /// Number of the state of the page, which the script compares.
+    /// Version of the page's state, which the script compares.
     pub version: u64,
-    /// Status, for people.
+    /// Status for people.
     pub status: &'a str,
-    /// Errors and warnings of the files as they are.
+    /// Errors and warnings of the present files.
     pub troubles: &'a [Trouble],
 }
 
-/// The whole page; `name` stands for the machine as long as there is none.
+/// Renders the whole page. `name` stands for the machine until there is one.
 pub fn page(name: &str, content: Option<&Content>, beside: &Beside<'_>) -> String {
     let page = Page {
         title: content
@@ -136,14 +137,14 @@ pub fn page(name: &str, content: Option<&Content>, beside: &Beside<'_>) -> Strin
             @if let Some(known) = content.and_then(|content| content.known.as_deref()) {
                 (live::data(known))
             }
-            // Run by the script of the page, once for each machine.
+            // The script of the page runs this, once for each machine.
             script type="text/plain" id="live-script" { (PreEscaped(live::script())) }
         },
     };
     page.render()
 }
 
-/// Errors and warnings with their places, as `machinist check` prints them.
+/// Renders errors and warnings with their locations, as `machinist check` prints them.
 pub fn troubles(troubles: &[Trouble]) -> String {
     let shown: Markup = html! {
         @for trouble in troubles {

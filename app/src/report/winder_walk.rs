@@ -1,4 +1,4 @@
-//! Which of three models a winder needs, and where it winds stably.
+//! Comparison of three models of a winder, and maps of its stability.
 
 use machinist_studies::winder_walk::layer;
 use machinist_studies::winder_walk::map::{Cell, Condition, FASTEST, StabilityMap};
@@ -10,22 +10,22 @@ use super::gather::Report;
 use crate::cli::walk::{HEADING, line};
 use crate::number::number;
 
-/// Pressure of the second map \[N\]; the first has the bench winder's own.
+/// Pressure of the second map \[N\]. The first has the bench winder's own.
 const HARDER: f64 = 100.0;
 
-/// Three winders walked, and maps of the bench winder.
+/// Walks of three winders and maps of the bench winder.
 pub struct Study {
     walks: Vec<Walk>,
     maps: Vec<StabilityMap>,
-    /// Whether what stages cost is shown.
+    /// Whether the cost of stages is shown.
     with_times: bool,
 }
 
 impl Study {
-    /// Walks and maps.
+    /// Computes the walks and maps.
     ///
     /// # Errors
-    /// Why that could not be done.
+    /// The reason of the failure.
     pub fn new(with_times: bool) -> Result<Self, String> {
         let winder = |speed| Winder::at_speed(speed).map_err(|error| error.to_string());
         let walk = |speed| Walk::of(&winder(speed)?).map_err(|error| error.to_string());
@@ -37,7 +37,7 @@ impl Study {
     }
 }
 
-/// Walks and map, or why there are none.
+/// Renders walks and maps, or the reason why there are none.
 pub fn section(report: &Report) -> Markup {
     html! {
         p {
@@ -139,7 +139,7 @@ fn drawn(map: &StabilityMap, index: usize) -> Markup {
     )
 }
 
-/// Which condition is the first to fail, as an index of [`Condition::ALL`].
+/// Returns the first condition that fails in each cell, as an index of [`Condition::ALL`].
 fn cells(map: &StabilityMap) -> Vec<Vec<usize>> {
     let index = |cell: &Cell| {
         Condition::ALL.iter().position(|condition| *condition == cell.condition).unwrap_or(0)
@@ -147,6 +147,6 @@ fn cells(map: &StabilityMap) -> Vec<Vec<usize>> {
     map.cells.iter().map(|row| row.iter().map(index).collect()).collect()
 }
 
-/// In the order of [`Condition::ALL`].
+/// Colours in the order of [`Condition::ALL`].
 const CLASS_COLOURS: [[u8; 3]; 5] =
     [[86, 180, 233], [176, 58, 72], [213, 94, 0], [230, 184, 0], [122, 86, 160]];

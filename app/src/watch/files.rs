@@ -1,4 +1,4 @@
-//! Files that a page stands for: which they are, and when they change.
+//! Files of a watched spec and detection of their changes.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -14,19 +14,19 @@ use notify::{Event, EventKind, RecommendedWatcher, RecursiveMode, Watcher as _};
 use super::Message;
 use crate::failure::Failure;
 
-/// Endings of the names of files of a spec.
+/// Extensions of files of a spec.
 const ENDINGS: [&str; 2] = ["toml", "csv"];
 
-/// The files of a spec under watch.
+/// Files of a watched spec.
 ///
-/// Folders are watched rather than files, since many editors write another file and give it the name
-/// of the old one. What was told may be missed, as on network drives: so contents are compared, and
-/// whoever holds this looks again every now and then.
+/// Folders are watched rather than files, because many editors write a new file and rename it to
+/// the old name. Notifications may get lost, as on network drives, so contents are compared, and
+/// the owner of this value compares them again from time to time.
 pub struct Files {
     scene: PathBuf,
-    /// The files of the spec; where it could not be read, the ones known before.
+    /// Files of the spec; if it could not be read, those known before.
     known: Vec<PathBuf>,
-    /// True if these are all.
+    /// True if the known files are all files of the spec.
     are_all: bool,
     watcher: RecommendedWatcher,
     folders: Vec<PathBuf>,
@@ -40,7 +40,7 @@ impl Files {
             Failure::unsuccessful(format!("{}: cannot be watched: {error}", scene.display()), "")
         };
         let told = move |event: notify::Result<Event>| {
-            // Errors of the watch may hide changes.
+            // Errors of the watcher may hide changes.
             if event.is_ok_and(|event| !changes(event.kind)) {
                 return;
             }
@@ -63,8 +63,8 @@ impl Files {
         Ok(files)
     }
 
-    /// Takes the files of a spec that was read, by the hashes of what was read; where it could not
-    /// be, those that were known before and the ones in which errors are, by their labels.
+    /// Sets the files of a spec that was read, with the hashes of what was read. If the spec could
+    /// not be read, keeps the known files and adds those in which errors are, by their labels.
     pub fn are<'a>(
         &mut self,
         read: Option<Vec<(PathBuf, String)>>,
@@ -83,14 +83,15 @@ impl Files {
             self.known.dedup();
         }
         self.watch_folders();
-        // What is looked at from now on only is as it is.
+        // Files watched only from now on count as unchanged.
         for (path, now) in self.look() {
             let then = before.get(&path).cloned();
             self.seen.entry(path).or_insert_with(|| then.unwrap_or(now));
         }
     }
 
-    /// The file of a label, which is its path from the folder above that of the scene, or its name.
+    /// Returns the file of a label, which is its path from the folder above the scene's, or its
+    /// name.
     fn labelled(&self, label: &str) -> PathBuf {
         let folder = folder_of(&self.scene);
         let above = fs::canonicalize(&folder).ok().and_then(|f| f.parent().map(Path::to_path_buf));
@@ -106,7 +107,7 @@ impl Files {
         differ
     }
 
-    /// Files by what is in them now.
+    /// Returns the present content hash of each file.
     fn look(&self) -> BTreeMap<PathBuf, String> {
         let mut paths = self.known.clone();
         paths.push(self.scene.clone());
@@ -116,12 +117,12 @@ impl Files {
         paths.into_iter().map(|path| (path.clone(), content(&path))).collect()
     }
 
-    /// Watches the folders of all files, and the one in which units are looked for beside that of
-    /// the scene. A folder that is not there cannot be watched; it is looked at instead.
+    /// Watches the folders of all files, and the folder of units beside that of the scene. A
+    /// missing folder cannot be watched and is polled instead.
     fn watch_folders(&mut self) {
         let mut wanted: Vec<PathBuf> = self.known.iter().map(|path| folder_of(path)).collect();
         wanted.push(folder_of(&self.scene));
-        // A link and what it leads to are changed apart from each other.
+        // A link and its target change independently.
         let targets = self.known.iter().filter_map(|path| fs::canonicalize(path).ok());
         wanted.extend(targets.map(|path| folder_of(&path)));
         wanted.push(folder_of(&self.scene).join("../units"));
@@ -136,7 +137,7 @@ impl Files {
     }
 }
 
-/// True if such an event may change the content of a file; reading does not.
+/// True if such an event may change the content of a file. Reading does not.
 fn changes(kind: EventKind) -> bool {
     !matches!(kind, EventKind::Access(access) if access != AccessKind::Close(AccessMode::Write))
 }
@@ -148,7 +149,7 @@ fn folder_of(path: &Path) -> PathBuf {
     }
 }
 
-/// Files in a folder that specs may be made of.
+/// Lists the files of a folder that may belong to specs.
 fn of_specs(folder: &Path) -> Vec<PathBuf> {
     let is_of_specs = |path: &PathBuf| {
         let ending = path.extension().and_then(OsStr::to_str);
@@ -158,8 +159,8 @@ fn of_specs(folder: &Path) -> Vec<PathBuf> {
     files.map(|file| file.path()).filter(is_of_specs).collect()
 }
 
-/// SHA-256 of what is in a file, in hexadecimal as specs have it; of one that no spec can be read
-/// from, nothing.
+/// Returns the SHA-256 of a file in hexadecimal, as specs write it. Empty for a file that cannot be
+/// part of a spec.
 fn content(path: &Path) -> String {
     let is_of_specs = |data: &fs::Metadata| data.is_file() && data.len() <= MAX_FILE_BYTES;
     let bytes = fs::metadata(path).ok().filter(is_of_specs).and_then(|_| fs::read(path).ok());

@@ -1,4 +1,4 @@
-//! The server: three addresses of one page, for browsers of this machine alone.
+//! Server of one page at three addresses, for browsers on this machine only.
 
 use std::io::{self, Write};
 use std::net::Ipv4Addr;
@@ -11,12 +11,12 @@ use tiny_http::{Header, Method, Request, Response, Server};
 use super::site::Site;
 use crate::failure::Failure;
 
-/// Word is sent so often at least: a browser that has gone is not noticed before.
+/// Interval of messages without news. A closed browser is noticed only when a message is sent.
 const PULSE: Duration = Duration::from_secs(15);
-/// Milliseconds after which a browser asks again that has lost the server.
+/// Milliseconds after which a browser that has lost the server asks again.
 const RETRY: u64 = 500;
 
-/// No page of another site may show or read this one, whatever it is served as.
+/// Headers that keep pages of other sites from showing or reading this one.
 const HEADERS: [(&str, &str); 5] = [
     ("Cache-Control", "no-store"),
     ("X-Content-Type-Options", "nosniff"),
@@ -25,7 +25,7 @@ const HEADERS: [(&str, &str); 5] = [
     ("Referrer-Policy", "no-referrer"),
 ];
 
-/// Serves a site at a port of this machine, or at one that is free, from now on; the port.
+/// Starts to serve a site at a port of this machine, or at a free one. Returns the port.
 pub fn start(site: &Arc<Site>, port: Option<u16>) -> Result<u16, Failure> {
     let wanted = port.unwrap_or(0);
     let server = Server::http((Ipv4Addr::LOCALHOST, wanted)).map_err(|error| {
@@ -37,7 +37,7 @@ pub fn start(site: &Arc<Site>, port: Option<u16>) -> Result<u16, Failure> {
     let site = Arc::clone(site);
     thread::spawn(move || {
         for request in server.incoming_requests() {
-            // One that does not wait for its answer has gone.
+            // Failure means that the browser no longer waits for its answer.
             let _ = answer(request, &site, port);
         }
     });
@@ -56,7 +56,7 @@ fn answer(request: Request, site: &Arc<Site>, port: u16) -> io::Result<()> {
         "/content" => respond(request, 200, "application/json", site.content()),
         "/events" => {
             let site = Arc::clone(site);
-            // For as long as the browser stays.
+            // The thread lives as long as the browser stays.
             thread::spawn(move || send_events(request, &site));
             Ok(())
         }
@@ -64,8 +64,8 @@ fn answer(request: Request, site: &Arc<Site>, port: u16) -> io::Result<()> {
     }
 }
 
-/// True if a request names this server as its host. One by another name comes from a page whose own
-/// name was made to lead here.
+/// True if a request names this server as its host. A request under another name comes from a page
+/// whose own domain name was made to point here.
 fn is_for(request: &Request, port: u16) -> bool {
     let mut hosts = request.headers().iter().filter(|header| header.field.equiv("Host"));
     let (Some(host), None) = (hosts.next(), hosts.next()) else { return false };
@@ -88,10 +88,10 @@ fn respond(request: Request, code: u16, kind: &str, body: String) -> io::Result<
     request.respond(response)
 }
 
-/// Sends word of the state now, and whenever it changes, until the browser goes.
+/// Sends the state now and whenever it changes, until the browser closes.
 fn send_events(request: Request, site: &Site) {
     let mut out = request.into_writer();
-    // It ends with the connection, and so has no length.
+    // The response has no length, because it ends with the connection.
     let mut head =
         "HTTP/1.1 200 OK\r\nConnection: close\r\nContent-Type: text/event-stream\r\n".to_owned();
     for (name, value) in HEADERS {

@@ -1,4 +1,4 @@
-//! State of the page: the last successful run, and errors of the files as they are.
+//! State of the page: the last successful run, and errors in the present files.
 
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
@@ -14,15 +14,15 @@ use crate::report::{self, Beside, Content};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum State {
-    /// The files as they are now are derived and run.
+    /// The present files are being derived and run.
     Working,
-    /// The page is that of the files.
+    /// The page shows the present files.
     Ready,
-    /// The page is that of an earlier state of the files, if there is one.
+    /// The page shows earlier files, if it shows any.
     Failed,
 }
 
-/// The page, for all threads that serve it.
+/// Page shared by all threads that serve it.
 pub struct Site {
     name: String,
     shown: Mutex<Shown>,
@@ -35,16 +35,16 @@ struct Shown {
     status: String,
     troubles: Vec<Trouble>,
     content: Option<Content>,
-    /// True if the content is that of a successful run.
+    /// True if the content comes from a successful run.
     is_good: bool,
-    /// True if it has all its pieces.
+    /// True if all pieces of the content are there.
     is_complete: bool,
 }
 
 impl Site {
-    /// A site of a machine that has not run yet.
+    /// Creates a site of a machine that has not run yet.
     pub fn new(name: String) -> Self {
-        // A page that outlived the program before sees that this is another state.
+        // A page left open from an earlier program sees a different version.
         let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
         let shown = Shown {
             version: since.as_millis() as u64,
@@ -69,7 +69,7 @@ impl Site {
         self.changed.notify_all();
     }
 
-    /// The files have changed.
+    /// Marks the files as changed.
     pub fn begin(&self) {
         self.change(|shown| {
             shown.state = State::Working;
@@ -77,7 +77,7 @@ impl Site {
         });
     }
 
-    /// Takes what became of the files; the page stays if nothing better did.
+    /// Takes the result of the changed files. The page stays if the result is no better.
     pub fn take(&self, answer: Answer, took: Duration) {
         let has_failed = answer.troubles.iter().any(|trouble| !trouble.is_warning);
         self.change(|shown| {
@@ -101,7 +101,7 @@ impl Site {
         });
     }
 
-    /// The whole page.
+    /// Returns the whole page.
     pub fn page(&self) -> String {
         let shown = self.shown();
         let Shown { version, status, troubles, content, .. } = &*shown;
@@ -109,7 +109,7 @@ impl Site {
         report::page(&self.name, content.as_ref(), &beside)
     }
 
-    /// Content of the page, as JSON for its script.
+    /// Returns the content of the page as JSON for its script.
     pub fn content(&self) -> String {
         let shown = self.shown();
         let content = shown.content.as_ref();
@@ -128,8 +128,8 @@ impl Site {
         whole.to_string()
     }
 
-    /// Word of the state once it is another than that of a version, as JSON with its version; nothing
-    /// if it stays for as long as `patience`.
+    /// Returns the state as JSON with its version, once it differs from the given version. `None`
+    /// if it stays the same for as long as `patience`.
     pub fn changed_since(&self, version: Option<u64>, patience: Duration) -> Option<(u64, String)> {
         let is_same = |shown: &mut Shown| Some(shown.version) == version;
         let waited = self.changed.wait_timeout_while(self.shown(), patience, is_same);

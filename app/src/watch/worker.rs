@@ -1,8 +1,8 @@
-//! The process that checks, derives and runs a machine for `machinist watch`: this program once more.
+//! Worker process of `machinist watch`, which checks, derives and runs a machine: this program once
+//! more.
 //!
-//! It is killed when the files are saved again, whatever it does at the time; and it takes with it
-//! what it holds, so that the process that serves the page stays as small as it was. It writes its
-//! answers to standard output, each on a line.
+//! It is killed whenever the files are saved again. Its memory is freed with it, so the process
+//! that serves the page stays small. It writes each answer to standard output on a line of its own.
 
 use std::io::{BufRead as _, BufReader, Read as _, Write as _, stdout};
 use std::path::{Path, PathBuf};
@@ -28,10 +28,10 @@ use crate::freeze::admit;
 use crate::report::{Content, Ran};
 use crate::spec_source::SpecSource;
 
-/// The command that the process is called with.
+/// Command that starts the process.
 pub const COMMAND: &str = "run-for-watch";
 
-/// Bytes of what a process says on standard error that are shown if it ends badly.
+/// Maximum number of bytes of standard error that are shown if the process fails.
 const MOST_SAID: u64 = 4000;
 
 /// Arguments of the process.
@@ -47,21 +47,20 @@ pub struct Ask {
 /// Result of checking, deriving and running a spec.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Answer {
-    /// Files that the spec is in, each with the SHA-256 of what was read; nothing where they are not
-    /// all known.
+    /// Files of the spec, each with the SHA-256 of its content; `None` if they are not all known.
     pub files: Option<Vec<(PathBuf, String)>>,
-    /// The page of the machine, if it ran, also if the run stopped.
+    /// Page of the machine if it ran, even if the run stopped early.
     pub page: Option<Content>,
-    /// Summary of the spec, in a line.
+    /// Summary of the spec in a line.
     pub found: String,
-    /// Errors, or warnings alone.
+    /// Errors, or only warnings.
     pub troubles: Vec<Trouble>,
-    /// True if no answer comes after it.
+    /// True if no further answer follows.
     pub is_last: bool,
 }
 
 impl Ask {
-    /// Answers on standard output: once the machine ran, and again once all else is known of it.
+    /// Answers on standard output: once after the run, and again once everything else is known.
     pub fn execute(&self) -> Result<(), Failure> {
         end_with_parent();
         derive_by(Algebra::Plain);
@@ -75,7 +74,7 @@ impl Ask {
                 } else {
                     tell(&answer)?;
                     let all = complete(&mut ran, &system, &mut answer);
-                    // It ran all the same.
+                    // The machine ran all the same.
                     let failed = all.err().map(|failure| failure.troubles()).unwrap_or_default();
                     answer.troubles.extend(failed.into_iter().map(Trouble::into_warning));
                     answer.page = Some(ran.content());
@@ -88,7 +87,7 @@ impl Ask {
     }
 }
 
-/// Checks, derives and runs; what is known of the spec goes into the answer on the way.
+/// Checks, derives and runs the machine, and fills the answer along the way.
 fn ran(
     source: &SpecSource,
     time_limit: Duration,
@@ -115,7 +114,7 @@ fn ran(
     Ok((Ran::new(outline, source, &spec, time_limit)?, system))
 }
 
-/// Looks at all else, which takes longer.
+/// Completes the page with the parts that take longer.
 fn complete(ran: &mut Ran, system: &LagrangianSystem, answer: &mut Answer) -> Result<(), Failure> {
     let stages = derivation_by(Algebra::Plain, system.clone(), Keep::Needed)?.stages;
     answer.found = found(system, || Ok(stages.whole.clone()))?;
@@ -134,13 +133,13 @@ fn tell(answer: &Answer) -> Result<(), Failure> {
     written.map_err(|error| Failure::unsuccessful(error, ""))
 }
 
-/// A process at work, which ends when this is dropped.
+/// Running process, which is killed when this is dropped.
 pub struct Worker {
     child: Child,
 }
 
 impl Worker {
-    /// Starts one; its answers are sent with `number`, and then word of its end.
+    /// Starts a process. Its answers are sent with `number`, followed by a message when it ends.
     pub fn start(
         scene: &Path,
         time_limit: Duration,
@@ -156,7 +155,7 @@ impl Worker {
             .arg(format!("--time-limit={}", time_limit.as_secs_f64()))
             .arg("--")
             .arg(scene)
-            // Left open: its end tells the process that nobody waits for it.
+            // Left open: closing it tells the process that nobody waits for it any more.
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
@@ -177,7 +176,7 @@ impl Worker {
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        // It may have ended by itself.
+        // The process may have ended by itself.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
@@ -193,12 +192,12 @@ fn listen(out: Option<ChildStdout>, number: u64, inbox: &Sender<Message>) {
     }
 }
 
-/// The end of what it says, which is much if it panics in many threads.
+/// Returns the end of standard error, which is long if many threads panic.
 fn said(says: Option<ChildStderr>) -> String {
     let mut bytes = Vec::new();
     if let Some(mut says) = says {
         let _ = says.by_ref().take(MOST_SAID).read_to_end(&mut bytes);
-        // The rest is read so that it does not wait for a reader.
+        // The rest is drained so that the process does not block.
         let _ = std::io::copy(&mut says, &mut std::io::sink());
     }
     String::from_utf8_lossy(&bytes).into_owned()

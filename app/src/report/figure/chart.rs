@@ -1,5 +1,4 @@
-//! A plot as SVG within the page: its colours are the page's, and what it shows is there
-//! without any script.
+//! Plot as SVG within the page. It takes its colours from the page and needs no script to be seen.
 
 use std::fmt::Write as _;
 
@@ -11,21 +10,21 @@ use crate::plot::ruler::{Axis, Ruler};
 /// Size of a plot, in its own units.
 const WIDTH: f64 = 880.0;
 const HEIGHT: f64 = 300.0;
-/// Space around what is drawn: for numbers on the left and below, for titles above and below.
+/// Margins: for numbers on the left and below, for titles above and below.
 const LEFT: f64 = 72.0;
 const RIGHT: f64 = 22.0;
 const TOP: f64 = 24.0;
 const BOTTOM: f64 = 42.0;
 
-/// Colours that people with any colour vision can tell apart, on light and dark
-/// (after M. Okabe and K. Ito, Color universal design, 2008).
+/// Colours that can be distinguished with any colour vision, on light and dark backgrounds (after
+/// M. Okabe and K. Ito, Color universal design, 2008).
 const COLOURS: &[&str] =
     &["#2584c6", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#8c8c8c", "#a08a00"];
 
 /// Red, green and blue.
 pub(super) type Colour = [u8; 3];
 
-/// Where in the plot a panel is, from left to right.
+/// Horizontal extent of a panel within the plot.
 #[derive(Clone, Copy)]
 pub(super) struct Frame {
     left: f64,
@@ -38,7 +37,7 @@ impl Frame {
     pub(super) const OTHER_HALF: Self = Self { left: 0.56 * WIDTH + LEFT, right: WIDTH - RIGHT };
 }
 
-/// One panel: two axes, and what is drawn between them.
+/// Panel with two axes and its drawing.
 pub(super) struct Panel {
     frame: Frame,
     axes: [Axis; 2],
@@ -48,7 +47,7 @@ pub(super) struct Panel {
 }
 
 impl Panel {
-    /// A panel that shows these values across and up.
+    /// Creates a panel that spans these values across and up.
     pub(super) fn new(
         frame: Frame,
         axes: [Axis; 2],
@@ -66,7 +65,7 @@ impl Panel {
         Self { frame, axes, rulers: [across, up], titles, drawn: Vec::new() }
     }
 
-    /// A panel whose axes end where a picture does.
+    /// Creates a panel whose axes end at the edges of a picture.
     pub(super) fn of_picture(titles: [&str; 2], (across, up): (&[f64], &[f64])) -> Self {
         let axes = [Axis::Linear("".into()), Axis::Linear("".into())];
         let rulers = [axes[0].along(&extent(across)), axes[1].along(&extent(up))];
@@ -74,7 +73,7 @@ impl Panel {
         Self { frame: Frame::WHOLE, axes, rulers, titles, drawn: Vec::new() }
     }
 
-    /// Where a point is; nothing if a logarithm or the value itself is no number.
+    /// Returns the place of a point; `None` if a value or its logarithm is not a number.
     fn at(&self, x: f64, y: f64) -> Option<(f64, f64)> {
         let place = |axis: &Axis, value: f64| axis.placed(&[value])[0];
         let across = self.rulers[0].share(place(&self.axes[0], x));
@@ -85,8 +84,8 @@ impl Panel {
         (point.0.is_finite() && point.1.is_finite()).then_some(point)
     }
 
-    /// A line through points, broken where one is none. Its path is in tenths, each point
-    /// but the first of a piece by its distance from the one before.
+    /// Draws a line through points, interrupted at missing ones. Path coordinates are in tenths,
+    /// each point but the first of a piece relative to the one before.
     pub(super) fn line(&mut self, index: usize, name: &str, x: &[f64], y: &[f64]) {
         let mut path = String::new();
         let mut pen = None;
@@ -109,7 +108,7 @@ impl Panel {
         });
     }
 
-    /// A dot that says what it is.
+    /// Draws a dot with a tooltip.
     pub(super) fn dot(&mut self, index: usize, x: f64, y: f64, says: Option<&str>) {
         let Some((x, y)) = self.at(x, y) else { return };
         self.drawn.push(html! {
@@ -119,7 +118,7 @@ impl Panel {
         });
     }
 
-    /// A picture that fills the panel, by rows from the top.
+    /// Draws a picture that fills the panel, in rows from the top.
     pub(super) fn picture(&mut self, rows: &[Vec<Colour>]) {
         let Some(data) = png(rows) else { return };
         let Frame { left, right } = self.frame;
@@ -153,8 +152,8 @@ impl Panel {
         }
     }
 
-    /// For the script, which tells values from places: ends of the plot and of the axis for
-    /// each direction, and whether that is of logarithms.
+    /// Describes the axes for the script, which converts places to values: for each direction the
+    /// ends of the plot and of the axis, and whether the axis is logarithmic.
     fn axes_in_words(&self) -> String {
         let Frame { left, right } = self.frame;
         let ends = [(left, right), (HEIGHT - BOTTOM, TOP)];
@@ -167,8 +166,7 @@ impl Panel {
     }
 }
 
-/// A figure of panels. Where it has a `link`, the times of all figures that share it are
-/// pointed at together.
+/// Renders a figure of panels. Figures with the same `link` share the time at the pointer.
 pub(super) fn figure(
     id: &str,
     panels: &[Panel],
@@ -190,13 +188,13 @@ pub(super) fn figure(
     }
 }
 
-/// Names beside the colours of their lines.
+/// Renders names beside the colours of their lines.
 pub(super) fn legend<'a>(names: impl Iterator<Item = &'a str>) -> Markup {
     let colours = (0..).map(|index| colour(index).to_owned());
     keys(names.zip(colours))
 }
 
-/// Names beside their colours.
+/// Renders names beside their colours.
 pub(super) fn keys<'a>(keys: impl Iterator<Item = (&'a str, String)>) -> Markup {
     html! {
         ul.legend {
@@ -216,7 +214,7 @@ fn colour(index: usize) -> &'static str {
     COLOURS[index % COLOURS.len()]
 }
 
-/// To a tenth of a plot's units, which is as fine as one sees.
+/// Rounds to tenths of a plot's units, below which no difference is visible.
 fn tenths(value: f64) -> i32 {
     (value.clamp(-1e5, 1e5) * 10.0).round() as i32
 }

@@ -1,4 +1,4 @@
-//! What of a machine can be shown to move: parts that turn or slide as one, and points of
+//! Elements of a machine that can be shown moving: parts that turn or slide as one, and points of
 //! bodies in a plane.
 
 use machinist_codegen::spec::{InstanceSpec, PortSpec, SceneSpec, Symbol};
@@ -7,40 +7,40 @@ use serde::Serialize;
 
 use crate::report::schematic::drawn;
 
-/// What moves with which entries of the state.
+/// Moving elements with their entries of the state.
 #[derive(Debug, Clone, Serialize)]
 pub(in crate::report) struct Moving {
     parts: Vec<MovingPart>,
     bodies: Vec<Body>,
 }
 
-/// A part of the drawing that turns or slides as one.
+/// Part of the drawing that turns or slides as one.
 #[derive(Debug, Clone, Serialize)]
 struct MovingPart {
-    /// Its place among the parts.
+    /// Index among the parts.
     part: usize,
     slides: bool,
     by: Track,
 }
 
-/// Entries of the state that tell where something is; one of them at least.
+/// Entries of the state that determine a position; at least one is present.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct Track {
     position: Option<u32>,
     velocity: Option<u32>,
 }
 
-/// A part with points in a plane.
+/// Part with points in a plane.
 #[derive(Debug, Clone, Serialize)]
 struct Body {
     name: String,
-    /// Entries of the state, x and y of each point; none where it is held at zero.
+    /// Entries of the state for x and y of each point; `None` if the coordinate is held at zero.
     points: Vec<[Option<u32>; 2]>,
-    /// The entry of its angle.
+    /// Entry of the angle.
     angle: Option<u32>,
 }
 
-/// Where a coordinate of a part ends up in the model.
+/// Representation of a part's coordinate in the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum At {
     Coordinate(u32),
@@ -48,7 +48,7 @@ enum At {
 }
 
 impl Moving {
-    /// Of a scene and its model.
+    /// Collects the moving elements of a scene and its model.
     pub(in crate::report) fn of(scene: &SceneSpec, model: &Model) -> Self {
         let joined = Joined::of(scene);
         let parts = drawn(scene).enumerate();
@@ -67,7 +67,7 @@ impl Moving {
     }
 }
 
-/// Whether what a symbol stands for is one solid thing, so that it moves as one.
+/// Returns whether a symbol stands for one solid thing, which moves as one.
 fn is_solid(symbol: Option<Symbol>) -> bool {
     matches!(
         symbol,
@@ -95,7 +95,8 @@ impl Track {
     }
 }
 
-/// The entry of a coordinate, where the state has it and not what it is relative to another.
+/// Returns the entry of a coordinate, if the state holds the coordinate itself and not its
+/// difference from another.
 fn position(model: &Model, id: u32) -> Option<u32> {
     let own = &model.coordinates[id as usize].position;
     let is_it = |state: &machinist_model::State| {
@@ -104,7 +105,7 @@ fn position(model: &Model, id: u32) -> Option<u32> {
     model.states.iter().position(is_it).map(|entry| entry as u32)
 }
 
-/// Coordinates, `part.coordinate`, that joints make one.
+/// Groups of coordinates, `part.coordinate`, that joints make equal.
 struct Joined(Vec<Vec<String>>);
 
 impl Joined {
@@ -136,7 +137,8 @@ impl Joined {
         found.or_else(|| group.iter().any(|path| is_held(scene, path)).then_some(At::Held))
     }
 
-    /// The only coordinate of a part, and whether it is a way and no angle.
+    /// Returns the only coordinate of a part, and whether it is a displacement rather than an
+    /// angle.
     fn moves_as_one(
         &self,
         scene: &SceneSpec,
@@ -159,7 +161,7 @@ impl Joined {
         }
     }
 
-    /// The points of a part that has some: coordinates `x` and `y`, or `x_a` and `y_a`.
+    /// Returns the points of a part that has some: coordinates `x` and `y`, or `x_a` and `y_a`.
     fn body(&self, scene: &SceneSpec, model: &Model, instance: &InstanceSpec) -> Option<Body> {
         let unit = &scene.units[instance.unit];
         let name = &instance.name.value;
@@ -182,7 +184,7 @@ impl Joined {
     }
 }
 
-/// The coordinate that a port moves with as much as it.
+/// Returns the coordinate that moves by the same amount as a port.
 fn end_of(scene: &SceneSpec, text: &str) -> Option<String> {
     let (name, port) = text.rsplit_once('.')?;
     let instance = scene.instances.iter().find(|known| known.name.value == name)?;

@@ -1,16 +1,17 @@
-//! Which parameters matter most to a run.
+//! Ranking of parameters by their effect on a run.
 
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use machinist_contract::Simulator;
 use machinist_model::{Model, ModelSimulator};
 
-/// Parameters are changed by this part of what they are.
+/// Relative change of each parameter.
 const CHANGE: f64 = 0.01;
-/// States of the run at which they are changed.
+/// Number of states of the run at which parameters are changed.
 const SAMPLES: usize = 24;
 
-/// Indices of the parameters, by how much a change of a hundredth changes rates and outputs
-/// along the run and the state at its start, each as a part of the largest value it has.
+/// Returns the indices of the parameters in the order of their effect: the change of rates and
+/// outputs along the run and of the start state, each relative to its largest value, for a change
+/// of the parameter by a hundredth.
 pub(super) fn by_effect(model: &Model, run: &Trajectory) -> Vec<usize> {
     let simulator = ModelSimulator::interpreted(model.clone());
     let values: Vec<f64> = model.parameters.iter().map(|parameter| parameter.value).collect();

@@ -1,11 +1,11 @@
-//! Where parts stand: in columns by how far they are from one end of the machine, so that
-//! what a net joins is never more than a column apart.
+//! Placement of parts: in columns by their distance from one end of the machine, so that parts of a
+//! net are at most one column apart.
 
 use std::collections::VecDeque;
 
 use super::Schematic;
 
-/// Column and row of each part.
+/// Returns the column and row of each part.
 pub(super) fn places(schematic: &Schematic) -> Vec<(usize, usize)> {
     let neighbours = neighbours(schematic);
     let mut places: Vec<Option<(usize, usize)>> = vec![None; neighbours.len()];
@@ -40,8 +40,8 @@ fn neighbours(schematic: &Schematic) -> Vec<Vec<usize>> {
     neighbours
 }
 
-/// Steps from a part to all that can be reached, with the part before on the way; in the
-/// order in which they are reached.
+/// Returns the parts that can be reached from a part, each with the number of steps and the
+/// preceding part, in the order in which they are reached.
 fn reach(neighbours: &[Vec<usize>], from: usize) -> Vec<(usize, usize, usize)> {
     let mut reached = Vec::new();
     let mut seen = vec![false; neighbours.len()];
@@ -58,14 +58,14 @@ fn reach(neighbours: &[Vec<usize>], from: usize) -> Vec<(usize, usize, usize)> {
     reached
 }
 
-/// The first of those that are farthest.
+/// Returns the first of the farthest parts.
 fn farthest(reached: &[(usize, usize, usize)]) -> usize {
     let most = reached.iter().map(|(_, steps, _)| *steps).max().unwrap_or(0);
     let found = reached.iter().filter(|(_, steps, _)| *steps == most).map(|(part, ..)| *part);
     found.min().unwrap_or(0)
 }
 
-/// Places of what hangs together with a part. The longest way lies along the first row.
+/// Places the connected component of a part. The longest path lies along the first row.
 fn component(neighbours: &[Vec<usize>], first: usize) -> Vec<(usize, (usize, usize))> {
     let one = farthest(&reach(neighbours, first));
     let other = farthest(&reach(neighbours, one));
@@ -101,7 +101,7 @@ mod tests {
 
     #[test]
     fn a_chain_is_a_row_and_what_hangs_from_it_stands_below() {
-        // 0 - 1 - 2 - 3, 4 at 1.
+        // Chain 0 - 1 - 2 - 3, with 4 attached to 1.
         let neighbours = vec![vec![1], vec![0, 2, 4], vec![1, 3], vec![2], vec![1]];
         let mut placed = component(&neighbours, 2);
         placed.sort_unstable();

@@ -1,4 +1,4 @@
-//! The drawing as SVG.
+//! Drawing as SVG.
 
 use std::cmp::Ordering;
 
@@ -15,19 +15,19 @@ const HEIGHT: f64 = 66.0;
 const ACROSS: f64 = 168.0;
 const DOWN: f64 = 92.0;
 const MARGIN: f64 = 12.0;
-/// Size of a symbol, and where it is from the top of its part.
+/// Size of a symbol, and its distance from the top of the part.
 const SYMBOL: [f64; 2] = [48.0, 28.0];
 const TOP: f64 = 9.0;
-/// How far a line hangs below the parts that it joins.
+/// Depth by which a line hangs below the parts that it joins.
 const SAG: f64 = 20.0;
-/// Wider drawings are made smaller, down to this.
+/// Smallest scale to which wide drawings are reduced.
 const SMALLEST: f64 = 0.65;
-/// Letters of a name that have room.
+/// Number of letters of a name that fit.
 const LETTERS: usize = 15;
-/// Machines of more parts are not drawn.
+/// Largest number of parts that is drawn.
 const MOST: usize = 80;
 
-/// A machine as a drawing; a sentence if it is too large for one.
+/// Draws a machine, or returns a sentence if it is too large.
 pub fn drawing(schematic: &Schematic) -> Markup {
     if schematic.parts.len() > MOST {
         return html! {
@@ -48,7 +48,7 @@ pub fn drawing(schematic: &Schematic) -> Markup {
     }
 }
 
-/// What the lines mean, of those that occur.
+/// Renders a legend of the kinds of lines that occur.
 pub fn legend(schematic: &Schematic) -> Markup {
     let kinds = PortKind::ALL.into_iter();
     let occurs = |kind: PortKind| schematic.nets.iter().any(|net| net.kind == kind);
@@ -105,19 +105,19 @@ fn shortened(name: &str) -> String {
     kept + "\u{2026}"
 }
 
-/// Where everything is.
+/// Positions of all elements.
 struct Plan {
-    /// Column and row of each part, and the corner that they give it.
+    /// Column and row of each part, and the resulting corner.
     places: Vec<(usize, usize)>,
     corners: Vec<[f64; 2]>,
     nets: Vec<Wires>,
 }
 
-/// A net: from its ports to a line down the gap between two columns.
+/// Wires of a net, from its ports to a line in the gap between two columns.
 struct Wires {
     kind: PortKind,
     title: String,
-    /// The column on whose right the line is, and where it is then.
+    /// Column to the left of the line, and position of the line.
     column: usize,
     bus: f64,
     ends: Vec<[f64; 2]>,
@@ -131,7 +131,7 @@ impl Plan {
         };
         let corners: Vec<[f64; 2]> = places.iter().map(corner).collect();
         let left = |net: &Net| net.ports.iter().map(|(part, _)| places[*part].0).min().unwrap_or(0);
-        // A net leaves a part to the right of its leftmost column, else to the left.
+        // A net leaves a part of its leftmost column to the right, and other parts to the left.
         let is_right = |net: &Net, part: usize| places[part].0 == left(net);
         let mean = |net: &Net| {
             let rows: usize = net.ports.iter().map(|(part, _)| places[*part].1).sum();
@@ -176,7 +176,7 @@ impl Plan {
         [buses.fold(far(0, WIDTH), f64::max), far(1, HEIGHT) + below]
     }
 
-    /// A curve over or under what stands between.
+    /// Draws a curve above or below the elements between two parts.
     fn link(&self, link: &Link) -> Markup {
         let [from, to] = [self.corners[link.from], self.corners[link.to]];
         let [(from_column, from_row), (to_column, to_row)] =
@@ -198,7 +198,7 @@ impl Plan {
     }
 }
 
-/// Puts the lines down a gap beside each other.
+/// Puts the lines of a gap beside each other.
 fn give_way(wires: &mut [Wires]) {
     let places: Vec<(usize, bool)> =
         wires.iter().map(|net| (net.column, !net.is_straight())).collect();

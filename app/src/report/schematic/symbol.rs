@@ -2,7 +2,7 @@
 
 use machinist_codegen::spec::Symbol;
 
-/// The outline as an SVG path.
+/// Returns the outline as an SVG path.
 pub(super) fn outline(symbol: Symbol) -> &'static str {
     match symbol {
         Symbol::Inertia => "M2 14H14M34 14H46M14 2H34V26H14Z",

@@ -1,9 +1,8 @@
-//! The command line: what may be asked, and one file in `src/cli/` for each
-//! command.
+//! Command line, with one file in `src/cli/` for each command.
 //!
-//! Answers go to standard output, everything else to standard error. The exit
-//! code is 0 for success, 1 for a check that failed or a run that stopped, 2 for
-//! bad input. A command that fails leaves no file behind.
+//! Answers go to standard output, everything else to standard error. The exit code is 0 for
+//! success, 1 for a check that failed or a run that stopped, 2 for bad input. A command that fails
+//! leaves no file behind.
 
 mod amount;
 mod bench;
@@ -170,7 +169,7 @@ enum Command {
     RunForWatch(worker::Ask),
 }
 
-/// The algebra of a name.
+/// Returns the algebra of a name.
 #[cfg(feature = "derive")]
 fn algebra(name: &str) -> Result<Algebra, String> {
     let known = Algebra::ALL.iter().find(|algebra| algebra.name() == name);
@@ -180,7 +179,7 @@ fn algebra(name: &str) -> Result<Algebra, String> {
     })
 }
 
-/// The algebra that the environment names, if it does.
+/// Returns the algebra that the environment names, if any.
 #[cfg(feature = "derive")]
 fn algebra_of_environment() -> Result<Option<Algebra>, Failure> {
     const VARIABLE: &str = "MACHINIST_ALGEBRA";
@@ -192,7 +191,7 @@ fn algebra_of_environment() -> Result<Option<Algebra>, Failure> {
     algebra(&name).map(Some).map_err(refuse)
 }
 
-/// Does what the arguments of this process ask for.
+/// Runs the command that the arguments of this process ask for.
 #[must_use]
 pub fn main() -> ExitCode {
     let cli = Cli::parse();

@@ -1,12 +1,12 @@
-//! Models and equations of a scene: read from the cache, derived by our own algebra in this process,
-//! or by Symbolica in a child that ends at once.
+//! Models and equations of a scene: read from the cache, derived by Machinist's own algebra in this
+//! process, or derived by Symbolica in a short-lived child process.
 //!
-//! Machines to run or to analyse are derived by our own algebra, which takes no lock. Equations to
-//! emit or to read are derived by Symbolica, which simplifies further, and so is everything if the
-//! user names it.
-//! Symbolica needs the child for two reasons: it may run in one process of a machine at a time and
-//! counts until that process ends, while a report goes on for minutes; and a process that has used it
-//! must start no other (see `machinist_algebra::cas`), as `explain` does to compile.
+//! Machines to run or to analyse are derived by Machinist's own algebra, which takes no lock.
+//! Equations to emit or to read are derived by Symbolica, which simplifies further, and so is
+//! everything if the user names it. Symbolica needs the child for two reasons. It may run in one
+//! process of a machine at a time, from its first use to the end of that process, while a report
+//! takes minutes. And a process that has used it must start no other (see
+//! `machinist_algebra::cas`), as `explain` does to compile.
 
 mod cache;
 mod child;
@@ -32,28 +32,28 @@ use cache::Key;
 pub use cache::{Cache, turn_off as turn_off_cache};
 pub use child::{COMMAND, answer_parent, end_with_parent};
 
-/// What is to be derived of a scene.
+/// Request to derive a scene.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Request {
-    /// The scene.
+    /// Scene to derive.
     pub scene: SpecSource,
-    /// How much of it is kept.
+    /// Extent of the reduction.
     pub keep: Keep,
-    /// Instances to be taken for rigid instead of those that the scene names.
+    /// Instances to be taken as rigid instead of those that the scene names.
     pub rigid: Option<Vec<String>>,
-    /// Only a model, or everything.
+    /// Result wanted: only a model, or everything.
     pub wanted: Wanted,
-    /// Its purpose.
+    /// Purpose of the derivation.
     pub purpose: Purpose,
-    /// Constraints to be dropped because they follow from others, each with the parameters that this
-    /// needs as the spec has them.
+    /// Constraints to be dropped because they follow from others, each with the parameters that
+    /// must keep the spec's values for this.
     pub dropped: Vec<(String, Vec<String>)>,
 }
 
-/// The algebra that derives everything from now on in this process.
+/// Algebra for all further derivations in this process, if the user names one.
 static ALGEBRA: OnceLock<Algebra> = OnceLock::new();
 
-/// Has everything derived by an algebra; the first one named holds.
+/// Sets the algebra for all further derivations. Only the first call has an effect.
 pub fn derive_by(algebra: Algebra) {
     let _ = ALGEBRA.set(algebra);
 }
@@ -63,17 +63,17 @@ pub fn is_algebra_named() -> bool {
     ALGEBRA.get().is_some()
 }
 
-/// Purpose of a derivation, which decides on the algebra unless the user names it.
+/// Purpose of a derivation, which decides the algebra unless the user names it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Purpose {
-    /// To be run or analysed: by our own algebra, which waits for nobody.
+    /// To be run or analysed: by Machinist's own algebra, which takes no lock.
     Running,
     /// To be emitted, or to be read by people: by the algebra that simplifies most.
     Reading,
 }
 
 impl Purpose {
-    /// The algebra that derives a system.
+    /// Returns the algebra that derives a system.
     fn algebra(self, system: &LagrangianSystem) -> Algebra {
         ALGEBRA.get().copied().unwrap_or_else(|| match self {
             Self::Running => Algebra::default(),
@@ -82,34 +82,34 @@ impl Purpose {
     }
 }
 
-/// How much is wanted.
+/// Result wanted from a derivation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Wanted {
-    /// A model.
+    /// Model.
     Model,
-    /// A model, or word that there is none.
+    /// Model if it exists.
     ModelIfPossible,
-    /// Models step by step, and equations for people.
+    /// Models after each step of the reduction, and equations for people.
     Everything,
 }
 
-/// What was derived.
+/// Result of a derivation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Derived {
     Model(Box<Stamped>),
-    /// There is no such model.
+    /// The requested model does not exist.
     Impossible,
     Everything(Box<Derivation>),
 }
 
 impl Request {
-    /// A request for the model of a scene, to be run.
+    /// Requests the model of a scene, to be run.
     pub fn model(scene: &SpecSource, keep: Keep) -> Self {
         let (rigid, wanted, dropped) = (None, Wanted::Model, Vec::new());
         Self { scene: scene.clone(), keep, rigid, wanted, purpose: Purpose::Running, dropped }
     }
 
-    /// The system of the scene, as asked for.
+    /// Reads the system of the scene and applies the request's changes.
     fn system(&self) -> Result<LagrangianSystem, Diagnostics> {
         let mut system = self.scene.system()?;
         if let Some(rigid) = &self.rigid {
@@ -143,13 +143,13 @@ impl Request {
     }
 }
 
-/// The model of a scene.
+/// Derives the model of a scene.
 pub fn model(scene: &SpecSource, keep: Keep) -> Result<Model, Failure> {
     Ok(stamped(&Request::model(scene, keep))?.model)
 }
 
-/// The model of a request, with word of what made it; without constraints that follow from others
-/// wherever the machine goes, of which it says so.
+/// Derives the model of a request, with the generator that made it. Drops constraints that always
+/// follow from others, with a note.
 pub fn stamped(request: &Request) -> Result<Stamped, Failure> {
     let whole = derived_as_asked(request)?;
     let lasting = repeated(&whole.model);
@@ -163,7 +163,7 @@ pub fn stamped(request: &Request) -> Result<Stamped, Failure> {
     derived_as_asked(&Request { dropped, ..request.clone() })
 }
 
-/// Constraints that follow from others wherever the machine goes.
+/// Returns the constraints that follow from others in every state.
 pub fn repeated(model: &Model) -> Vec<Lasting> {
     if model.constraints.is_empty() || !model.fields.is_empty() {
         return Vec::new();
@@ -173,7 +173,7 @@ pub fn repeated(model: &Model) -> Vec<Lasting> {
     constraints::lasting(&simulator, &parameters, model.run.from)
 }
 
-/// Note about such a constraint that is dropped.
+/// Returns the note about a redundant constraint that is dropped.
 pub fn dropped_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting) -> String {
     let others: Vec<String> = repeats.iter().map(|name| format!("`{name}`")).collect();
     format!(
@@ -184,7 +184,7 @@ pub fn dropped_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting
     )
 }
 
-/// Notes that were shown by this process.
+/// Notes already shown by this process.
 static TOLD: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
 fn tell_once(note: String) {
@@ -203,13 +203,13 @@ fn derived_as_asked(request: &Request) -> Result<Stamped, Failure> {
     }
 }
 
-/// Failure of the derivation itself, not of the spec.
+/// Creates the failure of the derivation itself, not of the spec.
 fn broken(how: &str) -> Failure {
     let help = "what it said is above; `machinist check` finds what is wrong with a spec";
     Failure::unsuccessful(format!("deriving ended badly: {how}"), help)
 }
 
-/// A model for each request that can be fulfilled.
+/// Derives a model for each request that has one.
 pub fn possible(requests: &[Request]) -> Result<Vec<Option<Model>>, Failure> {
     let derived = derive(requests)?.into_iter().map(|derived| match derived {
         Derived::Model(stamped) => Ok(Some(stamped.model)),
@@ -219,7 +219,7 @@ pub fn possible(requests: &[Request]) -> Result<Vec<Option<Model>>, Failure> {
     derived.collect()
 }
 
-/// The models of scenes, to be emitted.
+/// Derives the models of scenes, to be emitted.
 pub fn models(scenes: &[SpecSource], keep: Keep) -> Result<Vec<Model>, Failure> {
     let request =
         |scene: &SpecSource| Request { purpose: Purpose::Reading, ..Request::model(scene, keep) };
@@ -231,7 +231,7 @@ pub fn models(scenes: &[SpecSource], keep: Keep) -> Result<Vec<Model>, Failure> 
     derived.collect()
 }
 
-/// Everything that is derived of scenes.
+/// Derives models and equations of scenes.
 pub fn derivations(
     scenes: &[SpecSource],
     keep: Keep,
@@ -247,13 +247,13 @@ pub fn derivations(
     derived.collect()
 }
 
-/// Everything that is derived of a scene.
+/// Derives models and equations of a scene.
 pub fn derivation(scene: &SpecSource, keep: Keep, purpose: Purpose) -> Result<Derivation, Failure> {
     let mut derivations = derivations(std::slice::from_ref(scene), keep, purpose)?;
     derivations.pop().ok_or_else(|| broken("nothing"))
 }
 
-/// Warnings that were shown by this process.
+/// Warnings already shown by this process.
 static SHOWN: Mutex<Vec<Diagnostic>> = Mutex::new(Vec::new());
 
 /// Shows warnings of a spec on standard error, each once.
@@ -267,8 +267,8 @@ pub fn warn(system: &LagrangianSystem) {
     }
 }
 
-/// Answers requests, in their order: from the cache where it has them; others are derived here, or
-/// by one child if Symbolica derives them.
+/// Answers requests in their order: from the cache if possible, otherwise by deriving here, or in
+/// one child process if Symbolica derives them.
 fn derive(requests: &[Request]) -> Result<Vec<Derived>, Failure> {
     let cache = Cache::of_user();
     let systems = all(requests, Request::system)?;
@@ -291,18 +291,17 @@ fn derive(requests: &[Request]) -> Result<Vec<Derived>, Failure> {
     asked.into_iter().map(|one| one.derived.ok_or_else(|| broken("too little"))).collect()
 }
 
-/// A request on its way to its answer.
+/// Request that awaits its answer.
 struct Asked<'a> {
     request: &'a Request,
-    /// The system that was read.
+    /// System that was read.
     system: LagrangianSystem,
     algebra: Algebra,
     key: Key,
     derived: Option<Derived>,
 }
 
-/// Derives in this process, as our own algebra may. What goes wrong within it is reported as any
-/// failure is.
+/// Derives in this process, with Machinist's own algebra. A panic is reported as a failure.
 fn derive_here(asked: Vec<&mut Asked>, cache: &Cache) -> Result<(), Failure> {
     let derived = all(&asked, |one| {
         let system = one.system.clone();
@@ -317,7 +316,7 @@ fn derive_here(asked: Vec<&mut Asked>, cache: &Cache) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Has a child derive.
+/// Derives in a child process.
 fn derive_by_child(asked: Vec<&mut Asked>, cache: &Cache) -> Result<(), Failure> {
     if asked.is_empty() {
         return Ok(());
@@ -325,8 +324,8 @@ fn derive_by_child(asked: Vec<&mut Asked>, cache: &Cache) -> Result<(), Failure>
     let questions: Vec<_> = asked.iter().map(|one| (one.request, one.algebra)).collect();
     let answers = child::ask(&questions)?;
     for (one, answer) in asked.into_iter().zip(answers) {
-        // A file may have changed since it was looked at: the answer is of what the child
-        // read, and belongs to another key.
+        // A file may have changed in the meantime. The answer then describes what the child read,
+        // and belongs to another key.
         let names = one.system.files.iter().map(|file| &file.sha256);
         if answer.files().is_some_and(|files| files.iter().map(|f| &f.sha256).eq(names)) {
             cache.put(&one.key, &answer);
@@ -337,7 +336,7 @@ fn derive_by_child(asked: Vec<&mut Asked>, cache: &Cache) -> Result<(), Failure>
 }
 
 impl Derived {
-    /// The files it was derived from.
+    /// Returns the files of the derivation.
     fn files(&self) -> Option<&[SourceFile]> {
         let model = match self {
             Derived::Model(stamped) => &stamped.model,
@@ -347,7 +346,7 @@ impl Derived {
         Some(&model.files)
     }
 
-    /// Whether all its models keep the rules of models.
+    /// Returns whether all models are valid.
     fn is_valid(&self) -> bool {
         match self {
             Derived::Model(stamped) => stamped.model.validate().is_ok(),

@@ -1,5 +1,5 @@
-//! The price of approximations: what freezing does to the outputs and what time it
-//! saves, measured by running the scene with and without it.
+//! Price of approximations: the errors of the outputs and the time saved by freezing, measured by
+//! running the scene with and without it.
 
 use machinist::{SimulateError, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -12,32 +12,31 @@ use crate::explain::{limited, median, relative_differences, timed};
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
 
-/// Runs of each, of which the median counts.
+/// Runs of each model, of which the median counts.
 const RUNS: usize = 3;
 
-/// An instance that could be taken for rigid.
+/// Instance that could be taken as rigid.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Candidate {
-    /// The instance.
+    /// Name of the instance.
     pub instance: String,
-    /// What it would do, or why its run stopped.
+    /// Price, or the reason why the run stopped.
     pub price: Result<Price, String>,
 }
 
-/// What freezing does.
+/// Effects of freezing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Price {
-    /// States that are left.
+    /// Number of remaining states.
     pub states: usize,
-    /// Of each output, the largest error over the scene's run relative to its largest
-    /// value.
+    /// Largest error of each output over the scene's run, relative to its largest value.
     pub errors: Vec<(String, f64)>,
-    /// Median time of the frozen run for that of the exact one.
+    /// Ratio of the median time of the frozen run to that of the exact one.
     pub time_ratio: f64,
 }
 
 impl Price {
-    /// The output with the largest error.
+    /// Returns the output with the largest error.
     pub fn worst(&self) -> Option<&(String, f64)> {
         self.errors.iter().max_by(|a, b| a.1.total_cmp(&b.1))
     }
@@ -56,7 +55,7 @@ impl Price {
     }
 }
 
-/// Every instance of a scene that can be taken for rigid, with its price.
+/// Returns every instance of a scene that can be taken as rigid, with its price.
 pub fn candidates(scene: &SpecSource) -> Result<Vec<Candidate>, Failure> {
     let system = scene.system()?;
     let exact = deriving::model(scene, Keep::Exact)?;
@@ -67,14 +66,14 @@ pub fn candidates(scene: &SpecSource) -> Result<Vec<Candidate>, Failure> {
     });
     let frozen = deriving::possible(&requests.collect::<Vec<_>>())?;
     let candidates = system.springs.iter().zip(frozen).filter_map(|(spring, frozen)| {
-        // What cannot be frozen is no candidate.
+        // An instance that cannot be frozen is no candidate.
         let price = Price::measure(exact.clone(), frozen?).map_err(|error| error.to_string());
         Some(Candidate { instance: spring.instance.clone(), price })
     });
     Ok(candidates.collect())
 }
 
-/// Refuses a program that is frozen at a price its scene does not allow.
+/// Returns an error if freezing exceeds the tolerance of the scene.
 pub fn admit(scene: &SpecSource, model: &Model) -> Result<(), Failure> {
     let freeze = &model.freeze;
     if freeze.rigid.is_empty() {
@@ -83,7 +82,7 @@ pub fn admit(scene: &SpecSource, model: &Model) -> Result<(), Failure> {
     let exact = deriving::model(scene, Keep::Exact)?;
     let price = Price::measure(exact, model.clone())?;
     match price.worst() {
-        // An error that is not a number is none that is allowed.
+        // An error that is not a number is never allowed.
         Some((output, error)) if error.is_nan() || *error > freeze.tolerance => {
             let message = format!(
                 "scene `{}`: with {} rigid, output `{output}` is wrong by {error:.2e} of its largest \

@@ -1,9 +1,9 @@
 //! The program `machinist`: command line, report, plots.
 //!
-//! Without the feature `derive` it reads no specs, needs no computer algebra, and runs scenes
-//! that are built in and model files.
+//! Without the feature `derive` it reads no specs, needs no computer algebra, and runs built-in
+//! scenes and model files.
 //!
-//! A library only so that its parts can be tested; other programs want `machinist`.
+//! This is a library only for its tests. Other programs should depend on `machinist`.
 
 mod cli;
 #[cfg(feature = "derive")]

@@ -1,5 +1,5 @@
-//! Plots of trajectories, mode shapes, frequency responses and stability maps as SVG
-//! and PNG, with a font of their own.
+//! Plots of trajectories, mode shapes, frequency responses and stability maps as SVG and PNG, with
+//! an embedded font.
 
 mod linear;
 mod map;
@@ -28,13 +28,13 @@ const PANEL_HEIGHT: u32 = 230;
 const TIME_AXIS_HEIGHT: u32 = 46;
 const FONT: &str = "sans-serif";
 
-/// Everything is drawn four times as large: an SVG is shown at a quarter of that,
-/// so that whole coordinates are fine enough; a PNG is averaged over squares of
-/// two by two pixels, because plotters does not smooth thick lines.
+/// Everything is drawn four times as large. An SVG is shown at a quarter of that, so that integer
+/// coordinates are fine enough. A PNG is averaged over squares of two by two pixels, because
+/// plotters does not smooth thick lines.
 const SCALE: u32 = 4;
 const SMOOTHING: u32 = 2;
 
-/// Why there is no plot.
+/// Reason why there is no plot.
 #[derive(Debug, Error)]
 pub enum PlotError {
     /// The file's name does not end in `.svg` or `.png`.
@@ -43,11 +43,11 @@ pub enum PlotError {
     /// The trajectory has no such column.
     #[error("scene `{scene}` has no state, output or energy `{name}`{hint}")]
     UnknownColumn {
-        /// The scene run.
+        /// Scene of the run.
         scene: String,
-        /// The name asked for.
+        /// Name asked for.
         name: String,
-        /// The nearest known name, as a question, or nothing.
+        /// Nearest known name as a question, or empty.
         hint: String,
     },
     /// The trajectory has no columns at all.
@@ -61,20 +61,18 @@ pub enum PlotError {
     Writing {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         source: io::Error,
     },
 }
 
-/// Draws the named columns, or all outputs if none is named (all states if the
-/// scene has no outputs), over time: stacked panels, one a unit, into an `.svg`
-/// or `.png` file.
+/// Draws the named columns over time as stacked panels, one for each unit, into an `.svg` or `.png`
+/// file. Without names, draws all outputs, or all states if the scene has no outputs.
 ///
-/// Of more than 2000 points, the least and the greatest of each bin are drawn,
-/// so that spikes stay.
+/// Of more than 2000 points, the least and the greatest of each bin are drawn, so that spikes stay.
 ///
 /// # Errors
-/// [`PlotError`]; no file is written then, or only part of one.
+/// [`PlotError`]. In that case no file is written, or only part of one.
 pub fn plot(trajectory: &Trajectory, columns: &[&str], path: &Path) -> Result<(), PlotError> {
     let Trajectory { scene, method, rtol, .. } = trajectory;
     let axes = [Axis::Linear("time [s]".into()), Axis::Linear("".into())];
@@ -86,21 +84,21 @@ pub fn plot(trajectory: &Trajectory, columns: &[&str], path: &Path) -> Result<()
     picture.write(path)
 }
 
-/// What can be drawn into a file.
+/// Drawing that can be written to a file.
 trait Drawn {
     /// Width and height, [`SCALE`] times as large as shown.
     fn size(&self) -> (u32, u32);
     fn draw<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> DrawResult<DB>;
 }
 
-/// Panels over each other, under a title.
+/// Panels above each other, under a title.
 struct Picture<'a> {
     title: &'a str,
     subtitle: String,
     panels: Vec<Panel<'a>>,
 }
 
-/// Columns of one unit share a panel; panels in order of first appearance.
+/// Groups columns of one unit into a panel, in the order of first appearance.
 fn panels<'a>(
     trajectory: &'a Trajectory,
     names: &[&str],
@@ -142,7 +140,7 @@ fn chosen<'a>(trajectory: &'a Trajectory, names: &[&str]) -> Result<Vec<&'a Colu
 
 fn write(picture: &impl Drawn, path: &Path) -> Result<(), PlotError> {
     let ending = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-    // Only a font file that does not parse is refused, and a test parses this one.
+    // Only a font file that cannot be parsed is rejected, and a test parses this one.
     let _ = register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT);
     let bytes = match ending.to_ascii_lowercase().as_str() {
         "svg" => svg(picture)?.into_bytes(),
@@ -220,7 +218,7 @@ fn drawing(error: &impl ToString) -> PlotError {
     PlotError::Drawing(error.to_string())
 }
 
-/// Means of squares of `SMOOTHING` by `SMOOTHING` pixels.
+/// Averages squares of `SMOOTHING` by `SMOOTHING` pixels.
 fn averaged(pixels: &[u8], width: u32, height: u32) -> (u32, u32, Vec<u8>) {
     let (step, row) = (SMOOTHING as usize, width as usize * 3);
     let (columns, rows) = (width / SMOOTHING, height / SMOOTHING);

@@ -1,9 +1,8 @@
-//! Pages that show and prove everything: a page for each machine with a drawing, its run,
-//! checks, equations, structure and costs; an index of them; a page of the studies. They need
-//! no network.
+//! Pages that show and verify all results: a page for each machine with a drawing, its run, checks,
+//! equations, structure and costs; an index of them; a page of the studies. They need no network.
 //!
-//! Data are gathered first; then the files in `src/report/` turn them into sections, and
-//! `page.rs` puts a head on them.
+//! Data are gathered first. The files in `src/report/` turn them into sections, and `page.rs` puts
+//! them into a page.
 
 mod conclusions;
 mod equations;

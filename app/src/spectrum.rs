@@ -1,19 +1,19 @@
-//! Amplitude spectra of what a run shows.
+//! Amplitude spectra of the columns of a run.
 //!
-//! Of samples x_n, n = 0 .. N-1, at t_0 + n dt, under a window w_n, the one-sided spectrum is
+//! For samples x_n, n = 0 .. N-1, at t_0 + n dt, with a window w_n, the one-sided spectrum is
 //!
 //! ```text
 //! m = sum w_n x_n / sum w_n                                        the mean, which is a_0
 //! a_k = 2 |sum w_n (x_n - m) exp(-2 pi i k n/N)| / sum w_n         at f_k = k/(N dt), 0 < k < N/2
 //! ```
 //!
-//! without the factor 2 at k = N/2. So an oscillation A cos(2 pi f_k t + phase) with a whole number
-//! of periods shows its amplitude A, in its own unit, by any window. One between two lines shows the
-//! less the farther it is from the nearer: at worst 36 % less by `rectangle`, 15 % by `hann`, 0.1 % by
-//! `flat_top`; what is next to it is told apart the worse in that order.
+//! without the factor 2 at k = N/2. An oscillation A cos(2 pi f_k t + phase) with a whole number of
+//! periods thus shows its amplitude A, in its own unit, with any window. An oscillation between two
+//! lines shows a smaller amplitude: at worst 36 % less with `rectangle`, 15 % with `hann`, 0.1 %
+//! with `flat_top`. The resolution of neighbouring frequencies decreases in the same order.
 //!
-//! Source: G. Heinzel, A. Ruediger and R. Schilling, Spectrum and spectral density estimation by the
-//! discrete Fourier transform, 2002.
+//! Source: G. Heinzel, A. Ruediger and R. Schilling, Spectrum and spectral density estimation by
+//! the discrete Fourier transform, 2002.
 
 use std::f64::consts::TAU;
 
@@ -33,7 +33,7 @@ pub enum Window {
 }
 
 impl Window {
-    /// Coefficients of w = sum (-1)^j c_j cos(2 pi j n/N).
+    /// Returns the coefficients of w = sum (-1)^j c_j cos(2 pi j n/N).
     fn coefficients(self) -> &'static [f64] {
         match self {
             Self::Rectangle => &[1.0],
@@ -44,7 +44,7 @@ impl Window {
         }
     }
 
-    /// Its name, as options take it.
+    /// Returns the name used in options.
     pub fn name(self) -> &'static str {
         match self {
             Self::Rectangle => "rectangle",
@@ -53,7 +53,7 @@ impl Window {
         }
     }
 
-    /// w_n, which goes on periodically.
+    /// Returns w_n, which is periodic.
     fn weight(self, n: usize, count: usize) -> f64 {
         let angle = TAU * n as f64 / count as f64;
         let signed = |(j, c): (usize, &f64)| if j % 2 == 0 { *c } else { -c };
@@ -62,7 +62,7 @@ impl Window {
     }
 }
 
-/// a_k for k = 0 .. N/2 of at least two samples; a_0 with its sign.
+/// Returns a_k for k = 0 .. N/2 from at least two samples; a_0 keeps its sign.
 pub fn amplitudes(samples: &[f64], window: Window) -> Vec<f64> {
     let count = samples.len();
     let weights: Vec<f64> = (0..count).map(|n| window.weight(n, count)).collect();
@@ -71,7 +71,7 @@ pub fn amplitudes(samples: &[f64], window: Window) -> Vec<f64> {
     let plan = RealFftPlanner::<f64>::new().plan_fft_forward(count);
     let mut weighed: Vec<f64> = weights.iter().zip(samples).map(|(w, x)| w * (x - mean)).collect();
     let mut lines = plan.make_output_vec();
-    // Lengths are those of the plan.
+    // The lengths match the plan.
     let _ = plan.process(&mut weighed, &mut lines);
     let is_single = |k: usize| 2 * k == count;
     let amplitude = |(k, line): (usize, &num_complex::Complex64)| {
@@ -80,7 +80,7 @@ pub fn amplitudes(samples: &[f64], window: Window) -> Vec<f64> {
     lines.iter().enumerate().map(amplitude).collect()
 }
 
-/// Lines that are greater than both neighbours, the greatest first; the mean is none.
+/// Returns the lines greater than both neighbours, the greatest first, without the mean.
 pub fn peaks(amplitudes: &[f64], most: usize) -> Vec<usize> {
     let at = |k: usize| amplitudes.get(k).copied().unwrap_or(0.0);
     let before = |k: usize| if k == 1 { 0.0 } else { at(k - 1) };
@@ -97,7 +97,7 @@ mod tests {
 
     const ALL: [Window; 3] = [Window::Rectangle, Window::Hann, Window::FlatTop];
 
-    /// Samples of a function over one second.
+    /// Samples a function over one second.
     fn sampled(count: usize, x: impl Fn(f64) -> f64) -> Vec<f64> {
         (0..count).map(|n| x(n as f64 / count as f64)).collect()
     }
@@ -129,9 +129,9 @@ mod tests {
         }
     }
 
-    /// Between two lines a wave of amplitude 1 shows |W(1/2)|/W(0), which for a sum of cosines is
-    /// sum c_j (sinc(1/2 - j) + sinc(1/2 + j))/2, as a ratio to c_0, of an infinite number of samples; the
-    /// wave's other half is far away here.
+    /// Checks a wave of amplitude 1 between two lines, which shows |W(1/2)|/W(0). For an infinite
+    /// number of samples and a sum of cosines this is sum c_j (sinc(1/2 - j) + sinc(1/2 + j))/2,
+    /// relative to c_0. The wave's other half is far away here.
     #[test]
     fn half_way_between_lines_amplitudes_are_less_by_what_the_window_says() {
         let samples = sampled(100_000, |t| (TAU * 10_000.5 * t).cos());
@@ -150,7 +150,7 @@ mod tests {
         }
     }
 
-    /// By Parseval's theorem the squares of amplitudes are twice the mean square.
+    /// Checks Parseval's theorem: the squares of amplitudes are twice the mean square.
     #[test]
     fn squares_add_up_to_the_mean_square() {
         let samples = sampled(500, |t| (9.0 * t).exp().sin() + t);

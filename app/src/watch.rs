@@ -1,7 +1,7 @@
-//! A page that shows a machine while its spec is written: `machinist watch`.
+//! Page that shows a machine while its spec is written: `machinist watch`.
 //!
-//! One thread waits for changes of the files and has a process of its own check, derive and run what
-//! is in them ([`worker`]); others serve what became of it ([`server`], [`site`]). A process that is
+//! One thread waits for changes of the files and starts a process that checks, derives and runs
+//! them ([`worker`]). Other threads serve the result ([`server`], [`site`]). A process that is
 //! still at work when the files change again is killed.
 
 mod files;
@@ -22,11 +22,11 @@ use crate::cli::output::print;
 use crate::failure::Failure;
 use crate::interrupt;
 
-/// Files are read once nothing was told of them for so long: editors save in several steps.
+/// Quiet time before files are read, because editors save in several steps.
 const QUIET: Duration = Duration::from_millis(15);
-/// But not later than this, however much else changes beside them.
+/// Maximum delay before files are read, if changes go on.
 const LONGEST: Duration = Duration::from_millis(100);
-/// Files are looked at so often even if nothing is told of them.
+/// Interval at which files are compared even without notifications.
 const LOOK: Duration = Duration::from_secs(1);
 
 /// Messages to the main thread.
@@ -42,21 +42,21 @@ pub enum Message {
     },
     /// A process has ended.
     Ended {
-        /// Its number.
+        /// Number of the process.
         number: u64,
-        /// Its standard error.
+        /// Standard error of the process.
         said: String,
     },
 }
 
-/// The process at work, and what is known of it.
+/// Process at work and its progress.
 struct Turn {
     number: u64,
     begun: Instant,
     is_done: bool,
-    /// Until it first answered.
+    /// Time until the first answer.
     took: Option<Duration>,
-    /// Kept until the next one begins: then it is killed, if it has not ended.
+    /// Dropped when the next one begins, which kills the process if it has not ended.
     _worker: Worker,
 }
 
@@ -78,7 +78,7 @@ pub fn watch(scene: &Path, port: Option<u16>, time_limit: Duration) -> Result<()
     print(&format!("{} is at http://127.0.0.1:{port}/ until Ctrl-C\n", scene.display()))?;
     let mut watch = Watch { scene, files, site, turn: None };
     for number in 1.. {
-        // Before the next begins: there is never more than one.
+        // The old process ends first, so there is never more than one.
         watch.turn = None;
         watch.site.begin();
         let worker = Worker::start(scene, time_limit, number, &outbox)?;
@@ -91,7 +91,7 @@ pub fn watch(scene: &Path, port: Option<u16>, time_limit: Duration) -> Result<()
 }
 
 impl Watch<'_> {
-    /// Waits until files have changed, and takes what became of them meanwhile.
+    /// Waits until files have changed, and takes answers meanwhile.
     fn wait(&mut self, inbox: &Receiver<Message>) {
         let mut told = None::<Instant>;
         loop {
@@ -105,11 +105,11 @@ impl Watch<'_> {
                 }
                 Ok(Message::Answer { number, answer }) => {
                     self.take(number, *answer);
-                    // It may be of files that have changed since.
+                    // The answer may be about files that have changed since.
                     told.get_or_insert_with(Instant::now);
                 }
                 Ok(Message::Ended { number, said }) => self.ended(number, &said),
-                // This thread has an end of the channel itself, so that it is never closed.
+                // This thread holds a sender itself, so the channel is never closed.
                 Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => {
                     if self.files.have_changed() {
                         return;
@@ -132,7 +132,7 @@ impl Watch<'_> {
         self.site.take(answer, took);
     }
 
-    /// A process that ends before it has said all.
+    /// Reports a process that ended without its last answer.
     fn ended(&mut self, number: u64, said: &str) {
         let Some(turn) = &self.turn else { return };
         if turn.number != number || turn.is_done {
@@ -147,7 +147,7 @@ impl Watch<'_> {
     }
 }
 
-/// Says on standard error what became of the files, as `machinist check` does.
+/// Prints the result on standard error, as `machinist check` does.
 fn tell(scene: &Path, answer: &Answer) {
     for trouble in &answer.troubles {
         eprintln!("{}", trouble.text);

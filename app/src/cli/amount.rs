@@ -1,4 +1,4 @@
-//! A number on the command line, with its unit of measure or without: `23065.2`, `18 [kN m/rad]`.
+//! Numbers on the command line, with or without a unit of measure: `23065.2`, `18 [kN m/rad]`.
 
 use machinist::Simulation;
 use machinist_contract::{Quantity, Simulator};
@@ -6,20 +6,21 @@ use serde_json::{Map, Value};
 
 use crate::failure::Failure;
 
-/// A number in SI units.
+/// Number in SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Amount {
-    /// The number.
+    /// Value.
     pub value: f64,
-    /// The unit that it was written in; without one it is in that of what it is for.
+    /// Unit in which the number was written; `None` stands for the unit of the quantity that it is
+    /// for.
     pub unit: Option<String>,
 }
 
 impl Amount {
-    /// Reads one.
+    /// Parses a number.
     ///
     /// # Errors
-    /// If it is no finite number, or its unit is not known, or cannot be read by this build.
+    /// If it is not a finite number, or if its unit is unknown or cannot be read by this build.
     pub fn parse(text: &str) -> Result<Self, String> {
         let text = text.trim();
         let (number, unit) = match text.strip_suffix(']').and_then(|text| text.split_once('[')) {
@@ -35,7 +36,7 @@ impl Amount {
         Err(format!("`{text}` is not a finite number"))
     }
 
-    /// Refuses a unit of another dimension than that of what the number is for.
+    /// Returns an error if the unit has another dimension than the wanted one.
     pub fn check(&self, name: &str, wanted: &str) -> Result<(), Failure> {
         let Some(unit) = &self.unit else { return Ok(()) };
         if is_alike(unit, wanted) {
@@ -45,15 +46,15 @@ impl Amount {
         Err(Failure::input(message, format!("give it in {wanted}, or in a unit of that dimension")))
     }
 
-    /// Likewise, where it is a parameter or a state of the machine that is run.
+    /// Returns an error if the unit has another dimension than the parameter or state of this name.
     pub fn check_of(&self, name: &str, run: &Simulation<'_>) -> Result<(), Failure> {
-        // What has no such name is refused where it is set.
+        // Unknown names are rejected where the value is set.
         let Some(quantity) = quantity_of(run.simulator(), name) else { return Ok(()) };
         self.check(name, quantity.unit)
     }
 }
 
-/// The parameter or state of a name.
+/// Returns the parameter or state of a name.
 pub fn quantity_of<'s>(simulator: &'s dyn Simulator<f64>, name: &str) -> Option<Quantity<'s>> {
     let shape = simulator.shape();
     let parameters = (0..shape.parameters).map(|index| simulator.parameter(index));
@@ -82,8 +83,8 @@ pub fn is_alike(unit: &str, wanted: &str) -> bool {
     }
 }
 
-/// What a number in one unit is in another, `f x` or, where f < 1, `x / (1/f)`, which is exact of
-/// `ms` in s; nothing if these are of different quantities or not known.
+/// Returns the conversion from one unit to another: `f x` or, for f < 1, `x / (1/f)`, which is
+/// exact for `ms` to s. `None` if the dimensions differ or a unit is unknown.
 #[cfg(feature = "derive")]
 pub fn conversion(unit: &str, wanted: &str) -> Option<impl Fn(f64) -> f64 + use<>> {
     use machinist_codegen::spec::measure::Measure;
@@ -101,7 +102,7 @@ pub fn conversion(unit: &str, wanted: &str) -> Option<impl Fn(f64) -> f64 + use<
     (unit == wanted).then_some(|value: f64| value)
 }
 
-/// What reads units is the generator's, and to take `5 [mm]` for 5 would be wrong without a word.
+/// Units are read by the generator. Taking `5 [mm]` for 5 would be silently wrong.
 #[cfg(not(feature = "derive"))]
 fn factor_of(unit: &str) -> Result<f64, String> {
     Err(format!(
@@ -115,19 +116,19 @@ pub fn is_alike(_: &str, _: &str) -> bool {
     false
 }
 
-/// `name=value`, as `--set` takes it.
+/// Parses `name=value`, as `--set` takes it.
 pub fn assignment(text: &str) -> Result<(String, Amount), String> {
     let (name, value) =
         text.split_once('=').ok_or("write it as NAME=VALUE, such as coupling.stiffness=23065.2")?;
     Ok((name.trim().to_owned(), Amount::parse(value)?))
 }
 
-/// They as JSON, for what tables say of their settings.
+/// Returns the values as JSON, for the settings recorded in tables.
 pub fn as_json(set: &[(String, Amount)]) -> Map<String, Value> {
     set.iter().map(|(name, amount)| (name.clone(), amount.value.into())).collect()
 }
 
-/// Names with their numbers alone.
+/// Returns names with their values in SI units.
 pub fn in_si(set: &[(String, Amount)]) -> Vec<(String, f64)> {
     set.iter().map(|(name, amount)| (name.clone(), amount.value)).collect()
 }

@@ -1,4 +1,4 @@
-//! `machinist bench`: what each method pays for accuracy on a scene.
+//! `machinist bench`: run time of each method over its accuracy on a scene.
 
 use clap::Args;
 use machinist::Method;
@@ -87,7 +87,7 @@ impl Bench {
     }
 }
 
-/// An error that the reference cannot tell from none is marked as such.
+/// Formats a row. Errors smaller than the reference can resolve are marked.
 fn row(curve: &Curve, point: &Point, agreement: f64) -> [String; 9] {
     let mark = if point.error < agreement { "~" } else { "" };
     let work = point.work;

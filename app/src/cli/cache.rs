@@ -1,4 +1,4 @@
-//! `machinist cache`: what is remembered of scenes that were derived.
+//! `machinist cache`: the cache of derived scenes.
 
 use clap::Args;
 

@@ -1,4 +1,5 @@
-//! `machinist campbell`: natural frequencies over a parameter, and where orders meet them.
+//! `machinist campbell`: natural frequencies over a parameter, and their crossings with excitation
+//! orders.
 
 use std::f64::consts::{PI, TAU};
 use std::io;
@@ -21,7 +22,7 @@ use crate::plot::plot_campbell;
 use crate::progress::during;
 use serde_json::json;
 
-/// Values at which the machine may be linearized.
+/// Maximum number of values at which the machine may be linearized.
 const MOST_VALUES: usize = 10_000;
 
 #[derive(Debug, Args)]
@@ -73,7 +74,7 @@ pub struct CampbellDiagram {
     json: bool,
 }
 
-/// `from..to`, as `--speeds` takes it.
+/// Parses `from..to`, as `--speeds` takes it.
 fn speeds(text: &str) -> Result<[Amount; 2], String> {
     let ends = ends(text, "write it as FROM..TO, such as 0..6000 [rpm]")?;
     match &ends[1].unit {
@@ -84,19 +85,19 @@ fn speeds(text: &str) -> Result<[Amount; 2], String> {
     }
 }
 
-/// A diagram in units that people read it in.
+/// Diagram in the units for display.
 struct Shown {
     diagram: Campbell,
     /// Unit of frequencies.
     frequency: &'static str,
     /// Unit of speeds.
     speed: &'static str,
-    /// A speed of 1 in that of frequencies.
+    /// Unit of speed in the unit of frequencies.
     per_speed: f64,
 }
 
 impl Shown {
-    /// In rpm, and in Hz, if asked for.
+    /// Converts the diagram to rpm and Hz if asked for.
     fn new(mut diagram: Campbell, rpm: bool, hz: bool) -> Self {
         let of_speed = if rpm { 30.0 / PI } else { 1.0 };
         let of_frequency = if hz { 1.0 / TAU } else { 1.0 };
@@ -157,7 +158,7 @@ impl CampbellDiagram {
         print(&self.summary(&format!("{}: {title}", scene.simulator().name()), &shown))
     }
 
-    /// Over the parameter, or over speeds.
+    /// Computes the diagram over the parameter or over speeds.
     fn diagram(&self, run: &Simulation<'_>, values: &[f64]) -> Result<Campbell, Failure> {
         let (place, orders) = (self.at.place(), &self.orders);
         let Some(parameter) = &self.parameter else {
@@ -248,7 +249,7 @@ impl CampbellDiagram {
     }
 }
 
-/// Oscillations that are not at all values, and where they begin and end.
+/// Returns lines on oscillations that exist only for some values, and where they begin and end.
 fn vanishing(diagram: &Campbell) -> String {
     let Campbell { parameter, unit, values, branches, .. } = diagram;
     let between = |index: usize| {
@@ -268,7 +269,7 @@ fn vanishing(diagram: &Campbell) -> String {
     if told.is_empty() { told } else { format!("\n{told}") }
 }
 
-/// Where motions grow by themselves.
+/// Returns lines on the ranges with unstable motions.
 fn growing(diagram: &Campbell) -> String {
     let Campbell { parameter, unit, growing, .. } = diagram;
     let told = growing.iter().map(|stretch| {
@@ -283,7 +284,7 @@ fn growing(diagram: &Campbell) -> String {
     told.collect()
 }
 
-/// As [`table`] has them.
+/// Returns the columns of [`table`].
 fn as_columns(shown: &Shown) -> Vec<Column> {
     let Shown { diagram, frequency, speed, .. } = shown;
     let some = |values: &[f64]| {
@@ -307,8 +308,8 @@ fn as_columns(shown: &Shown) -> Vec<Column> {
     columns
 }
 
-/// The parameter, the speed, then frequency and damping ratio of each oscillation; empty where
-/// it is none.
+/// Writes the parameter, the speed, then frequency and damping ratio of each oscillation, empty if
+/// there is none.
 fn table(shown: &Shown, out: &mut dyn io::Write) -> io::Result<()> {
     let Shown { diagram, frequency, speed, .. } = shown;
     let speeds = diagram.speeds.as_ref().filter(|_| !diagram.is_over_speed);

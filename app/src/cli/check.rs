@@ -1,4 +1,4 @@
-//! `machinist check`: what is wrong with specs, and nothing else.
+//! `machinist check`: errors in specs.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -36,7 +36,7 @@ impl Check {
             }
             match Given::of(path)? {
                 Given::Spec(file) => files.push(file),
-                // It was checked as it was read.
+                // A model file is checked when read.
                 Given::Model(stamped) => {
                     let Stamped { generator, model } = *stamped;
                     let name = model.name;
@@ -54,8 +54,8 @@ impl Check {
     }
 }
 
-/// Summary of a spec without errors; `model` gives the model of all of it, which
-/// only constraints need.
+/// Returns the summary of a valid spec. `model` returns the complete model, which is only needed
+/// for constraints.
 pub fn found(
     system: &LagrangianSystem,
     model: impl FnOnce() -> Result<Model, Failure>,
@@ -63,7 +63,7 @@ pub fn found(
     Ok(format!("{}{}", counted(system), constraints(system, model)?))
 }
 
-/// Numbers of coordinates, states, parameters and outputs of a spec without errors.
+/// Returns the numbers of coordinates, states, parameters and outputs of a valid spec.
 pub fn counted(system: &LagrangianSystem) -> String {
     format!(
         "ok, {} coordinates, {} first-order states, {} parameters, {} outputs",
@@ -74,7 +74,7 @@ pub fn counted(system: &LagrangianSystem) -> String {
     )
 }
 
-/// How many constraints, and how many ways of moving they leave at the start.
+/// Returns the number of constraints and the degrees of freedom that they leave at the start.
 fn constraints(
     system: &LagrangianSystem,
     model: impl FnOnce() -> Result<Model, Failure>,
@@ -83,7 +83,7 @@ fn constraints(
         return Ok(String::new());
     }
     if !system.handed.is_empty() {
-        // How many ways of moving fields leave depends on how they are cut.
+        // The degrees of freedom of fields depend on their discretization.
         return Ok(format!(", {} constraints", system.constraints.len()));
     }
     let simulator = ModelSimulator::new(model()?);
@@ -119,8 +119,8 @@ fn constraints(
     }
 }
 
-/// A state with modes in which all constraints hold that may hold together; of those that
-/// exclude each other the first.
+/// Sets the modes so that as many constraints as possible apply; of constraints that exclude each
+/// other, the first.
 fn all_holding(
     system: &LagrangianSystem,
     simulator: &ModelSimulator,

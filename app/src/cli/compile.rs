@@ -1,5 +1,4 @@
-//! `machinist compile`: a scene to a model file, which needs neither its spec nor what
-//! derived it.
+//! `machinist compile`: a scene to a model file, which needs neither its spec nor the generator.
 
 use std::path::PathBuf;
 

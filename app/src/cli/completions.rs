@@ -1,4 +1,4 @@
-//! `machinist completions`: what a shell needs to complete commands and options.
+//! `machinist completions`: shell completions of commands and options.
 
 use clap::{Args, Command, CommandFactory as _, ValueEnum};
 use clap_complete::{Shell as Known, generate};
@@ -33,7 +33,7 @@ impl Completions {
     }
 }
 
-/// A command line without what is hidden, which shells would offer all the same.
+/// Builds a command line without hidden commands, which shells would offer otherwise.
 fn shown(whole: &Command) -> Command {
     Command::new("machinist")
         .version(env!("CARGO_PKG_VERSION"))

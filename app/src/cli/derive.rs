@@ -42,7 +42,7 @@ impl Derive {
     }
 }
 
-/// A model is what is computed; what it was derived from stays with its spec.
+/// Creates the error for a model file, which holds no equations.
 fn no_equations(model: &Model) -> Failure {
     let spec = model.files.first().map_or("its spec", |file| file.label.as_str());
     let message = format!("the model of `{}` holds what is computed, and no equations", model.name);

@@ -1,4 +1,4 @@
-//! `machinist explain`: what is left out of a scene, why, and what that saves.
+//! `machinist explain`: the reduction of a scene, with reasons and savings.
 
 use clap::Args;
 use machinist_codegen::lower::structure::Frequency;
@@ -87,8 +87,8 @@ fn left_out(explanation: &Explanation) -> String {
     format!("{}\n", columns(&rows, 4))
 }
 
-/// A column for the whole scene, for what is left, and for the difference of each
-/// step between them.
+/// Formats a column for the whole scene, one for the reduced scene, and one for the change by each
+/// step.
 fn sizes(explanation: &Explanation) -> String {
     let (Some(first), Some(last)) = (explanation.stages.first(), explanation.stages.last()) else {
         return String::new();
@@ -113,7 +113,7 @@ fn difference(before: usize, after: usize) -> i64 {
     before as i64 - after as i64
 }
 
-/// What could be frozen: one line an instance, with its price.
+/// Formats candidates for freezing, one line for each instance with its price.
 fn candidates(candidates: &[Candidate]) -> String {
     if candidates.is_empty() {
         return String::new();
@@ -122,7 +122,7 @@ fn candidates(candidates: &[Candidate]) -> String {
     format!("\nWhat [freeze] could take for rigid\n{}", lines.collect::<String>())
 }
 
-/// A sentence on the price of a candidate.
+/// Returns a sentence on the price of a candidate.
 pub fn price(candidate: &Candidate) -> String {
     match &candidate.price {
         Err(error) => format!("{}: its run stopped: {error}", candidate.instance),
@@ -141,7 +141,7 @@ pub fn price(candidate: &Candidate) -> String {
     }
 }
 
-/// Sentences on what the structure allows.
+/// Returns sentences on the structure of the equations.
 pub fn structure(explanation: &Explanation) -> Vec<String> {
     if explanation.has_fields {
         return vec![
@@ -199,7 +199,7 @@ pub fn structure(explanation: &Explanation) -> Vec<String> {
     lines
 }
 
-/// A sentence on run times.
+/// Returns a sentence on run times.
 pub fn run_times(times: &Times) -> String {
     format!(
         "Run of the scene, evaluated from its tapes: {} ms whole ({} steps), {} ms reduced ({} \

@@ -32,7 +32,7 @@ use experiments::Setup;
 use noise::of_output;
 use unknown::{Asked, asked, unknowns};
 
-/// Steps of a search at most, unless told otherwise.
+/// Default maximum number of steps of a search.
 const STEPS: usize = 100;
 
 #[derive(Debug, Args)]
@@ -108,7 +108,7 @@ enum LossName {
     Huber,
 }
 
-/// `column=output`.
+/// Parses `column=output`.
 fn pair(text: &str) -> Result<(String, String), String> {
     let (column, output) =
         text.split_once('=').ok_or("write it as COLUMN=OUTPUT, such as n1=motor_speed")?;
@@ -169,7 +169,7 @@ impl FitCommand {
         self.ended(&answer, fitted.found.end)
     }
 
-    /// Standard output.
+    /// Writes the result to standard output.
     fn tell(&self, answer: &Answer, scene: &Scene) -> Result<(), Failure> {
         if self.json {
             let text = serde_json::to_string_pretty(answer)
@@ -183,12 +183,12 @@ impl FitCommand {
         print(&text)
     }
 
-    /// Whether that is a success.
+    /// Returns an error unless the search has succeeded.
     fn ended(&self, answer: &Answer, end: End) -> Result<(), Failure> {
         let more = "the values above are the best so far";
         match end {
             End::Converged => Ok(()),
-            // Nothing is better than as exact as the runs themselves.
+            // Residuals within the errors of the runs cannot get smaller.
             End::Stuck if answer.is_exact() => Ok(()),
             End::Interrupted => Err(Failure::unsuccessful("the fit was interrupted", more)),
             End::Steps => {
@@ -225,7 +225,7 @@ impl FitCommand {
         with_method(simulation, self.method.as_deref())
     }
 
-    /// Experiments as they are asked for: files alone, then those with settings.
+    /// Returns the experiments asked for: files alone, then those with settings.
     fn setups(&self) -> Result<Vec<Setup>, Failure> {
         let plain = self.data.iter().map(|path| Setup {
             name: path.display().to_string(),
@@ -251,7 +251,7 @@ impl FitCommand {
         }
     }
 
-    /// They with their data, and how many gaps each has.
+    /// Reads the data of the experiments, with the number of gaps in each.
     fn experiments(
         &self,
         setups: &[Setup],
@@ -265,7 +265,8 @@ impl FitCommand {
         Ok((all, gaps))
     }
 
-    /// One of them. What the command line says of columns holds where it says nothing itself.
+    /// Reads one experiment. Options of the command line on columns apply unless the experiment has
+    /// its own.
     fn experiment(
         &self,
         setup: &Setup,
@@ -306,7 +307,7 @@ impl FitCommand {
         Ok((experiment, gaps))
     }
 
-    /// What the command line says of columns is of some that there are.
+    /// Returns an error if an option on the command line names an unknown column.
     fn check_columns(&self, experiments: &[Experiment]) -> Result<(), Failure> {
         let columns = experiments.iter().flat_map(|experiment| &experiment.measured.columns);
         let known: Vec<&str> = columns.map(|(name, _)| name.as_str()).collect();
@@ -325,7 +326,7 @@ impl FitCommand {
         }
     }
 
-    /// Places of the unknowns whose profiles are asked for.
+    /// Returns the indices of the unknowns whose profiles are asked for.
     fn profiled(&self, unknowns: &[Unknown]) -> Result<Vec<usize>, Failure> {
         let Some(names) = &self.profile else { return Ok(Vec::new()) };
         if names.is_empty() {
@@ -342,7 +343,7 @@ impl FitCommand {
     }
 }
 
-/// The fit as asked for, told of on the way.
+/// Solves the fit and shows its progress.
 fn solve(fit: &Fit<'_>, plan: &Plan<'_>) -> Result<Fitted, Failure> {
     let spinner = spinner("fitting");
     let fitted = fit.solve(plan, &mut |runs, evaluation| {
@@ -357,7 +358,7 @@ fn solve(fit: &Fit<'_>, plan: &Plan<'_>) -> Result<Fitted, Failure> {
     })
 }
 
-/// Likewise the profiles.
+/// Computes the profiles and shows their progress.
 fn profiles(fit: &Fit<'_>, fitted: &Fitted, which: &[usize], plan: &Plan<'_>) -> Vec<Profile> {
     let spinner = spinner("profiling");
     let found = fit.profiles(fitted, which, plan, &mut |runs, evaluation| {
@@ -367,7 +368,7 @@ fn profiles(fit: &Fit<'_>, fitted: &Fitted, which: &[usize], plan: &Plan<'_>) ->
     found
 }
 
-/// What an experiment is set to is known, and in units of its dimension.
+/// Returns an error if a setting of an experiment is unknown or has a unit of another dimension.
 fn check_given(
     setup: &Setup,
     experiment: &Experiment,
@@ -383,7 +384,7 @@ fn check_given(
     })
 }
 
-/// What is fitted is the same in all experiments, and none sets it.
+/// Returns an error if an experiment sets a parameter that is fitted.
 fn check_settings(setups: &[Setup], unknowns: &[Unknown]) -> Result<(), Failure> {
     for setup in setups {
         let is_fitted = |name: &String| unknowns.iter().any(|unknown| unknown.name == *name);
@@ -399,7 +400,7 @@ fn check_settings(setups: &[Setup], unknowns: &[Unknown]) -> Result<(), Failure>
     Ok(())
 }
 
-/// Noise that is known of an output is so in all experiments, and nowhere 0.
+/// Returns an error unless the noise of an output is known in all experiments and nowhere 0.
 fn check_noise(experiments: &[Experiment]) -> Result<(), Failure> {
     for experiment in experiments {
         for (name, values) in &experiment.measured.columns {
@@ -429,7 +430,7 @@ fn check_noise(experiments: &[Experiment]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Refuses at once what no variant would do either.
+/// Takes one step of each experiment, to find errors that all variants share.
 fn check_first_runs(fit: &Fit<'_>) -> Result<(), Failure> {
     let names: Vec<&str> = fit.unknowns.iter().map(|unknown| unknown.name.as_str()).collect();
     for experiment in fit.experiments {
@@ -443,7 +444,7 @@ fn check_first_runs(fit: &Fit<'_>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Values of all measured columns.
+/// Returns the values of all measured columns without gaps.
 fn values(experiments: &[Experiment]) -> impl Iterator<Item = f64> {
     let columns = experiments.iter().flat_map(|experiment| &experiment.measured.columns);
     columns.flat_map(|(_, values)| values).copied().filter(|value| !value.is_nan())

@@ -1,4 +1,4 @@
-//! `machinist gen`: specs to emitted Rust or C99, or the check that it is fresh.
+//! `machinist gen`: specs to emitted Rust or C99, or a check that emitted files are up to date.
 
 mod c99;
 
@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::freeze::admit;
 use crate::spec_source::SpecSource;
 
-/// Where emitted scenes are kept.
+/// Folder of emitted scenes.
 pub const EMITTED: &str = "generated/src/scenes";
 
 /// Language of the emitted code.
@@ -78,7 +78,7 @@ impl Generate {
         }
     }
 
-    /// Everything is derived and emitted in memory before anything is written.
+    /// Derives and emits everything in memory before anything is written.
     fn rust(&self, mode: Mode) -> Result<(), Failure> {
         let out = self.out.clone().unwrap_or_else(|| PathBuf::from(EMITTED));
         let files = specs::scene_files(&self.specs)?;
@@ -107,7 +107,7 @@ impl Generate {
     }
 }
 
-/// One line a file, whose names begin with `folder`.
+/// Formats a line for each file, with names that begin with `folder`.
 fn describe(summary: &Summary, folder: &str) -> String {
     let mut lines = Vec::new();
     for (file, written) in &summary.files {

@@ -1,4 +1,4 @@
-//! `machinist gradient`: how one number of a run depends on everything the run is given.
+//! `machinist gradient`: the derivative of one number of a run by parameters and initial values.
 
 use clap::Args;
 use machinist::Simulation;
@@ -52,7 +52,7 @@ pub struct GradientCommand {
     json: bool,
 }
 
-/// A derivative as it is told.
+/// Derivative with its parameter or state.
 #[derive(Debug, Serialize)]
 struct Row {
     name: String,
@@ -60,10 +60,9 @@ struct Row {
     /// Whether it is a parameter, or else the initial value of a state.
     is_parameter: bool,
     value: f64,
-    /// By it, in the unit of the number over its own.
+    /// Derivative, in the unit of the number over that of the parameter or state.
     slope: f64,
-    /// Change of the number, over the number, for a relative change of it; nothing where either
-    /// is 0.
+    /// Relative change of the number for a relative change of the value; `None` if either is 0.
     relative: Option<f64>,
 }
 
@@ -79,7 +78,7 @@ struct Answer<'a> {
     in_reverse: bool,
     slopes: Vec<Row>,
     left_out: Vec<String>,
-    /// What the run remarks.
+    /// Notes of the run.
     notes: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! `machinist improve`: parameters at which a design is best, within limits.
+//! `machinist improve`: parameters of the best design within limits.
 
 mod answer;
 pub(super) mod units;
@@ -29,7 +29,7 @@ use crate::number::number;
 use crate::progress::spinner;
 use answer::Answer;
 
-/// Steps of a search at most, unless told otherwise.
+/// Default maximum number of steps of a search.
 const STEPS: usize = 100;
 
 #[derive(Debug, Args)]
@@ -90,21 +90,21 @@ pub struct Improve {
     out: Option<PathBuf>,
 }
 
-/// What was asked, as text and as read.
+/// Goal as text and as parsed.
 struct Goal<'t> {
-    /// Text of what is to be least or greatest.
+    /// Text of the objective.
     objective_text: &'t str,
-    /// What is to be least.
+    /// Expression to minimize.
     objective: Expression,
     is_greatest: bool,
     inequalities: Vec<Inequality>,
 }
 
-/// A search that has ended.
+/// Search that has ended.
 struct Searched {
     found: Found,
     sizes: Sizes,
-    /// Starts that led nowhere, and why the first did not.
+    /// Number of starts that failed, and the reason of the first.
     lost: (usize, Option<String>),
     runs: usize,
 }
@@ -210,7 +210,7 @@ impl Improve {
             if flag.load(Ordering::Relaxed) {
                 break;
             }
-            // By those of the first start that can be simulated.
+            // Scaled by the sizes of the first start that can be simulated.
             let told = match &sizes {
                 Some(sizes) => Ok(sizes.clone()),
                 None => improvement
@@ -305,7 +305,7 @@ impl Improve {
     }
 }
 
-/// The expression that an option gives, whose names and units are right.
+/// Parses the expression of an option and checks its names and units.
 pub(super) fn expression(
     option: &str,
     text: &str,
@@ -319,7 +319,7 @@ pub(super) fn expression(
     read.map_err(|error| wrong(option, text, &error))
 }
 
-/// What is wrong with an expression of the command line, with its place in it.
+/// Creates the error for an expression of the command line, with its position.
 fn wrong(option: &str, text: &str, error: &ExpressionError) -> Failure {
     let range = error.range.clone();
     let length = range.end.max(range.start + 1) - range.start;
@@ -331,7 +331,7 @@ fn wrong(option: &str, text: &str, error: &ExpressionError) -> Failure {
     Failure::Input(vec![Report::new(diagnostic).with_source_code(format!("{text} "))])
 }
 
-/// Refuses at once what no variant would do either.
+/// Takes one step, to find errors that all variants share.
 fn check_first_run(improvement: &Improvement<'_>) -> Result<(), Failure> {
     let names: Vec<&str> = improvement.unknowns.iter().map(|unknown| &*unknown.name).collect();
     let short = improvement.simulation.clone().points(2).max_steps(1).sensitivities(&names)?;
@@ -341,7 +341,7 @@ fn check_first_run(improvement: &Improvement<'_>) -> Result<(), Failure> {
     }
 }
 
-/// Steps that a variant may take before it is given up: many times those of the start.
+/// Returns the maximum number of steps of a variant, a multiple of those of the start.
 fn steps_of(improvement: &Improvement<'_>) -> usize {
     const TIMES: u64 = 50;
     const LEAST: u64 = 20_000;
@@ -353,7 +353,7 @@ fn steps_of(improvement: &Improvement<'_>) -> usize {
     (TIMES * steps).max(LEAST) as usize
 }
 
-/// Courses that expressions are of, before and after.
+/// Draws the columns that the expressions use, before and after.
 fn draw(
     improvement: &Improvement<'_>,
     goal: &Goal<'_>,
@@ -395,7 +395,7 @@ fn draw(
     draw_file(file, |path| crate::plot::plot(&drawn, &names, path))
 }
 
-/// What the values are before the search; nothing if the start cannot be simulated.
+/// Returns the values before the search; `None` if the start cannot be simulated.
 fn before(improvement: &Improvement<'_>) -> Option<Values> {
     let starts: Vec<f64> = improvement.unknowns.iter().map(|unknown| unknown.start).collect();
     improvement.told(&starts).ok()

@@ -1,5 +1,5 @@
-//! What `modes`, `campbell` and `response` share: a scene, its parameters, and where it is
-//! linearized.
+//! Options shared by `modes`, `campbell` and `response`: a scene, its parameters, and the operating
+//! point.
 
 use clap::Args;
 use machinist::Simulation;
@@ -28,34 +28,34 @@ pub struct Where {
 }
 
 impl Where {
-    /// The scene asked for.
+    /// Loads the scene.
     pub fn load(&self) -> Result<Scene, Failure> {
         Scene::load(&self.scene, self.keep_all)
     }
 
-    /// Its name or file.
+    /// Name or file of the scene.
     pub fn scene(&self) -> &str {
         &self.scene
     }
 
-    /// Where to linearize.
+    /// Place of the linearization.
     pub fn place(&self) -> Place {
         self.at
     }
 
-    /// A run with the parameters asked for.
+    /// Prepares a run with the parameters asked for.
     pub fn run<'s>(&self, scene: &'s Scene) -> Result<Simulation<'s>, Failure> {
         with_parameters(Simulation::new(scene.simulator()), &self.set)
     }
 
-    /// The scene, linearized where asked for.
+    /// Linearizes the scene at the place asked for.
     pub fn linearize<'s>(&self, scene: &'s Scene) -> Result<Linearization<'s>, Failure> {
         let run = self.run(scene)?;
         let point = during("simulating", || operating_point(&run, self.at))?;
         Ok(Linearization::at(scene.simulator(), point)?)
     }
 
-    /// The place, for people: `equilibrium with time held at 3 s`.
+    /// Describes the place for people: `equilibrium with time held at 3 s`.
     pub fn described(&self, linearization: &Linearization<'_>) -> String {
         let time = linearization.point().time;
         match self.at {

@@ -1,4 +1,4 @@
-//! `machinist modes`: how a scene vibrates about a point.
+//! `machinist modes`: eigenmodes of a scene about an operating point.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -19,7 +19,7 @@ use super::scene::Scene;
 use crate::failure::Failure;
 use crate::number::number;
 
-/// States with less than this share of the largest are left out of the table.
+/// Share of the largest below which states are left out of the table.
 const MINOR: f64 = 0.1;
 const MOVING: usize = 3;
 
@@ -38,7 +38,7 @@ pub struct Modes {
     plot: Option<PathBuf>,
 }
 
-/// What `--json` prints.
+/// Output of `--json`.
 #[derive(Serialize)]
 struct Answer<'a> {
     scene: &'a str,
@@ -46,16 +46,16 @@ struct Answer<'a> {
     time: f64,
     states: Vec<&'a str>,
     state: &'a [f64],
-    /// What the shapes of modes are made of.
+    /// Names of the entries of mode shapes.
     motions: Vec<String>,
     modes: &'a [Mode],
     #[serde(skip_serializing_if = "Option::is_none")]
     sensitivities: Option<Vec<ModeAnswer<'a>>>,
-    /// Null if they are too large to be shown.
+    /// Null if the matrices are too large to be shown.
     mass: Option<Vec<Vec<f64>>>,
     damping: Option<Vec<Vec<f64>>>,
     stiffness: Option<Vec<Vec<f64>>>,
-    /// Null too if M is singular.
+    /// Null also if M is singular.
     undamped_frequencies: Option<Vec<f64>>,
 }
 
@@ -64,12 +64,12 @@ struct Answer<'a> {
 struct ModeAnswer<'a> {
     #[serde(flatten)]
     by: BTreeMap<&'a str, &'a ModeSlope>,
-    /// Why there are none.
+    /// Reason why there are no derivatives.
     #[serde(skip_serializing_if = "Option::is_none")]
     none: Option<String>,
 }
 
-/// Of every mode, by each parameter.
+/// Derivatives of every mode by each parameter.
 struct Slopes<'a> {
     by: Vec<Quantity<'a>>,
     of_modes: Vec<Result<Vec<ModeSlope>, NoSlope>>,
@@ -176,7 +176,7 @@ impl Slopes<'_> {
             .collect()
     }
 
-    /// A table for each parameter, and why modes are not in it.
+    /// Formats a table for each parameter, with the reasons for missing modes.
     fn told(&self, linearization: &Linearization<'_>, modes: &[Mode]) -> String {
         let shown = |value: f64| number(value, 6);
         let mut text = String::new();
@@ -230,7 +230,7 @@ impl Slopes<'_> {
     }
 }
 
-/// Why a mode has no derivatives.
+/// Explains why a mode has no derivatives.
 fn without(why: &NoSlope, linearization: &Linearization<'_>, modes: &[Mode]) -> String {
     match why {
         NoSlope::Free => "nothing restores it, whatever the parameters".to_owned(),
@@ -256,10 +256,10 @@ fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
     matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
-/// What is said where there are no motions.
+/// Message for machines without motions.
 pub const NO_MOTION: &str = "The constraints leave no motion.";
 
-/// Heading of [`table`].
+/// Header of [`table`].
 pub const HEADING: [&str; 7] = [
     "motion",
     "moves",
@@ -275,7 +275,7 @@ fn table(linearization: &Linearization<'_>, modes: &[Mode]) -> Vec<[String; 7]> 
     std::iter::once(heading).chain(modes.iter().map(|mode| row(linearization, mode))).collect()
 }
 
-/// Motions whose shapes are far from fulfilling the equations.
+/// Warns about modes whose shapes do not fulfil the equations well.
 fn doubts(linearization: &Linearization<'_>, modes: &[Mode]) -> String {
     const LARGE: f64 = 1e-6;
     let doubtful = modes.iter().filter(|mode| mode.residual.is_nan() || mode.residual > LARGE);
@@ -290,7 +290,7 @@ fn doubts(linearization: &Linearization<'_>, modes: &[Mode]) -> String {
     told.collect()
 }
 
-/// One motion for people; what does not apply is empty.
+/// Formats one mode for people. Cells that do not apply are empty.
 pub fn row(linearization: &Linearization<'_>, mode: &Mode) -> [String; 7] {
     let shown = |value: f64| number(value, 6);
     let none = String::new;
@@ -312,7 +312,7 @@ pub fn row(linearization: &Linearization<'_>, mode: &Mode) -> [String; 7] {
     }
 }
 
-/// `cylinder.phi 77 %, driver.phi 23 %`: the largest shares.
+/// Formats the largest shares: `cylinder.phi 77 %, driver.phi 23 %`.
 fn moving(linearization: &Linearization<'_>, mode: &Mode) -> String {
     let n = linearization.simulator().shape().coordinates;
     let names = linearization.motion_names();
@@ -320,7 +320,7 @@ fn moving(linearization: &Linearization<'_>, mode: &Mode) -> String {
     let largest = mode.shares.iter().copied().fold(0.0, f64::max);
     let is_major = |index: &usize| mode.shares[*index] >= MINOR * largest;
     let mut major: Vec<usize> = (0..mode.shares.len()).filter(is_major).collect();
-    // Equal ones, which only rounding tells apart, in the order of the states.
+    // Shares that differ only by rounding keep the order of the states.
     let size = |index: usize| (1e9 * mode.shares[index]).round();
     major.sort_by(|a, b| size(*b).total_cmp(&size(*a)));
     let named = major

@@ -1,4 +1,4 @@
-//! `machinist new`: a machine of one's own, as a crate or as a spec.
+//! `machinist new`: a new machine, as a crate or as a spec.
 
 use std::fs;
 use std::io::Write as _;
@@ -11,9 +11,9 @@ use machinist_codegen::spec::scene_name_mistake;
 use super::output::print;
 use crate::failure::Failure;
 
-/// A file of `examples/own_machine`, which is a crate of its own and tested as such. Its names
-/// stand for those of a new crate. A package that stands alone holds it under another name, since
-/// a crate within a package is not packed.
+/// File of `examples/own_machine`, a crate that is tested by itself. Its names are replaced by
+/// those of a new crate. The packed crate holds the file under another name, because Cargo does not
+/// pack a crate within a package.
 #[cfg(not(packed))]
 macro_rules! template {
     ($file:literal, $packed:literal) => {
@@ -35,16 +35,16 @@ const FILES: [(&str, &str); 4] = [
     SPEC,
     template!("src/main.rs", "main.rs.txt"),
 ];
-/// What the template was tested with; only of use beside the sources.
+/// Lock file with which the template was tested. It is only of use beside the sources.
 const LOCK: (&str, &str) = template!("Cargo.lock", "lock.txt");
-/// Name of the template's crate, of its scene, and of the type of that.
+/// Names of the template's crate, of its scene, and of the scene's type.
 const OWN_NAMES: [&str; 3] = ["own-machine", "own_machine", "OwnMachine"];
-/// The crates it depends on, and their folders in the sources, as the template has them.
+/// Dependencies of the template by path, and their folders in the sources.
 const DEPENDENCIES: [(&str, &str); 3] =
     [("../..", ""), ("../../contract", "contract"), ("../../codegen", "codegen")];
 
-/// Names that Cargo or Windows refuse for a crate and its program, or that another crate of
-/// the build has.
+/// Names that Cargo or Windows refuse for a crate and its program, or that another crate of the
+/// build has.
 const RESERVED: &[&str] = &[
     "alloc",
     "aux",
@@ -89,7 +89,7 @@ impl New {
     }
 }
 
-/// What a new crate, its scene and the type of that are called.
+/// Names of a new crate, its scene and the scene's type.
 struct Names {
     package: String,
     scene: String,
@@ -126,9 +126,10 @@ impl Names {
         Ok(Self { package: package.to_owned(), scene, type_name })
     }
 
-    /// A text of the template with these names.
+    /// Replaces the template's names in a text.
     fn put_in(&self, text: &str) -> String {
-        // A new name may contain one of the template's: all of those go first.
+        // A new name may contain one of the template's, so all of those are replaced by marks
+        // first.
         let marks = ["\u{1}", "\u{2}", "\u{3}"];
         let new = [&self.package, &self.scene, &self.type_name];
         let with = |text: String, (from, to): (&str, &str)| text.replace(from, to);
@@ -137,7 +138,7 @@ impl Names {
     }
 }
 
-/// The nearest name that is allowed, if anything is left of it.
+/// Returns the nearest allowed name, if anything remains of the given one.
 fn suggestion(name: &str) -> Option<String> {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
     let plain: String = name.chars().take(64).map(plain).collect();
@@ -145,14 +146,14 @@ fn suggestion(name: &str) -> Option<String> {
     (!plain.is_empty()).then(|| plain.to_owned())
 }
 
-/// The folder of the sources this program was built from, if they are still there.
+/// Returns the folder of the sources that this program was built from, if it still exists.
 pub fn sources() -> Option<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).parent()?;
     let has = |part: &str| folder.join(part).join("Cargo.toml").is_file();
     DEPENDENCIES.iter().all(|(_, part)| has(part)).then(|| folder.to_owned())
 }
 
-/// The files of a new crate, with their texts.
+/// Returns the files of a new crate with their content.
 fn files(names: &Names, sources: Option<&Path>) -> Vec<(String, String)> {
     let put_in = |(file, text): (&str, &str)| (names.put_in(file), names.put_in(text));
     let mut files: Vec<_> = FILES.into_iter().map(put_in).collect();
@@ -164,9 +165,9 @@ fn files(names: &Names, sources: Option<&Path>) -> Vec<(String, String)> {
     files
 }
 
-/// The manifest with Machinist's crates by their folders, or else by their version.
+/// Returns the manifest with Machinist's crates by their folders, or else by their version.
 fn with_dependencies(manifest: &str, sources: Option<&Path>) -> String {
-    // The example is derived by Symbolica; what is built anew waits for nobody.
+    // The example uses Symbolica. A new crate uses the plain algebra, which takes no lock.
     let mut text = manifest.replace(", features = [\"symbolica\"]", "");
     for (place, folder) in DEPENDENCIES {
         let found = sources.and_then(|sources| {
@@ -187,14 +188,14 @@ fn refuse_existing(path: &Path) -> Result<(), Failure> {
     Err(Failure::input(message, "choose another name, or move what is there; nothing was written"))
 }
 
-/// Writes a file that does not exist yet, whole or not at all.
+/// Writes a file that does not exist yet, completely or not at all.
 fn write_new_file(path: &Path, text: &str) -> Result<(), Failure> {
     refuse_existing(path)?;
     super::output::write_file(path, |out| out.write_all(text.as_bytes()))
 }
 
-/// Writes files to a folder that does not exist yet, all or none: to a folder beside it, which
-/// then takes its name.
+/// Writes files to a new folder, all or none: to a temporary folder beside it, which is then
+/// renamed.
 fn write_new_folder(folder: &Path, files: &[(String, String)]) -> Result<(), Failure> {
     refuse_existing(folder)?;
     let failed = |error: std::io::Error| Failure::file(folder, &error);
@@ -216,7 +217,7 @@ fn write_new_folder(folder: &Path, files: &[(String, String)]) -> Result<(), Fai
             .map_err(failed)?;
     }
     fs::rename(beside.path(), folder).map_err(failed)?;
-    // It has another name now, and stays.
+    // The folder has been renamed and must not be deleted.
     let _ = beside.keep();
     Ok(())
 }

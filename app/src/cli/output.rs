@@ -1,4 +1,4 @@
-//! Standard output and files: whole or not at all.
+//! Output to standard output and to files, which are written completely or not at all.
 
 use std::io::{self, BufWriter, Write as _, stdout};
 use std::path::Path;
@@ -9,13 +9,12 @@ use crate::failure::Failure;
 use crate::parquet;
 use crate::plot::PlotError;
 
-/// Writes an answer to standard output. A reader that has gone away, as `head`
-/// does, is no failure.
+/// Writes to standard output. A reader that closes early, such as `head`, is no failure.
 pub fn print(text: &str) -> Result<(), Failure> {
     print_with(|out| out.write_all(text.as_bytes()))
 }
 
-/// As [`print`], by a function that writes.
+/// Like [`print`], with a function that writes.
 pub fn print_with(write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>) -> Result<(), Failure> {
     let mut out = BufWriter::new(stdout().lock());
     match write(&mut out).and_then(|()| out.flush()) {
@@ -26,8 +25,8 @@ pub fn print_with(write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>) -> R
     }
 }
 
-/// Writes a file by way of a temporary one beside it, which then takes its name:
-/// a failure leaves the old file as it was.
+/// Writes a temporary file beside the target and renames it, so that a failure leaves the old file
+/// unchanged.
 pub fn write_file(
     path: &Path,
     write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>,
@@ -42,7 +41,7 @@ pub fn write_file(
     Ok(())
 }
 
-/// Refuses a file whose name has none of these endings.
+/// Returns an error unless the file's name has one of these extensions.
 pub fn require_ending(file: &Path, endings: &[&str], option: &str) -> Result<(), Failure> {
     let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     if endings.iter().any(|known| known.eq_ignore_ascii_case(ending)) {
@@ -52,20 +51,20 @@ pub fn require_ending(file: &Path, endings: &[&str], option: &str) -> Result<(),
     Err(Failure::input(message, format!("the name must end in .{}", endings.join(" or ."))))
 }
 
-/// Refuses a file for a table whose name has none of these endings nor that of Parquet, and the
-/// latter where the program cannot write it.
+/// Returns an error unless the name of a table's file has one of these extensions or that of
+/// Parquet, or if the program cannot write Parquet.
 pub fn require_table(file: &Path, endings: &[&str]) -> Result<(), Failure> {
     let endings = [endings, &[parquet::ENDING]].concat();
     require_ending(file, &endings, "--out")?;
     parquet::require(file)
 }
 
-/// Refuses a picture, if one is asked for, whose name says neither `.svg` nor `.png`.
+/// Returns an error for a plot whose name does not end in `.svg` or `.png`.
 pub fn require_picture(file: Option<&Path>, option: &str) -> Result<(), Failure> {
     file.map_or(Ok(()), |file| require_ending(file, &["svg", "png"], option))
 }
 
-/// Whether a table goes to standard output, as `-` asks for.
+/// Returns whether a table goes to standard output, as `-` requests.
 ///
 /// # Errors
 /// [`Failure`] for a file whose name does not end in `.csv` or `.parquet`.
@@ -77,7 +76,7 @@ pub fn is_standard_output(out: Option<&Path>) -> Result<bool, Failure> {
     }
 }
 
-/// Draws beside the file first, so that a failure leaves it as it was.
+/// Draws to a temporary file first, so that a failure leaves the old file unchanged.
 pub fn draw_file(
     path: &Path,
     draw: impl FnOnce(&Path) -> Result<(), PlotError>,
@@ -89,8 +88,8 @@ pub fn draw_file(
     Ok(())
 }
 
-/// A temporary file in the folder of `path`, with its ending and the permissions
-/// any new file gets.
+/// Creates a temporary file in the folder of `path`, with its extension and the permissions of a
+/// new file.
 fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -108,8 +107,7 @@ fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     builder.tempfile_in(folder)
 }
 
-/// Lines of cells as columns: the first `left` of them flush left, numbers after
-/// them flush right.
+/// Aligns lines of cells as columns: the first `left` of them flush left, the others flush right.
 pub fn columns<Row: AsRef<[String]>>(rows: &[Row], left: usize) -> String {
     let rows = || rows.iter().map(AsRef::as_ref);
     let width =
@@ -134,18 +132,18 @@ pub fn columns<Row: AsRef<[String]>>(rows: &[Row], left: usize) -> String {
     text
 }
 
-/// Where the run was cut short, and what the method has to say, such as which one `auto` chose
-/// and why; a line each. `whole` is what all of them are told by.
+/// Returns why the run stopped early and the notes of the method, such as which one `auto` chose
+/// and why, each on a line. `whole` names the option that gives all notes.
 pub fn remarks(trajectory: &Trajectory, whole: &str) -> String {
     lines(trajectory.stopped.iter().map(told), &trajectory.notes, whole)
 }
 
-/// What methods have to say of runs, a line each.
+/// Formats notes on runs, each on a line.
 pub fn notes_told(notes: &[String], whole: &str) -> String {
     lines([], notes, whole)
 }
 
-/// Remarks on standard error, where standard output is for numbers alone.
+/// Prints remarks on standard error if standard output is reserved for numbers.
 pub fn remark_beside(trajectory: &Trajectory) {
     let text = remarks(trajectory, "--out FILE.json");
     for line in text.lines().filter(|line| !line.is_empty()) {
@@ -158,7 +156,7 @@ fn told(stop: &Stop) -> String {
 }
 
 fn lines(first: impl IntoIterator<Item = String>, notes: &[String], whole: &str) -> String {
-    /// A machine that turns stiff over and over has a remark for each time.
+    /// Limit for machines that become stiff again and again, with a note each time.
     const MOST: usize = 8;
     let more = notes.len().saturating_sub(MOST);
     let more = (more > 0).then(|| format!("and {more} remarks more, which {whole} has"));

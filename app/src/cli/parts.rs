@@ -10,7 +10,7 @@ use machinist_codegen::spec::library::{LIBRARY, LibraryUnit};
 use super::output::{columns, print, write_file};
 use crate::failure::{Failure, did_you_mean};
 
-/// The command that makes the page of the parts again.
+/// Command that renews the page of the parts.
 const MENDING_COMMAND: &str = "cargo run --release -- parts --page docs/book/src/parts.md";
 
 #[derive(Debug, Args)]
@@ -48,7 +48,7 @@ impl Parts {
     }
 }
 
-/// The standard parts: what has an example.
+/// Returns the standard parts: units with an example.
 fn standard() -> impl Iterator<Item = &'static LibraryUnit> + Clone {
     LIBRARY.iter().filter(|unit| unit.example.is_some())
 }
@@ -74,7 +74,7 @@ fn list(words: &[String]) -> Result<(), Failure> {
     print(&columns(&rows, 2))
 }
 
-/// What is searched for words, in lower case.
+/// Returns the text that is searched for words, in lower case.
 fn searched(card: &Card) -> String {
     let ports = card.ports.iter().flatten().chain(card.parts.iter().flatten());
     let parameters = card.parameters.iter().flat_map(|[name, _, _, doc]| [name, doc]);
@@ -106,7 +106,7 @@ fn show(name: &str) -> Result<(), Failure> {
     print(&texts.join("\n"))
 }
 
-/// A part for a terminal.
+/// Formats a part for a terminal.
 fn plain(card: &Card) -> String {
     let mut text =
         format!("{}: {}\n{}\nSource: {}\n", card.name, card.title, card.doc, card.source);
@@ -144,7 +144,7 @@ fn joints(card: &Card) -> String {
     })
 }
 
-/// All parts in Markdown.
+/// Returns all parts in Markdown.
 fn page() -> Result<String, Failure> {
     let mut text = format!(
         "# Standard parts\n\nMade from `specs/units` by `{MENDING_COMMAND}`; do not edit.\n\n\
@@ -163,7 +163,7 @@ fn page() -> Result<String, Failure> {
     Ok(text)
 }
 
-/// A part in Markdown.
+/// Returns a part in Markdown.
 fn section(card: &Card) -> String {
     let mut text =
         format!("\n## {}\n\n{}. {}\n\n*{}*\n", card.name, card.title, card.doc, card.source);

@@ -1,30 +1,30 @@
-//! A parameter with a range of values, as options take it.
+//! Options that give a parameter a range of values.
 
 use machinist::Simulation;
 
 use super::amount::{Amount, is_alike};
 use crate::failure::Failure;
 
-/// Values of a parameter.
+/// Range of a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Range {
-    /// Its name.
+    /// Name of the parameter.
     pub name: String,
-    /// The first value, in SI units.
+    /// First value, in SI units.
     pub from: f64,
-    /// The last.
+    /// Last value, in SI units.
     pub to: f64,
     is_log: bool,
     amount: Amount,
 }
 
 impl Range {
-    /// Refuses a unit of another dimension than the parameter's.
+    /// Returns an error if the unit has another dimension than the parameter.
     pub fn check(&self, run: &Simulation<'_>) -> Result<(), Failure> {
         self.amount.check_of(&self.name, run)
     }
 
-    /// The `index`-th of `count` values; both ends are met exactly.
+    /// Returns value `index` of `count`. Both ends are met exactly.
     pub fn value(&self, index: usize, count: usize) -> f64 {
         if self.is_log && index > 0 && index + 1 < count {
             return self.from * (self.to / self.from).powf(index as f64 / (count - 1) as f64);
@@ -33,7 +33,7 @@ impl Range {
     }
 }
 
-/// The `index`-th of `count` equally spaced values; both ends are met exactly.
+/// Returns value `index` of `count` equally spaced values. Both ends are met exactly.
 pub fn equally_spaced([from, to]: [f64; 2], index: usize, count: usize) -> f64 {
     match index {
         0 => from,
@@ -42,7 +42,7 @@ pub fn equally_spaced([from, to]: [f64; 2], index: usize, count: usize) -> f64 {
     }
 }
 
-/// `name=from..to`, perhaps with `:log`, as `--parameter` takes it.
+/// Parses `name=from..to`, optionally with `:log`, as `--parameter` takes it.
 pub fn range(text: &str) -> Result<Range, String> {
     const EXAMPLE: &str = "write it as NAME=FROM..TO, such as coupling.stiffness=1e3..1e5:log";
     let (name, values) = text.split_once('=').ok_or(EXAMPLE)?;
@@ -59,8 +59,8 @@ pub fn range(text: &str) -> Result<Range, String> {
     Ok(Range { name: name.trim().to_owned(), from, to, is_log, amount: first })
 }
 
-/// `from..to`; what is none is answered with an example. A unit behind the last is that of both, and
-/// both are of one dimension.
+/// Parses `from..to`; errors contain the example. A unit behind the last value applies to both, and
+/// both must have the same dimension.
 pub fn ends(values: &str, example: &str) -> Result<[Amount; 2], String> {
     let (from, to) = values.split_once("..").ok_or(example)?;
     let last = Amount::parse(to)?;

@@ -1,4 +1,4 @@
-//! `machinist report`: pages with everything, of all machines or of one.
+//! `machinist report`: pages with all results, of all machines or of one.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -35,7 +35,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// Pages are written also if a check fails, for they say which.
+    /// Writes the pages even if a check fails, because they show which one.
     pub fn execute(&self) -> Result<(), Failure> {
         let extent = Extent { with_times: !self.no_times, time_limit: self.time_limit };
         let pages = match &self.scene {

@@ -1,4 +1,4 @@
-//! `machinist response`: how an output answers a harmonic disturbance.
+//! `machinist response`: the frequency response of an output.
 
 use std::path::PathBuf;
 
@@ -111,7 +111,7 @@ impl FrequencyResponse {
     }
 }
 
-/// The ends of the range, and between them where the answer is largest.
+/// Returns the ends of the range, and between them the largest response.
 fn rows(response: &Response, largest: Option<Largest>) -> Vec<[String; 4]> {
     let amplitude_heading = format!("amplitude [{}]", response.amplitude_unit());
     let heading = ["", "frequency [rad/s]", &amplitude_heading, "phase [deg]"];
@@ -133,7 +133,7 @@ fn rows(response: &Response, largest: Option<Largest>) -> Vec<[String; 4]> {
     std::iter::once(heading.map(str::to_owned)).chain(rows).collect()
 }
 
-/// `10:1000`.
+/// Parses `10:1000`.
 fn range(text: &str) -> Result<(f64, f64), String> {
     let wanted = "write it as LOWEST:HIGHEST in rad/s, such as 10:1000";
     let (lowest, highest) = text.split_once(':').ok_or(wanted)?;

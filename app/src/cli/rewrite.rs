@@ -1,10 +1,10 @@
-//! A scene's text with values that were found, as a file of its own.
+//! Text of a scene with found values, as a file of its own.
 
 use std::path::Path;
 
 use crate::failure::Failure;
 
-/// A value that was found for a parameter, or for the start of a state.
+/// Value found for a parameter, or for the start of a state.
 #[cfg_attr(not(feature = "derive"), expect(dead_code, reason = "read where specs are written"))]
 pub struct FoundValue<'a> {
     pub name: &'a str,
@@ -12,8 +12,8 @@ pub struct FoundValue<'a> {
     pub is_parameter: bool,
 }
 
-/// Writes the text of a scene, as the command line gives it, with the values found and those of
-/// parameters that were set; never over what it was read from.
+/// Writes the text of a scene with the values found and the parameters set on the command line.
+/// Never overwrites the file that it was read from.
 #[cfg(feature = "derive")]
 pub fn write_scene<'a>(
     scene: &str,
@@ -67,7 +67,7 @@ pub fn write_scene<'a>(
     super::output::write_file(file, |out| out.write_all(text.as_bytes()))
 }
 
-/// This program reads no specs.
+/// Returns an error, because this build reads no specs.
 #[cfg(not(feature = "derive"))]
 pub fn write_scene<'a>(
     _scene: &str,

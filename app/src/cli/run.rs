@@ -109,11 +109,11 @@ enum Start {
     Given,
 }
 
-/// Times at which a run is wanted.
+/// Output times of a run.
 enum At<'t> {
-    /// Beside its own.
+    /// These in addition to the run's own.
     Also(&'t [f64]),
-    /// These alone.
+    /// Only these.
     Only(&'t [f64]),
 }
 
@@ -129,7 +129,7 @@ impl At<'_> {
     }
 }
 
-/// What to make of `--out`.
+/// Format of `--out`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Format {
     Csv,
@@ -152,7 +152,7 @@ impl Run {
         let from = self.from.unwrap_or(scene.simulator().run_defaults().from);
         let others = self.others.load(scene.simulator(), from)?;
         let times: Vec<f64> = others.iter().flat_map(Other::times).copied().collect();
-        // Nothing shows the estimate beside a table on standard output.
+        // A table on standard output leaves no place for the estimate.
         let is_shown = format != Some(Format::StandardOutput);
         match self.estimated(&scene, &At::Also(&times), is_shown)? {
             Ok((mut trajectory, shortfall)) => {
@@ -171,7 +171,7 @@ impl Run {
         }
     }
 
-    /// Steps of a fixed length, compared with the adaptive run at the same times.
+    /// Takes steps of a fixed length and compares them with the adaptive run at the same times.
     fn by_fixed_steps(
         &self,
         fixed: &Fixed,
@@ -202,8 +202,8 @@ impl Run {
         print(&summary)
     }
 
-    /// What there is of a run that stopped is written all the same, and summed up if it was
-    /// interrupted: then nothing is wrong with it.
+    /// Writes the results of a run that stopped. A summary is printed only if the run was
+    /// interrupted, because then nothing is wrong with it.
     fn stopped(
         &self,
         scene: &Scene,
@@ -236,7 +236,7 @@ impl Run {
         Ok(Failure::unsuccessful(error, what))
     }
 
-    /// Writes the files that are asked for; whether standard output is still free.
+    /// Writes the files asked for. Returns whether standard output is still free.
     fn write(
         &self,
         scene: &Scene,
@@ -281,7 +281,7 @@ impl Run {
         })
     }
 
-    /// Lends out the run that is asked for.
+    /// Prepares the run asked for and passes it to a function.
     fn simulated<T>(
         &self,
         simulator: &dyn Simulator<f64>,
@@ -301,8 +301,8 @@ impl Run {
         Ok(work(&simulation.until_flagged(&flag)))
     }
 
-    /// Runs the others, and adds their columns beside those of the first; names of what is drawn
-    /// then, and a table for each of the others.
+    /// Runs the others, and adds their columns beside those of the first. Returns the names to
+    /// draw, and a table for each of the others.
     fn compare(
         &self,
         others: Vec<Other>,
@@ -315,7 +315,7 @@ impl Run {
         let (times, mut beside) = (first.times.clone(), Vec::new());
         for other in others {
             let run = |other: Option<&Scene>, set: &[(String, Amount)]| {
-                // Of another scene, parameters are as it says.
+                // Another scene keeps its own parameters.
                 let all = [&self.set, set].concat();
                 let set = if other.is_some() { set } else { &all };
                 let simulator = other.unwrap_or(scene).simulator();
@@ -342,7 +342,7 @@ impl Run {
         Ok((names, tables))
     }
 
-    /// The run with what is asked for but parameters.
+    /// Applies all options except parameters to a run.
     fn adjusted<'a>(&self, mut simulation: Simulation<'a>) -> Result<Simulation<'a>, Failure> {
         if let Some(time) = self.from {
             simulation = simulation.from(time);
@@ -372,7 +372,7 @@ impl Run {
         Ok(simulation)
     }
 
-    /// Refuses unknown columns before any time is spent.
+    /// Returns an error for unknown columns before the run.
     fn check_columns(&self, simulator: &dyn Simulator<f64>) -> Result<(), Failure> {
         let shape = simulator.shape();
         let states = (0..shape.states()).map(|index| simulator.state(index).name);
@@ -391,7 +391,7 @@ impl Run {
         }
     }
 
-    /// Refuses derivatives that are asked for twice.
+    /// Returns an error for derivatives that are asked for twice.
     fn check_sensitivities(&self) -> Result<(), Failure> {
         let all = &self.sensitivities;
         match (1..all.len()).find(|index| all[..*index].contains(&all[*index])) {
@@ -403,7 +403,7 @@ impl Run {
         }
     }
 
-    /// Keeps the columns asked for, in the order asked for.
+    /// Keeps the columns asked for, in that order.
     fn chosen_columns(&self, mut trajectory: Trajectory) -> Trajectory {
         if !self.columns.is_empty() {
             let find = |name: &String| trajectory.find(name).cloned();
@@ -414,7 +414,7 @@ impl Run {
 
     fn summary(&self, scene: &Scene, trajectory: &Trajectory) -> String {
         let work = trajectory.work;
-        // A run that stopped at once has one time, which is both.
+        // A run that stopped at once has a single time.
         let span = match (trajectory.times.first(), trajectory.times.last()) {
             (Some(from), Some(until)) => format!("{from} s to {until} s, "),
             _ => String::new(),
@@ -456,7 +456,7 @@ impl Run {
     }
 }
 
-/// How often each event happened, in a line of its own; nothing without events.
+/// Formats how often each event happened, on a line of its own; empty without events.
 fn switches(trajectory: &Trajectory) -> String {
     let mut counts: Vec<(&str, usize)> = Vec::new();
     for switch in &trajectory.switches {
@@ -473,7 +473,7 @@ fn switches(trajectory: &Trajectory) -> String {
     format!("\n{} switches: {counts}", trajectory.work.switches)
 }
 
-/// How far a machine came off its constraints, in a line of its own.
+/// Formats the largest violation of the constraints, on a line of its own.
 fn drift(trajectory: &Trajectory) -> String {
     trajectory.drift.map_or_else(String::new, |drift| {
         format!(
@@ -483,7 +483,8 @@ fn drift(trajectory: &Trajectory) -> String {
     })
 }
 
-/// States and outputs; an output that bears the name of a state is one line.
+/// Returns whether a column is shown in the summary: states and outputs, but not an output with the
+/// name of a state.
 fn is_short(trajectory: &Trajectory, column: &Column) -> bool {
     column.kind != ColumnKind::Output
         || trajectory.of_kind(ColumnKind::State).all(|state| state.name != column.name)

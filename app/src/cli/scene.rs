@@ -1,4 +1,4 @@
-//! What the name of a scene stands for: a simulator built in, or a spec file.
+//! Lookup of a scene by its argument: a built-in simulator, a spec or a model file.
 
 use std::fs::{self, File};
 use std::io::Read as _;
@@ -21,16 +21,16 @@ use crate::failure::Failure;
 use crate::freeze::admit;
 use crate::spec_source::SpecSource;
 
-/// What a command was given for a scene.
+/// Source that an argument stands for.
 pub enum Given {
-    /// A spec.
+    /// Spec.
     Spec(SpecSource),
-    /// What was read from a model file.
+    /// Content of a model file.
     Model(Box<Stamped>),
 }
 
 impl Given {
-    /// What an argument stands for: a file of either kind, or the spec of a name.
+    /// Resolves an argument: a file of either kind, or the spec of a name.
     pub fn of(argument: &str) -> Result<Self, Failure> {
         let path = match spec_of(argument)? {
             SpecSource::File(path) => path,
@@ -52,29 +52,29 @@ impl Given {
     }
 }
 
-/// A scene ready to run.
+/// Scene ready to run.
 pub enum Scene {
-    /// Built in, by name.
+    /// Built-in simulator.
     Emitted(&'static dyn Simulator<f64>),
-    /// Of a model, derived or read.
+    /// Model, derived or read from a file.
     Model(Box<ModelSimulator>),
-    /// With fields.
+    /// Scene with fields.
     Fields(Cut),
 }
 
-/// A scene with fields, cut into elements.
+/// Scene with fields, discretized into elements.
 pub struct Cut {
     simulator: Box<FieldSimulator<'static, f64>>,
     of: Uncut,
     wanted: Discretisation,
 }
 
-/// A scene with fields that is not cut yet; threads may share it.
+/// Scene with fields before discretization, shared by threads.
 #[derive(Clone, Copy)]
 enum Uncut {
-    /// Built in, by a name that is known to be.
+    /// Name of a built-in scene.
     BuiltIn(&'static str),
-    /// Of a model that lives as long as the command, which loads one scene.
+    /// Model, leaked because a command loads only one scene.
     Model(&'static ModelSimulator),
 }
 
@@ -103,7 +103,7 @@ impl Cut {
         Ok(Self { simulator, of, wanted })
     }
 
-    /// What cuts it once more, for threads, each of which takes its own.
+    /// Returns a function that discretizes the scene again, for threads that each need their own.
     pub fn again(
         &self,
     ) -> impl Fn() -> Result<FieldSimulator<'static, f64>, FieldError> + Sync + use<> {
@@ -113,13 +113,13 @@ impl Cut {
 }
 
 impl Scene {
-    /// The scene of a name or of a spec file; a name that is not built in may be that
-    /// of a spec. Of its spec in any case if nothing is to be left out.
+    /// Loads the scene of a name, a spec or a model file. A name that is not built in may be that
+    /// of a spec. The spec is always used if `keep_all` is set.
     pub fn load(argument: &str, keep_all: bool) -> Result<Self, Failure> {
         Self::load_cut(argument, keep_all, Discretisation::default())
     }
 
-    /// As [`Scene::load`], with fields cut as wanted.
+    /// Like [`Scene::load`], with the fields discretized as wanted.
     pub fn load_cut(
         argument: &str,
         keep_all: bool,
@@ -128,8 +128,7 @@ impl Scene {
         Self::load_as(argument, keep_all, wanted, ModelSimulator::new)
     }
 
-    /// As [`Scene::load`], its functions machine code from the first call on: for who measures how long
-    /// they take.
+    /// Like [`Scene::load`], with machine code from the first call on, for measuring times.
     pub fn load_compiled(argument: &str) -> Result<Self, Failure> {
         let wanted = Discretisation::default();
         Self::load_as(argument, false, wanted, ModelSimulator::compiled_at_once)
@@ -161,7 +160,7 @@ impl Scene {
         Cut::new(Uncut::Model(Box::leak(simulator)), wanted).map(Self::Fields)
     }
 
-    /// The simulator.
+    /// Returns the simulator.
     pub fn simulator(&self) -> &dyn Simulator<f64> {
         match self {
             Self::Emitted(simulator) => *simulator,
@@ -170,7 +169,7 @@ impl Scene {
         }
     }
 
-    /// Whether it is emitted code.
+    /// Returns whether the scene is emitted code.
     pub fn is_emitted(&self) -> bool {
         match self {
             Self::Emitted(_) | Self::Fields(Cut { of: Uncut::BuiltIn(_), .. }) => true,
@@ -178,7 +177,7 @@ impl Scene {
         }
     }
 
-    /// The same emitted code in numbers of 31 digits.
+    /// Returns the same emitted code with numbers of 31 digits.
     pub fn twin(&self) -> Option<&'static dyn Twin> {
         match self {
             Self::Emitted(simulator) => {
@@ -192,7 +191,7 @@ impl Scene {
         }
     }
 
-    /// How it runs, for people.
+    /// Describes for people how the scene runs.
     pub fn how(&self) -> &'static str {
         let running = match self {
             Self::Emitted(_) | Self::Fields(Cut { of: Uncut::BuiltIn(_), .. }) => None,
@@ -207,13 +206,13 @@ impl Scene {
     }
 }
 
-/// The model of a spec.
+/// Derives the model of a spec.
 #[cfg(feature = "derive")]
 pub fn derived(source: &SpecSource, keep_all: bool) -> Result<Model, Failure> {
     Ok(derived_stamped(source, keep_all)?.model)
 }
 
-/// As [`derived`], with what made it.
+/// Like [`derived`], with the generator that made the model.
 #[cfg(feature = "derive")]
 pub fn derived_stamped(source: &SpecSource, keep_all: bool) -> Result<Stamped, Failure> {
     let keep = if keep_all { Keep::All } else { Keep::Needed };
@@ -224,7 +223,7 @@ pub fn derived_stamped(source: &SpecSource, keep_all: bool) -> Result<Stamped, F
     Ok(stamped)
 }
 
-/// The model of a spec, or of a model file, from which nothing can be kept.
+/// Returns the model of a spec or of a model file. A model file is already reduced.
 #[cfg(feature = "derive")]
 pub fn stamped(argument: &str, keep_all: bool) -> Result<Stamped, Failure> {
     match Given::of(argument)? {
@@ -237,29 +236,29 @@ pub fn stamped(argument: &str, keep_all: bool) -> Result<Stamped, Failure> {
     }
 }
 
-/// This program reads no specs.
+/// Returns an error, because this build reads no specs.
 #[cfg(not(feature = "derive"))]
 fn derived(source: &SpecSource, _keep_all: bool) -> Result<Model, Failure> {
     Err(cannot_derive(source))
 }
 
-/// A spec was given to a program that reads none.
+/// Creates the error for a spec in a build that reads none.
 #[cfg(not(feature = "derive"))]
 pub fn cannot_derive(source: &SpecSource) -> Failure {
     let message = format!("{source}: this program was built without what derives");
     Failure::input(message, "give a model, as `machinist compile` of a whole build writes it")
 }
 
-/// What to do where fields cannot be cut as wanted.
+/// Hint for fields that cannot be discretized as wanted.
 pub const CUTTING: &str =
     "`--elements` and `--order` say how fields are cut; without them the spec does";
 
-/// Fields that cannot be cut as wanted.
+/// Creates the failure of fields that cannot be discretized as wanted.
 pub fn refused(error: &FieldError) -> Failure {
     Failure::input(error, CUTTING)
 }
 
-/// A scene without fields is not cut into elements.
+/// Returns an error if a scene without fields is to be discretized.
 fn without_fields(wanted: Discretisation, scene: Scene) -> Result<Scene, Failure> {
     if wanted == Discretisation::default() {
         return Ok(scene);
@@ -268,7 +267,7 @@ fn without_fields(wanted: Discretisation, scene: Scene) -> Result<Scene, Failure
     Err(Failure::input(message, "leave `--elements` and `--order` out"))
 }
 
-/// The emitted simulator of a name.
+/// Returns the emitted simulator of a name.
 pub fn built_in(name: &str) -> Option<&'static dyn Simulator<f64>> {
     #[cfg(feature = "bench")]
     if let Some(simulator) = machinist_scenes::bench::find_f64(name) {
@@ -277,20 +276,20 @@ pub fn built_in(name: &str) -> Option<&'static dyn Simulator<f64>> {
     scenes::find_f64(name)
 }
 
-/// The scene of `specs/scenes/bench` of a name in numbers of 31 digits, as [`precise`] has the others.
+/// Returns the scene of `specs/scenes/bench` with numbers of 31 digits, as [`precise`] does for the
+/// others.
 #[cfg(feature = "bench")]
 fn of_bench(name: &str) -> Option<&'static dyn Twin> {
     machinist_scenes::find_carried_in_bench!(name)
 }
 
-/// Where scenes are kept.
+/// Folder of scenes.
 pub const SCENES: &str = "specs/scenes";
-/// The folder below it with scenes that are there to be measured, and the folder
-/// below that of the emitted files with their simulators.
+/// Subfolder of scenes for benchmarks, also below the folder of emitted files.
 pub const BENCH: &str = "bench";
 
-/// The spec of a name or a path. A name is looked for among the specs of the current folder,
-/// then among those that are built in.
+/// Returns the spec of a name or a path. A name is searched in the specs of the current folder,
+/// then among the built-in ones.
 fn spec_of(argument: &str) -> Result<SpecSource, Failure> {
     if is_path(argument) {
         return Ok(SpecSource::File(PathBuf::from(argument)));
@@ -311,16 +310,16 @@ fn has_built_in_spec(name: &str) -> bool {
     machinist_codegen::spec::library::LibraryScene::find(name).is_some()
 }
 
-/// This program has no specs; what is built in are simulators.
+/// Returns whether a simulator is built in, because this build has no specs.
 #[cfg(not(feature = "derive"))]
 fn has_built_in_spec(name: &str) -> bool {
     scenes::NAMES.contains(&name) || scenes::FIELD_NAMES.contains(&name)
 }
 
-/// How names of model files end.
+/// Extension of model files.
 pub const MODEL_ENDING: &str = "model";
 
-/// Whether an argument is meant as a path rather than as a name.
+/// Returns whether an argument is meant as a path rather than as a name.
 fn is_path(argument: &str) -> bool {
     let ending = Path::new(argument).extension();
     ending.is_some_and(|ending| ending == "toml" || ending == MODEL_ENDING)

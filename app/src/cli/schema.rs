@@ -1,4 +1,4 @@
-//! `machinist schema`: what a spec may hold, as JSON schema, for editors.
+//! `machinist schema`: a JSON schema of specs, for editors.
 
 use std::path::PathBuf;
 
@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 use super::output::{print, write_file};
 use crate::failure::Failure;
 
-/// What editors of TOML read, and the newest that all of them do.
+/// Newest dialect that all TOML editors support.
 const DIALECT: &str = "http://json-schema.org/draft-07/schema#";
 
 #[derive(Debug, Args)]

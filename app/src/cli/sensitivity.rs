@@ -1,4 +1,4 @@
-//! `machinist sensitivity`: which parameters matter for which outputs.
+//! `machinist sensitivity`: the relative effect of parameters on outputs.
 
 use std::path::PathBuf;
 
@@ -23,7 +23,7 @@ use crate::parquet;
 use crate::progress::during;
 use serde_json::json;
 
-/// Curves of a plot.
+/// Maximum number of curves in a plot.
 const DRAWN: usize = 6;
 
 #[derive(Debug, Args)]
@@ -68,22 +68,22 @@ pub struct Sensitivity {
     plot: Option<PathBuf>,
 }
 
-/// Sizes that differ by less, in relation, are one.
+/// Relative difference below which sizes count as equal.
 const TIE: f64 = 1e-9;
 
-/// What an output has of a parameter: (p/scale) d(output)/dp, the scale being the largest size
-/// of the output over the run.
+/// Relative effect of a parameter on an output: (p/scale) d(output)/dp. The scale is the largest
+/// size of the output over the run.
 #[derive(Debug, Clone, Serialize)]
 struct Effect {
     parameter: String,
     output: String,
     /// Root mean square over the run.
     rms: f64,
-    /// Of the largest size, with its sign.
+    /// Value of the largest size, with its sign.
     largest: f64,
-    /// When that is \[s\].
+    /// Time of the largest value \[s\].
     at: f64,
-    /// At the end of the run.
+    /// Value at the end of the run.
     end: f64,
     #[serde(skip)]
     values: Vec<f64>,
@@ -98,7 +98,7 @@ struct Answer<'a> {
     until: f64,
     effects: &'a [Effect],
     left_out: &'a [String],
-    /// What the run remarks.
+    /// Notes of the run.
     notes: &'a [String],
 }
 
@@ -128,7 +128,7 @@ impl Sensitivity {
         if by.is_empty() {
             return Err(nothing(&left_out));
         }
-        // Of what is zero all along, or next to it, no change is relative.
+        // An output that is zero or nearly so throughout has no relative change.
         let effects = effects(&simulation, &trajectory, &by, &outputs);
         let (mut effects, endless): (Vec<_>, Vec<_>) =
             effects.into_iter().partition(|effect| effect.rms.is_finite());
@@ -189,7 +189,8 @@ impl Sensitivity {
         with_method(simulation, self.method.as_deref())
     }
 
-    /// Outputs asked for; all of them, or all states of a scene without outputs.
+    /// Returns the outputs asked for: all of them by default, or all states of a scene without
+    /// outputs.
     fn wanted(&self, simulator: &dyn Simulator<f64>) -> Result<Vec<String>, Failure> {
         let shape = simulator.shape();
         let outputs: Vec<&str> =
@@ -213,7 +214,7 @@ impl Sensitivity {
         }
     }
 
-    /// What is differentiated by, and what is left out of all parameters, and why.
+    /// Returns the parameters to differentiate by, and those left out with the reasons.
     fn directions(
         &self,
         simulator: &dyn Simulator<f64>,
@@ -319,7 +320,7 @@ fn effects(
 impl Effect {
     fn new(parameter: &str, output: &str, values: Vec<f64>, times: &[f64]) -> Self {
         let mean = values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64;
-        // The first of those that rounding tells apart.
+        // Among values that differ only by rounding, the first counts.
         let largest = values.iter().zip(times).fold((0.0_f64, 0.0), |most, (value, time)| {
             if value.abs() > (1.0 + TIE) * most.0.abs() { (*value, *time) } else { most }
         });
@@ -339,7 +340,7 @@ impl Effect {
     }
 }
 
-/// Relative sensitivities over time, the largest first.
+/// Returns relative sensitivities over time, the largest first.
 fn relative(trajectory: &Trajectory, effects: &[Effect]) -> Trajectory {
     let column = |effect: &Effect| Column {
         name: effect.name(),

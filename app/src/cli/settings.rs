@@ -1,4 +1,4 @@
-//! A run as options set it.
+//! Settings of a run from options.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use machinist_contract::Simulator;
 use super::amount::Amount;
 use crate::failure::Failure;
 
-/// A run of a simulator with other values of some parameters, as `--set` gives them.
+/// Sets parameters of a run, as `--set` gives them.
 pub fn with_parameters<'a>(
     mut run: Simulation<'a>,
     set: &[(String, Amount)],
@@ -24,7 +24,7 @@ pub fn with_parameters<'a>(
     Ok(run)
 }
 
-/// A run of which numbers are told, as options set it.
+/// Options of a run of which single numbers are reported.
 pub struct Told<'o> {
     /// `--set`.
     pub set: &'o [(String, Amount)],
@@ -32,7 +32,7 @@ pub struct Told<'o> {
     pub from: Option<f64>,
     /// `--until`.
     pub until: Option<f64>,
-    /// `--points`; as many as the scene's, and at least [`POINTS`], unless given.
+    /// `--points`; by default that of the scene, and at least [`POINTS`].
     pub points: Option<usize>,
     /// `--rtol`.
     pub rtol: Option<f64>,
@@ -40,11 +40,11 @@ pub struct Told<'o> {
     pub method: Option<&'o str>,
 }
 
-/// Runs of which numbers are told are looked at at so many times at least.
+/// Minimum number of output times of a run of which single numbers are reported.
 const POINTS: usize = 2001;
 
 impl Told<'_> {
-    /// The run of a simulator.
+    /// Prepares the run of a simulator.
     pub fn of<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
         let mut simulation = with_parameters(Simulation::new(simulator), self.set)?;
         simulation = self.from.into_iter().fold(simulation, Simulation::from);
@@ -55,10 +55,10 @@ impl Told<'_> {
     }
 }
 
-/// How long each run of a check or a page may compute unless `--time-limit` is given \[s\].
+/// Default time limit of each run of a check or a page \[s\], as `--time-limit` sets it.
 pub const TIME_LIMIT: &str = "30";
 
-/// Seconds of computing, as `--time-limit` takes them.
+/// Parses seconds of computing, as `--time-limit` takes them.
 pub fn time_limit(text: &str) -> Result<Duration, String> {
     let seconds: f64 = text.trim().parse().map_err(|_| "write it as seconds, such as 30")?;
     match Duration::try_from_secs_f64(seconds) {
@@ -67,7 +67,7 @@ pub fn time_limit(text: &str) -> Result<Duration, String> {
     }
 }
 
-/// A run by the method of `--method`, if that is given.
+/// Sets the method of a run from `--method`, if given.
 pub fn with_method<'a>(run: Simulation<'a>, name: Option<&str>) -> Result<Simulation<'a>, Failure> {
     let method = name.map(Method::from_name).transpose();
     let method = method.map_err(|error| Failure::input(error, ""))?;

@@ -1,4 +1,4 @@
-//! `machinist show`: what a scene is made of, before anything is derived or run.
+//! `machinist show`: the contents of a scene, before anything is derived or run.
 
 mod description;
 #[cfg(feature = "derive")]
@@ -15,7 +15,7 @@ use crate::number::{exact, number};
 use crate::spec_source::SpecSource;
 use description::{Check, Constraint, Description, Event, Instance, Kind, Parameter, State};
 
-/// Digits of what is computed: rounding beyond them tells nothing.
+/// Digits of computed values; more would show rounding.
 const DIGITS: usize = 12;
 
 #[derive(Debug, Args)]
@@ -194,7 +194,7 @@ fn event(event: &Event) -> [String; 4] {
     [event.name.clone(), format!("{guard} {passes}{}", during(&event.when)), set, event.doc.clone()]
 }
 
-/// In which modes something is so.
+/// Formats the modes in which something applies.
 fn during(when: &[(String, i32)]) -> String {
     let modes: Vec<String> =
         when.iter().map(|(mode, value)| format!("{mode} is {value}")).collect();

@@ -1,4 +1,4 @@
-//! Scene specs in a folder, and what is derived from one of them.
+//! Scene specs in a folder, and the costs of the functions derived from one.
 
 use std::path::{Path, PathBuf};
 
@@ -8,10 +8,10 @@ use machinist_model::operations;
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
 
-/// The folder below that of the scenes with machines of standard parts alone.
+/// Subfolder of scenes with machines made only of standard parts.
 pub const DRIVES: &str = "drives";
 
-/// All scene files of a folder, sorted by name.
+/// Returns all scene files of a folder, sorted by name.
 pub fn scene_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {
     let files = toml_files(folder)?;
     if files.is_empty() {
@@ -21,7 +21,7 @@ pub fn scene_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {
     Ok(files)
 }
 
-/// All scene files of a folder below that of the scenes, likewise; none without it.
+/// Returns all scene files of a subfolder, sorted by name; none if it does not exist.
 pub fn scene_files_below(folder: &Path, name: &str) -> Result<Vec<SpecSource>, Failure> {
     let below = folder.join(name);
     if below.is_dir() { toml_files(&below) } else { Ok(Vec::new()) }
@@ -43,21 +43,21 @@ fn toml_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {
     Ok(files.into_iter().map(SpecSource::File).collect())
 }
 
-/// What one emitted function costs.
+/// Cost of an emitted function.
 pub struct Cost {
-    /// Its name.
+    /// Name of the function.
     pub function: &'static str,
-    /// What it computes.
+    /// Meaning of the result.
     pub meaning: &'static str,
-    /// How many numbers it writes.
+    /// Number of results.
     pub results: usize,
-    /// Size of the full matrix, of functions that write nonzeros only.
+    /// Size of the full matrix, for functions that write only nonzeros.
     pub full: Option<usize>,
     /// Arithmetic operations, functions and selections.
     pub operations: usize,
 }
 
-/// The cost of every function of a scene.
+/// Returns the cost of every function of a scene.
 pub fn costs(model: &Model) -> Vec<Cost> {
     let costs = model.functions().map(|row| {
         let tape = (row.tape)(model);

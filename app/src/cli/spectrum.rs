@@ -23,7 +23,7 @@ use crate::progress::during;
 use crate::spectrum::{Window, amplitudes, peaks};
 use serde_json::json;
 
-/// Samples unless given: lines up to 1024 times the resolution.
+/// Default number of samples, which gives lines up to 1024 times the resolution.
 const SAMPLES: usize = 2048;
 const MOST_SAMPLES: usize = 10_000_000;
 
@@ -78,7 +78,7 @@ struct Spectra {
     /// k/(until - from) \[Hz\].
     frequencies: Vec<f64>,
     outputs: Vec<One>,
-    /// What the run remarks.
+    /// Notes of the run.
     notes: Vec<String>,
 }
 
@@ -155,7 +155,7 @@ impl Spectrum {
         print(&self.summary(&scene, &run, &spectra))
     }
 
-    /// The stretch that is looked at.
+    /// Returns the interval of the samples.
     fn stretch(&self, scene: &Scene) -> Result<(f64, f64), Failure> {
         let run = scene.simulator().run_defaults();
         let (from, until) = (self.from.unwrap_or(run.from), self.until.unwrap_or(run.until));
@@ -166,7 +166,8 @@ impl Spectrum {
         Err(Failure::input(message, format!("the run begins at {} s", run.from)))
     }
 
-    /// The run, wanted at the samples: the end of the stretch is where the next would begin.
+    /// Prepares the run with outputs at the samples. The next sample would be at the end of the
+    /// interval.
     fn simulation<'s>(&self, scene: &'s Scene) -> Result<Simulation<'s>, Failure> {
         let (from, until) = self.stretch(scene)?;
         let time = |n| from + (until - from) * f64::from(n) / self.samples as f64;
@@ -242,7 +243,7 @@ impl Spectrum {
 }
 
 impl One {
-    /// Amplitudes without the mean, to be drawn.
+    /// Returns the amplitudes without the mean, for the plot.
     fn column(&self) -> Column {
         let mut values = self.amplitudes.clone();
         values[0] = f64::NAN;

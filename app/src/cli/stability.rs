@@ -113,7 +113,7 @@ fn order_lines(study: &Study) -> Vec<Vec<String>> {
     std::iter::once(header).chain(study.orders.iter().map(line)).collect()
 }
 
-/// Lines of cells as columns, the first flush left; a line of one cell is a heading.
+/// Aligns lines of cells as columns, the first flush left. A line of one cell is a heading.
 fn aligned(lines: &[Vec<String>]) -> String {
     let columns = lines.first().map_or(0, Vec::len);
     let width = |column: usize| {

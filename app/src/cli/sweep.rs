@@ -1,4 +1,4 @@
-//! `machinist sweep`: many variants of one scene, to a table.
+//! `machinist sweep`: runs of many variants of one scene, written to a table.
 
 use std::io;
 use std::path::PathBuf;
@@ -21,7 +21,7 @@ use crate::parquet::{self, Column, Values};
 use crate::progress::during;
 use serde_json::{Map, Value, json};
 
-/// More variants are several sweeps.
+/// Maximum number of variants of a sweep.
 const MOST_VARIANTS: usize = 1_000_000;
 
 #[derive(Debug, Args)]
@@ -80,7 +80,7 @@ impl Sweep {
             && !matches!(error, SimulateError::Stopped { .. })
             && runs.iter().all(|run| run.as_ref().err() == Some(error))
         {
-            // It makes no sense for any variant.
+            // The error is the same for all variants.
             return Err(error.clone().into());
         }
 
@@ -105,7 +105,7 @@ impl Sweep {
         Err(Failure::unsuccessful(message, "the last column says where and why"))
     }
 
-    /// Tells beside the table, on standard error, of variants with a mass of the wrong sign.
+    /// Warns on standard error about variants with a negative mass.
     fn tell_of_negative_inertias(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) {
         let run = self.adjusted(Simulation::new(simulator), None);
         if let Some((count, first, note)) = run.negative_inertias(variants) {
@@ -137,7 +137,7 @@ impl Sweep {
         Ok(())
     }
 
-    /// Places of the outputs and states asked for: outputs first, then states.
+    /// Returns the indices of the wanted outputs and states: outputs first, then states.
     fn wanted(&self, simulator: &dyn Simulator<f64>) -> Result<Vec<usize>, Failure> {
         let shape = simulator.shape();
         let known: Vec<&str> = columns_of(simulator).collect();
@@ -160,12 +160,12 @@ impl Sweep {
         self.outputs.iter().map(place).collect()
     }
 
-    /// All parameters of every variant, the last range fastest.
+    /// Returns all parameters of every variant. The last range varies fastest.
     fn variants(&self, simulator: &dyn Simulator<f64>) -> Result<Vec<Vec<f64>>, Failure> {
         let mut base = with_parameters(Simulation::new(simulator), &self.set)?;
         let mut variants = vec![base.parameter_values().to_vec()];
         for range in &self.parameter {
-            // Refuses names that are not known.
+            // Unknown names are rejected.
             range.check(&base)?;
             base = base.parameter(&range.name, range.from)?;
             let Some(place) = place_of(simulator, &range.name) else { continue };
@@ -181,7 +181,8 @@ impl Sweep {
         Ok(variants)
     }
 
-    /// What decides the numbers besides the machine, as the Python package has it.
+    /// Returns the settings that determine the numbers besides the machine, as the Python package
+    /// writes them.
     fn told(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) -> Value {
         let names: Vec<&str> = self.parameter.iter().map(|range| range.name.as_str()).collect();
         let axes = self.parameter.iter().map(|range| {
@@ -232,7 +233,7 @@ impl Sweep {
         method.into_iter().fold(simulation, Simulation::method)
     }
 
-    /// Every variant's run, on threads; in lanes where the machine and the method go so.
+    /// Runs every variant on threads, in lanes where machine and method support them.
     fn runs(
         &self,
         scene: &Scene,
@@ -260,7 +261,7 @@ impl Sweep {
     }
 }
 
-/// A model, which threads may share.
+/// Model that threads share.
 struct OfModel<'a>(&'a ModelSimulator);
 
 impl Sweepable for OfModel<'_> {
@@ -272,7 +273,7 @@ impl Sweepable for OfModel<'_> {
     }
 }
 
-/// A scene that is built in and known to be, for threads, which may share its name.
+/// Built-in scene by its known name, which threads share.
 struct BuiltIn {
     name: String,
 }
@@ -286,19 +287,19 @@ impl Sweepable for BuiltIn {
     }
 }
 
-/// Where a parameter stands.
+/// Returns the index of a parameter.
 fn place_of(simulator: &dyn Simulator<f64>, name: &str) -> Option<usize> {
     (0..simulator.shape().parameters).position(|index| simulator.parameter(index).name == name)
 }
 
-/// Names of outputs, then of states.
+/// Returns the names of outputs, then of states.
 fn columns_of(simulator: &dyn Simulator<f64>) -> impl Iterator<Item = &str> {
     let shape = simulator.shape();
     let outputs = (0..shape.outputs).map(|index| simulator.output(index).name);
     outputs.chain((0..shape.states()).map(|index| simulator.state(index).name))
 }
 
-/// What is written: parameters, outputs, steps, and why a variant stopped, if any did.
+/// Table of a sweep: parameters, outputs, steps, and the reasons of variants that stopped.
 struct Table<'a> {
     sweep: &'a Sweep,
     wanted: Wanted,
@@ -335,8 +336,8 @@ impl Table<'_> {
         writer.flush()
     }
 
-    /// A row a variant, as the Python package has them: its number, parameters, results, steps,
-    /// and why there are none.
+    /// Returns the columns as the Python package has them, with a row for each variant: number,
+    /// parameters, results, steps, and the reason if there are no results.
     fn columns(&self, simulator: &dyn Simulator<f64>) -> Vec<Column> {
         let shape = simulator.shape();
         let mut columns = vec![Column {

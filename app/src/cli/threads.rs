@@ -1,4 +1,4 @@
-//! A simulator of the scene for each of several threads.
+//! Simulators of a scene for several threads.
 
 use machinist_contract::Simulator;
 
@@ -6,7 +6,8 @@ use super::scene::{Scene, built_in};
 
 pub type Lender<'s> = Box<dyn Fn(&mut dyn FnMut(&dyn Simulator<f64>)) + Sync + 's>;
 
-/// Emitted code and models are shared; fields are cut once more.
+/// Returns a function that lends a simulator. Emitted code and models are shared; fields are
+/// discretized for each thread.
 pub fn lender(scene: &Scene) -> Lender<'_> {
     match scene {
         Scene::Emitted(simulator) => {

@@ -6,16 +6,17 @@ use super::amount::Amount;
 use super::range::ends;
 use crate::failure::Failure;
 
-/// What `--times` says.
+/// Value of `--times`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Times {
-    /// These.
+    /// Listed times.
     Listed(Vec<Amount>),
-    /// From the first after the start to the last, at equal ratios of the time since the start.
+    /// Times from the first after the start to the last, at equal ratios of the time since the
+    /// start.
     Ratios([Amount; 2]),
 }
 
-/// `0,0.1,0.5` or `1e-3..10:log`.
+/// Parses `0,0.1,0.5` or `1e-3..10:log`.
 pub fn times(text: &str) -> Result<Times, String> {
     const EXAMPLE: &str = "write it as 0,0.1,0.5 or 1e-3..10:log";
     if text.contains("..") {
@@ -33,7 +34,8 @@ pub fn times(text: &str) -> Result<Times, String> {
 }
 
 impl Times {
-    /// A run at these times: it ends at the last of them, unless the options say otherwise.
+    /// Prepares a run at these times, which ends at the last of them unless the options set the
+    /// end.
     pub fn asked_of<'a>(
         &self,
         run: Simulation<'a>,

@@ -1,5 +1,5 @@
-//! `machinist verify`: every check of every built-in scene, or of one machine of the
-//! user's own, and whether it passes.
+//! `machinist verify`: all checks of every built-in scene, or of one machine of the user's own,
+//! with their verdicts.
 
 #[cfg(feature = "derive")]
 mod independent;

@@ -1,4 +1,4 @@
-//! `machinist walk`: which model a winder needs, and where it winds stably.
+//! `machinist walk`: a comparison of models of a winder, and a map of its stability.
 
 use std::path::PathBuf;
 
@@ -54,7 +54,7 @@ pub struct WalkCommand {
     json: bool,
 }
 
-/// What `--json` prints.
+/// Output of `--json`.
 #[derive(Serialize)]
 struct Answer<'a> {
     walk: &'a Walk,
@@ -142,7 +142,7 @@ fn described(walk: &Walk) -> String {
     text
 }
 
-/// Heading of [`line`].
+/// Header of [`line`].
 pub const HEADING: [&str; 8] = [
     "stage",
     "resonance [rad/s]",
@@ -158,7 +158,7 @@ fn table(walk: &Walk) -> Vec<[String; 8]> {
     std::iter::once(HEADING.map(str::to_owned)).chain(walk.stages.iter().map(line)).collect()
 }
 
-/// One stage for people; what it does not know is a dash.
+/// Formats one stage for people. Unknown values are dashes.
 pub fn line(stage: &Stage) -> [String; 8] {
     let none = || "-".to_owned();
     let range = |(first, last): (f64, f64)| format!("{} to {}", number(first, 4), number(last, 4));

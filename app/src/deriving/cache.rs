@@ -1,10 +1,10 @@
-//! What was derived before, by the content of its spec.
+//! Cache of derived models and equations, by the content of their specs.
 //!
-//! An entry's name is the hash of all that decides what is derived: the files of the spec,
-//! the generator's own text, what was asked for. So no entry is ever wrong, only unused;
-//! the least recently used ones go when there are too many. Entries are written beside
-//! their place and then take their name, so that processes at once see whole ones or none.
-//! What cannot be read is derived again; what cannot be written is not remembered.
+//! The name of an entry is the hash of everything that determines it: the files of the spec, the
+//! generator's own text, the request. An entry is therefore never outdated, only unused, and the
+//! least recently used ones are deleted when there are too many. Entries are written to a temporary
+//! file and renamed, so that concurrent processes see complete ones or none. Entries that cannot be
+//! read are derived again; failures to write are ignored.
 
 use std::fs::{self, File};
 use std::io::{self, Write as _};
@@ -20,40 +20,40 @@ use sha2::{Digest as _, Sha256};
 
 use super::{Derived, Request};
 
-/// The first bytes of an entry.
+/// First bytes of an entry.
 const MARK: &[u8; 16] = b"machinist cache\n";
-/// How entries' names end.
+/// Extension of entries.
 const ENDING: &str = "derived";
-/// Bytes that all entries together may have.
+/// Maximum size of all entries together, in bytes.
 const MOST_BYTES: u64 = 256 << 20;
 
 static IS_OFF: AtomicBool = AtomicBool::new(false);
 
-/// A folder of entries.
+/// Folder of entries.
 #[derive(Debug, Clone)]
 pub struct Cache {
     folder: Option<PathBuf>,
 }
 
-/// The name of an entry.
+/// Name of an entry.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Key(String);
 
-/// What is in a cache.
+/// Size of a cache.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Size {
     /// Number of entries.
     pub entries: usize,
-    /// Their bytes.
+    /// Size in bytes.
     pub bytes: u64,
 }
 
-/// Has this process neither read nor write the cache.
+/// Turns reading and writing of the cache off in this process.
 pub fn turn_off() {
     IS_OFF.store(true, Ordering::Relaxed);
 }
 
-/// The key of a request for a spec of these files, derived by an algebra.
+/// Returns the key of a request for a spec with these files, derived by an algebra.
 pub(super) fn key(request: &Request, algebra: Algebra, files: &[SourceFile]) -> Key {
     let mut hasher = Sha256::new();
     let mut add = |part: &str| {
@@ -80,8 +80,8 @@ fn hex(bytes: &[u8]) -> String {
 }
 
 impl Cache {
-    /// The user's: `machinist` in the folder that the system has for caches, or where
-    /// `MACHINIST_CACHE` says.
+    /// Returns the user's cache: `machinist` in the system's folder for caches, or the folder named
+    /// by `MACHINIST_CACHE`.
     pub fn of_user() -> Self {
         if IS_OFF.load(Ordering::Relaxed) {
             return Self { folder: None };
@@ -91,7 +91,7 @@ impl Cache {
         Self { folder: folder.or_else(|| Some(dirs::cache_dir()?.join("machinist"))) }
     }
 
-    /// Its folder, if there is one.
+    /// Folder of the cache, if there is one.
     pub fn folder(&self) -> Option<&Path> {
         self.folder.as_deref()
     }
@@ -100,12 +100,12 @@ impl Cache {
         Some(self.folder.as_ref()?.join(format!("{}.{ENDING}", key.0)))
     }
 
-    /// An entry, if it is there and whole.
+    /// Reads an entry, if it exists and is complete.
     pub(super) fn get(&self, key: &Key) -> Option<Derived> {
         let path = self.path(key)?;
         let bytes = fs::read(&path).ok()?;
         let derived = open::<Derived>(MARK, &bytes).ok().filter(Derived::is_valid)?;
-        // So that it is not among the least recently used.
+        // Marks the entry as recently used.
         let _ = File::options()
             .append(true)
             .open(&path)
@@ -113,7 +113,7 @@ impl Cache {
         Some(derived)
     }
 
-    /// Writes an entry, and makes room for it.
+    /// Writes an entry, and deletes others if there is no room.
     pub(super) fn put(&self, key: &Key, derived: &Derived) {
         let (Some(folder), Some(path)) = (&self.folder, self.path(key)) else { return };
         if let Err(error) = write(folder, &path, &seal(MARK, derived)) {
@@ -122,7 +122,7 @@ impl Cache {
         self.keep_within(MOST_BYTES);
     }
 
-    /// Entries with their sizes, the least recently used first.
+    /// Returns the entries with their sizes, the least recently used first.
     fn entries(&self) -> Vec<(SystemTime, u64, PathBuf)> {
         let Some(folder) = &self.folder else { return Vec::new() };
         let Ok(files) = fs::read_dir(folder) else { return Vec::new() };
@@ -138,14 +138,14 @@ impl Cache {
         entries
     }
 
-    /// What is in it.
+    /// Returns the size of the cache.
     pub fn size(&self) -> Size {
         let entries = self.entries();
         Size { entries: entries.len(), bytes: entries.iter().map(|(_, bytes, _)| bytes).sum() }
     }
 
-    /// Deletes the least recently used entries until the rest has at most so many bytes.
-    /// Another process may delete them too.
+    /// Deletes the least recently used entries until the rest has at most `most` bytes. Returns the
+    /// size of what was deleted. Another process may delete entries too.
     pub fn keep_within(&self, most: u64) -> Size {
         let mut gone = Size::default();
         let entries = self.entries();

@@ -1,9 +1,9 @@
-//! The process that derives by Symbolica: this program once more, which ends when it has answered.
+//! Child process that derives by Symbolica: this program once more, which ends after its answer.
 //!
-//! It reads its requests from standard input and writes its answers to standard output;
-//! what is wrong with a spec it says on standard error, which it shares with its parent.
-//! Its parent leaves standard input open until it has the answers: where that ends before, the
-//! parent has ended, and the child ends too. So no child keeps the lock of the algebra for nobody.
+//! It reads requests from standard input and writes answers to standard output. Errors in a spec go
+//! to standard error, which it shares with its parent. The parent leaves standard input open until
+//! it has the answers. If standard input ends earlier, the parent has ended, and the child ends
+//! too, so that it does not keep the lock of the algebra.
 
 use std::io::{ErrorKind, Read as _, Write as _, stdin, stdout};
 use std::process::{Command, Stdio};
@@ -15,16 +15,16 @@ use machinist_model::file::{open, seal};
 use super::{Derived, Request, broken};
 use crate::failure::{Failure, all};
 
-/// The command that the child is called with.
+/// Command that starts the child.
 pub const COMMAND: &str = "derive-for-parent";
 
 const QUESTION: &[u8; 16] = b"machinist asks:\n";
 const ANSWER: &[u8; 16] = b"machinist says:\n";
 
-/// Whether a child of this process has said on whose terms it derives.
+/// Whether a child of this process has printed the terms of its algebra.
 static GREETED_ONCE: AtomicBool = AtomicBool::new(false);
 
-/// Has a child derive what is asked for, each by its algebra.
+/// Derives requests in a child, each by its algebra.
 pub(super) fn ask(requests: &[(&Request, Algebra)]) -> Result<Vec<Derived>, Failure> {
     let failed = |error: &std::io::Error| {
         Failure::unsuccessful(format!("cannot start a process that derives: {error}"), "")
@@ -36,11 +36,11 @@ pub(super) fn ask(requests: &[(&Request, Algebra)]) -> Result<Vec<Derived>, Fail
         command.env(GREETED, "1");
     }
     let mut child = command.spawn().map_err(|error| failed(&error))?;
-    // Open until the child has answered, and closed by the system if this process ends before.
+    // Open until the child has answered; closed by the system if this process ends earlier.
     let mut input = child.stdin.take();
     if let Some(input) = &mut input {
         let question = seal(QUESTION, &requests);
-        // A child that does not listen has ended, and its exit code says so.
+        // If the child does not read, it has ended, and its exit code is reported.
         let _ = input
             .write_all(&(question.len() as u64).to_le_bytes())
             .and_then(|()| input.write_all(&question))
@@ -50,7 +50,7 @@ pub(super) fn ask(requests: &[(&Request, Algebra)]) -> Result<Vec<Derived>, Fail
     drop(input);
     match output.status.code() {
         Some(0) => {}
-        // It has said what is wrong.
+        // The child has printed the errors.
         Some(2) => return Err(Failure::Input(Vec::new())),
         _ => return Err(broken(&format!("{} before it answered", output.status))),
     }
@@ -63,7 +63,7 @@ pub(super) fn ask(requests: &[(&Request, Algebra)]) -> Result<Vec<Derived>, Fail
     }
 }
 
-/// What the child does.
+/// Answers the requests of the parent.
 pub fn answer_parent() -> Result<(), Failure> {
     let failed = |error: std::io::Error| Failure::unsuccessful(error, "");
     let question = question().map_err(failed)?;
@@ -76,7 +76,8 @@ pub fn answer_parent() -> Result<(), Failure> {
     out.write_all(&seal(ANSWER, &answers)).and_then(|()| out.flush()).map_err(failed)
 }
 
-/// Question of the parent: its length in eight bytes, then as many; less if the parent ends before.
+/// Reads the parent's question: its length in eight bytes, then the content. It is shorter if the
+/// parent ends early.
 fn question() -> std::io::Result<Vec<u8>> {
     let mut input = stdin().lock();
     let mut length = [0; 8];
@@ -91,8 +92,8 @@ fn question() -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Ends this process as soon as its parent has ended: standard input is the parent's to close,
-/// and every system closes it for a process that was killed.
+/// Ends this process as soon as its parent has ended. The parent holds standard input open, and the
+/// system closes it even for a process that was killed.
 pub fn end_with_parent() {
     std::thread::spawn(|| {
         let mut byte = [0];

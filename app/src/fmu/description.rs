@@ -1,4 +1,4 @@
-//! `modelDescription.xml`: what a host has to know of an archive.
+//! `modelDescription.xml`: the description of an archive for hosts.
 
 use machinist_fmu::abi::CATEGORIES;
 use machinist_fmu::resource::Machine;
@@ -9,13 +9,13 @@ use super::structure::Structure;
 use super::xml::Element;
 use crate::failure::Failure;
 
-/// What is described.
+/// Description of a machine.
 pub struct Description<'a> {
     pub machine: &'a Machine,
 }
 
 impl Description<'_> {
-    /// The text of the file.
+    /// Returns the text of the file.
     pub fn text(&self) -> Result<String, Failure> {
         let model = self.machine.model();
         let units = units(&self.machine.variables)?;
@@ -68,7 +68,7 @@ impl Description<'_> {
 
     fn exchange(&self) -> Element {
         let model = self.machine.model();
-        // Guards are looked at after steps, and constraints drift.
+        // Guards are evaluated after steps, and constraints need projection.
         let looks = self.machine.variables.indicators() > 0 || !model.constraints.is_empty();
         self.interface("ModelExchange").with("needsCompletedIntegratorStep", looks)
     }
@@ -105,7 +105,7 @@ impl Description<'_> {
             .with("variability", variability(variable.variability))
             .with_some("initial", variable.initial.map(initial));
         if is_mode {
-            // Modes are whole.
+            // Modes are integers.
             return element.with_some("start", variable.start.map(|start| start as i32));
         }
         let mut element = element.with_some("unit", unit_of(&variable.unit));
@@ -123,7 +123,7 @@ impl Description<'_> {
         }
     }
 
-    /// Whether events, or constraints that it goes back onto, may give a state another value.
+    /// Returns whether events or projection onto constraints may change a state.
     fn is_set(&self, entry: usize) -> bool {
         let model = self.machine.model();
         let is_set = model.events.iter().any(|event| event.sets.contains(&(entry as u32)));

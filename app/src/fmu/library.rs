@@ -1,4 +1,4 @@
-//! Where the shared library is that goes into archives.
+//! Search for the shared library that goes into archives.
 
 use std::env::consts::{ARCH, DLL_PREFIX, DLL_SUFFIX, OS};
 use std::env::current_exe;
@@ -8,14 +8,14 @@ use std::path::{Path, PathBuf};
 use crate::cli::new::sources;
 use crate::failure::Failure;
 
-/// The shared library, for the platform that this program runs on.
+/// Shared library for the platform that this program runs on.
 pub struct Library {
-    /// Its bytes.
+    /// Content of the file.
     pub bytes: Vec<u8>,
 }
 
 impl Library {
-    /// The given one, or else that which was built with this program.
+    /// Reads the given library, or the one that was built with this program.
     pub fn find(given: Option<&Path>) -> Result<Self, Failure> {
         let path = match given {
             Some(path) => path.to_owned(),
@@ -29,27 +29,27 @@ impl Library {
         Ok(Self { bytes })
     }
 
-    /// The folder of archives for libraries of this platform.
+    /// Returns an archive's folder for libraries of this platform.
     pub fn platform() -> String {
         let arch = if ARCH == "arm" { "aarch32" } else { ARCH };
         let system = if OS == "macos" { "darwin" } else { OS };
         format!("{arch}-{system}")
     }
 
-    /// How the file is called there, for a model of this identifier.
+    /// Returns the name of the library in an archive, for a model with this identifier.
     pub fn file_name(identifier: &str) -> String {
-        // Hosts look for no prefix.
+        // Hosts expect no prefix.
         format!("{identifier}{DLL_SUFFIX}")
     }
 }
 
-/// How it is called where it is built.
+/// Returns the name under which Cargo builds the library.
 fn built_name() -> String {
     format!("{DLL_PREFIX}machinist_fmu{DLL_SUFFIX}")
 }
 
-/// What was built last beside the program, or where its tests find it; else with the program, in
-/// its sources.
+/// Returns the newest library beside the program or its tests, or else the one in the target folder
+/// of the program's sources.
 fn built() -> Option<PathBuf> {
     let name = built_name();
     let program = current_exe().ok();
@@ -68,7 +68,7 @@ fn missing() -> Failure {
     Failure::input(message, build())
 }
 
-/// How it is built.
+/// Returns the command that builds the library.
 fn build() -> String {
     let manifest = match sources() {
         Some(folder) => folder.join("Cargo.toml").display().to_string(),
@@ -81,7 +81,7 @@ fn build() -> String {
     )
 }
 
-/// Whether bytes begin as shared libraries of this platform do.
+/// Returns whether bytes begin like a shared library of this platform.
 fn is_library(bytes: &[u8]) -> bool {
     let marks: &[&[u8]] = match OS {
         "windows" => &[b"MZ"],

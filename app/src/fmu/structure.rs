@@ -1,4 +1,4 @@
-//! What unknowns of a model depend on.
+//! Dependencies of the unknowns of a model.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use machinist_model::{Model, Tape};
 
 use super::xml::Element;
 
-/// The structure of a model, as elements of a description.
+/// Structure of a model, as elements of a description.
 pub struct Structure<'a> {
     model: &'a Model,
     variables: &'a Variables,
@@ -18,7 +18,7 @@ impl<'a> Structure<'a> {
         Self { model, variables }
     }
 
-    /// Outputs, derivatives, what is unknown at the start, event indicators.
+    /// Returns elements for outputs, derivatives, unknowns of the start, and event indicators.
     pub fn elements(&self) -> Vec<Element> {
         let along = |name: &'static str, is: fn(&Variable) -> bool| {
             let all = self.variables.with_references().filter(move |(_, variable)| is(variable));
@@ -39,7 +39,8 @@ impl<'a> Structure<'a> {
         elements
     }
 
-    /// Whether it has fields, whose nodes no tape knows: then everything may depend on all.
+    /// Returns whether the model has fields. Tapes do not contain their nodes, so any unknown may
+    /// depend on everything.
     fn has_fields(&self) -> bool {
         !self.model.fields.is_empty()
     }
@@ -57,7 +58,7 @@ impl<'a> Structure<'a> {
                 && self.model.events.is_empty()
                 && !self.model.starts_in_equilibrium;
             if !is_whole || self.has_fields() {
-                // Constraints, equilibria and modes that are set right join all of the start.
+                // Constraints, equilibria and corrected modes couple all unknowns of the start.
                 return Element::new("InitialUnknown").with("valueReference", at);
             }
             let reads = match variable.kind {
@@ -68,7 +69,7 @@ impl<'a> Structure<'a> {
         })
     }
 
-    /// What a variable is computed from where the run stands.
+    /// Returns the direct dependencies of a variable at a state of the run.
     fn reads(&self, kind: Kind) -> Reads {
         let model = self.model;
         let of = |tape: &Tape, index: usize| match tape.results.get(index) {
@@ -103,7 +104,7 @@ impl<'a> Structure<'a> {
         Reads::of(self.model, tape, tape.results[entry])
     }
 
-    /// Knowns along a run: time, continuous states, inputs.
+    /// Returns the knowns along a run: time, continuous states, inputs.
     fn along_the_run(&self, reads: &Reads) -> BTreeSet<u32> {
         self.knowns(reads, &|variable| match variable.kind {
             Kind::State(_) | Kind::Time => true,
@@ -111,8 +112,8 @@ impl<'a> Structure<'a> {
         })
     }
 
-    /// Knowns before it: time, parameters, inputs, states that start exactly; what states that
-    /// are calculated are from.
+    /// Returns the knowns at the start: time, parameters, inputs, and states that start exactly.
+    /// States that are calculated are replaced by their own dependencies.
     fn at_start(&self, reads: &Reads) -> BTreeSet<u32> {
         let mut all = reads.clone();
         for variable in self.variables.all() {
@@ -144,7 +145,7 @@ impl<'a> Structure<'a> {
     }
 }
 
-/// An unknown with what it depends on.
+/// Creates the element of an unknown with its dependencies.
 fn element(name: &'static str, at: u32, dependencies: &BTreeSet<u32>) -> Element {
     let list: Vec<String> = dependencies.iter().map(u32::to_string).collect();
     Element::new(name).with("valueReference", at).with("dependencies", list.join(" "))

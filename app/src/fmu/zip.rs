@@ -1,8 +1,8 @@
 //! Archives in ZIP form (APPNOTE 6.3.10), deflated, without dates: the same files give the same
 //! bytes.
 //!
-//! Written here: the crates that do it bring other crates, and features of shared ones, for
-//! which all below Symbolica would be built twice.
+//! Written here because crates for ZIP bring other crates and features of shared ones, for which
+//! everything below Symbolica would be built twice.
 
 use std::io::{self, Write as _};
 
@@ -15,16 +15,16 @@ const CENTRAL: u32 = 0x0201_4b50;
 const END: u32 = 0x0605_4b50;
 /// Version 2.0: folders, deflated files.
 const VERSION: u16 = 20;
-/// Names are UTF-8.
+/// Flag of names in UTF-8.
 const FLAGS: u16 = 1 << 11;
 const DEFLATED: u16 = 8;
-/// The first of January 1980, the earliest date there is.
+/// 1 January 1980, the earliest possible date.
 const DATE: u16 = (1 << 5) | 1;
 
-/// An archive of files, each a name and bytes.
+/// Creates an archive of files, each with name and content.
 ///
 /// # Errors
-/// If a file or the archive is of 4 GiB or more, or a name of 64 KiB.
+/// If a file or the archive has 4 GiB or more, or a name 64 KiB or more.
 pub fn archive(files: &[(&str, &[u8])]) -> io::Result<Vec<u8>> {
     let (mut archive, mut central) = (Vec::new(), Vec::new());
     for (name, bytes) in files {
@@ -65,7 +65,7 @@ pub fn archive(files: &[(&str, &[u8])]) -> io::Result<Vec<u8>> {
     Ok(archive)
 }
 
-/// What headers of a file have in common.
+/// Fields that both headers of a file share.
 struct Header {
     crc: u32,
     deflated: u32,

@@ -8,13 +8,13 @@ use super::{Picture, PlotError};
 use machinist::linear_analysis::{Campbell, Linearization, Mode, ModeKind, Response};
 use machinist::trajectory::{Column, ColumnKind};
 
-/// Mode shapes drawn at most.
+/// Maximum number of mode shapes drawn.
 const MAX_MODES: usize = 6;
 
 /// Draws amplitude and phase over frequency, into an `.svg` or `.png` file.
 ///
 /// # Errors
-/// [`PlotError`]; no file is written then, or only part of one.
+/// [`PlotError`]. In that case no file is written, or only part of one.
 pub fn plot_response(response: &Response, title: &str, path: &Path) -> Result<(), PlotError> {
     let Response { from, to, frequencies, .. } = response;
     let degrees = response.phases.iter().map(|phase| phase.to_degrees()).collect();
@@ -31,9 +31,9 @@ pub fn plot_response(response: &Response, title: &str, path: &Path) -> Result<()
     picture.write(path)
 }
 
-/// Draws frequencies over a parameter, with orders of the speed if there is one and circles where
-/// they meet, into an `.svg` or `.png` file; frequencies and what orders give are in `unit`, of which
-/// a speed of the diagram's unit is `per_speed`.
+/// Draws frequencies over a parameter, with orders of the speed if there is one and circles at
+/// their crossings, into an `.svg` or `.png` file. Frequencies and orders are in `unit`;
+/// `per_speed` is one unit of the diagram's speed in that unit.
 ///
 /// # Errors
 /// As [`plot_response`]; [`PlotError::Nothing`] if nothing oscillates.
@@ -52,7 +52,7 @@ pub fn plot_campbell(
     let mut marks = Vec::new();
     let fastest = drawn.iter().flat_map(|column| &column.values).copied().fold(0.0, f64::max);
     for (order, speeds) in orders.iter().zip(diagram.speeds.iter().cycle()) {
-        // No farther than the frequencies go.
+        // The lines end where the frequencies end.
         let along = speeds.iter().map(|speed| order * speed.abs() * per_speed);
         let along = along.map(|line| if line <= 1.05 * fastest { line } else { f64::NAN });
         let along: Vec<f64> = along.collect();
@@ -103,8 +103,8 @@ pub fn plot_spectrum(
     Picture { title: texts[0], subtitle: texts[1].to_owned(), panels }.write(path)
 }
 
-/// Draws tau of profiles of the likelihood over the change of their parameters by standard
-/// errors, and the limits of 95 %, into an `.svg` or `.png` file.
+/// Draws tau of likelihood profiles over the change of their parameters in standard errors, and the
+/// limits of 95 %, into an `.svg` or `.png` file.
 ///
 /// # Errors
 /// As [`plot_response`].
@@ -128,11 +128,12 @@ pub fn plot_profiles(
     Picture { title, subtitle, panels: vec![panel] }.write(path)
 }
 
-/// Draws the shapes of the slowest six oscillations, or of aperiodic motions if there
-/// is none, into an `.svg` or `.png` file: roots of the shares that coordinates and
-/// first-order states have, the largest as 1, in phase with that one and a quarter of
-/// a period later. Of equal undamped masses that is the shape itself, and it does not
-/// depend on units.
+/// Draws the shapes of the slowest six oscillations, or of aperiodic motions if there are none,
+/// into an `.svg` or `.png` file.
+///
+/// The values are square roots of the shares of coordinates and first-order states, the largest as
+/// 1, in phase with that one and a quarter of a period later. For equal undamped masses this is the
+/// mode shape itself. The values do not depend on units.
 ///
 /// # Errors
 /// As [`plot_response`]; [`PlotError::Nothing`] if all motions are free.
@@ -177,7 +178,7 @@ pub fn plot_modes(
     Picture { title: simulator.title(), subtitle, panels }.write(path)
 }
 
-/// The modes to draw.
+/// Returns the modes to draw.
 fn drawn(modes: &[Mode]) -> Vec<&Mode> {
     let of = |kind: ModeKind| modes.iter().filter(move |mode| mode.kind == kind);
     let oscillations: Vec<&Mode> = of(ModeKind::Oscillation).take(MAX_MODES).collect();
@@ -200,7 +201,7 @@ fn described(mode: &Mode) -> String {
     }
 }
 
-/// Four significant digits.
+/// Formats four significant digits.
 fn rounded(value: f64) -> String {
     if !(1e-3..1e6).contains(&value.abs()) {
         return format!("{value:.3e}");

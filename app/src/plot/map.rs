@@ -1,4 +1,4 @@
-//! The map of where winding is stable.
+//! Map of stable winding.
 
 use std::path::Path;
 
@@ -15,10 +15,10 @@ use machinist_studies::winder_walk::map::{Condition, StabilityMap};
 const HEIGHT: u32 = 640;
 const LEGEND_HEIGHT: u32 = 30;
 
-/// Draws a stability map, one colour a condition, into an `.svg` or `.png` file.
+/// Draws a stability map, one colour for each condition, into an `.svg` or `.png` file.
 ///
 /// # Errors
-/// [`PlotError`]; no file is written then, or only part of one.
+/// [`PlotError`]. In that case no file is written, or only part of one.
 pub fn plot_map(map: &StabilityMap, path: &Path) -> Result<(), PlotError> {
     if map.cells.is_empty() {
         return Err(PlotError::Nothing);
@@ -30,7 +30,8 @@ struct Picture<'a> {
     map: &'a StabilityMap,
 }
 
-/// Told apart also by readers with a colour vision deficiency; stable is the faintest.
+/// Returns a colour that readers with a colour vision deficiency can distinguish. Stable is the
+/// faintest.
 fn color(condition: Condition) -> RGBColor {
     match condition {
         Condition::Stable => RGBColor(214, 232, 244),
@@ -68,7 +69,7 @@ impl Drawn for Picture<'_> {
 }
 
 impl Picture<'_> {
-    /// Conditions that occur.
+    /// Draws the conditions that occur.
     fn draw_legend<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> DrawResult<DB> {
         let style = text(14, INK).pos(Pos::new(HPos::Left, VPos::Center));
         let [side, gap, between] = [14, 7, 24].map(|size| (size * SCALE) as i32);
@@ -115,7 +116,7 @@ impl Picture<'_> {
             .draw()
     }
 
-    /// One rectangle for cells of one condition side by side.
+    /// Fills one rectangle for adjacent cells of one condition.
     fn fill<DB: DrawingBackend>(
         &self,
         chart: &mut Chart<'_, DB>,
@@ -136,7 +137,7 @@ impl Picture<'_> {
     }
 }
 
-/// The middles between ascending places, and as far beyond the ends.
+/// Returns the middles between ascending places, and outer edges at the same distance.
 fn edges(places: &[f64]) -> Vec<f64> {
     let middles = places.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]));
     let (Some(first), Some(last)) = (places.first(), places.last()) else { return Vec::new() };

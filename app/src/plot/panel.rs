@@ -13,7 +13,7 @@ pub(super) const INK: RGBColor = RGBColor(38, 43, 51);
 pub(super) const FAINT: RGBColor = RGBColor(92, 99, 110);
 const GRID: RGBColor = RGBColor(229, 232, 236);
 
-/// Colours of lines, told apart also by readers with a colour vision deficiency.
+/// Colours of lines that readers with a colour vision deficiency can distinguish.
 const COLORS: [RGBColor; 6] = [
     RGBColor(31, 98, 171),
     RGBColor(217, 112, 20),
@@ -28,16 +28,16 @@ const TICK: u32 = 6;
 const RIGHT: u32 = 28;
 const LEGEND_LINE: u32 = 20;
 
-/// Points drawn of a line at most.
+/// Maximum number of points of a line.
 const MAX_POINTS: usize = 2000;
 
-/// Distance of stems that stand side by side, in steps from name to name.
+/// Distance of adjacent stems, in steps from name to name.
 const STEM_DISTANCE: f64 = 0.2;
 
 /// Columns that share a unit.
 pub(super) struct Panel<'a> {
     pub unit: &'a str,
-    /// Where the values of all columns stand on the horizontal axis.
+    /// Positions of the values of all columns on the horizontal axis.
     pub places: &'a [f64],
     pub columns: Vec<&'a Column>,
     pub horizontal: &'a Axis,
@@ -46,7 +46,7 @@ pub(super) struct Panel<'a> {
     pub marks: Vec<Mark>,
 }
 
-/// A point of a panel with a few words beside it.
+/// Labelled point of a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Mark {
     pub place: f64,
@@ -58,7 +58,7 @@ pub(super) struct Mark {
 type Chart<'c, DB> = ChartContext<'c, DB, Cartesian2d<Ruler, Ruler>>;
 
 impl Panel<'_> {
-    /// Legend above, lines below, and under the last panel the horizontal axis.
+    /// Draws the legend above, the lines below, and under the last panel the horizontal axis.
     pub fn draw<DB: DrawingBackend>(
         &self,
         area: &DrawingArea<DB, Shift>,
@@ -99,7 +99,7 @@ impl Panel<'_> {
         self.draw_marks(&mut chart)
     }
 
-    /// Circles, and words to the left above their points, away from the right edge.
+    /// Draws circles, with labels to the upper left, away from the right edge.
     fn draw_marks<DB: DrawingBackend>(&self, chart: &mut Chart<'_, DB>) -> DrawResult<DB> {
         let style = text(12, INK).pos(Pos::new(HPos::Right, VPos::Bottom));
         let away = (4 * SCALE) as i32;
@@ -140,7 +140,7 @@ impl Panel<'_> {
         Ok(())
     }
 
-    /// From zero to each value, with a dot on it; columns side by side.
+    /// Draws stems from zero to each value, with a dot; columns side by side.
     fn draw_stems<DB: DrawingBackend>(&self, chart: &mut Chart<'_, DB>) -> DrawResult<DB> {
         let middle = (self.columns.len() as f64 - 1.0) / 2.0;
         for (number, column) in self.columns.iter().enumerate() {
@@ -157,8 +157,8 @@ impl Panel<'_> {
         Ok(())
     }
 
-    /// The unit over the axis of values, and beside it coloured dashes with names,
-    /// in as many lines as needed; returns the height that they take.
+    /// Draws the unit above the value axis, and beside it coloured dashes with names, in as many
+    /// lines as needed. Returns their height.
     fn draw_legend<DB: DrawingBackend>(
         &self,
         area: &DrawingArea<DB, Shift>,
@@ -193,15 +193,15 @@ impl Panel<'_> {
     }
 }
 
-/// The points in order, cut where a value is NaN or infinite.
+/// Splits points into lines at values that are NaN or infinite.
 fn finite_lines(times: &[f64], values: &[f64]) -> Vec<Vec<(f64, f64)>> {
     let points: Vec<_> = times.iter().copied().zip(values.iter().copied()).collect();
     let lines = points.split(|(_, value)| !value.is_finite());
     lines.filter(|line| !line.is_empty()).map(<[_]>::to_vec).collect()
 }
 
-/// At most [`MAX_POINTS`] points: of each of equal bins of time the least and
-/// the greatest, in the order they come.
+/// Keeps at most [`MAX_POINTS`] points: the least and greatest of each of equal bins of time, in
+/// their order.
 fn thinned(line: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let (Some(first), Some(last)) = (line.first().copied(), line.last().copied()) else {
         return line;
@@ -225,8 +225,8 @@ fn thinned(line: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     thin
 }
 
-/// The line in pieces that turn by less than a right angle: at sharper turns
-/// plotters draws long miters, out of the panel even.
+/// Cuts a line at turns sharper than a right angle, for which plotters draws long miters that may
+/// leave the panel.
 fn cut_at_sharp_turns(
     line: &[(f64, f64)],
     pixel: impl Fn(&(f64, f64)) -> (i32, i32),

@@ -1,4 +1,4 @@
-//! Axes: where values are placed along them, and what is written at their ticks.
+//! Axes: the positions of values and the labels of ticks.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -8,24 +8,24 @@ use plotters::coord::ranged1d::{
 };
 use plotters::coord::types::RangedCoordf64;
 
-/// Ticks along an axis of time and along one of values.
+/// Number of ticks along the time axis and the value axis.
 const TICKS_ACROSS: usize = 11;
 const TICKS_UP: usize = 6;
-/// Names written along an axis at most.
+/// Maximum number of names along an axis.
 const MAX_NAMES: usize = 12;
 
-/// What an axis shows.
+/// Kind of an axis.
 pub(crate) enum Axis {
-    /// Numbers, and what they are.
+    /// Numbers, with a title.
     Linear(Cow<'static, str>),
-    /// Numbers by their decimal logarithm; others than positive ones are left out.
+    /// Positive numbers by their decimal logarithm, with a title; others are left out.
     Logarithmic(Cow<'static, str>),
     /// Names, at 0, 1, 2, ...
     Names(Vec<String>),
 }
 
 impl Axis {
-    /// What is written under the axis.
+    /// Title of the axis.
     pub fn title(&self) -> &str {
         match self {
             Self::Linear(title) | Self::Logarithmic(title) => title,
@@ -33,7 +33,7 @@ impl Axis {
         }
     }
 
-    /// Where numbers lie along the axis; NaN for those that lie nowhere.
+    /// Returns the positions of numbers along the axis; NaN for those without one.
     pub fn placed(&self, values: &[f64]) -> Vec<f64> {
         match self {
             Self::Logarithmic(_) => values.iter().map(|value| value.log10()).collect(),
@@ -41,7 +41,7 @@ impl Axis {
         }
     }
 
-    /// A ruler from the first to the last place.
+    /// Creates a ruler from the first to the last place.
     pub fn along(&self, places: &[f64]) -> Ruler {
         if let Self::Names(names) = self {
             return Ruler::of_names(names);
@@ -52,7 +52,7 @@ impl Axis {
         self.ruler(range, TICKS_ACROSS)
     }
 
-    /// A ruler from the least to the greatest place, and a little more.
+    /// Creates a ruler from the least to the greatest place, with a margin.
     pub fn around(&self, places: impl Iterator<Item = f64>) -> Ruler {
         let extent = |(low, high): (f64, f64), place: f64| (low.min(place), high.max(place));
         let finite = places.filter(|place| place.is_finite());
@@ -68,33 +68,33 @@ impl Axis {
     }
 }
 
-/// A range with labelled ticks.
+/// Range with labelled ticks.
 pub(crate) struct Ruler {
     range: Range<f64>,
     labels: Vec<(f64, String)>,
 }
 
-/// What the report draws by.
+/// Functions that the report draws with.
 #[cfg(feature = "derive")]
 impl Ruler {
-    /// First and last place.
+    /// Returns the first and last place.
     pub fn ends(&self) -> Range<f64> {
         self.range.clone()
     }
 
-    /// Which share of the way from the first place to the last this is.
+    /// Returns the fraction of the range at a place.
     pub fn share(&self, place: f64) -> f64 {
         (place - self.range.start) / (self.range.end - self.range.start)
     }
 
-    /// What is written at which share of the way.
+    /// Returns the labels with their fractions of the range.
     pub fn marks(&self) -> impl Iterator<Item = (f64, &str)> {
         self.labels.iter().map(|(place, label)| (self.share(*place), label.as_str()))
     }
 }
 
 impl Ruler {
-    /// The same without anything written.
+    /// Removes the labels.
     pub fn unlabelled(mut self) -> Self {
         self.labels.iter_mut().for_each(|(_, label)| label.clear());
         self
@@ -105,7 +105,7 @@ impl Ruler {
         self.labels.len()
     }
 
-    /// The ticks that plotters chooses, all written alike.
+    /// Chooses the ticks of plotters, with labels of one format.
     fn of_numbers(range: Range<f64>, count: usize) -> Self {
         let axis: RangedCoordf64 = range.clone().into();
         let format = Ticks::new(&range, count);
@@ -114,8 +114,8 @@ impl Ruler {
         Self { range, labels }
     }
 
-    /// 1, 2 and 5 times powers of ten, or only powers, or only some of them, so that
-    /// there are at most `count`. A range too short for these gets plain numbers.
+    /// Chooses at most `count` ticks: 1, 2 and 5 times powers of ten, only powers, or only some
+    /// powers. A range too short for these gets plain numbers.
     fn of_powers(range: Range<f64>, count: usize) -> Self {
         let within = |digits: &[u32], every: i32| -> Vec<(f64, String)> {
             let powers = range.start.floor() as i32..=range.end.ceil() as i32;
@@ -174,7 +174,7 @@ impl ValueFormatter<f64> for Ruler {
     }
 }
 
-/// `0.02`, `5`, `1000`, `2e-6` with a true minus sign.
+/// Formats `0.02`, `5`, `1000`, `2e-6` with a true minus sign.
 fn power_label(digit: u32, power: i32) -> String {
     let value = f64::from(digit) * 10f64.powi(power);
     match power {
@@ -192,7 +192,7 @@ fn widened(range: Range<f64>) -> Range<f64> {
     range.start - margin..range.end + margin
 }
 
-/// The ticks that plotters chooses, and how to write them all alike.
+/// Format of the labels of the ticks that plotters chooses.
 struct Ticks {
     decimals: usize,
     exponential: bool,

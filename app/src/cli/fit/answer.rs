@@ -1,4 +1,4 @@
-//! What a fit has found, for people and for programs.
+//! Result of a fit, for people and for programs.
 
 use machinist::fit::{
     Combination, End, Experiment, Findings, Fit, Fitted, FoundParameter, Loss, OutputResidual,
@@ -14,50 +14,50 @@ use crate::cli::output::{columns, notes_told};
 use crate::cli::scene::Scene;
 use crate::number::{exact, number};
 
-/// Correlations from this size on are named.
+/// Size from which on correlations are reported.
 const CORRELATED: f64 = 0.9;
-/// Residuals with fewer chances than this are not chance.
+/// Probability below which residuals count as not random.
 const UNLIKELY: f64 = 0.01;
 
-/// All that is to be told.
+/// Complete result.
 #[derive(Debug, Serialize)]
 pub struct Answer {
     pub scene: String,
     pub title: String,
-    /// Why the search ended.
+    /// Reason why the search ended.
     pub end: &'static str,
     pub steps: usize,
     pub runs: usize,
-    /// Values that were compared, and places without one.
+    /// Number of compared values, and of gaps in the data.
     pub values: usize,
     pub gaps: usize,
     pub from: f64,
     pub until: f64,
     pub experiments: Vec<Told>,
     pub parameters: Vec<FoundParameter>,
-    /// Of each two parameters; null where one is not told.
+    /// Correlation of each pair of parameters; null if undetermined.
     pub correlations: Vec<Vec<Option<f64>>>,
     pub untold: Vec<Combination>,
     pub outputs: Vec<OutputResidual>,
-    /// Variants that could not be simulated, and why the first could not.
+    /// Number of variants that could not be simulated, and the reason of the first.
     pub failed: usize,
     pub why_failed: Option<String>,
-    /// What the runs of what was found remark.
+    /// Notes of the runs with the parameters found.
     pub notes: Vec<String>,
-    /// Of what they were asked for.
+    /// Profiles of the requested parameters.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub profiles: Vec<Profile>,
-    /// Student's t of 95 %.
+    /// Quantile of Student's t for 95 %.
     #[serde(skip)]
     pub t: f64,
 }
 
-/// An experiment as it was compared.
+/// Experiment as it was compared.
 #[derive(Debug, Serialize)]
 pub struct Told {
     pub name: String,
     pub data: String,
-    /// Parameters and initial values that were its own, in SI units.
+    /// Parameters and initial values of this experiment, in SI units.
     pub set: Map<String, Value>,
     pub from: f64,
     pub until: f64,
@@ -106,7 +106,7 @@ impl Answer {
         .with_loss(*loss)
     }
 
-    /// Whether residuals are as small as errors of the runs may be.
+    /// Returns whether residuals are within the errors of the runs.
     pub fn is_exact(&self) -> bool {
         self.outputs.iter().all(|output| output.is_rounding)
     }
@@ -124,7 +124,7 @@ impl Answer {
         self
     }
 
-    /// The answer for people.
+    /// Formats the result for people.
     pub fn told(&self, scene: &Scene) -> String {
         let gaps =
             if self.gaps > 0 { format!(", {} gaps left out", self.gaps) } else { String::new() };
@@ -212,7 +212,8 @@ impl Answer {
         columns(&rows, 4)
     }
 
-    /// Intervals by profiles beside those by standard errors, and why there are none.
+    /// Formats confidence intervals by profiles beside those by standard errors, with reasons for
+    /// missing ones.
     fn profiles_told(&self) -> String {
         if self.profiles.is_empty() {
             return String::new();
@@ -319,13 +320,13 @@ fn experiments(fit: &Fit<'_>, setups: &[Setup], gaps: &[usize]) -> Vec<Told> {
     fit.experiments.iter().zip(setups).zip(gaps).map(told).collect()
 }
 
-/// What the runs of what was found remark, each once.
+/// Returns the distinct notes of the runs with the parameters found.
 fn notes(fit: &Fit<'_>, parameters: &[FoundParameter]) -> Vec<String> {
     let values: Vec<f64> = parameters.iter().map(|found| found.value).collect();
     let mut notes = Vec::new();
     for experiment in fit.experiments {
         let times = &experiment.measured.times;
-        // Why one stops is told of otherwise.
+        // The reason of a run that stopped is reported elsewhere.
         let run = fit.run(experiment, &values, times, false);
         for note in run.into_iter().flat_map(|run| run.notes) {
             if !notes.contains(&note) {

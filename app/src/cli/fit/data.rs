@@ -9,44 +9,44 @@ use machinist_contract::Simulator;
 use crate::cli::amount::conversion;
 use crate::failure::{Failure, did_you_mean};
 
-/// How columns of files are told apart.
+/// Interpretation of the columns of files.
 pub struct Reading<'r> {
     pub simulator: &'r dyn Simulator<f64>,
-    /// Other names: column of a file, output or state.
+    /// Renamed columns: column of a file, output or state.
     pub map: &'r [(String, String)],
-    /// Only these outputs; all columns if empty.
+    /// Outputs to read; all columns if empty.
     pub outputs: &'r [String],
     /// Start of the runs \[s\].
     pub from: f64,
-    /// Whether columns that are neither are left out instead of refused.
+    /// Whether unknown columns are skipped instead of refused.
     pub skips_unknown: bool,
 }
 
-/// A file, and how many of its places are empty or NaN.
+/// Content of a file, with its number of empty or NaN values.
 pub struct File {
     pub measured: Measured,
-    /// Standard deviations that stand in columns of their own.
+    /// Standard deviations from columns of their own.
     pub noise: Vec<(String, Noise)>,
     pub gaps: usize,
 }
 
-/// From the unit of a column to that of what it is of.
+/// Conversion from the unit of a column to that of its output or state.
 type Conversion = Box<dyn Fn(f64) -> f64>;
 
-/// A column that is read.
+/// Column to read.
 struct Wanted {
     convert: Conversion,
     place: usize,
-    /// Output or state.
+    /// Name of the output or state.
     name: String,
-    /// Whether it is the standard deviation of that.
+    /// Whether the column is a standard deviation.
     is_deviation: bool,
     values: Vec<f64>,
 }
 
 impl Reading<'_> {
-    /// Reads a file: a header, times in its first column, ascending, then a column an output,
-    /// and `sigma(output)` for standard deviations of its values.
+    /// Reads a file: a header, ascending times in the first column, then a column for each output,
+    /// and `sigma(output)` for the standard deviations of its values.
     pub fn read(&self, path: &Path) -> Result<File, Failure> {
         let text = fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?;
         self.read_text(&text).map_err(|Refusal(message, help)| {
@@ -100,7 +100,7 @@ impl Reading<'_> {
         Ok(File { measured: Measured { times, columns }, noise: noise.collect(), gaps })
     }
 
-    /// Columns that are to be read, and that there are some.
+    /// Returns the columns to read, or an error if there are none.
     fn wanted(&self, header: &csv::StringRecord) -> Result<Vec<Wanted>, Refusal> {
         let mut wanted: Vec<Wanted> = Vec::new();
         for (place, cell) in header.iter().enumerate().skip(1) {
@@ -144,7 +144,7 @@ impl Reading<'_> {
         Ok(())
     }
 
-    /// The output or state that a column is of, and how it becomes that; nothing if it is not
+    /// Returns the output or state of a column and its conversion; `None` if the column is not
     /// wanted.
     fn output_of(&self, cell: &str) -> Result<Option<(String, Conversion)>, Refusal> {
         let simulator = self.simulator;
@@ -158,7 +158,7 @@ impl Reading<'_> {
         if !self.outputs.is_empty() && !self.outputs.iter().any(|wanted| wanted == name) {
             return Ok(None);
         }
-        // What a run of ours writes besides: its energy account.
+        // Tables of `machinist run` also contain energies, which are skipped.
         if mapped.is_none() && name.starts_with("energy.") {
             return Ok(None);
         }
@@ -192,7 +192,7 @@ impl Reading<'_> {
     }
 }
 
-/// From the unit of the first column, which is time, to seconds.
+/// Returns the conversion from the unit of the first column, which is time, to seconds.
 fn seconds(header: &csv::StringRecord) -> Result<Conversion, Refusal> {
     let (time, unit) = named(header.get(0).unwrap_or_default());
     if !matches!(time.to_ascii_lowercase().as_str(), "t" | "time") {
@@ -207,15 +207,14 @@ fn seconds(header: &csv::StringRecord) -> Result<Conversion, Refusal> {
     Ok(Box::new(convert))
 }
 
-/// What is wrong with a file, and how to mend it.
+/// Error in a file, with a hint.
 struct Refusal(String, String);
 
 fn refuse(message: String, help: impl Into<String>) -> Refusal {
     Refusal(message, help.into())
 }
 
-/// The line, from 1, of a record that is read from here on: comments and the second half of the
-/// end of a line may come before it.
+/// Returns the line, from 1, of a record that begins at a byte, after comments and empty lines.
 fn line_of(text: &str, byte: u64) -> usize {
     let (before, rest) = text.split_at_checked(byte as usize).unwrap_or((text, ""));
     let skipped = rest.split_inclusive('\n').take_while(|line| {
@@ -225,7 +224,7 @@ fn line_of(text: &str, byte: u64) -> usize {
     before.matches('\n').count() + skipped.count() + 1
 }
 
-/// The number at a place; NaN where there is none.
+/// Returns the number at a place; NaN if it is empty.
 fn cell(
     record: &csv::StringRecord,
     place: usize,
@@ -240,7 +239,8 @@ fn cell(
     }
 }
 
-/// Standard deviations are of a column that is there, and above 0 where it has a value.
+/// Returns an error unless standard deviations belong to a column of the file and are positive
+/// where it has a value.
 fn check_deviations(deviation: &Wanted, columns: &[Wanted]) -> Result<(), Refusal> {
     let Wanted { name, values, .. } = deviation;
     let Some(column) = columns.iter().find(|column| column.name == *name) else {
@@ -258,14 +258,14 @@ fn check_deviations(deviation: &Wanted, columns: &[Wanted]) -> Result<(), Refusa
     }
 }
 
-/// `twist [rad]` of `sigma(twist) [rad]`.
+/// Returns `twist [rad]` for `sigma(twist) [rad]`.
 fn deviation_of(cell: &str) -> Option<String> {
     let rest = cell.trim().strip_prefix("sigma(")?;
     let (name, unit) = rest.split_once(')')?;
     Some(format!("{name}{unit}"))
 }
 
-/// Name and unit of `name [unit]`.
+/// Returns name and unit of `name [unit]`.
 fn named(cell: &str) -> (&str, Option<&str>) {
     let cell = cell.trim();
     match cell.strip_suffix(']').and_then(|rest| rest.rsplit_once('[')) {

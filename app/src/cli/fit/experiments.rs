@@ -18,7 +18,7 @@ use machinist::fit::Noise;
 use crate::cli::amount::Amount;
 use crate::failure::Failure;
 
-/// A measured run before its file is read.
+/// Settings of a measured run before its file is read.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Setup {
     pub name: String,
@@ -31,7 +31,7 @@ pub struct Setup {
     pub sigma: Vec<(String, Noise)>,
 }
 
-/// All experiments of a file.
+/// Reads all experiments of a file.
 #[cfg(feature = "derive")]
 pub fn read(path: &Path) -> Result<Vec<Setup>, Failure> {
     let text = std::fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?;
@@ -46,7 +46,7 @@ pub fn read(path: &Path) -> Result<Vec<Setup>, Failure> {
     Ok(setups)
 }
 
-/// This program reads no TOML.
+/// Returns an error, because this build reads no TOML.
 #[cfg(not(feature = "derive"))]
 pub fn read(path: &Path) -> Result<Vec<Setup>, Failure> {
     let message =
@@ -67,7 +67,7 @@ mod parse {
 
     const KEYS: [&str; 7] = ["name", "data", "from", "set", "map", "outputs", "sigma"];
 
-    /// What is wrong, and at which byte.
+    /// Error with its byte position.
     #[derive(Debug)]
     pub struct Wrong {
         pub at: usize,
@@ -164,7 +164,7 @@ mod parse {
 
     type Leaf<'t> = (String, &'t Value);
 
-    /// Values of a table and of the tables within it, names joined by points.
+    /// Returns the values of a table and its subtables, with names joined by points.
     fn leaves<'t>(item: &'t Item, key: &str) -> Result<Vec<Leaf<'t>>, Wrong> {
         let Some(table) = item.as_table_like() else {
             return Err(wrong(item.span(), format!("`{key}` is no table")));
@@ -199,7 +199,7 @@ mod parse {
         value.as_float().or_else(|| value.as_integer().map(|integer| integer as f64))
     }
 
-    /// A number, or a text with a unit.
+    /// Parses a number, or a text with a unit.
     fn amount((name, value): Leaf<'_>) -> Result<(String, Amount), Wrong> {
         let of = |why: String| wrong(value.span(), format!("{name}: {why}"));
         let read = match (plain(value), value.as_str()) {

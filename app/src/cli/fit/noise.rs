@@ -1,8 +1,8 @@
-//! What is known of the noise of a column, as the command line and experiments say it.
+//! Noise of a column, as the command line and experiments give it.
 
 use machinist::fit::Noise;
 
-/// `2e-4`, `2 %` of what is measured, or `2e-4 + 2 %`, as the standard deviation of a column.
+/// Parses a standard deviation: `2e-4`, `2 %` of the measured value, or `2e-4 + 2 %`.
 pub fn noise(text: &str) -> Result<Noise, String> {
     const EXAMPLE: &str = "write it as a number in the unit of the column, as a share of what is \
                            measured, or both: 0.02, 1 %, 0.02 + 1 %";
@@ -24,7 +24,7 @@ pub fn noise(text: &str) -> Result<Noise, String> {
     Ok(Noise::Of { absolute, share })
 }
 
-/// Parts at a `+` that is no sign of an exponent.
+/// Splits at each `+` that is not the sign of an exponent.
 fn split_plain(text: &str) -> Vec<&str> {
     let is_between = |(at, _): &(usize, &str)| {
         let before = text[..*at].trim_end();
@@ -36,7 +36,7 @@ fn split_plain(text: &str) -> Vec<&str> {
     }
 }
 
-/// `output=noise`, as `--sigma` takes it.
+/// Parses `output=noise`, as `--sigma` takes it.
 pub fn of_output(text: &str) -> Result<(String, Noise), String> {
     let (name, value) =
         text.split_once('=').ok_or("write it as OUTPUT=VALUE, such as twist=2e-4 or twist=1%")?;

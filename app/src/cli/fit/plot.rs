@@ -10,10 +10,10 @@ use crate::cli::output::draw_file;
 use crate::failure::Failure;
 use crate::plot::plot_profiles;
 
-/// Curves of a plot have so many points beside those of the data.
+/// Number of points of a curve in addition to those of the data.
 const POINTS: usize = 600;
 
-/// Draws each data file beside the runs before and after.
+/// Draws each data file with the runs before and after.
 pub fn draw(fit: &Fit<'_>, answer: &Answer, file: &Path) -> Result<(), Failure> {
     for (index, experiment) in fit.experiments.iter().enumerate() {
         let drawn = compared(fit, experiment, answer)?;
@@ -29,7 +29,7 @@ pub fn draw(fit: &Fit<'_>, answer: &Answer, file: &Path) -> Result<(), Failure> 
     Ok(())
 }
 
-/// What was measured in a run as dots, and the runs before and after as lines.
+/// Draws the measured values as dots, and the runs before and after as lines.
 fn compared(
     fit: &Fit<'_>,
     experiment: &Experiment,
@@ -72,10 +72,10 @@ fn compared(
     Ok(Trajectory { times, columns, title, ..after })
 }
 
-/// Draws tau of all profiles over the change of their parameters, by standard errors: of a linear
-/// model, a straight line.
+/// Draws tau of all profiles over the change of their parameters in standard errors. For a linear
+/// model, this is a straight line.
 pub fn draw_profiles(answer: &Answer, file: &Path) -> Result<(), Failure> {
-    /// Curves go so far, in standard errors.
+    /// Extent of the curves in standard errors.
     const MOST: f64 = 8.0;
     let scaled = answer.profiles.iter().filter_map(|profile| {
         let found = answer.parameters.iter().find(|found| found.name == profile.parameter)?;
@@ -98,7 +98,7 @@ pub fn draw_profiles(answer: &Answer, file: &Path) -> Result<(), Failure> {
     draw_file(file, |path| plot_profiles(&places, curves, answer.t, &answer.title, path))
 }
 
-/// tau between the points of a profile, by their slopes; NaN beyond them.
+/// Interpolates tau between the points of a profile with their slopes. NaN outside the points.
 fn tau_at(profile: &Profile, value: f64) -> f64 {
     let mut pairs = profile.points.windows(2);
     let pair = pairs.find(|pair| pair[0].value <= value && value <= pair[1].value);

@@ -1,4 +1,4 @@
-//! What is to be fitted, as the command line says it.
+//! Unknowns of a fit, as the command line gives them.
 
 use machinist::fit::Unknown;
 use machinist::{SimulateError, Simulation};
@@ -8,14 +8,14 @@ use crate::cli::amount::Amount;
 use crate::cli::range::ends;
 use crate::failure::{Failure, did_you_mean};
 
-/// A name, and bounds if there are any.
+/// Name with optional bounds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Asked {
     pub name: String,
     pub bounds: Option<[Amount; 2]>,
 }
 
-/// `name` or `name=from..to`, as `--parameters` takes it.
+/// Parses `name` or `name=from..to`, as `--parameters` takes it.
 pub fn asked(text: &str) -> Result<Asked, String> {
     const EXAMPLE: &str = "write it as NAME or NAME=FROM..TO, such as coupling.damping=10..500";
     let Some((name, values)) = text.split_once('=') else {
@@ -32,7 +32,7 @@ pub fn asked(text: &str) -> Result<Asked, String> {
     Ok(Asked { name: name.trim().to_owned(), bounds: Some(bounds) })
 }
 
-/// The unknowns of a run, and whether each is a parameter.
+/// Returns the unknowns of a run, and whether each is a parameter.
 pub fn unknowns(
     all: &[Asked],
     simulator: &dyn Simulator<f64>,

@@ -38,7 +38,7 @@ pub struct Options {
 }
 
 impl Options {
-    /// Refuses options of C99 where something else is emitted.
+    /// Returns an error if options of C99 are given for another target.
     pub fn refuse(&self) -> Result<(), Failure> {
         let given = [
             ("--real", self.real.is_some()),
@@ -91,7 +91,7 @@ impl Options {
         }
     }
 
-    /// Refuses inputs that there are not, or that the equations take for constant.
+    /// Returns an error for inputs that do not exist or that the equations take to be constant.
     fn check_inputs(&self, model: &Model) -> Result<(), Failure> {
         if self.inputs.is_empty() || !model.fields.is_empty() {
             return Ok(());
@@ -105,9 +105,9 @@ impl Options {
         unfit.map_or(Ok(()), |unfit| Err(refused(&unfit, model)))
     }
 
-    /// The command that makes the files again, in a folder that the reader names.
+    /// Returns the command that renews the files, in a folder of the reader's choice.
     fn command(&self, scene: &str, keep_all: bool) -> String {
-        // Not where the file is on this machine.
+        // Without the folder of the file on this machine.
         let name = Path::new(scene).file_name().unwrap_or(scene.as_ref()).to_string_lossy();
         let mut command = format!("machinist gen --target c99 {name} -o .");
         if self.real == Some(Width::F32) {
@@ -126,7 +126,7 @@ impl Options {
     }
 }
 
-/// Why a parameter is no input.
+/// Explains why a parameter cannot be an input.
 fn refused(unfit: &Unfit, model: &Model) -> Failure {
     let help = match unfit {
         Unfit::UnknownInput { name, .. } => {
@@ -140,7 +140,7 @@ fn refused(unfit: &Unfit, model: &Model) -> Failure {
     Failure::input(unfit, help)
 }
 
-/// The state in which a run starts, if that is more than the initial values of the spec.
+/// Returns the state in which a run starts, if it differs from the initial values of the spec.
 fn start(model: &Model) -> Result<Option<Vec<f64>>, Failure> {
     if !model.fields.is_empty() || !needs_start(model) {
         return Ok(None);

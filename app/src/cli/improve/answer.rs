@@ -1,4 +1,4 @@
-//! What a search for a better design has found, for people and for programs.
+//! Result of a search for a better design, for people and for programs.
 
 use machinist::improve::{End, Improvement};
 use machinist_contract::Simulator;
@@ -11,27 +11,27 @@ use crate::cli::scene::Scene;
 use crate::failure::Failure;
 use crate::number::{exact, number};
 
-/// A multiplier below this, of what is measured by its size, holds nothing.
+/// Dimensionless multiplier below which a limit counts as inactive.
 const HOLDS: f64 = 1e-6;
-/// Nor does a limit that is further away than this share of it.
+/// Relative distance above which a limit counts as inactive.
 const NEAR: f64 = 1e-4;
 
-/// All that is to be told.
+/// Complete result.
 #[derive(Debug, Serialize)]
 pub struct Answer {
     pub scene: String,
     pub title: String,
-    /// Why the search ended.
+    /// Reason why the search ended.
     pub end: &'static str,
     pub steps: usize,
     pub runs: usize,
     pub objective: Objective,
     pub parameters: Vec<Varied>,
     pub limits: Vec<Limit>,
-    /// Variants that could not be simulated, and why the first could not.
+    /// Number of variants that could not be simulated, and the reason of the first.
     pub failed: usize,
     pub why_failed: Option<String>,
-    /// What the run of what was found remarks.
+    /// Notes of the run of the design found.
     pub notes: Vec<String>,
 }
 
@@ -53,8 +53,8 @@ pub struct Varied {
     pub value: f64,
     pub bounds: Option<[f64; 2]>,
     pub is_at_bound: bool,
-    /// How much better the objective gets for each unit that the bound is eased by; null if none
-    /// holds it.
+    /// Improvement of the objective for each unit by which the bound is relaxed; null if no bound
+    /// is active.
     pub cost: Option<f64>,
 }
 
@@ -66,9 +66,9 @@ pub struct Limit {
     pub before: Option<[f64; 2]>,
     pub after: [f64; 2],
     pub is_met: bool,
-    /// Whether it holds the design where it is.
+    /// Whether the limit is active.
     pub is_active: bool,
-    /// How much better the objective gets for each unit that it is eased by.
+    /// Improvement of the objective for each unit by which the limit is relaxed.
     pub cost: f64,
 }
 
@@ -88,7 +88,7 @@ impl Answer {
         let limit = |k: usize| {
             let (left, right) = after.sides[k];
             let value = found.evaluation.constraints[k][0].value;
-            // Of limits that are missed, multipliers are the price of missing them.
+            // Multipliers of violated limits are the price of the violation.
             let is_active = found.is_feasible() && found.multipliers[k] > HOLDS && value > -NEAR;
             Limit {
                 expression: limits[k].clone(),
@@ -143,12 +143,12 @@ impl Answer {
         })
     }
 
-    /// Values found.
+    /// Returns the values found.
     pub fn values(&self) -> Vec<f64> {
         self.parameters.iter().map(|varied| varied.value).collect()
     }
 
-    /// The answer for people.
+    /// Formats the result for people.
     pub fn told(&self, scene: &Scene) -> String {
         let shown = |value: f64| number(value, 7);
         let Objective { expression, unit, is_greatest, before, after } = &self.objective;

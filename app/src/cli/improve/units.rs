@@ -1,4 +1,4 @@
-//! Units of measure of expressions over a run, where the program can read them.
+//! Units of measure of expressions over a run, if the program can read them.
 
 #[cfg(feature = "derive")]
 pub use readable::{check, check_sides, in_one_unit, of, sides_in_one_unit};
@@ -14,10 +14,11 @@ mod readable {
     use machinist_codegen::spec::measure::Measure;
     use machinist_contract::Simulator;
 
-    /// A dimension; nothing of a bare number, which is in the unit of what it stands beside.
+    /// Dimension; `None` for a bare number, which takes the unit of the other operand.
     type Known = Option<Dimension>;
 
-    /// Refuses sums of different quantities, and functions of such that have a unit.
+    /// Returns an error for sums of different quantities, and for functions of quantities with a
+    /// unit.
     pub fn check(
         expression: &Expression,
         simulator: &dyn Simulator<f64>,
@@ -25,7 +26,7 @@ mod readable {
         dimension(expression, simulator).map(|_| ())
     }
 
-    /// The same, also of sides that do not fit.
+    /// Like [`check`] for both sides, which must also have the same dimension.
     pub fn check_sides(
         inequality: &Inequality,
         simulator: &dyn Simulator<f64>,
@@ -36,14 +37,15 @@ mod readable {
         alike((left, right), sides, simulator).map(|_| ())
     }
 
-    /// An expression whose parts are in units that fit: in that of the one quantity of which it
-    /// only takes one number, else in SI units.
+    /// Converts an expression to consistent units: it keeps the unit of a quantity if it only takes
+    /// one number of it, and uses SI units otherwise.
     pub fn in_one_unit(expression: Expression, simulator: &dyn Simulator<f64>) -> Expression {
         let stays = plain(&expression, simulator).is_some();
         if stays { expression } else { in_si(expression, simulator) }
     }
 
-    /// Likewise sides, in the unit of the left one if that is one quantity's.
+    /// Converts both sides to consistent units, that of the left side if it takes one number of one
+    /// quantity.
     pub fn sides_in_one_unit(sides: Inequality, simulator: &dyn Simulator<f64>) -> Inequality {
         let Inequality { left, right, is_at_most } = sides;
         let unit = plain(&left, simulator).and_then(|unit| Measure::parse(&unit).ok());
@@ -59,8 +61,8 @@ mod readable {
         Inequality { left: in_one_unit(left, simulator), right, is_at_most }
     }
 
-    /// The same number in SI units, whatever unit outputs are shown in: those are converted, and
-    /// so are numbers with a unit.
+    /// Converts an expression to SI units: quantities shown in other units and numbers with a unit
+    /// are converted.
     fn in_si(expression: Expression, simulator: &dyn Simulator<f64>) -> Expression {
         let Expression { node, range } = expression;
         let inner = |a: Box<Expression>| Box::new(in_si(*a, simulator));
@@ -88,13 +90,14 @@ mod readable {
         Expression { node, range }
     }
 
-    /// How much of its coherent unit the unit is in which a quantity is shown, where that is not 1.
+    /// Returns the factor from the unit in which a quantity is shown to its coherent unit, if not
+    /// 1.
     fn factor_of(name: &str, simulator: &dyn Simulator<f64>) -> Option<f64> {
         let measure = Measure::parse(unit_of(name, simulator)?).ok()?;
         (!measure.factor.is_one()).then(|| measure.factor.to_f64())
     }
 
-    /// The first quantity of an expression that is shown in such a unit.
+    /// Returns the first quantity of an expression that is shown in a unit with a factor.
     fn shown<'e>(expression: &'e Expression, simulator: &dyn Simulator<f64>) -> Option<&'e str> {
         match &expression.node {
             Node::Number(..) => None,
@@ -104,7 +107,7 @@ mod readable {
         }
     }
 
-    /// The unit of an expression; `1` if it has none.
+    /// Returns the unit of an expression; `1` if it has none.
     pub fn of(expression: &Expression, simulator: &dyn Simulator<f64>) -> String {
         if let Node::Negative(a) = &expression.node {
             return of(a, simulator);
@@ -116,7 +119,7 @@ mod readable {
         found.map_or_else(|| "1".to_owned(), Dimension::as_unit)
     }
 
-    /// The unit of what only takes one number of one quantity, as the spec has it.
+    /// Returns the spec's unit of an expression that only takes one number of one quantity.
     fn plain(expression: &Expression, simulator: &dyn Simulator<f64>) -> Option<String> {
         match &expression.node {
             Node::Name(name) => unit_of(name, simulator).map(str::to_owned),
@@ -232,7 +235,7 @@ mod readable {
         Err("of what has a unit, an exponent is a whole number or a half".to_owned())
     }
 
-    /// The dimension of what stands beside each other, which is that of both.
+    /// Returns the common dimension of two operands, or an error if they differ.
     fn alike(
         of: (Known, Known),
         (a, b): (&Expression, &Expression),
@@ -244,7 +247,7 @@ mod readable {
             let message = format!("this is in {other}, but what it stands beside in {a}");
             return Err(ExpressionError::new(message, b.range.clone()));
         }
-        // Of a bare number nobody knows whether it is in that unit or in SI.
+        // A bare number could be in the unit shown or in SI units.
         for ((known, bare), other) in [((of.0, a), b), ((of.1, b), a)] {
             let is_nothing = matches!(bare.node, Node::Number(value, None) if value == 0.0);
             if known.is_none()
@@ -267,13 +270,13 @@ mod unread {
     use machinist::improve::{Expression, ExpressionError, Inequality, Node};
     use machinist_contract::Simulator;
 
-    /// Refuses numbers with units of measure: what reads these is the generator's, and to take
-    /// `5 [mm]` for 5 would be wrong without a word.
+    /// Returns an error for numbers with units of measure. Units are read by the generator, and
+    /// taking `5 [mm]` for 5 would be silently wrong.
     pub fn check(expression: &Expression, _: &dyn Simulator<f64>) -> Result<(), ExpressionError> {
         without_units(expression)
     }
 
-    /// The same, of both sides.
+    /// Like [`check`] for both sides.
     pub fn check_sides(
         inequality: &Inequality,
         _: &dyn Simulator<f64>,

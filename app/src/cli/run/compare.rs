@@ -1,4 +1,4 @@
-//! A run beside others: measured ones, those of other scenes, the same with other settings.
+//! Comparison of a run with measured data, other scenes, or other settings.
 
 use std::path::Path;
 
@@ -26,19 +26,19 @@ pub struct Others {
     compare_set: Vec<Settings>,
 }
 
-/// Runs another scene, or the first one, with such parameters.
+/// Function that runs another scene, or the first one, with these parameters.
 type RunOther<'r> = dyn Fn(Option<&Scene>, &[(String, Amount)]) -> Result<Trajectory, Failure> + 'r;
 
-/// Parameters and their values, and how they were written.
+/// Parameters with values and the text they were read from.
 #[derive(Debug, Clone)]
 pub struct Settings {
     text: String,
     values: Vec<(String, Amount)>,
 }
 
-/// Another run, before it is one.
+/// Other run before its execution.
 pub enum Other {
-    /// What was measured: times, and outputs or states at them.
+    /// Measured data: times, and outputs or states at them.
     File {
         label: String,
         times: Vec<f64>,
@@ -54,19 +54,18 @@ pub enum Other {
     },
 }
 
-/// What of another run is comparable: values at the times of the first one, NaN where it says
-/// nothing.
+/// Comparable part of another run: values at the times of the first one, NaN where it has none.
 pub struct Beside {
     pub label: String,
     kind: ColumnKind,
-    /// Of columns of the first run, by their places.
+    /// Values by the index of the first run's column.
     values: Vec<(usize, Vec<f64>)>,
-    /// What it remarks and the first run does not.
+    /// Notes that the first run does not have.
     notes: Vec<String>,
 }
 
 impl Others {
-    /// Reads files and loads scenes, before any time is spent.
+    /// Reads files and loads scenes before the first run.
     pub fn load(&self, simulator: &dyn Simulator<f64>, from: f64) -> Result<Vec<Other>, Failure> {
         let mut others = Vec::new();
         for argument in &self.compare {
@@ -83,7 +82,7 @@ impl Others {
             });
         }
         for Settings { text, values } in &self.compare_set {
-            // Refused now rather than after the first run.
+            // Errors are found before the first run.
             let _ = with_parameters(Simulation::new(simulator), values)?;
             others.push(Other::Settings { label: text.clone(), values: values.clone() });
         }
@@ -92,7 +91,7 @@ impl Others {
 }
 
 impl Other {
-    /// Times that the first run has to have for it \[s\].
+    /// Times \[s\] that the first run has to include.
     pub fn times(&self) -> &[f64] {
         match self {
             Self::File { times, .. } => times,
@@ -100,8 +99,7 @@ impl Other {
         }
     }
 
-    /// Runs it at the times of the first run, by a function that does so with other parameters,
-    /// or another scene.
+    /// Runs the other at the times of the first run, with a function that runs scenes or settings.
     pub fn beside(self, first: &Trajectory, run: &RunOther<'_>) -> Result<Beside, Failure> {
         let (label, trajectory) = match self {
             Self::File { label, times, columns } => {
@@ -149,7 +147,7 @@ fn of_file(
 }
 
 impl Beside {
-    /// There is something to compare.
+    /// Returns an error if there is nothing to compare.
     fn required(self, first: &Trajectory) -> Result<Self, Failure> {
         let is_known = |(_, values): &(usize, Vec<f64>)| values.iter().any(|v| v.is_finite());
         if self.values.iter().any(is_known) {
@@ -159,7 +157,7 @@ impl Beside {
         Err(Failure::input(message, "columns of the same name and unit are compared"))
     }
 
-    /// Its columns as further ones of the first run.
+    /// Returns the values as additional columns of the first run.
     pub fn columns<'c>(&'c self, first: &'c Trajectory) -> impl Iterator<Item = (usize, Column)> {
         self.values.iter().map(|(place, values)| {
             let of = &first.columns[*place];
@@ -168,7 +166,7 @@ impl Beside {
         })
     }
 
-    /// Largest differences, and where in time.
+    /// Formats the largest differences and their times.
     pub fn table(&self, first: &Trajectory) -> String {
         let header = ["", "unit", "largest difference", "at [s]", "of its size"].map(str::to_owned);
         let rows = self.values.iter().filter_map(|(place, values)| {
@@ -190,7 +188,7 @@ impl Beside {
     }
 }
 
-/// The largest difference of two columns, with its row; nothing where they have none in common.
+/// Returns the largest difference of two columns with its row; `None` if they share no values.
 fn largest_difference(first: &[f64], other: &[f64]) -> Option<(f64, usize)> {
     let differences = first.iter().zip(other).map(|(a, b)| (a - b).abs()).enumerate();
     let known = differences.filter(|(_, difference)| difference.is_finite());

@@ -1,4 +1,4 @@
-//! A run with an estimate of its error, from a second run on another thread.
+//! Run with an error estimate from a second run on another thread.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -27,12 +27,12 @@ pub struct Options {
     accuracy: Option<f64>,
 }
 
-/// A run, and why it misses the accuracy that was asked for, if it does.
+/// Run, and the reason why it misses the accuracy asked for, if it does.
 pub type Estimated = (Trajectory, Option<String>);
 
 impl Run {
-    /// Runs the scene, and estimates the error if it is shown or an accuracy asks for it, unless told
-    /// not to.
+    /// Runs the scene. Estimates the error if it is shown or an accuracy is asked for, unless this
+    /// is turned off.
     pub(super) fn estimated(
         &self,
         scene: &Scene,
@@ -56,7 +56,7 @@ impl Run {
         })
     }
 
-    /// The run, and beside it the one at a tighter tolerance.
+    /// Runs the scene, and in parallel at a tighter tolerance.
     fn both(
         &self,
         scene: &Scene,
@@ -82,7 +82,7 @@ impl Run {
             is_abandoned.store(run.is_err(), Ordering::Relaxed);
             let run = self.chosen_columns(run?);
             let refined = during("estimating the error", || refined.join());
-            // Whatever the first run could be asked for, the second can.
+            // The second run accepts all settings of the first.
             let refined = refined.ok().flatten().expect("a second run like the first");
             let refined = refined.map(|refined| self.chosen_columns(refined));
             let error = ErrorEstimate::of(&run, &refined);
@@ -91,14 +91,14 @@ impl Run {
     }
 }
 
-/// The error of a column for people; nothing where none is estimated.
+/// Formats the error of a column for people; `None` without an estimate.
 pub fn cell(trajectory: &Trajectory, column: &Column) -> Option<String> {
     let estimate = trajectory.error.as_ref()?;
     let error = estimate.column(&column.name);
     Some(error.map_or_else(|| "?".to_owned(), |error| number(error.largest, 1)))
 }
 
-/// Why errors are not known, in a line of its own.
+/// Formats the reason why errors are unknown, on a line of its own.
 pub fn remark(trajectory: &Trajectory) -> String {
     let unknown = trajectory.error.as_ref().and_then(|error| error.unknown.as_ref());
     unknown.map_or_else(String::new, |reason| format!("\nerror unknown: {reason}"))

@@ -1,4 +1,4 @@
-//! `machinist run --fixed`: the steps of a fixed length that emitted C99 takes, compared with the
+//! `machinist run --fixed`: steps of a fixed length, as emitted C99 takes them, compared with the
 //! adaptive run.
 
 use clap::Args;
@@ -24,7 +24,7 @@ pub struct Options {
     step_method: Option<StepMethod>,
 }
 
-/// The method of a name.
+/// Returns the method of a name.
 pub fn step_method(name: &str) -> Result<StepMethod, String> {
     let found = StepMethod::ALL.into_iter().find(|method| method.name() == name);
     found.ok_or_else(|| {
@@ -33,29 +33,29 @@ pub fn step_method(name: &str) -> Result<StepMethod, String> {
     })
 }
 
-/// Steps of a run that one waits for.
+/// Maximum number of steps of a run.
 const MOST_STEPS: f64 = 1e9;
 
-/// Steps of a fixed length, as they are asked for.
+/// Settings of fixed steps.
 pub struct Fixed {
     step: f64,
     method: StepMethod,
 }
 
-/// Result of the steps.
+/// Result of fixed steps.
 pub struct Stepping {
     times: Vec<f64>,
-    /// A state for each time.
+    /// State at each time.
     states: Vec<Vec<f64>>,
     steps: usize,
     step: f64,
     events: usize,
-    /// Steps that had more parts than may be.
+    /// Number of steps that exceeded the maximum number of parts.
     crowded: usize,
 }
 
 impl Options {
-    /// The steps that are asked for, if any are.
+    /// Returns the settings, if fixed steps are asked for.
     pub fn asked(&self) -> Result<Option<Fixed>, Failure> {
         let Some(step) = self.fixed else { return Ok(None) };
         if !(step > 0.0 && step.is_finite()) {
@@ -67,8 +67,8 @@ impl Options {
 }
 
 impl Fixed {
-    /// Steps over the time of a run, with about so many rows. The number of steps is whole, so each
-    /// is a little shorter than asked for where that does not fit.
+    /// Takes steps over the time of a run, with about `rows` rows. The steps are shortened so that
+    /// their number is whole.
     pub fn run(&self, run: &Simulation<'_>, until: f64, rows: usize) -> Result<Stepping, Failure> {
         let simulator = run.simulator();
         let point = operating_point(run, Place::Initial)?;
@@ -82,7 +82,7 @@ impl Fixed {
             let message = format!("--fixed {}: the run would take {wanted:.0} steps", self.step);
             return Err(Failure::input(message, "take longer steps, or a shorter run"));
         }
-        // A step that fits but for rounding fits.
+        // A step that fits up to rounding is not shortened.
         let steps = (wanted * (1.0 - 1e-9)).ceil().max(1.0) as usize;
         let (step, every) = ((until - from) / steps as f64, (steps / rows).max(1));
         let pattern = simulator.rate_jacobian_pattern();
@@ -131,8 +131,8 @@ impl Fixed {
         Ok(stepping)
     }
 
-    /// Puts the steps in place of the adaptive run, with a column of errors behind each of its
-    /// states and outputs; and says how large these are.
+    /// Replaces the adaptive run by the steps, with a column of errors after each state and output.
+    /// Returns a summary of the errors.
     pub fn compare(
         &self,
         stepping: &Stepping,
@@ -187,12 +187,12 @@ impl Fixed {
 }
 
 impl Stepping {
-    /// Times at which there are states.
+    /// Times of the states.
     pub fn times(&self) -> &[f64] {
         &self.times
     }
 
-    /// The first time at which the state is not finite.
+    /// Returns the first time at which the state is not finite.
     fn first_lost(&self) -> Option<f64> {
         let mut rows = self.times.iter().zip(&self.states);
         rows.find(|(_, state)| state.iter().any(|value| !value.is_finite())).map(|(time, _)| *time)

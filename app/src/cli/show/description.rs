@@ -1,11 +1,11 @@
-//! What a scene is made of, as plain data: of a spec, or of a model.
+//! Contents of a scene as plain data, from a spec or a model.
 
 use machinist_model::evaluate::{Evaluator, Inputs};
 use machinist_model::{Check as ModelCheck, Model, Reference, RunDefaults, StateKind};
 use serde::Serialize;
 
-/// A scene, for people and as JSON. A model knows no instances and joints, of what is left
-/// out nothing, and of events and constraints no expressions.
+/// Scene for people and as JSON. A model lacks instances, joints, reductions, and the expressions
+/// of events and constraints.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Description {
     pub scene: String,
@@ -37,9 +37,9 @@ pub struct Instance {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Port {
     pub name: String,
-    /// rotational, translational or electrical.
+    /// One of rotational, translational or electrical.
     pub kind: &'static str,
-    /// What it moves by, in names of the instance.
+    /// Coordinate that moves with the port, in names of the instance.
     pub moves: String,
 }
 
@@ -47,7 +47,7 @@ pub struct Port {
 pub struct Input {
     pub name: String,
     pub unit: String,
-    /// As the scene writes it.
+    /// Text in the scene.
     pub expression: String,
 }
 
@@ -63,7 +63,7 @@ pub struct Parameter {
     #[serde(flatten)]
     pub quantity: Quantity,
     pub value: f64,
-    /// Whether runs may give it another value.
+    /// Whether runs may change the value.
     pub tunable: bool,
 }
 
@@ -78,7 +78,7 @@ pub struct Quantity {
 pub struct Field {
     #[serde(flatten)]
     pub quantity: Quantity,
-    /// m.
+    /// Length in m.
     pub length: f64,
     pub elements: usize,
     pub order: usize,
@@ -89,11 +89,11 @@ pub struct State {
     #[serde(flatten)]
     pub quantity: Quantity,
     pub kind: Kind,
-    /// At the values that parameters have in the spec; not a number where only a run knows.
+    /// Value at the spec's parameters; NaN if only a run determines it.
     pub initial: f64,
-    /// Whether constraints, or a start in equilibrium, may move it.
+    /// Whether constraints or a start in equilibrium may change the value.
     pub is_guess: bool,
-    /// What else moves with it, by joints.
+    /// Other coordinates that joints connect with it.
     pub joined: Vec<String>,
 }
 
@@ -110,7 +110,7 @@ pub enum Kind {
 pub struct Event {
     pub name: String,
     pub doc: String,
-    /// As its spec writes it, in the names of its unit.
+    /// Text in the spec, in the names of its unit.
     pub guard: Option<String>,
     pub direction: &'static str,
     pub when: Vec<(String, i32)>,
@@ -121,7 +121,7 @@ pub struct Event {
 pub struct Constraint {
     pub name: String,
     pub doc: String,
-    /// As its spec writes it, in the names of its unit.
+    /// Text in the spec, in the names of its unit.
     pub expression: Option<String>,
     pub when: Vec<(String, i32)>,
 }
@@ -144,7 +144,7 @@ impl Quantity {
     }
 }
 
-/// Times and values in a few words.
+/// Describes times and values in a few words.
 pub fn described_values(rows: &[[f64; 2]]) -> String {
     match rows {
         [] => "no values".to_owned(),
@@ -154,7 +154,7 @@ pub fn described_values(rows: &[[f64; 2]]) -> String {
 }
 
 impl Description {
-    /// What a model knows of its scene.
+    /// Describes the scene of a model.
     pub fn of_model(model: &Model) -> Self {
         let parameters = model.parameters.iter().map(|parameter| Parameter {
             quantity: Quantity::of(&parameter.quantity),

@@ -1,4 +1,4 @@
-//! What the spec of a scene says of it, without deriving anything.
+//! Description of a scene from its spec, without derivation.
 
 use machinist_codegen::scene::system::{self, LagrangianSystem};
 use machinist_codegen::spec::{
@@ -11,7 +11,7 @@ use super::description::{
 };
 
 impl Description {
-    /// What a spec and the system made of it say.
+    /// Describes a spec and the system composed from it.
     pub fn of_spec(spec: &SceneSpec, system: &LagrangianSystem) -> Self {
         let parameters = system.parameters.iter().map(|parameter| Parameter {
             quantity: Quantity::of(&parameter.quantity),
@@ -78,7 +78,7 @@ fn instance(spec: &SceneSpec, instance: &InstanceSpec) -> Instance {
     }
 }
 
-/// Positions, then velocities, then first-order states.
+/// Returns positions, then velocities, then first-order states.
 fn states(system: &LagrangianSystem) -> Vec<State> {
     let (any_moves, can_move) = (system.starts_in_equilibrium, !system.constraints.is_empty());
     let state = |which: usize, kind| {
@@ -105,7 +105,7 @@ fn states(system: &LagrangianSystem) -> Vec<State> {
     positions.chain(velocities).chain(first_order).collect()
 }
 
-/// What all instances have of something, then what the scene has of it.
+/// Describes the elements of all instances, then those of the scene.
 fn of_all<S, T>(
     spec: &SceneSpec,
     of_unit: impl Fn(&UnitSpec) -> &[S],

@@ -1,4 +1,4 @@
-//! The second derivation of a spec under check, in this process: it takes no computer algebra.
+//! Second derivation of a spec under check, in this process. It needs no computer algebra.
 
 use machinist::{Discretisation, FieldSimulator};
 use machinist_codegen::independent::{At, Comparison, Deviation, elements};
@@ -11,25 +11,25 @@ use machinist_studies::verify::automatic::{Difference, Independent, Look};
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
 
-/// Random places, beside those of the run.
+/// Number of random places, in addition to those of the run.
 const PLACES: usize = 20;
-/// Which random places.
+/// Seed of the random places.
 const SEED: u64 = 0x5eed;
-/// Coordinates and constraints up to which equations are solved as one dense matrix, in
-/// seconds.
+/// Maximum number of coordinates and constraints, so that solving the equations as one dense matrix
+/// takes seconds.
 const MOST: usize = 300;
-/// Those up to which that is done at every place.
+/// Number up to which the equations are solved at every place.
 const EVERYWHERE: usize = 100;
 
-/// The system that a model was derived from.
+/// System from which a model was derived.
 pub struct Spec {
     system: LagrangianSystem,
-    /// Of fields, into how many elements each is cut.
+    /// Number of elements of each field.
     elements: Option<usize>,
 }
 
 impl Spec {
-    /// Of a spec, or why it cannot be asked.
+    /// Reads the system of a spec, or returns why it cannot be compared.
     pub fn of(source: &SpecSource, model: &Model) -> Result<Result<Self, String>, Failure> {
         let mut system = source.system()?;
         let left_out = &model.reduction.left_out;
@@ -56,7 +56,7 @@ impl Spec {
         Ok(Ok(Self { system, elements }))
     }
 
-    /// Of a simulator without fields.
+    /// Compares the system with a simulator without fields.
     pub fn against<'a>(
         &'a self,
         simulator: &'a dyn Simulator<f64>,
@@ -78,14 +78,15 @@ impl Spec {
         }))
     }
 
-    /// Of a model with fields, in few elements, at random places: the run has more of them.
+    /// Compares the system with a model with fields, in few elements and only at random places,
+    /// because the run has more elements.
     pub fn against_fields<'a>(
         &'a self,
         machine: &'a ModelSimulator,
         parameters: &[f64],
     ) -> Independent<'a> {
         let cut = Discretisation { elements: self.elements, order: None };
-        // Whether it can be cut so is known before anybody asks.
+        // Discretization errors are found before the comparison.
         FieldSimulator::new(machine.with_fields(), cut).map_err(|error| error.to_string())?;
         let parameters = parameters.to_vec();
         Ok(Box::new(move |_| {

@@ -1,4 +1,4 @@
-//! A machine of the user's own under check: run in both ways, with the checks of its scene.
+//! Checks of a machine of the user's own, run in both ways.
 
 use std::time::Duration;
 
@@ -22,7 +22,7 @@ use crate::spec_source::SpecSource;
 #[cfg(not(feature = "derive"))]
 use without::Spec;
 
-/// What is changed of the run.
+/// Changes of the run's settings.
 pub struct Changes<'a> {
     /// Parameters and their values.
     pub parameters: &'a [(String, Amount)],
@@ -30,17 +30,17 @@ pub struct Changes<'a> {
     pub until: Option<f64>,
     /// Relative tolerance of a step.
     pub rtol: Option<f64>,
-    /// How long each run may compute.
+    /// Time limit of each run.
     pub time_limit: Duration,
 }
 
-/// Every check of a scene file or a model file.
+/// Runs all checks of a scene file or a model file.
 pub fn verify(argument: &str, changes: &Changes<'_>) -> Result<Vec<Verdict>, Failure> {
     let (model, spec) = given(argument)?;
     verify_model(&model, &spec, changes)
 }
 
-/// Every check of a spec and the model that was derived of it.
+/// Runs all checks of a spec and the model derived from it.
 #[cfg(feature = "derive")]
 pub fn verify_spec(
     source: &SpecSource,
@@ -50,7 +50,7 @@ pub fn verify_spec(
     verify_model(model, &Spec::of(source, model)?, changes)
 }
 
-/// Every check of a model with its spec, or why there is none.
+/// Runs all checks of a model with its spec, or with the reason why there is none.
 fn verify_model(
     model: &Model,
     spec: &Result<Spec, String>,
@@ -74,7 +74,7 @@ fn verify_model(
     verify_both(model, &ways, &independent, changes)
 }
 
-/// The model of an argument and its spec, or why there is none.
+/// Returns the model of an argument and its spec, or the reason why there is none.
 #[cfg(feature = "derive")]
 fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
     match scene::Given::of(argument)? {
@@ -87,7 +87,7 @@ fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
     }
 }
 
-/// This program reads no specs.
+/// Returns the model of an argument, without a spec in this build.
 #[cfg(not(feature = "derive"))]
 fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
     match scene::Given::of(argument)? {
@@ -98,7 +98,7 @@ fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
 
 const NO_SPEC: &str = "a model file has no spec to derive from again";
 
-/// A machine in both ways of running it.
+/// Machine in both ways of running it.
 struct Ways<'a> {
     simulator: &'a dyn Simulator<f64>,
     twin: &'a dyn Simulator<f64>,
@@ -146,7 +146,7 @@ fn own_check<'a>(check: &'a Check, parameters: &'a [f64]) -> OwnCheck<'a> {
     }
 }
 
-/// What stands for specs where there are none.
+/// Stand-in for specs in a build without them.
 #[cfg(not(feature = "derive"))]
 mod without {
     use machinist_contract::Simulator;

@@ -1,4 +1,4 @@
-//! Whether this package stands alone, and so has the template of `machinist new` within it.
+//! Detects whether this package was packed alone and contains the template of `machinist new`.
 
 use std::path::Path;
 

@@ -1,5 +1,6 @@
-//! Pages held against the rules of axe-core, which is not ours to hand on: where the environment says
-//! where it is (`MACHINIST_AXE=path/to/axe.min.js`, of the npm package `axe-core`) and a browser is.
+//! Pages checked with the rules of axe-core, which cannot be redistributed here. The test runs if
+//! the environment gives its path (`MACHINIST_AXE=path/to/axe.min.js`, of the npm package
+//! `axe-core`) and there is a browser.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +8,7 @@ use std::path::Path;
 use crate::cli::{answer, text};
 use crate::live::{browser, found};
 
-/// Asks for what breaks a rule, and leaves it in the page.
+/// Collects violations of the rules and leaves them in the page.
 const ASK: &str = r#"<script>
 addEventListener("load", async () => {
   await new Promise((resolve) => setTimeout(resolve, 1000));
@@ -18,14 +19,14 @@ addEventListener("load", async () => {
 });
 </script></body>"#;
 
-/// Of a screen, in light and dark; in the narrowest window that browsers open.
+/// Browser options: a screen in light and dark, and the narrowest window that browsers open.
 const WAYS: [&[&str]; 3] = [
     &["--window-size=1200,900"],
     &["--window-size=1200,900", "--blink-settings=preferredColorScheme=0"],
     &["--window-size=500,900"],
 ];
 
-/// Live with events, and without; with constraints; not live, with a field.
+/// Live pages with events, without, and with constraints; a page that is not live, with a field.
 const PAGES: [(&str, &str); 4] = [
     ("specs/scenes/drives/winch.toml", "winch"),
     ("specs/scenes/parts/translational/mass.toml", "translational_mass"),

@@ -1,4 +1,4 @@
-//! The program in an empty folder: what travels within it.
+//! The program in an empty folder, with only its built-in data.
 
 use std::fs;
 use std::path::Path;
@@ -14,19 +14,19 @@ use crate::process;
 #[cfg(target_os = "linux")]
 use crate::process::said;
 
-/// The program in a folder, with no home but that.
+/// Prepares a call of the program in a folder that is also its home.
 fn machinist(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = process::machinist(folder, arguments);
     command.env("HOME", folder);
     command
 }
 
-/// Standard output of a run that must succeed.
+/// Returns standard output of a run that must succeed.
 fn answer(folder: &Path, arguments: &[&str]) -> String {
     process::answer(machinist(folder, arguments))
 }
 
-/// Asserts bad input: exit code 2, nothing on standard output, and what is said.
+/// Asserts bad input: exit code 2, nothing on standard output, and these words on standard error.
 fn assert_refused(folder: &Path, arguments: &[&str], words: &[&str]) {
     process::assert_refused(machinist(folder, arguments), words);
 }
@@ -63,7 +63,7 @@ fn text(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// All files below a folder, by their paths within it, sorted.
+/// Returns all files below a folder, by their relative paths, sorted.
 fn files_in(folder: &Path) -> Vec<String> {
     let mut files = Vec::new();
     let mut folders = vec![folder.to_owned()];
@@ -102,13 +102,13 @@ fn a_new_crate_is_the_example_under_another_name() {
     for file in expected.iter().filter(|file| **file != "Cargo.toml") {
         assert!(text(&made.join(file)) == text(&example.join(file)), "{file}");
     }
-    // Its crates are those of this repository.
+    // The crates are taken from this repository.
     let manifest = text(&made.join("Cargo.toml"));
     for folder in [root.to_owned(), root.join("contract"), root.join("codegen")] {
         assert!(manifest.contains(&format!("path = {folder:?}")), "{manifest}");
     }
 
-    // What is there is left as it is.
+    // Existing files stay as they are.
     assert_refused(folder.path(), &["new", "own-machine"], &["own-machine exists already"]);
     assert_eq!(files_in(folder.path()).len(), expected.len());
 }
@@ -144,7 +144,7 @@ fn a_name_that_no_crate_can_have_is_refused_and_writes_nothing() {
     assert_eq!(files_in(folder.path()), [""; 0]);
 }
 
-/// A scene with some of everything that is shown.
+/// Scene with all kinds of elements that are shown.
 const SCENE: &str = r#"
 [scene]
 name = "hammer"
@@ -305,7 +305,7 @@ fn a_run_says_which_method_auto_chose_and_why() {
     assert!(run.contains("\nlinear with constant coefficients: solved by "), "{run}");
 }
 
-/// Whether a process has a handler for SIGINT by now.
+/// Returns whether a process has a handler for SIGINT yet.
 #[cfg(target_os = "linux")]
 fn catches_interrupts(process: u32) -> bool {
     let status = fs::read_to_string(format!("/proc/{process}/status")).expect("it runs");
@@ -314,7 +314,7 @@ fn catches_interrupts(process: u32) -> bool {
     caught.is_some_and(|mask| mask & (1 << (2 - 1)) != 0)
 }
 
-/// What a run says that is interrupted when it listens.
+/// Returns the output of a run that is interrupted once it handles interrupts.
 #[cfg(target_os = "linux")]
 fn interrupted(folder: &Path, run: &[&str]) -> Output {
     let mut command = machinist(folder, run);
@@ -324,14 +324,14 @@ fn interrupted(folder: &Path, run: &[&str]) -> Output {
         assert!(waiting.elapsed() < Duration::from_secs(60), "it never listens");
         sleep(Duration::from_millis(5));
     }
-    // Until it does something about them.
+    // Until the run checks the flag.
     sleep(Duration::from_millis(50));
     let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
     assert!(sent.expect("a signal").success());
     child.wait_with_output().expect("an end")
 }
 
-/// Its damping asks for steps so short that it never comes to its second point.
+/// The damping forces steps so short that the run never reaches its second point.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_run_that_is_interrupted_at_its_first_point_says_when_that_is() {
@@ -347,7 +347,7 @@ fn a_run_that_is_interrupted_at_its_first_point_says_when_that_is() {
 #[cfg(target_os = "linux")]
 fn a_run_that_is_interrupted_keeps_what_it_has() {
     let folder = tempfile::tempdir().expect("a folder");
-    // It would take minutes.
+    // The whole run would take minutes.
     let run = ["run", "two_mass", "--method", "tsit5", "--until", "1e7", "--points", "1000001"];
     let output = interrupted(folder.path(), &[&run[..], &["--out", "part.json"]].concat());
     assert_eq!(output.status.code(), Some(1), "{}", said(&output));

@@ -1,5 +1,5 @@
-//! The book and the README: what they show is what the program does, they name every key of the
-//! language and no other, and their links lead somewhere.
+//! The book and the README: their examples agree with the program, they describe exactly the keys
+//! of the language, and their links have targets.
 
 mod alike;
 mod examples;
@@ -15,17 +15,17 @@ use std::thread;
 use crate::process::{REPOSITORY, answer, machinist};
 use markdown::{Chapter, Piece};
 
-/// The folder of the chapters.
+/// Folder of the chapters.
 fn source() -> PathBuf {
     Path::new(REPOSITORY).join("docs/book/src")
 }
 
-/// A chapter by its path in the book.
+/// Reads a chapter by its path in the book.
 fn chapter(name: &str) -> Chapter {
     Chapter::read(&source().join(name))
 }
 
-/// Paths of all chapters in the book, as its contents list them.
+/// Returns the paths of all chapters in the book, as its contents list them.
 fn listed() -> Vec<String> {
     let contents = chapter("SUMMARY.md");
     let links = contents.pieces.into_iter().filter_map(|piece| match piece {
@@ -116,7 +116,7 @@ fn links_lead_to_what_is_there() {
     assert!(mistakes.is_empty(), "\n{}", mistakes.join("\n"));
 }
 
-/// All files in Markdown whose links are looked at.
+/// Returns all Markdown files whose links are checked.
 fn with_links() -> Vec<PathBuf> {
     let root = Path::new(REPOSITORY);
     let mut paths: Vec<PathBuf> = listed().iter().map(|name| source().join(name)).collect();
@@ -144,7 +144,7 @@ fn leads_somewhere(chapter: &Chapter, link: &str, is_of_book: bool) -> Result<()
     if !target.exists() {
         return Err("there is no such file".to_owned());
     }
-    // mdBook makes pages of its chapters, and takes any link to Markdown for one to a page.
+    // mdBook makes pages of its chapters, and takes any link to Markdown for a link to a page.
     let ends_outside = is_of_book
         && !target
             .canonicalize()
@@ -159,7 +159,7 @@ fn leads_somewhere(chapter: &Chapter, link: &str, is_of_book: bool) -> Result<()
     Err("there is no such heading".to_owned())
 }
 
-/// What links to headings call them.
+/// Returns the names of headings in links.
 fn anchors(chapter: &Chapter) -> Vec<String> {
     let anchor = |text: &str| -> String {
         let plain = text.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));

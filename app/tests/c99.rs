@@ -107,7 +107,7 @@ fn steps_of_a_fixed_length_are_compared_with_the_adaptive_run() {
         };
         error(rows.last().expect("a row"))
     };
-    // Far from where rounding matters; events cost no order.
+    // The steps are far above rounding. Events do not reduce the order.
     let [coarse, fine] = ["2e-3", "1e-3"].map(|step| fixed(step, &[]));
     assert!(coarse < 1e-4 && fine < 0.3 * coarse, "{coarse:e} {fine:e}");
     let heun = fixed("1e-3", &["--step-method", "heun"]);

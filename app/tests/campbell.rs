@@ -5,7 +5,7 @@ use std::fs;
 
 use crate::process::{answer, assert_refused, machinist};
 
-/// A wheel of 2 kg m^2 on a shaft of 5000 N m/rad: 50 rad/s.
+/// Wheel of 2 kg m^2 on a shaft of 5000 N m/rad: 50 rad/s.
 const WHEEL: &str = r#"
 [scene]
 name = "wheel"
@@ -47,7 +47,7 @@ fn a_plain_speed_is_an_axis_in_rpm_with_frequencies_in_hertz() {
         assert!((row[0] - 60.0 * index as f64).abs() < 1e-9, "{row:?}");
         assert!((row[1] * TAU / 50.0 - 1.0).abs() < 1e-12, "{row:?}");
     }
-    // 50 rad/s is met by order 1 at 477.465 rpm, by order 2 at half of that.
+    // Order 1 meets 50 rad/s at 477.465 rpm, order 2 at half of that.
     let said = answer(campbell(&folder, &["--speeds", "0..600 [rpm]", "--orders", "1,2", "--hz"]));
     for words in ["speed [rpm]", "477.465", "238.732", "7.95775", "at [Hz]"] {
         assert!(said.contains(words), "{words}: {said}");

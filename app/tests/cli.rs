@@ -1,5 +1,4 @@
-//! The command line as its users meet it: what it prints and where, what it
-//! writes, and its exit codes.
+//! Command line as seen by users: output, files and exit codes.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +8,7 @@ use crate::process::{self, said};
 
 const SAW_GIN: &str = "specs/scenes/saw_gin.toml";
 
-/// The program in the folder of the repository.
+/// Prepares a call of the program in the folder of the repository.
 pub fn machinist(arguments: &[&str]) -> Command {
     process::machinist(process::REPOSITORY, arguments)
 }
@@ -18,17 +17,17 @@ fn output(arguments: &[&str]) -> Output {
     process::output(machinist(arguments))
 }
 
-/// Standard output of a run that must succeed.
+/// Returns standard output of a run that must succeed.
 pub fn answer(arguments: &[&str]) -> String {
     process::answer(machinist(arguments))
 }
 
-/// Asserts bad input: exit code 2, nothing on standard output, and what is said.
+/// Asserts bad input: exit code 2, nothing on standard output, and these words on standard error.
 pub fn assert_refused(arguments: &[&str], words: &[&str]) {
     process::assert_refused(machinist(arguments), words);
 }
 
-/// Header and columns of CSV; every line must have as many numbers as the header.
+/// Parses header and columns of CSV. Every line must have as many numbers as the header.
 fn read_csv(text: &str) -> (Vec<String>, Vec<Vec<f64>>) {
     let mut lines = text.lines();
     let header: Vec<String> =
@@ -248,7 +247,7 @@ fn emission_is_the_same_twice_and_fresh_until_a_spec_changes() {
     let specs = folder.path().join("specs");
     copy_specs(&specs);
     let scenes = specs.join("scenes");
-    // Of each kind one: the freshness of all is checked apart.
+    // One of each kind. Another test checks that all are up to date.
     let kinds = [
         "bouncing_mass",
         "motor_run_up",
@@ -641,7 +640,7 @@ fn explain_works_for_every_scene_file_and_its_sums_are_those_of_the_emitted_code
     let files: Vec<&String> = files.iter().filter(is_scene).collect();
     assert!(files.len() >= machinist_scenes::scenes::NAMES.len());
     for file in files {
-        // As they are emitted.
+        // With the algebra of emitted code.
         let json = explain_as_json(&format!("specs/scenes/{file}"), "symbolica");
         let scene = json["scene"].as_str().expect("a name");
         let size =
@@ -652,7 +651,7 @@ fn explain_works_for_every_scene_file_and_its_sums_are_those_of_the_emitted_code
         let lines = emitted.expect("an emitted file").lines().count();
         assert_eq!(size["lines"], lines, "{scene}");
         let Some(built_in) = machinist_scenes::scenes::find_f64(scene) else {
-            // How many states a field has is chosen when it is run.
+            // The number of a field's states is chosen at run time.
             assert!(machinist_scenes::scenes::FIELD_NAMES.contains(&scene), "{scene}");
             continue;
         };
@@ -700,7 +699,7 @@ fn explain_lists_the_coupling_of_the_saw_gin_with_its_price() {
     };
     assert_eq!(error("twist"), Some(1.0), "a rigid coupling does not twist");
     assert!(error("motor_speed").is_some_and(|error| error > 1e-6 && error < 1.0), "{errors:?}");
-    // Of the same run: what leaving out a position does to the outputs is rounding.
+    // In the same run, leaving out a position changes outputs only by rounding.
     let difference = json["run"]["milliseconds"]["difference"].as_f64();
     assert!(difference.is_some_and(|difference| difference < 1e-9), "{difference:?}");
 }
@@ -793,7 +792,7 @@ fn parts_are_listed_searched_and_shown() {
     for word in ["(radius)*phi", "pitch radius of the pinion", "unit = \"rotational/rack\""] {
         assert!(shown.contains(word), "{word}: {shown}");
     }
-    // The last part of a name finds all that end so.
+    // The last part of a name finds all parts with that ending.
     let springs = answer(&["parts", "show", "spring"]);
     assert!(springs.contains("rotational/spring:") && springs.contains("translational/spring:"));
     assert_refused(&["parts", "show", "rotational/gaer"], &["rotational/gaer", "rotational/gear"]);
@@ -812,7 +811,7 @@ fn the_page_of_parts_is_fresh() {
     assert!(kept == made, "{page} is stale: cargo run --release -- parts --page {page}");
 }
 
-/// A mass on a spring under its weight, which starts in equilibrium.
+/// Mass on a spring under its weight, which starts in equilibrium.
 const HUNG: &str = r#"
     [scene]
     name = "hung"
@@ -875,7 +874,7 @@ fn runs_are_compared_with_files_scenes_and_other_settings() {
     let folder = tempfile::tempdir().expect("a folder");
     let [scene, csv, plot] = ["hung.toml", "run.csv", "both.svg"].map(|f| folder.path().join(f));
     fs::write(&scene, HUNG).expect("written");
-    // x of a run that starts at 0 is 0.02 (cos(w t) - 1), and is least at t = pi/w = 0.157.
+    // For a run that starts at 0, x is 0.02 (cos(w t) - 1), with its minimum at t = pi/w = 0.157.
     let stiff = ["--set", "spring.stiffness=1600", "--start", "given"];
     let out = ["--until", "0.4", "--points", "401", "--out", text(&csv)];
     answer(&[&["run", text(&scene)], &stiff[..2], &out].concat());
@@ -887,7 +886,7 @@ fn runs_are_compared_with_files_scenes_and_other_settings() {
         ]
         .concat(),
     );
-    // The file has x = -0.01 throughout; this run is there at its ends and 0.03 below between.
+    // The file has x = -0.01 throughout. The largest difference, 0.03, is at this run's minimum.
     let rows: Vec<Vec<&str>> = told
         .lines()
         .filter(|line| line.starts_with("x "))
@@ -896,9 +895,9 @@ fn runs_are_compared_with_files_scenes_and_other_settings() {
     let [_, of_file, of_scene, of_settings] = &rows[..] else { panic!("{told}") };
     assert_eq!(&of_file[..4], ["x", "m", "0.03", "0.157"], "{told}");
     assert_eq!(of_file[4..], ["75", "%"]);
-    // The same scene, started in the same way.
+    // The same scene with the same start.
     assert_eq!(&of_scene[2..3], ["0"], "{told}");
-    // Twice as stiff and as heavy: half as far as often.
+    // Twice as stiff and as heavy: half the displacement at the same frequency.
     let [difference, time] = [of_settings[2], of_settings[3]].map(str::parse::<f64>);
     let (difference, time) = (difference.expect("a number"), time.expect("a number"));
     assert!((difference - 0.02).abs() < 2e-6 && (time - 0.157).abs() < 1e-9, "{told}");

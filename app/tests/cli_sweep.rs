@@ -1,4 +1,4 @@
-//! `machinist sweep` as its users meet it: tables, refusals, variants that stop.
+//! `machinist sweep` as seen by users: tables, refusals, variants that stop.
 
 use std::process::Output;
 
@@ -12,7 +12,7 @@ fn sweep(arguments: &[&str]) -> Output {
     process::output(process::machinist(process::REPOSITORY, &arguments))
 }
 
-/// Lines of cells; the exit code must be this.
+/// Returns lines of cells, and asserts the exit code.
 fn table(arguments: &[&str], code: i32) -> Vec<Vec<String>> {
     let output = sweep(arguments);
     let said = String::from_utf8_lossy(&output.stderr);
@@ -74,7 +74,7 @@ fn methods_lanes_threads_and_fields_change_no_number() {
         assert_ne!(alone[1], alone[20]);
         assert_eq!(alone, of("2"), "{scene:?}");
     }
-    // What `auto` chooses is what is chosen by name.
+    // `auto` gives the same as the method that it chooses.
     let by = |method: &str| table(&[&[spec, "--method", method], &lanes[..]].concat(), 0);
     assert_eq!(by("auto"), by("taylor"));
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::process::{answer, machinist, output, said};
 
-/// A mass that a force from a table pushes, between its rows as `course` says.
+/// Returns a mass pushed by a force from a table, interpolated as `course` says.
 fn spec(course: &str) -> String {
     format!(
         r#"
@@ -26,7 +26,7 @@ until = 2
     )
 }
 
-/// Standard error of `command` for a table with these rows, whitespace joined.
+/// Returns standard error of `command` for a table with these rows, with whitespace joined.
 fn warned(folder: &Path, rows: &str, course: &str, command: &str) -> String {
     fs::write(folder.join("load.csv"), format!("time [s],load [N]\n{rows}")).expect("a table");
     fs::write(folder.join("pushed.toml"), spec(course)).expect("a spec");

@@ -1,5 +1,5 @@
-//! What is derived once is remembered, whatever becomes of the cache, and nobody waits for
-//! somebody else's simulation.
+//! The cache of derivations, whatever happens to it, and the lock of Symbolica, which no simulation
+//! holds.
 
 use std::fs;
 use std::io::{BufRead as _, BufReader};
@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use crate::process;
 use crate::symbolica::{Lock, assert_ends};
 
-/// A pendulum of a length, so that each has a text of its own.
+/// Pendulum of a given length, so that each test has a text of its own.
 fn spec(length: f64) -> String {
     format!(
         r#"
@@ -52,7 +52,7 @@ potential = "-mass*gravity*length*cos(phi)"
     )
 }
 
-/// The program in a folder, with its cache there.
+/// Prepares a call of the program in a folder with its own cache.
 fn machinist(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = process::machinist(folder, arguments);
     command.env("MACHINIST_CACHE", folder.join("cache"));
@@ -76,7 +76,7 @@ fn folder_with(length: f64) -> tempfile::TempDir {
 }
 
 const RUN: [&str; 4] = ["run", "own.toml", "--out", "-"];
-/// The same by Symbolica.
+/// The same run, derived by Symbolica.
 const OTHER: [&str; 5] = ["run", "own.toml", "--out", "-", "--algebra=symbolica"];
 
 #[test]
@@ -194,13 +194,13 @@ fn a_second_run_derives_nothing_and_gives_the_same() {
     assert!(second.stderr.is_empty(), "{}", String::from_utf8_lossy(&second.stderr));
     assert_eq!(succeeded(&first), succeeded(&second));
     assert!(answer(folder.path(), &["cache"]).contains(" 1 entries"));
-    // Another algebra is another entry, whether it is named or the default.
+    // Each algebra has its own entry, whether it is named or the default.
     let by_default = answer(folder.path(), &RUN);
     assert!(answer(folder.path(), &["cache"]).contains(" 2 entries"));
     let named = answer(folder.path(), &[&RUN[..], &["--algebra", "plain"]].concat());
     assert_eq!(named, by_default);
     assert!(answer(folder.path(), &["cache"]).contains(" 2 entries"));
-    // Another text is another entry.
+    // A changed text has its own entry.
     fs::write(folder.path().join("own.toml"), spec(0.8)).expect("a spec");
     assert_ne!(answer(folder.path(), &RUN), by_default);
     assert!(answer(folder.path(), &["cache"]).contains(" 3 entries"));
@@ -228,7 +228,7 @@ fn a_model_file_gives_what_its_spec_gives_and_needs_it_no_more() {
     }
 }
 
-/// Scenes of the repository, by their files.
+/// Returns the scene files of the repository.
 fn scene_files() -> Vec<PathBuf> {
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
     let folders = [scenes.clone(), scenes.join("bench"), scenes.join("msl")];
@@ -237,8 +237,8 @@ fn scene_files() -> Vec<PathBuf> {
     files.filter(|file| file.extension().is_some_and(|ending| ending == "toml")).collect()
 }
 
-/// `MACHINIST_RUNNER=target/debug/machinist` of a build with `--no-default-features` shows
-/// that the generator is not even there.
+/// `MACHINIST_RUNNER=target/debug/machinist` of a build with `--no-default-features` shows that the
+/// generator is not even in the program.
 #[test]
 fn every_scene_gives_the_same_bits_from_its_model_alone() {
     let own = env!("CARGO_BIN_EXE_machinist").to_owned();
@@ -262,7 +262,7 @@ fn assert_same_from_its_model(file: &Path, runner: &Path) {
     let folder = tempfile::tempdir().expect("a folder");
     let file = file.to_str().expect("a plain path");
     let run = ["--until", "0.002", "--points", "3", "--out", "-"];
-    // With the cache of all tests: others derive these scenes too.
+    // Uses the cache of all tests, because others derive these scenes too.
     let answer = |arguments: &[&str]| {
         let program = process::machinist(folder.path(), arguments).output();
         succeeded(&program.expect("the program starts"))
@@ -287,7 +287,7 @@ fn a_cache_that_is_taken_away_all_the_time_changes_nothing() {
     std::thread::scope(|scope| {
         scope.spawn(|| {
             while !is_over.load(Ordering::Relaxed) {
-                // It may be gone already, or have a new entry before it is empty.
+                // It may be gone already, or get a new entry while it is deleted.
                 let _ = fs::remove_dir_all(folder.path().join("cache"));
             }
         });
@@ -300,7 +300,7 @@ fn a_cache_that_is_taken_away_all_the_time_changes_nothing() {
     });
 }
 
-/// As where a disk is full: no file may grow beyond some bytes.
+/// Simulates a full disk: no file may grow beyond some bytes.
 #[cfg(unix)]
 #[test]
 fn what_finds_no_room_is_refused_or_done_without_and_leaves_nothing_half_written() {
@@ -370,7 +370,8 @@ fn processes_at_once_get_the_same_and_fill_one_entry() {
     }
 }
 
-/// By Symbolica, one process after the other takes the lock from one that is ending.
+/// Starts four processes at once, which must agree. With Symbolica, each takes the lock from one that
+/// is ending.
 fn at_once(run: &[&str]) {
     let folder = folder_with(0.7);
     let start = || {
@@ -392,7 +393,7 @@ fn nobody_waits_for_a_simulation_of_somebody_else() {
     simulates.env("MACHINIST_ALGEBRA", "symbolica");
     let simulates = simulates.stdout(Stdio::null()).stderr(Stdio::null()).spawn();
     let mut simulates = simulates.expect("the program starts");
-    // Once its entry is there, it has derived.
+    // Once its entry exists, it has finished deriving.
     let begin = Instant::now();
     while fs::read_dir(long.path().join("cache")).map_or(0, Iterator::count) == 0 {
         assert!(begin.elapsed() < Duration::from_secs(60), "it derives");
@@ -407,7 +408,7 @@ fn nobody_waits_for_a_simulation_of_somebody_else() {
     succeeded(&output);
 }
 
-/// A potential of many factors, whose derivatives take minutes.
+/// Potential of many factors, whose derivatives take minutes.
 fn heavy() -> String {
     use std::fmt::Write as _;
     let coordinates = (0..8).fold(String::new(), |mut text, k| {
@@ -429,7 +430,7 @@ fn heavy() -> String {
     )
 }
 
-/// The child holds the other end of its parent's standard error: that ends with the last of them.
+/// The child inherits its parent's standard error, which closes only after both have ended.
 #[test]
 fn a_parent_that_is_killed_takes_the_process_that_derives_with_it() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::cli::{answer, assert_refused, machinist, text};
 use crate::process;
 
-/// A run of the saw gin with a stiffer coupling, for half a second.
+/// Writes a run of the saw gin with a stiffer coupling, for half a second.
 fn measured(folder: &Path) -> String {
     let file = folder.join("measured.csv").display().to_string();
     let run = ["run", "saw_gin", "--until", "0.5", "--points", "61", "--columns", "twist"];
@@ -83,12 +83,12 @@ fn a_fit_finds_what_the_data_were_made_with() {
     assert!(fs::read_to_string(&plot).expect("a plot").contains("twist, measured"));
     let scene = fs::read_to_string(&out).expect("a scene");
     assert!(scene.contains("stiffness = 30000") || scene.contains("stiffness = 29999.9"));
-    // Never over the scene it comes from.
+    // The scene is never overwritten.
     let over = ["fit", &out, "--data", &data, "--parameters", "coupling.stiffness", "--out", &out];
     assert_refused(&over, &["would overwrite"]);
 }
 
-/// The same numbers in other units are the same measurement.
+/// The same values in other units are the same measurement.
 #[test]
 fn columns_in_other_units_are_converted() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -170,7 +170,7 @@ fn gaps_are_counted_and_wild_values_count_less() {
     assert!((value / 30000.0 - 1.0).abs() < 1e-3, "{value}");
 }
 
-/// A ball on a spring whose stiffness is by the root of what a load leaves of 4: beyond, none is.
+/// Ball on a spring whose stiffness is the root of 4 minus a load. Beyond that load there is none.
 const LOADED: &str = r#"
 [scene]
 name = "loaded"
@@ -216,15 +216,15 @@ fn a_range_in_which_runs_fail_is_survived_and_told() {
     let text = answer(&[&fit[..], &["--starts", "4"]].concat());
     assert!(text.contains("3.9") && text.contains("could not be simulated"), "{text}");
     assert!(text.contains("not a finite number"), "{text}");
-    // Where no start can be simulated, nothing is found, and that is said.
+    // If no start can be simulated, nothing is found, and the message says so.
     let beyond = ["fit", &scene, "--data", &data, "--parameters", "ball.load=5..20"];
     let output = process::output(machinist(&beyond));
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.code() == Some(1) && said.contains("no start can be"), "{said}");
 }
 
-/// Runs of the saw gin at full and at lower voltage, with a stiffer coupling, and a file that says
-/// which is which.
+/// Writes runs of the saw gin at full and at lower voltage, with a stiffer coupling, and a file
+/// with their settings.
 fn laboratory(folder: &Path) -> String {
     for (file, voltage) in [("full.csv", "220"), ("low.csv", "180")] {
         let file = folder.join(file).display().to_string();
@@ -306,7 +306,7 @@ fn experiments_that_make_no_sense_are_refused_by_name() {
 fn profiles_stand_beside_standard_errors() {
     let folder = tempfile::tempdir().expect("a folder");
     let data = measured(folder.path());
-    // Noise of 1e-4, the same every time.
+    // Reproducible noise of 1e-4.
     let text = fs::read_to_string(&data).expect("data");
     let mut random = fastrand::Rng::with_seed(1);
     let noisy: Vec<String> = text
@@ -366,7 +366,7 @@ fn noise_is_a_number_a_share_or_a_column() {
     refused("time,twist,sigma(twist)\n0.1,0.01,1\n", "twist=1", &["is a column already"]);
     refused("time,twist,sigma(twist) [mm]\n0.1,0.01,1\n", "", &["in mm"]);
     refused("time,twist,sigma(motor_speed)\n0.1,0.01,1\n", "", &["of no column"]);
-    // A value that is said to be wild counts for nothing.
+    // An outlier has no weight.
     let data = measured(folder.path());
     let text = fs::read_to_string(&data).expect("data");
     let weighed: Vec<String> = text

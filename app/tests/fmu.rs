@@ -1,5 +1,4 @@
-//! Scenes as functional mock-up units: archives, and the library within them as a host of FMI
-//! 3.0 calls it.
+//! Scenes as functional mock-up units: archives, and their library as called by a host of FMI 3.0.
 #![allow(unsafe_code, reason = "what hosts call takes pointers")]
 
 mod archives;

@@ -1,5 +1,5 @@
-//! Command lines, scenes and files of models made at random: the program answers in time with one
-//! of its exit codes, and never by a panic or a signal.
+//! Random command lines, scenes and model files. The program must answer in time with one of its
+//! exit codes, never with a panic or a signal.
 
 #[path = "../../tests/common/damaged_model.rs"]
 mod damaged_model;
@@ -23,15 +23,15 @@ use crate::process;
 use damaged_model::{damaged, refused_or_run};
 use mutation::{EXTREMES, Fuzz, Rule, damage, other_numbers, pick, texts};
 
-/// What commands that simulate may take until they are interrupted: what was asked for may be
-/// very long.
+/// Time after which commands that simulate are interrupted, because the run asked for may be very
+/// long.
 const RUN: Duration = Duration::from_secs(4);
-/// Time that a command line, or a run of a damaged model, may take beside other tests.
+/// Time limit of a command line or of a run of a damaged model, in parallel with other tests.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Between the arguments of a command line, as inputs are kept in files.
+/// Separator of the arguments of a command line in files of inputs.
 const BETWEEN: char = '\n';
 
-/// Built-in scenes that run a hundredth of a second in no time.
+/// Built-in scenes that simulate 0.01 s quickly.
 const SCENES: &[&str] = &[
     "two_mass",
     "saw_gin",
@@ -49,7 +49,7 @@ const SCENES: &[&str] = &[
     "slider_crank",
     "contact_oscillator",
 ];
-/// Those of few states, whose modes are found at once by a program that is not optimized.
+/// Scenes with few states, whose modes are found quickly even by an unoptimized program.
 const SMALL: &[&str] = &[
     "two_mass",
     "saw_gin",
@@ -62,10 +62,10 @@ const SMALL: &[&str] = &[
     "winder_linear",
     "contact_oscillator_smooth",
 ];
-/// Commands that simulate, or look for a place to linearize at.
+/// Commands that simulate or search for an operating point.
 const RUNS: &[&str] =
     &["run", "sweep", "modes", "response", "campbell", "sensitivity", "gradient", "spectrum"];
-/// What is no built-in scene.
+/// Arguments that are not built-in scenes.
 const OTHERS: &[&str] = &[
     "",
     "nothing",
@@ -82,7 +82,7 @@ const METHODS: &[&str] = &[
     "bdf", "tr_bdf2", "esdirk34", "tsit45", "tsit5", "dop853", "rodas5p", "radau", "auto",
     "taylor", "exact", "bfd", "",
 ];
-/// Names of a scene's parameters and outputs, and what is none.
+/// Returns the names of a scene's parameters and outputs, and some unknown names.
 fn names(scene: &str) -> Vec<String> {
     let mut names = ["", "nothing", "t", "energy.total"].map(str::to_owned).to_vec();
     if let Some(scene) = scenes::find_f64(scene) {
@@ -93,7 +93,7 @@ fn names(scene: &str) -> Vec<String> {
     names
 }
 
-/// Commands that answer soon with the options they take, and whether they take a scene.
+/// Commands that answer soon, whether they take a scene, and their options.
 const COMMANDS: &[(&str, bool, &[&str])] = &[
     ("run", true, &["set", "set", "rtol", "method", "points", "elements", "order", "modes"]),
     ("run", true, &["set", "rtol", "method", "from", "columns", "out", "points"]),
@@ -116,11 +116,11 @@ const COMMANDS: &[(&str, bool, &[&str])] = &[
 ];
 const COUNTS: &[&str] =
     &["0", "1", "2", "3", "11", "64", "-1", "4294967296", "18446744073709551616", "nan", "1e3"];
-/// Times no further apart than runs may be that are to end soon.
+/// Times so close that runs end soon.
 const TIMES: &[&str] = &["0.01", "0", "-0.0", "0.009", "0.02", "-0.001", "nan", "inf", "1e-320"];
 const PLACES: &[&str] = &["equilibrium", "initial", "t=0.01", "t=nan", "t=-1", "t=", "nowhere"];
 
-/// An option with its value, mostly one of those that a command takes.
+/// Returns an option with its value, mostly one that the command takes.
 fn option(rng: &mut Rng, taken: &[&str], names: &[String]) -> Vec<String> {
     let one = |rng: &mut Rng, of: &[&str]| pick(rng, of).copied().unwrap_or_default().to_owned();
     let name = |rng: &mut Rng| pick(rng, names).cloned().unwrap_or_default();
@@ -146,14 +146,14 @@ fn option(rng: &mut Rng, taken: &[&str], names: &[String]) -> Vec<String> {
         _ => Some(one(rng, EXTREMES)),
     };
     let flag = format!("--{flag}");
-    // Half of them in one word, which lets values begin with a sign.
+    // Half of them as one word, which allows values that begin with a sign.
     match value {
         Some(value) if rng.bool() => vec![format!("{flag}={value}")],
         value => std::iter::once(flag).chain(value).collect(),
     }
 }
 
-/// A command line that is answered soon.
+/// Returns a command line that is answered soon.
 fn command_line(rng: &mut Rng) -> Vec<String> {
     let (command, takes_scene, options) = COMMANDS[rng.usize(0..COMMANDS.len())];
     let known = match command {
@@ -194,7 +194,7 @@ fn command_line(rng: &mut Rng) -> Vec<String> {
     line
 }
 
-/// What must hold of a command line, its arguments apart by [`BETWEEN`].
+/// Checks the answer to a command line, whose arguments are separated by [`BETWEEN`].
 fn answers(input: &[u8]) -> Result<bool, String> {
     let line = String::from_utf8_lossy(input).into_owned();
     let arguments: Vec<&str> = line.split(BETWEEN).collect();
@@ -216,7 +216,7 @@ fn answers(input: &[u8]) -> Result<bool, String> {
             None if start.elapsed() > PATIENCE => {
                 child.kill().expect("it ends");
                 child.wait().expect("it has ended");
-                // Others may derive meanwhile, and only one at a time.
+                // Other tests may hold the lock of Symbolica.
                 let waits = said.join().is_ok_and(|said| said.contains("waiting for process"));
                 return if waits { Ok(false) } else { Err(format!("hangs: {arguments:?}")) };
             }
@@ -233,13 +233,13 @@ fn answers(input: &[u8]) -> Result<bool, String> {
         }
         Some(0) => Ok(true),
         Some(1 | 2) if !said.trim().is_empty() => Ok(false),
-        // A command that does not wait for an interruption ends by it.
+        // A command without a handler for interrupts is ended by one.
         None if is_interrupted && arguments[0] != "run" => Ok(false),
         code => Err(format!("exit {code:?}, {said:.400}: {arguments:?}")),
     }
 }
 
-/// Asks a process to end as Ctrl-C does, where that is known.
+/// Sends a process an interrupt like Ctrl-C, where the system supports it.
 fn interrupt(process: u32) -> bool {
     let mut kill = Command::new("kill");
     kill.args(["-INT", &process.to_string()]).status().is_ok_and(|status| status.success())
@@ -252,7 +252,7 @@ fn random_command_lines_are_answered() {
     Fuzz { name: "lines", few: 60, patience: PATIENCE }.run(make, &rule);
 }
 
-/// What is called with a scene of one's own, which stands for `FILE`.
+/// Commands for a scene file, which `FILE` stands for.
 const OF_FILES: &[&str] = &[
     "run FILE --until=0.01 --points=3",
     "run FILE --until=0.01 --points=3 --method=radau",
@@ -266,7 +266,7 @@ const OF_FILES: &[&str] = &[
     "sweep FILE --until=0.01 --points=3 --count=2 --parameter=a.b=0..1",
 ];
 
-/// What must hold of a command in the first line, and a scene in those that follow.
+/// Checks the answer to a command in the first line with the scene in the following lines.
 fn answers_of_file(input: &[u8]) -> Result<bool, String> {
     let Some(end) = input.iter().position(|byte| *byte == b'\n') else { return Ok(false) };
     let command = String::from_utf8_lossy(&input[..end]);
@@ -296,7 +296,7 @@ fn damaged_scenes_are_refused_or_answered() {
     Fuzz { name: "files", few: 40, patience: PATIENCE }.run(make, &rule);
 }
 
-/// Bytes that hold a model are simulated for some steps as well.
+/// Simulates some steps of a model file if its bytes are valid.
 fn simulated(bytes: &[u8]) -> Result<bool, String> {
     refused_or_run(bytes)?;
     let Ok(stamped) = read(bytes) else { return Ok(false) };

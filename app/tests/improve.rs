@@ -1,4 +1,4 @@
-//! Designs improved, and modes with their derivatives, from the command line.
+//! Improvement of designs, and modes with their derivatives, from the command line.
 
 use std::fs;
 
@@ -25,14 +25,14 @@ fn a_design_is_improved_within_a_limit_and_written_as_a_scene() {
     assert_eq!(json["limits"][0]["is_met"], true);
     let objective = &json["objective"];
     assert!(objective["after"].as_f64() < objective["before"].as_f64(), "{json}");
-    // The scene that was written shows what was told.
+    // The scene written gives the reported result.
     let csv = answer(&["run", &out, "--until", "0.5", "--columns", "twist", "--out", "-"]);
     let twists = csv.lines().skip(1).filter_map(|line| line.split(',').nth(1)?.parse().ok());
     let largest = twists.fold(0.0_f64, |most, twist: f64| most.max(twist.abs()));
     let told = objective["after"].as_f64().expect("a number");
     assert!((largest / told - 1.0).abs() < 1e-3, "{largest} for {told}");
     assert!(fs::read_to_string(&out).expect("a scene").contains("stiffness"), "{found}");
-    // Never over the scene it comes from.
+    // The original scene is never overwritten.
     let over = ["improve", &out, "--minimise", "max(twist)", "--parameters", VARIED, "--out", &out];
     assert_refused(&over, &["would overwrite"]);
 }
@@ -77,7 +77,7 @@ fn what_is_asked_wrongly_is_refused_with_its_place() {
     assert_refused(&["improve", "saw_gin", "--parameters", VARIED], &["--minimise or --maximise"]);
 }
 
-/// A mass on a spring, of which one place is shown in three units.
+/// Mass on a spring, with one position shown in three units.
 const SHOWN: &str = r#"
     [scene]
     name = "shown"
@@ -114,7 +114,7 @@ fn outputs_shown_in_other_units_are_converted() {
         serde_json::from_str(&answer(&[arguments, &["--json"]].concat())).expect("JSON")
     };
     let number = |value: &serde_json::Value| value.as_f64().expect("a number");
-    // One quantity stays in its unit; what joins several is in SI units.
+    // A single quantity stays in its unit. Combinations of several are in SI units.
     let in_si = [("final(si)", 1.0), ("mean((si - 0.003)^2)", 1.0)];
     let shown = [("final(x)", 1e3), ("mean((x - 3 [mm])*(y - 0.3 [cm]))", 1.0)];
     for ((exact, _), (text, factor)) in in_si.iter().zip(shown) {
@@ -140,7 +140,7 @@ fn outputs_shown_in_other_units_are_converted() {
         assert!((found / exact - 1.0).abs() < 1e-6, "{limit}: {found} for {exact}");
         assert_eq!(of, format!("\"{unit}\""));
     }
-    // Nobody knows what a bare number beside them is in.
+    // The unit of a bare number beside them is ambiguous.
     let bare = ["gradient", &file, "--of", "final(x) - 3"];
     assert_refused(&bare, &["has no unit", "shown in mm", "5 [mm]"]);
     let varied = ["improve", &file, "--minimise", "m.damping", "--parameters", "m.damping=1..9"];

@@ -1,4 +1,4 @@
-//! Scenes that are listed by hand are those that they are said to be.
+//! Lists of scenes kept by hand agree with the properties of the scenes.
 
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_scenes::scenes;

@@ -1,4 +1,4 @@
-//! Live pages in a browser, where there is one: what a slider does is what `run --set` does.
+//! Live pages in a browser, if there is one: a slider has the same effect as `run --set`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,11 +6,11 @@ use std::process::Command;
 
 use crate::cli::{answer, text};
 
-/// Names under which a browser that runs without a screen may be found.
+/// Names under which a headless browser may be found.
 const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
-/// Sets a number as somebody who types it, waits for the run, and tells what the table says of
-/// its end; `PARAMETER` and `VALUE` are put in.
+/// Sets a number as if typed, waits for the run, and returns the final values in the table.
+/// `PARAMETER` and `VALUE` are replaced.
 const TYPED: &str = r#"<script>
 addEventListener("load", async () => {
   const pause = () => new Promise((resolve) => setTimeout(resolve, 20));
@@ -28,8 +28,8 @@ addEventListener("load", async () => {
 });
 </script></body>"#;
 
-/// A machine, its page, one of its parameters, and another value for it: events that `dop853`
-/// meets, constraints, and a machine that becomes stiff.
+/// Machine, page, parameter and another value for it: events with `dop853`, constraints, and a
+/// machine that becomes stiff.
 const MOVES: [(&str, &str, &str, &str); 5] = [
     ("specs/scenes/drives/winch.toml", "winch", "gear.ratio", "31.7"),
     ("specs/scenes/slider_crank.toml", "slider_crank", "crank.length", "0.07"),
@@ -43,7 +43,7 @@ const MOVES: [(&str, &str, &str, &str); 5] = [
     ("STEADY", "steady", "body.drag", "0.7"),
 ];
 
-/// A mass that hangs on a stiffening spring, and a rotor at constant speed, until both are moved.
+/// Mass on a stiffening spring, and a rotor at constant speed, both in equilibrium until changed.
 const STEADY: &str = r#"
 [scene]
 name = "steady"
@@ -128,7 +128,7 @@ pub fn browser() -> Option<PathBuf> {
     places.into_iter().find(|place| place.is_file())
 }
 
-/// What the script has left in the page.
+/// Returns the text that the script has left in the page.
 pub fn found(browser: &Path, page: &Path, folder: &Path, options: &[&str]) -> String {
     let mut command = Command::new(browser);
     command
@@ -144,7 +144,7 @@ pub fn found(browser: &Path, page: &Path, folder: &Path, options: &[&str]) -> St
     found.unwrap_or_else(|| panic!("no run in {}: {dom:.2000}", page.display())).to_owned()
 }
 
-/// Names of the outputs of a run with their last and their largest values.
+/// Returns the outputs of a run with their last and their largest values.
 fn ends(file: &Path) -> Vec<(String, f64, f64)> {
     let mut reader = csv::Reader::from_path(file).expect("a file");
     let names: Vec<String> = reader.headers().expect("names").iter().map(str::to_owned).collect();

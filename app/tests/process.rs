@@ -1,12 +1,12 @@
-//! The program as a process: how it is called, what it says.
+//! The program as a process: calls and their output.
 
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// The folder of the repository.
+/// Folder of the repository.
 pub const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// The program in a folder, without colours.
+/// Prepares a call of the program in a folder, without colours.
 pub fn machinist(folder: impl AsRef<Path>, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
     command
@@ -18,18 +18,18 @@ pub fn machinist(folder: impl AsRef<Path>, arguments: &[&str]) -> Command {
     command
 }
 
-/// All that it printed, once it has ended.
+/// Runs a command to its end and returns its output.
 pub fn output(mut command: Command) -> Output {
     command.output().expect("the program starts")
 }
 
-/// Standard error, on one line, as it may be wrapped anywhere.
+/// Returns standard error as one line, because it may be wrapped anywhere.
 pub fn said(output: &Output) -> String {
     let text = String::from_utf8_lossy(&output.stderr).replace('│', " ");
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Standard output of a run that must succeed.
+/// Returns standard output of a run that must succeed.
 pub fn answer(command: Command) -> String {
     let what = format!("{:?}", command.get_args());
     let output = output(command);
@@ -37,7 +37,7 @@ pub fn answer(command: Command) -> String {
     String::from_utf8(output.stdout).expect("text")
 }
 
-/// Asserts bad input: exit code 2, nothing on standard output, and what is said.
+/// Asserts bad input: exit code 2, nothing on standard output, and these words on standard error.
 pub fn assert_refused(command: Command, words: &[&str]) {
     let what = format!("{:?}", command.get_args());
     let output = output(command);

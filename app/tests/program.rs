@@ -1,4 +1,4 @@
-//! The program as its users meet it, one module a subject; `cargo test -p machinist-app --test
+//! Program as seen by users, with one module for each subject; `cargo test -p machinist-app --test
 //! program deriving::` runs one.
 
 mod accessible;

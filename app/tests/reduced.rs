@@ -1,4 +1,4 @@
-//! What is left out of a scene changes nothing that is asked of it.
+//! Reduction of a scene does not change its outputs.
 
 use std::path::{Path, PathBuf};
 
@@ -14,7 +14,7 @@ use machinist_model::Model;
 use machinist_model::ModelSimulator;
 use machinist_model::{What, Why};
 
-/// A scene file with the given text, in a folder that lasts as long as it.
+/// Scene file with a given text, in a folder that lasts as long as it.
 struct Spec {
     folder: tempfile::TempDir,
 }
@@ -73,7 +73,7 @@ fn left_out(program: &Model, what: What, why: Why) -> Vec<&str> {
     these.map(|thing| thing.name.as_str()).collect()
 }
 
-/// A run with errors near rounding.
+/// Runs a model with errors near rounding.
 fn run(program: &Model, until: Option<f64>) -> Trajectory {
     let simulator = ModelSimulator::new(program.clone());
     let states = simulator.shape().states();
@@ -82,8 +82,8 @@ fn run(program: &Model, until: Option<f64>) -> Trajectory {
     run.atol(&vec![1e-14; states]).method(Method::Dop853).run().expect("the run")
 }
 
-/// Largest distance of any output from the unreduced scene's, relative to the
-/// largest value of that output.
+/// Returns the largest difference of an output from the unreduced scene's, relative to its largest
+/// value.
 fn distance(needed: &Model, all: &Model, until: Option<f64>) -> f64 {
     let (needed_run, all_run) = (run(needed, until), run(all, until));
     let mut largest: f64 = 0.0;
@@ -102,8 +102,7 @@ fn distance(needed: &Model, all: &Model, until: Option<f64>) -> f64 {
     largest
 }
 
-/// Asserts that the power balance closes and that the Jacobian is that of the rate,
-/// at some states.
+/// Asserts at some states that the power balance closes and that the Jacobian is that of the rate.
 fn assert_sound(program: &Model) {
     let simulator = ModelSimulator::new(program.clone());
     let shape = simulator.shape();
@@ -121,7 +120,7 @@ fn assert_sound(program: &Model) {
     }
 }
 
-/// The rate Jacobian by central differences.
+/// Compares the rate Jacobian with central differences.
 fn assert_derivative(simulator: &ModelSimulator, time: f64, state: &[f64], parameters: &[f64]) {
     let pattern = simulator.rate_jacobian_pattern();
     let mut values = vec![0.0; pattern.entries.len()];
@@ -148,7 +147,7 @@ fn assert_derivative(simulator: &ModelSimulator, time: f64, state: &[f64], param
     }
 }
 
-/// Whether runs of both are the same to the last bit, for all that they evaluate is.
+/// Returns whether all functions of both are the same, so that runs agree to the last bit.
 fn computes_the_same(one: &Model, other: &Model) -> bool {
     one.states == other.states
         && one.quadratures == other.quadratures
@@ -169,7 +168,7 @@ fn every_scene_gives_the_outputs_of_its_unreduced_twin() {
         if computes_the_same(&needed, &all) {
             continue;
         }
-        // From the start, where motors switch on; `explain` compares whole runs.
+        // From the start, where motors switch on. `explain` compares whole runs.
         let run = &all.run;
         let until = run.from + 0.25 * (run.until - run.from);
         println!("{}: {:.1e}", all.name, distance(&needed, &all, Some(until)));
@@ -266,7 +265,7 @@ fn a_unit_that_no_output_reaches_leaves_no_trace() {
         ["reed.mass", "reed.stiffness", "reed.plucked"]
     );
     assert_sound(&needed);
-    // Without its comments, which name the files and tell what the scene is.
+    // Without comments, which name the files and describe the scene.
     let text = emit(&needed, &EmitOptions::for_scenes()).expect("emitted");
     assert!(!text.contains("reed"), "{text}");
     assert!(!holds(&compiled(&needed), "reed"), "the object file has a name of the reed");
@@ -294,7 +293,7 @@ fn a_scene_holds_no_name_of_units_it_is_not_made_of() {
     ] {
         let program = scene(name);
         let text = emit(&program, &EmitOptions::for_scenes()).expect("emitted");
-        // Comments name the sources and tell what the machine is.
+        // Comments name the sources and describe the machine.
         let code: String = text.lines().filter(|line| !line.trim().starts_with("//")).collect();
         let object = compiled(&program);
         for absent in absent {
@@ -314,7 +313,7 @@ fn a_jump_stays_where_something_kept_jumps() {
     );
     let spec = Spec::new(&text);
     let needed = spec.needed();
-    // Beside the time about which the load engages.
+    // In addition to the time about which the load engages.
     let without = Spec::new(GIN).needed().discontinuities.results.len();
     assert_eq!((without, needed.discontinuities.results.len()), (1, 2));
     distance(&needed, &spec.program(Keep::All), Some(0.2));
@@ -398,7 +397,7 @@ fn structure_tells_what_is_constant_linear_and_apart() {
     assert_eq!(chain.subsystems.len(), 1);
     assert_eq!(chain.constant_jacobian.0, chain.constant_jacobian.1);
 
-    // A motor and a swing of its own beside it: two parts, one of them linear.
+    // A motor with an independent oscillator beside it: two parts, one of them linear.
     let beside = GIN.replace(
         "[run]",
         "[units.a]\nunit = \"rotor\"\n[units.b]\nunit = \"rotor\"\n\
@@ -455,7 +454,8 @@ fn parts_that_only_a_jump_joins_are_not_apart() {
     };
     assert_eq!(beside("2 [N m]"), (2, vec!["beside.omega".to_owned()]));
     assert_eq!(beside("2 [N m]*sign(cylinder.omega)"), (1, vec![]));
-    // Linear, but not a part that can go first: it follows the gin, which is not linear.
+    // Linear, but not a part that can be solved first, because it follows the gin, which is not
+    // linear.
     assert_eq!(beside("2 [N m s/rad]*cylinder.omega"), (1, vec![]));
 }
 
@@ -481,7 +481,7 @@ fn a_mass_matrix_may_be_constant_and_full_or_diagonal_and_of_the_state() {
     assert_eq!(structure("mass*(a_dot^2 + a_dot*b_dot*sin(a) + b_dot^2)/2"), (false, false, false));
 }
 
-/// Two rotors with a force on the first, and that output.
+/// Two rotors with a force on the first, which is also the output.
 fn pair(force: &str) -> Spec {
     Spec::new(&format!(
         "[scene]\nname = \"pair\"\n[units]\na = {{ unit = \"rotor\" }}\nb = {{ unit = \"rotor\" }}\n\

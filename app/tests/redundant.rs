@@ -1,12 +1,12 @@
-//! Constraints that follow from others: dropped with a note where they do so everywhere, refused
-//! where they contradict.
+//! Redundant constraints: dropped with a note if they follow from others everywhere, refused if
+//! they contradict.
 
 use std::fs;
 
 use crate::process::{answer, assert_refused, machinist, output, said};
 
-/// A door that turns about a vertical axis, held there by hinges that `hinges` writes, and closed by
-/// a spring: J = m w^2/3 about the axis.
+/// Returns a door that turns about a vertical axis, held by the constraints in `hinges` and closed
+/// by a spring: J = m w^2/3 about the axis.
 fn door(hinges: &str) -> String {
     format!(
         r#"
@@ -49,12 +49,12 @@ lower_z = {{ expression = "z" }}
     )
 }
 
-/// The same place of the axis, further up.
+/// The same position of the axis, further up.
 const UPPER: &str = r#"upper_x = { expression = "x - width/2*cos(phi)" }
 upper_y = { expression = "y - width/2*sin(phi)" }
 upper_z = { expression = "2*z" }"#;
 
-/// The same as long as a parameter has its value.
+/// The same position, as long as a parameter has its value.
 const ALIGNED: &str = r#"upper_x = { expression = "x - upper*cos(phi)" }"#;
 
 fn written(hinges: &str) -> tempfile::TempDir {
@@ -125,7 +125,7 @@ fn hinges_that_contradict_each_other_are_refused() {
     }
 }
 
-/// Only where it starts: it holds elsewhere, and jams the door.
+/// The constraint follows from others only at the start; elsewhere it jams the door.
 #[test]
 fn what_follows_from_others_only_at_the_start_is_refused() {
     let jam = r#"jam = { expression = "x - width/2*cos(phi) + (phi - 0.5 [rad])^2*1 [m/rad^2]" }"#;

@@ -1,10 +1,10 @@
-//! Values on the command line that a spec would refuse, and parameters that nothing uses.
+//! Command-line values that a spec would refuse, and parameters that nothing uses.
 
 use std::fs;
 
 use crate::process::{REPOSITORY, answer, assert_refused, machinist};
 
-/// The example of the gear with a parameter that nothing uses.
+/// Writes the example of the gear with a parameter that nothing uses.
 fn gear() -> tempfile::TempDir {
     let example = format!("{REPOSITORY}/specs/scenes/parts/rotational/gear.toml");
     let text = fs::read_to_string(example).expect("an example");

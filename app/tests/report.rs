@@ -1,4 +1,4 @@
-//! Pages of the report: whole, the same every time, and made of text only.
+//! Pages of the report: complete, reproducible, and made only of text.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::process::Stdio;
 
 use crate::cli::{answer, assert_refused, copy_specs, machinist, names_in, text};
 
-/// A machine that cannot be asked everything.
+/// Machine without events, so that some checks do not apply.
 const WITHOUT_EVENTS: &str = include_str!("../../specs/scenes/parts/translational/mass.toml");
 const MASS: &str = "translational_mass";
 
@@ -16,7 +16,7 @@ fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
     let specs = folder.path().join("specs");
     copy_specs(&specs);
     let [scenes, emitted] = [specs.join("scenes"), folder.path().join("emitted")];
-    // One of each kind; all pages take minutes without optimisation.
+    // One of each kind, because all pages take minutes without optimization.
     let shown = ["bouncing_mass", "shaft_with_rotors", "slider_crank", "two_mass"];
     for file in names_in(&scenes) {
         if !shown.iter().any(|name| file == format!("{name}.toml")) {
@@ -24,7 +24,7 @@ fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
         }
     }
     answer(&["gen", "--specs", text(&scenes), "--out", text(&emitted)]);
-    // One that is not built in, of whose checks some cannot be asked.
+    // A machine that is not built in, for which some checks do not apply.
     fs::create_dir(scenes.join("drives")).expect("a folder");
     let mass = scenes.join("drives/mass.toml");
     fs::write(&mass, WITHOUT_EVENTS).expect("written");
@@ -35,7 +35,7 @@ fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
         machinist(&arguments).stdout(Stdio::null()).spawn().expect("the program starts")
     };
     let folders = ["first", "second"].map(|name| folder.path().join(name));
-    // At the same time, as each takes a while.
+    // In parallel, because each takes a while.
     let ends = folders.each_ref().map(|out| start(out)).map(|mut child| child.wait());
     assert!(ends.iter().all(|end| end.as_ref().expect("an end").success()));
     for folder in &folders {
@@ -63,7 +63,7 @@ fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
     for part in ["Content-Security-Policy", "<math", "href=\"../index.html\"", "class=\"symbol\""] {
         assert!(two_mass.contains(part), "the page lacks {part}");
     }
-    // Not every machine runs in its page, and then it says why and offers nothing.
+    // A machine that cannot run in its page has a reason there and no controls.
     let shaft = page(&folders[0].join("machines/shaft_with_rotors.html"));
     assert!(shaft.contains("cannot run it: it has fields") && !shaft.contains("id=\"live\""));
 }
@@ -92,7 +92,7 @@ fn a_report_by_an_algebra_that_is_named_leaves_emitted_files_alone() {
 fn a_machine_of_ones_own_gets_a_page_of_its_own() {
     let folder = tempfile::tempdir().expect("a folder");
     let winch = folder.path().join("winch.toml");
-    // What users write is text, also where it looks like a tag.
+    // Text of users is escaped, even if it looks like a tag.
     let spec = include_str!("../../specs/scenes/drives/winch.toml");
     let spec = spec.replace("A winch lifts a load", "A <b>winch</b> lifts a load");
     fs::write(&winch, spec).expect("written");
@@ -107,7 +107,7 @@ fn a_machine_of_ones_own_gets_a_page_of_its_own() {
     let [checked, left_out] = counted(text(&winch));
     assert!(left_out == 0 && page.contains(&format!("<dd>{checked} / {checked}</dd>")));
     assert!(page.len() < 1_500_000);
-    // It is live: a slider for each parameter, and parts that turn and slide.
+    // The page is live: a slider for each parameter, and parts that turn and slide.
     let known = page.split("id=\"live-known\">").nth(1).and_then(|rest| rest.split('<').next());
     let known: serde_json::Value = serde_json::from_str(known.expect("data")).expect("JSON");
     let sliders = page.matches("class=\"slider\"").count();
@@ -144,7 +144,7 @@ fn a_model_file_has_no_page() {
     assert!(!out.exists());
 }
 
-/// How many checks `verify` makes, all of which pass, and how many it leaves out.
+/// Returns the number of checks of `verify`, all of which pass, and the number left out.
 fn counted(scene: &str) -> [usize; 2] {
     let table = answer(&["verify", scene]);
     let last = table.lines().last().expect("a line that counts");
@@ -154,7 +154,7 @@ fn counted(scene: &str) -> [usize; 2] {
     [checked.parse().expect("a count"), left_out]
 }
 
-/// To a part of the page, or to a page beside it.
+/// Asserts that links lead to a part of the page, or to a page beside it.
 fn assert_links_lead_somewhere(file: &Path, page: &str) {
     for link in page.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
         let leads = match link.strip_prefix('#') {
@@ -166,7 +166,7 @@ fn assert_links_lead_somewhere(file: &Path, page: &str) {
     }
 }
 
-/// The text of a page that refers to nothing outside.
+/// Returns the text of a page, which must refer to nothing outside.
 fn page(file: &Path) -> String {
     let page = fs::read_to_string(file).expect("a page");
     for reference in ["<link", " src=\"", "@import", "url(http"] {
@@ -175,7 +175,7 @@ fn page(file: &Path) -> String {
     page
 }
 
-/// The page without the text of its scripts.
+/// Returns the page without the text of its scripts.
 fn outside_of_scripts(page: &str) -> String {
     let mut pieces = page.split("<script");
     let mut text = pieces.next().unwrap_or_default().to_owned();

@@ -1,5 +1,5 @@
-//! The JSON schema that editors get: every spec of the repository fits it, and what is of the wrong
-//! shape does not.
+//! JSON schema for editors: every spec of the repository fits it, and specs of the wrong shape do
+//! not.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use toml_edit::{Document, Item};
 use crate::cli::answer;
 use crate::process::REPOSITORY;
 
-/// What the shape alone can tell is wrong with a spec, as the parser says it.
+/// Messages of the parser for errors that a schema can detect.
 const OF_SHAPE: [&str; 8] = [
     "unknown key",
     " lacks `",
@@ -54,7 +54,7 @@ fn specs_of_the_wrong_shape_do_not_fit_and_those_wrong_in_what_they_say_do() {
         let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
         let Ok(document) = text.parse::<Document<String>>() else { continue };
         let does_fit = fits(&scene, &value_of(document.as_item())).is_ok();
-        // As far as the file itself is meant, and not one that it names.
+        // Only messages about the file itself, not about files that it names.
         let name = file.file_name().and_then(|name| name.to_str()).expect("a name").to_owned();
         let is_of_shape = said.contains(&name) && OF_SHAPE.iter().any(|words| said.contains(words));
         refused += usize::from(!does_fit);
@@ -63,7 +63,7 @@ fn specs_of_the_wrong_shape_do_not_fit_and_those_wrong_in_what_they_say_do() {
         }
     }
     assert!(refused >= 17, "{refused} are refused");
-    // What these lack depends on the unit that they name.
+    // Their missing keys depend on the unit that they name.
     assert_eq!(overlooked, ["field_not_cut.toml", "field_without_inertia.toml"]);
 }
 
@@ -93,7 +93,7 @@ fn what_the_parser_knows_is_in_the_schema() {
     assert_eq!(unit["required"], json!(["unit"]));
 }
 
-/// Of scenes, and of units.
+/// Returns the schemas of scenes and of units.
 pub fn schemas() -> [Value; 2] {
     [&["schema"][..], &["schema", "--unit"]]
         .map(|arguments| serde_json::from_str(&answer(arguments)).expect("JSON"))
@@ -133,13 +133,13 @@ pub fn value_of(item: &Item) -> Value {
         return json!(text);
     }
     let number = item.as_float().or(item.as_integer().map(|integer| integer as f64));
-    // What JSON has no number for is a number all the same.
+    // Numbers that JSON cannot represent still count as numbers.
     let number = number.map(|number| if number.is_finite() { number } else { 0.0 });
     number.map(|number| json!(number)).or(item.as_bool().map(Value::Bool)).unwrap_or(Value::Null)
 }
 
-/// Whether a value fits a schema, by the words of JSON schema that ours are made of; any other
-/// word fails.
+/// Checks a value against a schema, for the keywords that Machinist's schemas use. Any other
+/// keyword fails.
 pub fn fits(schema: &Value, value: &Value) -> Result<(), String> {
     let schema = schema.as_object().expect("a schema");
     let known = ["$schema", "title", "propertyNames", "additionalProperties", "required"];

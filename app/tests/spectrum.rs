@@ -1,4 +1,4 @@
-//! Spectra of runs, against what is known of a mass that is shaken.
+//! Spectra of runs compared with the known response of a shaken mass.
 
 use std::f64::consts::TAU;
 use std::fs;
@@ -44,7 +44,7 @@ const SHAKEN: &str = r#"
     method = "auto"
     "#;
 
-/// |x| for a force of 1 N, m x'' + d x' + k x = force.
+/// Returns |x| for a force of 1 N: m x'' + d x' + k x = force.
 fn answers(hertz: f64) -> f64 {
     let omega = TAU * hertz;
     1.0 / (STIFFNESS - MASS * omega * omega).hypot(DAMPING * omega)
@@ -55,7 +55,7 @@ fn lines_of_a_shaken_mass_are_those_of_its_closed_form() {
     let folder = tempfile::tempdir().expect("a folder");
     let [scene, json, plot] = ["a.toml", "a.json", "a.svg"].map(|name| folder.path().join(name));
     fs::write(&scene, SHAKEN).expect("written");
-    // By 20 s the start has died down to e^-40.
+    // By 20 s the transient has decayed to e^-40.
     let stretch = ["spectrum", text(&scene), "--from", "20", "--samples", "900"];
     for window in ["rectangle", "hann", "flat_top"] {
         let out = ["--window", window, "--out", text(&json), "--plot", text(&plot)];

@@ -1,30 +1,30 @@
-//! Symbolica's lock in the hands of a test.
+//! Symbolica's lock, held by a test.
 
 use std::fs::File;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-/// The lock that every process needs that derives by Symbolica, held as by one of them.
+/// Lock of processes that derive by Symbolica.
 pub struct Lock {
     _file: File,
 }
 
 impl Lock {
-    /// Waits for whoever has it.
+    /// Waits for the lock.
     pub fn held() -> Self {
         let folder = if cfg!(unix) { PathBuf::from("/tmp") } else { std::env::temp_dir() };
         let path = folder.join("machinist-symbolica.lock");
         let mut options = File::options();
         options.read(true).write(true).create(true).truncate(false);
-        // That of another user may only be read.
+        // A lock file of another user can only be read.
         let file = options.open(&path).or_else(|_| File::open(&path)).expect("a lock file");
         file.lock().expect("the lock");
         Self { _file: file }
     }
 }
 
-/// All that a program printed, which must end within a minute whatever is locked.
+/// Returns the output of a command, which must end within a minute whatever is locked.
 pub fn assert_ends(mut command: Command) -> Output {
     let what = format!("{:?}", command.get_args());
     let child = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();

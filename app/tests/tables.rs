@@ -27,7 +27,7 @@ fn path<'a>(folder: &'a tempfile::TempDir, name: &str) -> (std::path::PathBuf, &
     (folder.path().join(name), folder.path())
 }
 
-/// Names of columns, rows as text (nothing where a cell is missing), and a value of the
+/// Returns the names of columns, rows as text (`None` for a missing cell), and a value of the
 /// metadata.
 fn read(file: &Path, key: &str) -> (Vec<String>, Vec<Vec<Option<String>>>, Value) {
     let file = SerializedFileReader::new(File::open(file).expect("a file")).expect("a table");

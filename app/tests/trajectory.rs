@@ -1,4 +1,4 @@
-//! What a trajectory writes and draws.
+//! Files and plots of a trajectory.
 
 #[path = "../../tests/common/mod.rs"]
 mod common;

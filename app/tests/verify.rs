@@ -1,5 +1,5 @@
-//! `machinist verify FILE`: right machines pass, and wrong ones fail by the row that is there
-//! for it.
+//! `machinist verify FILE`: correct machines pass, and wrong ones fail in the row made for the
+//! error.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use std::process::Output;
 
 use crate::process::{self, said};
 
-/// A mass on a spring and a damper, let go at 0.1 m, by its energies.
+/// Mass on a spring and a damper, released at 0.1 m, by its energies.
 const OSCILLATOR: &str = r#"
 [scene]
 name = "oscillator"
@@ -58,7 +58,7 @@ potential = "stiffness*x^2/2"
 dissipation = "damping*x_dot^2/2"
 "#;
 
-/// A coil whose flux pulls a plunger; `conversion` moves its energy.
+/// Coil whose flux pulls a plunger. `conversion` transfers its energy.
 const MAGNET: &str = r#"
 [scene]
 name = "magnet"
@@ -119,7 +119,7 @@ fn machinist(arguments: &[&str]) -> Output {
     process::output(process::machinist(process::REPOSITORY, arguments))
 }
 
-/// Rows of a machine: name and whether it passes; nothing for one that is left out or not checked.
+/// Rows of a machine: name and whether it passes; `None` for a row that is left out or not checked.
 type Rows = Vec<(String, Option<bool>)>;
 
 fn rows(path: &Path, more: &[&str]) -> (Option<i32>, Rows) {
@@ -136,7 +136,7 @@ fn rows(path: &Path, more: &[&str]) -> (Option<i32>, Rows) {
     (output.status.code(), rows.collect())
 }
 
-/// A mass on a spring for so long that no method gets through in the steps of a reference.
+/// Mass on a spring, run for so long that no method finishes within the steps of a reference.
 const LONG: &str = r#"
 [scene]
 name = "long"
@@ -179,7 +179,7 @@ fn failed(rows: &Rows) -> Vec<&str> {
     rows.iter().filter(|(_, pass)| *pass == Some(false)).map(|(name, _)| name.as_str()).collect()
 }
 
-/// A scene file that lasts as long as its folder.
+/// Writes a scene file that lasts as long as its folder.
 fn written(text: &str) -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("own.toml");
@@ -187,7 +187,7 @@ fn written(text: &str) -> (tempfile::TempDir, PathBuf) {
     (folder, path)
 }
 
-/// Rows that fail of a machine after a change of its text.
+/// Returns the failed rows of a machine after a change of its text.
 fn failed_after(text: &str, from: &str, to: &str) -> Vec<String> {
     assert!(text.contains(from), "{from}");
     let (_folder, path) = written(&text.replace(from, to));
@@ -244,7 +244,7 @@ fn a_voltage_that_goes_by_the_speed_is_no_force() {
     }
 }
 
-/// The third derivative of what is imposed jumps where the run begins.
+/// The third derivative of the prescribed motion jumps at the start of the run.
 #[test]
 fn what_is_imposed_from_the_start_on_passes() {
     let hoist = r#"
@@ -273,7 +273,7 @@ fn what_is_imposed_from_the_start_on_passes() {
     assert_eq!(failed(&rows(&path, &[]).1), Vec::<String>::new());
 }
 
-/// A pendulum of length l(t) that a torque holds up, or that swings.
+/// Pendulum of length l(t) that is held by a torque or swings.
 fn pendulum(length: &str, torque: &str, start: &str) -> String {
     format!(
         r#"
@@ -306,7 +306,7 @@ fn pendulum(length: &str, torque: &str, start: &str) -> String {
     )
 }
 
-/// At rest nothing moves but by what steps and rounding err: no row measures that by itself.
+/// At rest, only errors of steps and rounding cause motion, and no row takes those as a scale.
 #[test]
 fn what_rests_passes() {
     let rests = pendulum("0.25 [m]", "torque", "from = \"equilibrium\"\n\"p.th\" = \"20 [deg]\"");
@@ -358,7 +358,7 @@ fn what_rests_passes() {
     }
 }
 
-/// A rope that is wound up works on what hangs from it, whichever way that swings.
+/// A rope that is wound up does work on its load, in either direction of swing.
 #[test]
 fn what_is_wound_up_with_time_is_no_force_that_feeds() {
     let forces = "no force feeds every motion";
@@ -376,7 +376,7 @@ fn what_is_wound_up_with_time_is_no_force_that_feeds() {
     assert_eq!(of("0.25 [m]", feeding), (Some(false), vec![forces.to_owned()]));
 }
 
-/// Which side of a switch rounding puts a time of the run on is no mistake of a derivative.
+/// Rounding may put an output time on either side of a switch, which is no error of a derivative.
 #[test]
 fn times_of_a_run_at_which_something_switches_are_left_out() {
     let switched = r#"
@@ -418,8 +418,8 @@ fn times_of_a_run_at_which_something_switches_are_left_out() {
         rtol = 1e-6
     "#;
     let (_folder, path) = written(switched);
-    // By Symbolica's formulas sensitivities of this run are off where an output time meets a
-    // switch, which the row tells rightly.
+    // With Symbolica's formulas, sensitivities of this run are wrong where an output time meets a
+    // switch, and the row reports that correctly.
     let (_, all) = rows(&path, &["--algebra", "plain"]);
     assert_eq!(failed(&all), Vec::<&str>::new());
     for name in
@@ -461,7 +461,7 @@ fn a_check_in_the_wrong_unit_is_refused_where_it_stands() {
     assert!(said.contains("the reference of `x` is in m") && said.contains("own.toml:"), "{said}");
 }
 
-/// The rows of a run that lasts for very many oscillations, each run having so many seconds.
+/// Verifies a run of very many oscillations, with a time limit for each run.
 fn within(seconds: &str, method: &str) -> (Option<i32>, Vec<serde_json::Value>) {
     let text = OSCILLATOR.replace("until = 4.0", "until = 2e6").replace("\"dop853\"", method);
     let (_folder, path) = written(&text.replace("0.5, unit = \"N s/m\"", "1e-9, unit = \"N s/m\""));
@@ -483,7 +483,7 @@ fn a_run_that_takes_too_long_fails_and_says_how_far_it_came() {
     }
 }
 
-/// What is known in closed form takes no time, and what it is held against does.
+/// The closed form takes no time, but the reference that it is compared with does.
 #[test]
 fn a_reference_that_takes_too_long_fails_its_rows() {
     let (code, rows) = within("0.3", "\"auto\"");
@@ -558,7 +558,7 @@ fn machines_of_parts_pass_their_automatic_checks() {
     pass_their_checks(&["drives", "linkages", "msl"], "symbolica");
 }
 
-/// Every scene in folders of `specs/scenes`, worked out by an algebra.
+/// Checks every scene in folders of `specs/scenes`, derived by an algebra.
 fn pass_their_checks(folders: &[&str], algebra: &str) {
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
     let mut wrong = Vec::new();

@@ -1,5 +1,4 @@
-//! A page that follows the files of a machine: what browsers are told and shown, who is refused, and
-//! how it ends.
+//! Page that follows the files of a machine: its events and content, refused requests, and its end.
 
 use std::fs;
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
@@ -14,10 +13,10 @@ use serde_json::Value;
 
 use crate::process::{assert_refused, machinist};
 
-/// As long as anything takes on a machine that has much else to do.
+/// Time limit on a computer with much other work.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// A mass on a spring.
+/// Mass on a spring.
 const SPEC: &str = r#"[scene]
 name = "bouncer"
 title = "Mass on a spring"
@@ -43,7 +42,7 @@ points = 21
 method = "dop853"
 "#;
 
-/// The program at work, and events of its page.
+/// Running program, and events of its page.
 struct Watching {
     child: Child,
     address: String,
@@ -68,7 +67,7 @@ impl Watching {
         Self { child, address, events }
     }
 
-    /// The next event of a state.
+    /// Waits for the next event with a state.
     fn next(&self, state: &str) -> Value {
         next(&self.events, state)
     }
@@ -96,10 +95,10 @@ fn next(events: &Receiver<Value>, state: &str) -> Value {
     }
 }
 
-/// Asks for a path of a server by some name of its host; status and body.
+/// Requests a path of a server under a name of its host.
 fn asked(address: &str, request: &str, host: &str) -> TcpStream {
     let mut stream = TcpStream::connect(address).expect("a server");
-    // By HTTP 1.0 bodies come in one piece.
+    // In HTTP 1.0 the body comes in one piece.
     write!(stream, "{request} HTTP/1.0\r\nHost: {host}\r\n\r\n").expect("sent");
     stream
 }
@@ -116,7 +115,7 @@ fn get(address: &str, path: &str, host: &str) -> (u16, String) {
     answer(asked(address, &format!("GET {path}"), host))
 }
 
-/// Events of a page as a browser gets them.
+/// Returns the events of a page as a browser gets them.
 fn events(address: &str) -> Receiver<Value> {
     let stream = asked(address, "GET /events", address);
     let (sender, receiver) = channel();
@@ -130,7 +129,7 @@ fn events(address: &str) -> Receiver<Value> {
     receiver
 }
 
-/// Writes another file and gives it the name, as many editors save.
+/// Saves like many editors: writes another file and renames it.
 fn save(file: &Path, text: &str) {
     let other = file.with_extension("saved");
     fs::write(&other, text).expect("written");
@@ -158,7 +157,7 @@ fn a_save_updates_the_page_and_a_mistake_stands_beside_the_last_good_run() {
         assert!(page.contains(part), "the page lacks {part}");
     }
     let first = watching.content();
-    // Another value is another run.
+    // Another value gives another run.
     save(&file, &SPEC.replace("300.0", "900.0"));
     watching.next("working");
     watching.next("ready");
@@ -166,7 +165,7 @@ fn a_save_updates_the_page_and_a_mistake_stands_beside_the_last_good_run() {
     assert_ne!(piece(&first, "run"), piece(&second, "run"));
     assert!(piece(&second, "parameters").contains(">900<"));
     assert!(second["known"].as_str().is_some_and(|known| known.contains("\"value\":900.0")));
-    // A mistake is shown where it is, and what ran stays.
+    // An error is shown with its place, and the last run stays.
     let wrong = SPEC.replace("stiffness*x^2/2", "stifness*x^2/2");
     let line = wrong.lines().position(|line| line.contains("stifness")).expect("a line") + 1;
     fs::write(&file, &wrong).expect("written");
@@ -180,7 +179,7 @@ fn a_save_updates_the_page_and_a_mistake_stands_beside_the_last_good_run() {
         assert!(told.contains(words), "{words} is not said: {told}");
     }
     assert_eq!(piece(&beside, "run"), piece(&second, "run"));
-    // So it does if there is no TOML, and if the run stops.
+    // The same holds for invalid TOML, and for a run that stops.
     save(&file, &SPEC.replace("[scene]", "[scene"));
     assert_eq!(watching.next("failed")["troubles"][0]["line"], 1);
     save(&file, &SPEC.replace("push*sin(4 [rad/s]*t)", "push/(1 - t/(1 [s]))"));
@@ -194,7 +193,7 @@ fn a_save_updates_the_page_and_a_mistake_stands_beside_the_last_good_run() {
     let event = watching.next("ready");
     assert_eq!(event["troubles"].as_array().map(Vec::len), Some(0));
     assert_eq!(piece(&watching.content(), "parameters"), piece(&first, "parameters"));
-    // What takes longer comes after the run.
+    // Parts that take longer follow after the run.
     while watching.content()["is_complete"] != true {
         watching.next("ready");
     }
@@ -215,12 +214,12 @@ fn a_spec_that_is_wrong_from_the_start_is_shown_once_it_is_mended() {
     );
     let (_, page) = get(&watching.address, "/", &watching.address);
     assert!(page.contains("<title>bouncer.toml: Machinist</title>") && page.contains("block"));
-    // The unit that it names comes to be, with a mistake, and then without.
+    // The unit that the scene names is created, first with an error, then without.
     let unit = "[unit]\nname = \"block\"\n[coordinates]\nx = { unit = \"m\", velocity = \"v\" }\n\
                 [parameters]\nmass = { value = 2.0, unit = \"kg\" }\n[energy]\nkinetic = \"mass*v^2/2\"\n";
     fs::write(folder.path().join("block.toml"), unit.replace("v^2/2", "v^2/")).expect("written");
     let event = loop {
-        // One of a file that is half written may come before.
+        // An error about a half-written file may come first.
         let event = watching.next("failed");
         if event["troubles"][0]["file"].as_str().is_some_and(|file| file.ends_with("block.toml")) {
             break event;
@@ -230,7 +229,7 @@ fn a_spec_that_is_wrong_from_the_start_is_shown_once_it_is_mended() {
     fs::write(folder.path().join("block.toml"), unit).expect("written");
     watching.next("ready");
     assert!(piece(&watching.content(), "parameters").contains("body.mass"));
-    // And is followed like the scene.
+    // The unit is watched like the scene.
     save(&folder.path().join("block.toml"), &unit.replace("2.0", "5.5"));
     watching.next("working");
     watching.next("ready");
@@ -258,7 +257,7 @@ fn two_browsers_are_told_of_tables_and_others_than_this_machine_are_refused() {
     watching.next("ready");
     next(&others, "ready");
     assert_ne!(piece(&watching.content(), "run"), first);
-    // Another name of the host is one that was made to lead here.
+    // Another host name comes from a domain that was made to point here.
     for host in ["example.org", "127.0.0.1", "localhost:1", "127.0.0.1.example.org", ""] {
         for path in ["/", "/content", "/events"] {
             assert_eq!(get(address, path, host).0, 403, "{host} {path}");
@@ -274,7 +273,7 @@ fn two_browsers_are_told_of_tables_and_others_than_this_machine_are_refused() {
     }
 }
 
-/// A run that takes longer than any test.
+/// Returns a scene whose run takes longer than any test.
 fn endless() -> String {
     SPEC.replace("until = 2.0", "until = 1e9").replace("dop853", "tsit5")
 }
@@ -291,7 +290,7 @@ fn a_run_under_way_is_given_up_when_its_file_is_saved_again() {
     watching.next("ready");
 }
 
-/// Processes that a process has started and that have not ended.
+/// Returns the running child processes of a process.
 #[cfg(target_os = "linux")]
 fn children(process: &Child) -> Vec<String> {
     let id = process.id();
@@ -325,7 +324,7 @@ fn an_interrupt_ends_it_at_once_with_the_process_that_runs_the_machine() {
         .status();
     assert!(sent.expect("a signal").success());
     assert_eq!(watching.child.wait().expect("an end").code(), Some(130));
-    // Its own end is told by its standard input.
+    // The child notices the end of its parent by its standard input.
     let begun = Instant::now();
     let stat = format!("/proc/{}/stat", children[0]);
     let is_alive = || fs::read_to_string(&stat).is_ok_and(|stat| !stat.contains(") Z "));
@@ -335,7 +334,7 @@ fn an_interrupt_ends_it_at_once_with_the_process_that_runs_the_machine() {
     }
 }
 
-/// Memory of a process \[kB\].
+/// Returns the memory of a process \[kB\].
 #[cfg(target_os = "linux")]
 fn resident(process: &Child) -> u64 {
     let status = fs::read_to_string(format!("/proc/{}/status", process.id())).expect("it runs");

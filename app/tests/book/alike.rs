@@ -1,15 +1,15 @@
-//! Whether a line that is printed is the one that the book shows.
+//! Comparison of printed lines with those in the book.
 //!
-//! Processors round the last bits of elementary functions differently, so numbers need not be the
-//! same to their last digit: equal to 1e-5, or both beyond what rounding leaves; figures
-//! of errors, which are told to two digits, in their order of size.
+//! Processors round the last bits of elementary functions differently, so numbers need not agree in
+//! their last digits. They must be equal to 1e-5, or both within rounding; error estimates, which
+//! have two digits, must agree in their order of magnitude.
 
-/// Whether a line is as shown, `...` standing for anything.
+/// Returns whether a line is as shown, where `...` stands for anything.
 pub fn line_matches(shown: &str, printed: &str) -> bool {
     glob(shown, printed) || words_match(&words(shown), &words(printed))
 }
 
-/// Word by word, so that a number may be longer or shorter than the one shown.
+/// Splits a line into words, because a number may be longer or shorter than the one shown.
 fn words(line: &str) -> Vec<&str> {
     let parts = line.split(|c: char| c.is_whitespace() || c == ',');
     parts.flat_map(|part| part.split_inclusive('|')).filter(|word| !word.is_empty()).collect()

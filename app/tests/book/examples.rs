@@ -1,4 +1,4 @@
-//! Files and commands of a chapter, written and run in a folder of its own, in their order.
+//! Files and commands of a chapter, written and run in order in a folder of their own.
 //!
 //! | block | what is done |
 //! | --- | --- |
@@ -11,9 +11,10 @@
 //! | `rust` | compiled as a documentation test, elsewhere |
 //! | others | a comment `<!-- not run: why -->` before them, or `text,formula` |
 //!
-//! What is shown below a command is all that it prints, in which `...` stands for anything within
-//! a line, and alone on a line for any lines, and numbers may differ by rounding (`alike`); of a command below which nothing is shown, only
-//! the exit code is looked at. `MACHINIST_BOOK=write` puts what is printed where something else is shown.
+//! The text below a command must be its whole output. In it, `...` stands for anything within a
+//! line and, alone on a line, for any number of lines. Numbers may differ by rounding (`alike`). If
+//! nothing is shown below a command, only its exit code is checked. `MACHINIST_BOOK=write` replaces
+//! text that differs by the actual output.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -25,20 +26,20 @@ use super::markdown::{Block, Chapter};
 use crate::process::{REPOSITORY, machinist, output, said};
 use crate::schema;
 
-/// What was found wrong with a chapter, and its text as it should be.
+/// Mistakes in a chapter, and its corrected text.
 pub struct Tried {
     pub mistakes: Vec<String>,
     pub text: String,
 }
 
-/// Does all that a chapter says.
+/// Runs all examples of a chapter.
 pub fn try_chapter(chapter: &Chapter) -> Tried {
     let scratch = tempfile::tempdir().expect("a folder");
-    // What messages name beside a file.
+    // Folder that messages show beside file names.
     let folder = scratch.path().join("machines");
     fs::create_dir(&folder).expect("a folder");
     let mut trial = Trial { chapter, folder, mistakes: Vec::new(), text: chapter.text.clone() };
-    // Backwards would be easier on places, but files and commands build upon each other.
+    // The order matters because files and commands build upon each other, so positions shift.
     let mut moved = 0_isize;
     for block in chapter.blocks() {
         if let Err(why) = trial.try_block(block, &mut moved) {
@@ -83,7 +84,7 @@ impl Trial<'_> {
         }
     }
 
-    /// Runs the commands of a block, and compares what they print.
+    /// Runs the commands of a block, and compares their output.
     fn try_console(&mut self, block: &Block, moved: &mut isize) -> Result<(), String> {
         let commands = commands(&block.text);
         let code = block.attribute("exit").map_or(Ok(0), str::parse::<i32>);
@@ -110,7 +111,7 @@ impl Trial<'_> {
         Ok(())
     }
 
-    /// What a command prints: of one that fails, also on standard error.
+    /// Returns the output of a command, with standard error if it fails.
     fn run(&mut self, words: &[String], code: i32) -> Result<String, String> {
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
         match words.as_slice() {
@@ -141,7 +142,7 @@ impl Trial<'_> {
         }
     }
 
-    /// Whether the program knows a command and its options, without doing it.
+    /// Checks a command and its options without running it.
     fn has_right_options(&self, line: &str) -> Result<(), String> {
         let words = split(line);
         let Some((program, arguments)) = words.split_first() else { return Ok(()) };
@@ -154,12 +155,12 @@ impl Trial<'_> {
     }
 }
 
-/// A command of a block.
+/// Command of a block.
 struct Command<'a> {
     words: Vec<String>,
-    /// As it stands there.
+    /// Lines of the command in the block.
     lines: &'a str,
-    /// What stands below it.
+    /// Lines shown below it.
     shown: &'a str,
 }
 
@@ -190,7 +191,7 @@ fn commands(text: &str) -> Vec<Command<'_>> {
     starts.windows(2).map(command).collect()
 }
 
-/// Words as a shell takes them, as far as quotes and comments go.
+/// Splits words like a shell, with quotes and comments.
 fn split(line: &str) -> Vec<String> {
     let (mut words, mut word, mut quote) = (Vec::new(), None::<String>, None);
     for c in line.chars() {
@@ -209,7 +210,7 @@ fn split(line: &str) -> Vec<String> {
     words
 }
 
-/// A spec of the repository by its whole path.
+/// Returns the absolute path of a spec of the repository.
 fn of_repository(word: &str) -> String {
     let path = Path::new(REPOSITORY).join(word);
     if word.starts_with("specs/") && path.exists() {
@@ -219,7 +220,7 @@ fn of_repository(word: &str) -> String {
     }
 }
 
-/// Without what no reader sees, blanks at ends, and what depends on what else the computer does.
+/// Removes invisible text, trailing blanks, and output that depends on the computer's load.
 fn plain(text: &str) -> String {
     let lines = text.trim_start_matches('\n').lines().map(str::trim_end);
     let is_of_deriving = |line: &str| {
@@ -231,8 +232,8 @@ fn plain(text: &str) -> String {
     if text.is_empty() { String::new() } else { format!("{text}\n") }
 }
 
-/// What is printed, with the `...` of what was shown: of lines that are still as they were, and of
-/// rows of tables from the same column on.
+/// Shortens the output by the `...` of the text shown: for lines that are unchanged, and for rows
+/// of tables from the same column on.
 fn cut_as(shown: &str, printed: &str) -> String {
     let cut = shown.lines().find_map(|line| line.strip_suffix("| ..."));
     let bars = cut.map(|row| row.matches('|').count() + 1);
@@ -261,7 +262,8 @@ fn what_is_printed_anew_is_cut_as_it_was() {
     assert_eq!(cut_as(shown, printed), "| FAIL | b | ...\n|---|---|-...\ntook ... s\nmore\n");
 }
 
-/// Whether a text is as shown, `...` standing for anything within a line, or for any lines.
+/// Returns whether a text is as shown, where `...` stands for anything within a line, or for any
+/// lines.
 pub fn matches(shown: &str, printed: &str) -> bool {
     let shown: Vec<&str> = shown.trim_end().lines().map(str::trim_end).collect();
     let printed: Vec<&str> = printed.trim_end().lines().map(str::trim_end).collect();
@@ -278,8 +280,8 @@ fn lines_match(shown: &[&str], printed: &[&str]) -> bool {
     }
 }
 
-/// A text with lines replaced: what starts with `-`, there once and in a row, by what starts with `+`;
-/// other lines lead to the place.
+/// Replaces lines of a text: those marked `-`, which must occur once and in sequence, by those
+/// marked `+`. Other lines give the context.
 fn replaced(text: &str, changes: &str) -> Result<String, String> {
     let of = |signs: [char; 2]| {
         let mut lines = String::new();
@@ -304,8 +306,7 @@ fn write(file: &Path, text: &str) -> Result<(), String> {
     fs::write(file, text).map_err(|error| format!("{}: {error}", file.display()))
 }
 
-/// Whether a part of a scene or of a unit has the keys that the parser knows, each with a value of
-/// its kind.
+/// Checks that a part of a scene or unit has only known keys, with values of the right kind.
 fn fits_in_part(text: &str) -> Result<(), String> {
     let tree = text.parse::<toml_edit::Document<String>>().map_err(|error| error.to_string())?;
     let tree = schema::value_of(tree.as_item());
@@ -321,7 +322,7 @@ fn fits_in_part(text: &str) -> Result<(), String> {
     }
 }
 
-/// Lets keys be left out of what a schema describes.
+/// Makes all keys of a schema optional.
 fn ask_for_nothing(schema: &mut Value) {
     match schema {
         Value::Object(entries) => {

@@ -1,7 +1,7 @@
-//! Keys of the language: the book describes those that the parser knows, and no others.
+//! Keys of the language: the book describes exactly the keys that the parser knows.
 //!
-//! A table of keys stands below a heading that says where they are: `[coordinates.NAME]` of a
-//! unit, `[[joints]]` of a scene, or of both.
+//! A table of keys stands below a heading that names their place: `[coordinates.NAME]` of a unit,
+//! `[[joints]]` of a scene, or of both.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,11 +10,11 @@ use machinist_codegen::spec::schema::{Key, Shape};
 use super::markdown::{Piece, codes};
 use super::{chapter, listed};
 
-/// What is said of a key.
+/// Description of a key.
 #[derive(Debug, PartialEq, Eq)]
 struct Described {
     is_required: bool,
-    /// Words that may stand under it, in the schema; all code of the row, in the book.
+    /// Words allowed as its value, in the schema; all code of the row, in the book.
     words: BTreeSet<String>,
 }
 
@@ -55,7 +55,7 @@ fn the_book_has_a_heading_for_each_table_of_a_file() {
     assert_eq!(headed, known);
 }
 
-/// Keys as the parser asks for them.
+/// Returns the keys that the parser knows.
 fn known() -> Keys {
     let mut keys = Keys::new();
     collect(&Shape::of_scene(), "scene ", &mut keys);
@@ -70,10 +70,10 @@ fn collect(shape: &Shape, place: &str, keys: &mut Keys) {
     };
     let add = |of: &[Key], keys: &mut Keys| {
         for key in of {
-            // A unit within a scene is a unit as in a file of its own.
+            // A unit within a scene has the same keys as in a file of its own.
             let is_of_file = place.ends_with(' ');
             let is_unit = place == "scene " && key.name == "define";
-            // Tables are headings of their own.
+            // Tables have headings of their own.
             let words = words_of(&key.shape);
             if !is_unit && !is_of_file && !is_table(&key.shape) {
                 keys.insert(below(&key.name), Described { is_required: key.is_required, words });
@@ -95,7 +95,7 @@ fn collect(shape: &Shape, place: &str, keys: &mut Keys) {
     }
 }
 
-/// Whether there is nothing to say of a key but what stands below it.
+/// Returns whether a key is only a table of other keys.
 fn is_table(shape: &Shape) -> bool {
     match shape {
         Shape::Table(_) => true,
@@ -112,7 +112,7 @@ fn words_of(shape: &Shape) -> BTreeSet<String> {
     }
 }
 
-/// Keys as the tables of the book have them.
+/// Returns the keys in the tables of the book.
 fn described() -> Keys {
     let mut keys = Keys::new();
     for name in listed().iter().filter(|name| name.starts_with("language/")) {
@@ -145,7 +145,7 @@ fn describe(place: &str, cells: &[String], keys: &mut Keys) {
     }
 }
 
-/// Where the keys below a heading are: `[ports.NAME]` of a unit is `unit ports.NAME`.
+/// Returns the places of the keys below a heading: `[ports.NAME]` of a unit is `unit ports.NAME`.
 fn places_of(text: &str, codes: &[String]) -> Vec<String> {
     let files: &[&str] = match text.rsplit(" of ").next() {
         Some("a unit") => &["unit"],

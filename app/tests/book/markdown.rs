@@ -1,51 +1,51 @@
-//! Chapters as they are read: blocks of code, tables of keys, links.
+//! Elements of chapters: blocks of code, tables of keys, links.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
-/// A file in Markdown.
+/// Markdown file.
 pub struct Chapter {
-    /// Where it is.
+    /// Path of the file.
     pub path: PathBuf,
-    /// All of it.
+    /// Whole text.
     pub text: String,
-    /// In their order.
+    /// Elements in their order.
     pub pieces: Vec<Piece>,
 }
 
-/// What tests look at in a chapter.
+/// Element of a chapter that tests check.
 pub enum Piece {
-    /// A block of code.
+    /// Block of code.
     Block(Block),
-    /// A heading: its text, and the code in it.
+    /// Heading: its text, and the code in it.
     Heading(String, Vec<String>),
-    /// A row of a table after its head: its cells, code between backticks.
+    /// Row of a table after its header: its cells, code between backticks.
     Row(Vec<String>),
-    /// The head of a table.
+    /// Header of a table.
     Head(Vec<String>),
-    /// Where a link or a picture leads.
+    /// Target of a link or picture.
     Link(String),
 }
 
-/// A fenced block of code.
+/// Fenced block of code.
 #[derive(Clone)]
 pub struct Block {
     /// First word of the info string.
     pub language: String,
     /// The other words, `key=value` or a word alone.
     pub attributes: Vec<String>,
-    /// What stands in it.
+    /// Content.
     pub text: String,
-    /// Where that starts in the file.
+    /// Position of the content in the file.
     pub start: usize,
-    /// Whether a comment just before it says why it is not tried.
+    /// Whether a comment just before the block says why it is not tested.
     pub is_excused: bool,
 }
 
 impl Block {
-    /// The value of `key=value` in the info string.
+    /// Returns the value of `key=value` in the info string.
     pub fn attribute(&self, key: &str) -> Option<&str> {
         let is_it = |attribute: &&String| attribute.split_once('=').is_some_and(|it| it.0 == key);
         let attribute = self.attributes.iter().find(is_it)?;
@@ -68,14 +68,14 @@ impl Chapter {
         })
     }
 
-    /// Path and line of a place, as editors take them.
+    /// Returns path and line of a position, in the form that editors take.
     pub fn place(&self, at: usize) -> String {
         let line = self.text[..at].lines().count() + 1;
         format!("{}:{line}", self.path.display())
     }
 }
 
-/// What a comment before a block begins with that is not tried.
+/// Start of a comment before a block that is not tested.
 const EXCUSE: &str = "<!-- not run: ";
 
 fn pieces(text: &str) -> Vec<Piece> {
@@ -141,7 +141,7 @@ fn write(heading: &mut Option<(String, Vec<String>)>, row: &mut Option<Vec<Strin
     }
 }
 
-/// What stands between backticks.
+/// Returns the text between backticks.
 pub fn codes(text: &str) -> impl Iterator<Item = &str> {
     text.split('`').skip(1).step_by(2)
 }

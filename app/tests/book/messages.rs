@@ -1,4 +1,4 @@
-//! Messages that the book explains: each is one that the program prints.
+//! Messages in the book are those that the program prints.
 
 use std::fs;
 use std::path::Path;
@@ -8,11 +8,11 @@ use super::chapter;
 use super::markdown::{Piece, codes};
 use crate::process::REPOSITORY;
 
-/// The chapter that goes by messages.
+/// Chapter that lists messages.
 const CHAPTER: &str = "troubleshooting.md";
 
-/// Sections have their message for a heading, and show a command that prints it; tables have
-/// messages that bad specs of the tests are answered with.
+/// Sections have a message as heading and show a command that prints it. Tables have messages from
+/// the tests' bad specs.
 #[test]
 fn every_message_of_the_book_is_one_that_the_program_prints() {
     let known = known();
@@ -46,14 +46,14 @@ fn every_message_of_the_book_is_one_that_the_program_prints() {
     assert!(sections > 15 && rows > 40, "{sections} sections, {rows} rows");
 }
 
-/// A cell's message: as the program prints it, backticks and all, between double backticks or in
-/// code of its own.
+/// Returns the message of a cell as the program prints it, with backticks, from double backticks or
+/// a single code span.
 fn message_of(cell: &str) -> String {
     let inner = cell.strip_prefix('`').and_then(|cell| cell.strip_suffix('`'));
     inner.unwrap_or_else(|| codes(cell).next().unwrap_or_default()).trim().to_owned()
 }
 
-/// What the bad specs of the tests are answered with, on a line each.
+/// Returns the messages of the tests' bad specs, one on each line.
 fn known() -> Vec<String> {
     let mut known = Vec::new();
     for entry in fs::read_dir(Path::new(REPOSITORY).join("codegen/tests/fail")).expect("a folder") {
@@ -65,7 +65,8 @@ fn known() -> Vec<String> {
     known
 }
 
-/// Messages of an answer, each a line that starts with a cross, with the lines that go on with it.
+/// Returns the messages of an answer, each a line that starts with a cross, with its continuation
+/// lines.
 fn messages(text: &str) -> Vec<String> {
     let mut messages: Vec<String> = Vec::new();
     let mut goes_on = false;
@@ -85,13 +86,13 @@ fn messages(text: &str) -> Vec<String> {
     messages
 }
 
-/// On one line, as it may be wrapped anywhere.
+/// Joins a text that may be wrapped anywhere to one line.
 fn unwrapped(text: &str) -> String {
     let text = text.replace('\u{2502}', " ");
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Whether a message, with `...` for what varies, stands within a text.
+/// Returns whether a text contains a message, in which `...` stands for variable parts.
 fn is_within(message: &str, text: &str) -> bool {
     line_matches(&format!("...{message}..."), text)
 }

@@ -1,4 +1,4 @@
-//! Archives: what is in them, what the description says, what is refused.
+//! Archives: their files, their descriptions, and refusals.
 
 use std::ffi::{CString, c_char, c_int, c_void};
 use std::fs;
@@ -8,7 +8,7 @@ use std::time::Instant;
 use super::host::{Archive, attributes, hollow_library, number, unpacked};
 use crate::process::{REPOSITORY, answer, assert_refused, machinist};
 
-/// The library that was built with the tests.
+/// Returns the library that was built with the tests.
 pub fn library() -> PathBuf {
     let folder = Path::new(env!("CARGO_BIN_EXE_machinist")).parent().expect("a folder");
     let name =
@@ -45,14 +45,14 @@ fn an_archive_holds_a_description_a_library_and_a_model_and_is_always_the_same()
     let out = model.to_str().expect("a plain path");
     answer(machinist(REPOSITORY, &["compile", "saw_gin", "--out", out]));
     assert!(files[2].1 == fs::read(&model).expect("a model"), "it is the model of `compile`");
-    // Of the model file the archive is the same.
+    // The model file gives the same archive.
     let from_model = folder.path().join("three.fmu");
     let [library, path] = [&library, &from_model].map(|path| path.to_str().expect("a plain path"));
     answer(machinist(REPOSITORY, &["fmu", out, "-o", path, "--library", library]));
     assert!(archive == fs::read(&from_model).expect("an archive"));
 }
 
-/// The lines of the file of terminals of a scene.
+/// Returns the lines of a scene's file of terminals.
 fn terminals(scene: &str, more: &[&str]) -> Vec<String> {
     let folder = tempfile::tempdir().expect("a folder");
     let library = hollow_library(folder.path());
@@ -85,14 +85,14 @@ fn ports_are_terminals_of_their_outputs_and_of_inputs_that_are_forces_on_them() 
     let of_driver =
         [member("driver_speed", "w", "signal"), member("drive_torque", "tau", "inflow")];
     assert_eq!(lines[driver + 1..driver + 3], of_driver);
-    // The load goes against the motion; what its amplitude makes of it changes with time.
+    // The load acts against the motion. The effect of its amplitude changes with time.
     let of_cylinder =
         [member("cylinder_speed", "w", "signal"), member("load_torque", "tau", "outflow")];
     assert_eq!(lines[cylinder + 1..cylinder + 3], of_cylinder);
     assert_eq!(lines[cylinder + 3], "</Terminal>");
     let without = terminals("two_mass", &[]);
     assert!(!without.iter().any(|line| line.contains("tau")), "{without:?}");
-    // What slides, and a machine of which no port is an output.
+    // A sliding part, and a machine without a port as output.
     let sliding = terminals("bouncing_mass", &[]);
     assert!(sliding.iter().any(|line| line.contains("_machinist_translational")), "{sliding:?}");
 }
@@ -140,7 +140,7 @@ fn the_description_has_units_types_starts_and_causality() {
     let mut sorted = references.clone();
     sorted.sort_unstable();
     assert!(sorted.iter().zip(0..).all(|(found, expected)| *found == expected));
-    // Tags end where they begin.
+    // Every start tag has an end tag.
     let begun = lines.iter().filter(|l| l.starts_with('<') && !l.starts_with("</")).count();
     let alone = lines.iter().filter(|line| line.ends_with("/>")).count();
     let ended = lines.iter().filter(|line| line.starts_with("</")).count();
@@ -163,7 +163,7 @@ fn modes_events_constraints_and_fixed_parameters_are_described() {
         .filter(|(_, variable)| variable["variability"] == "fixed")
         .map(|(name, _)| name)
         .collect();
-    // Lengths of links are in constraints.
+    // Lengths of links occur in constraints.
     assert!(!fixed.is_empty());
     assert!(
         variables.values().any(|variable| variable.get("initial").is_some_and(|i| i == "approx"))
@@ -190,7 +190,7 @@ method = "auto"
     fs::write(&path, spec).expect("written");
     let archive = Archive::of(path.to_str().expect("a plain path"), &[]);
     assert!(archive.root().contains("a &lt; b &amp; &quot;c&quot; &gt; d"));
-    // Without outputs all states are outputs, as themselves.
+    // Without outputs, all states are outputs themselves.
     assert_eq!(archive.variables()["mass.v"]["causality"], "output");
     let unit = archive.simulation();
     unit.begin(1.0);
@@ -242,7 +242,7 @@ unsafe extern "C" {
     fn dlsym(library: *mut c_void, name: *const c_char) -> *mut c_void;
 }
 
-/// Every function of the standard, by name.
+/// The library exports every function of the standard by name.
 #[cfg(target_os = "linux")]
 #[test]
 fn the_library_offers_every_function_of_the_standard() {

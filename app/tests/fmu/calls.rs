@@ -1,4 +1,4 @@
-//! Calls that make no sense: a status and a message, whatever was asked, and never a crash.
+//! Invalid calls: each returns a status and a message, and none crashes.
 
 use std::ffi::c_void;
 use std::fs;
@@ -31,7 +31,7 @@ fn values_that_make_no_sense_are_refused_and_nothing_is_set() {
     assert_eq!(unsafe { fmi3SetInt32(unit.handle, at.0, 1, ptr::null(), 1) }, Status::Error);
     unit.begin(1.0);
     assert_eq!(unit.get(&[inertia]), [4.2]);
-    // A machine that cannot start so is refused where it starts, and can be mended.
+    // A machine that cannot start is refused at the start, and can be corrected.
     ok!(unit, fmi3Reset(unit.handle));
     unit.set(inertia, 0.0);
     ok!(unit, fmi3EnterInitializationMode(unit.handle, 0, 0.0, 0.0, 0, 0.0));
@@ -95,7 +95,7 @@ fn calls_out_of_order_are_refused_by_their_names() {
             refused(&simulation, status, "fmi3DoStep");
         }
     }
-    // It goes on after all that.
+    // The instance still works after all that.
     simulation.step(0.0, 0.1);
 }
 
@@ -180,7 +180,7 @@ fn handles_of_nothing_are_errors() {
     }
 }
 
-/// What a host may hand over where a number is wanted.
+/// Numbers that a host may hand over.
 const NUMBERS: [f64; 12] = [
     0.0,
     -0.0,
@@ -196,7 +196,7 @@ const NUMBERS: [f64; 12] = [
     f64::MIN_POSITIVE,
 ];
 
-/// A host that calls anything at any time.
+/// Host that makes any call at any time.
 struct Chaos {
     rng: Rng,
     handles: Vec<Handle>,
@@ -232,7 +232,7 @@ impl Chaos {
         }
     }
 
-    /// One call; its status.
+    /// Makes one call and returns its status.
     #[allow(clippy::too_many_lines, reason = "a list of calls")]
     fn call(&mut self) -> Status {
         self.calls += 1;
@@ -338,11 +338,11 @@ impl Chaos {
     }
 }
 
-/// Instances are made anew after so many sequences, and reset before each: an instance compiles its
-/// model, which takes as long as thousands of calls.
+/// Sequences after which an instance is created anew. It is reset before each sequence, because
+/// creating one compiles its model, which takes as long as thousands of calls.
 const AGAIN: usize = 3000;
 
-/// Sequences of calls at random, as many as `MACHINIST_FUZZ` says.
+/// Random sequences of calls, as many as `MACHINIST_FUZZ` says.
 #[test]
 fn any_sequence_of_calls_is_answered() {
     let count = |name: &str, otherwise: usize| {
@@ -380,7 +380,7 @@ fn any_sequence_of_calls_is_answered() {
             assert!(!log.contains("failed within"), "sequence {sequence}: {log}");
         }
     }
-    // It gets somewhere.
+    // A part of the calls must succeed.
     assert!(done > answered / 20, "{done} of {answered}");
     println!("{answered} calls, {done} of them done");
 }

@@ -1,4 +1,4 @@
-//! Directional and adjoint derivatives against differences, and dependencies against both.
+//! Directional and adjoint derivatives compared with differences, and dependencies with both.
 
 use machinist_fmu::abi::{
     Status, fmi3EnterInitializationMode, fmi3GetAdjointDerivative, fmi3GetDirectionalDerivative,
@@ -39,14 +39,14 @@ fn adjoint(unit: &Unit, unknown: u32, knowns: &[u32]) -> Vec<f64> {
     values
 }
 
-/// References of an element of the structure, with those each depends on.
+/// Returns the references of an element of the structure, with the dependencies of each.
 fn unknowns(archive: &Archive, element: &str) -> Vec<(u32, Option<Vec<u32>>)> {
     let of = |list: &String| list.split_whitespace().map(|at| at.parse().expect("one")).collect();
     let elements = archive.elements(element).into_iter();
     elements.map(|e| (number(&e, "valueReference"), e.get("dependencies").map(of))).collect()
 }
 
-/// References and typical sizes of continuous states, in their order.
+/// Returns references and typical sizes of continuous states, in their order.
 fn states(archive: &Archive) -> Vec<(u32, f64)> {
     let variables = archive.variables();
     let mut derivatives = unknowns(archive, "ContinuousStateDerivative").into_iter();
@@ -64,7 +64,7 @@ fn states(archive: &Archive) -> Vec<(u32, f64)> {
         .collect()
 }
 
-/// What a host may move along a run, with how: a state, an input, time.
+/// Quantity that a host may change along a run: a state, an input, time.
 #[derive(Debug, Clone, Copy)]
 enum Known {
     State(usize),
@@ -131,14 +131,14 @@ fn compare(archive: &Archive, unit: &Unit, stepper: &Stepper<'_>, scene: &str) {
             let place = format!("{scene}: d{unknown}/d{known}");
             assert!((exact[row] - slope).abs() <= near, "{place}: {} against {slope}", exact[row]);
             assert!((rows[row][column] - exact[row]).abs() <= 1e-12 * exact[row].abs() + 1e-300);
-            // Where none are listed it may depend on all.
+            // If none are listed, it may depend on all.
             let is_listed = dependencies.as_ref().is_none_or(|all| all.contains(known));
             assert!(exact[row] == 0.0 || is_listed, "{place} is not in the structure");
         }
     }
 }
 
-/// Values where something is moved.
+/// Returns the values after a change of one quantity.
 fn moved(
     unit: &Unit,
     stepper: &Stepper<'_>,

@@ -67,7 +67,7 @@ fn intermediate_updates_show_the_motion_and_end_a_step() {
     assert_eq!(reached.to_bits(), f64::to_bits(limit));
     let shown = std::mem::take(&mut *seen.lock().expect("a list"));
     assert!(shown.len() > 10 && shown.windows(2).all(|pair| pair[0].0 < pair[1].0));
-    // What is shown is on the way of the run.
+    // The values shown lie on the run.
     let simulator = find_f64("saw_gin").expect("a built-in scene");
     let times: Vec<f64> = shown.iter().map(|(time, _)| *time).collect();
     let run = Simulation::new(simulator).until(0.3).rtol(1e-10).times(&times);
@@ -76,7 +76,7 @@ fn intermediate_updates_show_the_motion_and_end_a_step() {
     for ((time, found), exact) in shown.iter().zip(exact) {
         assert!((found - exact).abs() < 1e-4, "at {time}: {found} against {exact}");
     }
-    // An input set on the way acts from there on.
+    // An input set within a step acts from there on.
     let before = unit.written();
     unit.looks_by(Box::new(|_, _| None));
     unit.step(limit, 1.2);
@@ -92,8 +92,8 @@ fn intermediate_updates_show_the_motion_and_end_a_step() {
     assert!((unit.get(&[output])[0] - untouched).abs() > 0.1);
 }
 
-/// A step function of time is a time event: the host is told of it before, and its rate has not
-/// jumped until it has handled it.
+/// A step function of time is a time event. The host learns of it beforehand, and the rate does
+/// not jump until the host has handled it.
 #[test]
 fn jumps_in_time_are_time_events() {
     let spec = r#"
@@ -122,7 +122,7 @@ method = "auto"
     let unit = archive.exchange();
     unit.begin(1.0);
     let mut stepper = Stepper::new(&unit);
-    // Steps end at the jump by its own word, and no sooner than that.
+    // Steps end at the jump by themselves, and not earlier.
     stepper.go(0.29, 0.05);
     assert_eq!(unit.get(&[force]), [0.0]);
     stepper.go(1.0, 0.05);
@@ -136,8 +136,8 @@ method = "auto"
     assert!((found.abs() - 3.0 * 0.7).abs() < 1e-9, "{found}");
 }
 
-/// At 2.5 s the frequency comes to zero with its rate, so that the sign of what `abs` looks at is
-/// that of its rounding, which is that of the 40 Hz it was before the last step.
+/// At 2.5 s the frequency vanishes together with its rate, so that the sign of the argument of
+/// `abs` is that of rounding, which is that of the 40 Hz before the last step.
 #[test]
 fn a_kink_that_fades_away_at_a_communication_point_does_not_stop_the_run() {
     let archive = Archive::of("specs/scenes/parts/electrical/converter.toml", &[]);

@@ -1,4 +1,5 @@
-//! A host: archives made by the program and unpacked, and instances called as from C.
+//! Host that makes and unpacks archives with the program, and calls instances through the C
+//! interface.
 
 use std::collections::BTreeMap;
 use std::ffi::{CStr, CString, c_char, c_void};
@@ -13,14 +14,14 @@ use machinist_fmu::abi::*;
 
 use crate::process::{REPOSITORY, answer, machinist};
 
-/// An archive, unpacked.
+/// Unpacked archive.
 pub struct Archive {
     pub folder: tempfile::TempDir,
     pub description: String,
 }
 
-/// What goes into archives of which the library is not called: the first bytes of a program,
-/// which are those of a library.
+/// Creates a library for archives whose library is not called: the first bytes of a program, which
+/// are those of a library.
 pub fn hollow_library(folder: &Path) -> PathBuf {
     let program = std::env::current_exe().expect("this program");
     let bytes = fs::read(program).expect("its bytes");
@@ -30,7 +31,8 @@ pub fn hollow_library(folder: &Path) -> PathBuf {
 }
 
 impl Archive {
-    /// Of a built-in scene or a file, with options; its library is called within this process.
+    /// Makes an archive of a built-in scene or a file with options. Its library is called within
+    /// this process.
     pub fn of(scene: &str, options: &[&str]) -> Self {
         let folder = tempfile::tempdir().expect("a folder");
         let library = hollow_library(folder.path());
@@ -49,25 +51,25 @@ impl Archive {
         Self { folder, description }
     }
 
-    /// All elements of a name, by their attributes.
+    /// Returns the attributes of all elements with a name.
     pub fn elements(&self, name: &str) -> Vec<BTreeMap<String, String>> {
         let begin = format!("<{name} ");
         let lines = self.description.lines().map(str::trim).filter(|line| line.starts_with(&begin));
         lines.map(|line| attributes(&line[begin.len()..])).collect()
     }
 
-    /// Variables by name.
+    /// Returns the variables by name.
     pub fn variables(&self) -> BTreeMap<String, BTreeMap<String, String>> {
         let all = ["Float64", "Int32"].into_iter().flat_map(|name| self.elements(name));
         all.map(|variable| (variable["name"].clone(), variable)).collect()
     }
 
-    /// The value reference of a variable.
+    /// Returns the value reference of a variable.
     pub fn reference(&self, name: &str) -> u32 {
         number(&self.variables()[name], "valueReference")
     }
 
-    /// Those of all outputs, with their names.
+    /// Returns names and value references of all outputs.
     pub fn outputs(&self) -> Vec<(String, u32)> {
         let variables = self.variables().into_iter();
         let outputs = variables.filter(|(_, variable)| variable["causality"] == "output");
@@ -100,7 +102,7 @@ pub fn number(attributes: &BTreeMap<String, String>, name: &str) -> u32 {
     attributes[name].parse().expect("a number")
 }
 
-/// Attributes of the rest of an element.
+/// Parses the attributes of the rest of an element.
 pub fn attributes(mut text: &str) -> BTreeMap<String, String> {
     let mut all = BTreeMap::new();
     while let Some((name, rest)) = text.split_once("=\"") {
@@ -112,7 +114,7 @@ pub fn attributes(mut text: &str) -> BTreeMap<String, String> {
     all
 }
 
-/// Files of an archive, by its central directory.
+/// Unpacks the files of an archive by its central directory.
 pub fn unpacked(archive: &[u8]) -> Vec<(String, Vec<u8>)> {
     let word = |at: usize| {
         u32::from_le_bytes(archive[at..at + 4].try_into().expect("four bytes")) as usize
@@ -139,19 +141,19 @@ pub fn unpacked(archive: &[u8]) -> Vec<(String, Vec<u8>)> {
     files
 }
 
-/// What an instance is driven by.
+/// Interface and options of an instance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Drive {
     Exchange,
     Simulation,
-    /// With event mode and steps that may end early.
+    /// Co-Simulation with event mode and steps that may end early.
     Events,
 }
 
-/// What is shown within a step: time; what to answer: whether to return, and when.
+/// Callback within a step, called with the time. It returns the time to return at, if any.
 pub type Looks = Box<dyn FnMut(Handle, f64) -> Option<f64> + Send>;
 
-/// What callbacks find.
+/// Data of the callbacks.
 #[derive(Default)]
 struct Environment {
     log: Mutex<Vec<(Status, String)>>,
@@ -159,7 +161,7 @@ struct Environment {
     handle: OnceLock<usize>,
 }
 
-/// An instance.
+/// Instance of an FMU.
 pub struct Unit {
     pub handle: Handle,
     environment: Box<Environment>,
@@ -220,7 +222,7 @@ impl Unit {
         Self::instantiated(&archive.token(), &archive.resources(), drive).ok()
     }
 
-    /// An instance, or what was logged.
+    /// Instantiates an archive, or returns the log if that fails.
     pub fn instantiated(token: &str, resources: &str, drive: Drive) -> Result<Self, String> {
         let environment = Box::<Environment>::default();
         let pointer = ptr::from_ref(&*environment).cast_mut().cast::<c_void>();
@@ -257,7 +259,7 @@ impl Unit {
         Ok(unit)
     }
 
-    /// Messages so far, which are then forgotten.
+    /// Returns the messages so far and clears the log.
     pub fn log(&self) -> Vec<String> {
         let mut log = self.environment.log.lock().expect("a log");
         log.drain(..).map(|(_, message)| message).collect()
@@ -267,7 +269,7 @@ impl Unit {
         *self.environment.looks.lock().expect("looks") = Some(looks);
     }
 
-    /// Through initialization mode, from 0 s, at a tolerance of 1e-9.
+    /// Goes through initialization mode, from 0 s, with a tolerance of 1e-9.
     pub fn begin(&self, until: f64) {
         ok!(self, fmi3EnterInitializationMode(self.handle, 1, 1e-9, 0.0, 1, until));
         ok!(self, fmi3ExitInitializationMode(self.handle));
@@ -291,7 +293,7 @@ impl Unit {
         unsafe { fmi3SetFloat64(self.handle, &raw const reference, 1, &raw const value, 1) }
     }
 
-    /// A step; whether an event needs handling, and the time reached.
+    /// Takes a step. Returns whether an event needs handling, and the time reached.
     pub fn step(&self, from: f64, size: f64) -> (bool, f64) {
         let (mut event, mut early, mut time) = (0, 0, f64::NAN);
         let ignored = ptr::null_mut();
@@ -301,7 +303,8 @@ impl Unit {
         (event != 0, time)
     }
 
-    /// An update of discrete states; whether continuous ones have changed, and the next time.
+    /// Updates discrete states. Returns whether continuous states have changed, and the time of the
+    /// next event.
     pub fn update(&self) -> (bool, Option<f64>) {
         let (mut again, mut moved, mut is_next, mut next) = (9, 9, 9, f64::NAN);
         let ignored = ptr::null_mut();
@@ -311,7 +314,7 @@ impl Unit {
         (moved != 0, (is_next != 0).then_some(next))
     }
 
-    /// A state of it, written.
+    /// Serializes the present state.
     pub fn written(&self) -> Vec<u8> {
         let mut state: StateHandle = ptr::null_mut();
         let mut size = 0;
@@ -324,7 +327,7 @@ impl Unit {
         bytes
     }
 
-    /// The same, read.
+    /// Deserializes and restores a state.
     pub fn read(&self, bytes: &[u8]) {
         let mut state: StateHandle = ptr::null_mut();
         let (at, size) = (bytes.as_ptr(), bytes.len());
@@ -340,27 +343,27 @@ impl Drop for Unit {
     }
 }
 
-/// The reference of an input, and what it is over time.
+/// Reference of an input, and its value over time.
 pub type Input = (u32, fn(f64) -> f64);
 
-/// A host that steps by a method of its own: Runge and Kutta's of order 4, halved where an
-/// indicator changes its sign.
+/// Host with a method of its own: the Runge-Kutta method of order 4, with steps halved at sign
+/// changes of an indicator.
 pub struct Stepper<'a> {
     pub unit: &'a Unit,
     pub time: f64,
     next: Option<f64>,
     states: usize,
     indicators: usize,
-    /// How often it was in event mode.
+    /// Number of times in event mode.
     pub events: usize,
-    /// An input and what it is over time.
+    /// Input and its value over time.
     pub input: Option<Input>,
-    /// How fast states err, to one side and the other.
+    /// Rate of an artificial error of the states, alternating in sign.
     pub drift: f64,
 }
 
 impl<'a> Stepper<'a> {
-    /// A unit after initialization.
+    /// Takes an instance after initialization.
     pub fn new(unit: &'a Unit) -> Self {
         let (mut states, mut indicators) = (0, 0);
         ok!(unit, fmi3GetNumberOfContinuousStates(unit.handle, &raw mut states));
@@ -412,7 +415,7 @@ impl<'a> Stepper<'a> {
         guards
     }
 
-    /// The state a step from here would end in.
+    /// Returns the state after a trial step.
     fn tried(&self, state: &[f64], step: f64) -> Vec<f64> {
         let (time, half) = (self.time, 0.5 * step);
         let moved = |rate: &[f64], by: f64| -> Vec<f64> {
@@ -428,7 +431,7 @@ impl<'a> Stepper<'a> {
             .collect()
     }
 
-    /// To a time by steps of no more than this.
+    /// Advances to a time by steps of at most `longest`.
     pub fn go(&mut self, until: f64, longest: f64) {
         while self.time < until {
             let end = self.next.map_or(until, |next| next.min(until));

@@ -1,4 +1,4 @@
-//! FMPy, where Python with it is there: it validates archives and simulates them.
+//! Validation and simulation of archives by FMPy, if Python has it.
 
 use std::process::{Command, Output};
 
@@ -18,7 +18,7 @@ const SCENES: [&str; 7] = [
     "shaft_with_rotors",
 ];
 
-/// Of these scenes, or of those that `MACHINIST_PEERS` names, or of `all` that are built in.
+/// Tests these scenes, those that `MACHINIST_PEERS` names, or `all` built-in ones.
 #[test]
 fn fmpy_validates_and_simulates_what_is_exported() {
     let python = std::env::var("MACHINIST_PYTHON").unwrap_or_else(|_| "python3".to_owned());

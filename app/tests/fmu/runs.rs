@@ -1,4 +1,4 @@
-//! Runs by hosts against runs of our own, of emitted code.
+//! Runs by hosts compared with runs of emitted code.
 
 use std::sync::Arc;
 use std::thread;
@@ -11,15 +11,15 @@ use machinist_scenes::scenes::{find_f64, find_field_f64};
 
 use super::host::{Archive, Stepper, Unit, ok};
 
-/// A scene's own run, converged, at so many points.
+/// Runs a built-in scene to convergence, with a number of points.
 fn reference(scene: &str, until: f64, points: usize) -> Trajectory {
     let simulator: &dyn Simulator<f64> = find_f64(scene).expect("a built-in scene");
     let run = Simulation::new(simulator).until(until).points(points).rtol(1e-10);
     run.run().expect("it runs")
 }
 
-/// The largest error of an output over its range, and its name. What jumps is not compared at
-/// the points beside an event.
+/// Returns the largest error of an output relative to its range, and its name. Discontinuous
+/// outputs are not compared next to an event.
 fn worst(archive: &Archive, reference: &Trajectory, rows: &[Vec<f64>]) -> (f64, String) {
     let near_event =
         |time: f64| reference.switches.iter().any(|switch| (switch.time - time).abs() < 1e-7);
@@ -65,7 +65,7 @@ fn fields_are_cut_as_they_are_exported_and_run_by_both_interfaces() {
         let rows = simulated(&archive, &simulation, until, points);
         let (error, place) = worst(&archive, &reference, &rows);
         assert!(error < 1e-6, "{error:.1e} of {place}");
-        // A state that is kept goes on with the same bits.
+        // A restored state continues with the same bits.
         let bytes = simulation.written();
         let references: Vec<u32> = archive.outputs().into_iter().map(|(_, at)| at).collect();
         simulation.step(until, 1e-3);
@@ -108,7 +108,7 @@ fn co_simulation_is_a_run_of_our_own() {
 
 #[test]
 fn model_exchange_with_a_method_of_the_hosts_is_a_run_of_our_own() {
-    // Steps at which the error of order 4 is below what is asked for.
+    // Step sizes with which the error of order 4 is below the bound.
     let scenes = [
         ("saw_gin", 0.3, 2e-5),
         ("bouncing_mass", 0.5, 1e-4),
@@ -134,8 +134,8 @@ fn model_exchange_with_a_method_of_the_hosts_is_a_run_of_our_own() {
     }
 }
 
-/// Two brakes hold a shaft together, and one of them or the other is at its limit: what constraints
-/// hold drifts in the steps of a host, and is not taken for a slide that has ended or turned.
+/// Two brakes hold a shaft together, each at its limit at times. The drift of constraints in a
+/// host's steps must not be taken for the end or reversal of sliding.
 #[test]
 fn brakes_that_hold_together_do_so_under_a_method_of_the_hosts() {
     let text = r#"
@@ -171,7 +171,8 @@ fn brakes_that_hold_together_do_so_under_a_method_of_the_hosts() {
         let speed = unit.get(&speed)[0];
         assert!(speed.abs() < 1e-6, "{speed} after {step}");
     }
-    // In each of ten turns of the torque they change hands some times, and are put back now and then.
+    // They take turns several times in each of ten periods of the torque, and are projected now and
+    // then.
     assert!((10..160).contains(&stepper.events), "{}", stepper.events);
 }
 
@@ -218,7 +219,7 @@ fn an_input_acts_from_where_the_host_sets_it() {
     assert!((found - exact).abs() < 1e-7 * exact.abs().max(1.0), "{found} against {exact}");
 }
 
-/// What the host makes of an input is what the scene makes of the same expression.
+/// An input that the host computes gives the same run as the same expression in the scene.
 #[test]
 fn an_input_that_follows_a_sine_is_the_scene_with_that_sine() {
     let archive = Archive::of("two_mass", &["--inputs", "load_torque"]);
@@ -255,7 +256,7 @@ fn parameters_are_set_before_the_run_and_tuned_along_it() {
     let exact = exact.column("cylinder_speed").expect("an output")[1];
     let found = unit.get(&speed)[0];
     assert!((found - exact).abs() < 1e-6 * exact.abs(), "{found} against {exact}");
-    // In step mode it may be tuned, which changes what follows.
+    // In step mode the parameter may be tuned, which changes the rest of the run.
     unit.set(inertia, 3.0);
     unit.step(0.4, 0.1);
     assert!((unit.get(&speed)[0] - exact).abs() > 1e-3);

@@ -1,10 +1,10 @@
-//! Starts in equilibrium: those that runs of our own find, with what the host sets.
+//! Starts in equilibrium: the same as in runs of Machinist, with values set by the host.
 
 use machinist_fmu::abi::*;
 
 use super::host::{Archive, Drive, Stepper, Unit};
 
-/// A quarter of a car on its tyre, and a sled that rests wherever it is put.
+/// Quarter of a car on its tyre, and a sled that rests anywhere.
 const CAR: &str = r#"
     [scene]
     name = "quarter_car"
@@ -33,7 +33,7 @@ const CAR: &str = r#"
     dissipation = "damping*(body_dot - wheel_dot)^2/2"
 "#;
 
-/// Where body and wheel rest, by their weights over the springs below them \[m\].
+/// Rest positions of body and wheel, by their weights over the springs below them \[m\].
 fn at_rest(body_mass: f64) -> [f64; 2] {
     let wheel = -9.81 * (body_mass + 40.0) / 2e5;
     [wheel - 9.81 * body_mass / 2e4, wheel]
@@ -74,7 +74,7 @@ fn a_unit_rests_in_the_equilibrium_of_its_parameters() {
         unit.begin(2.0);
         let [body, wheel] = at_rest(300.0);
         near(&unit.get(&of), &[body, wheel, 0.2]);
-        // With another parameter, and another place of what the equilibrium leaves open.
+        // With another parameter, and another value of the state that the equilibrium leaves open.
         unsafe { fmi3Reset(unit.handle) };
         unit.set(mass, 420.0);
         unit.set(of[2], 0.7);

@@ -1,4 +1,4 @@
-//! States that are kept, written, read and returned to.
+//! States that are kept, serialized, deserialized and restored.
 
 use std::ptr;
 
@@ -13,11 +13,11 @@ fn bits(values: &[f64]) -> Vec<u64> {
     values.iter().map(|value| value.to_bits()).collect()
 }
 
-/// Everything that a host can read.
+/// Returns all values that a host can read.
 fn all(archive: &Archive, unit: &Unit) -> Vec<u64> {
     let variables = archive.elements("Float64");
     let references: Vec<u32> = (0..).take(variables.len()).collect();
-    // Modes are integers, and stand among these.
+    // Modes are integers and are listed among these.
     let modes = archive.elements("Int32");
     let modes: Vec<u32> = modes.iter().map(|m| super::host::number(m, "valueReference")).collect();
     let references: Vec<u32> = (0..)
@@ -45,7 +45,7 @@ fn a_state_that_is_written_is_continued_by_another_instance_bit_for_bit() {
             other.step(at(index), 0.01);
             assert_eq!(all(&archive, &unit), all(&archive, &other), "{scene} at {index}");
         }
-        // Back again in the first.
+        // Back in the first instance.
         let later = all(&archive, &unit);
         unit.read(&written);
         for index in 13..30 {
@@ -83,7 +83,7 @@ fn handles_of_states_are_looked_up() {
     let mut state: StateHandle = ptr::null_mut();
     ok!(unit, fmi3GetFMUState(unit.handle, &raw mut state));
     let kept = state;
-    // The same place is used again.
+    // The same handle is reused.
     unit.step(0.0, 0.1);
     ok!(unit, fmi3GetFMUState(unit.handle, &raw mut state));
     assert_eq!(state, kept);
@@ -110,7 +110,7 @@ fn bytes_that_are_no_state_of_the_archive_are_refused() {
         let at = (bytes.as_ptr(), bytes.len());
         let status = unsafe { fmi3DeserializeFMUState(unit.handle, at.0, at.1, &raw mut state) };
         if status == Status::Ok {
-            // What is read must run, or say why not.
+            // A deserialized state must run, or give an error.
             unsafe { fmi3SetFMUState(unit.handle, state) };
             let (mut event, mut end, mut early, mut time) = (0, 0, 0, 0.0);
             unsafe {
@@ -128,7 +128,7 @@ fn bytes_that_are_no_state_of_the_archive_are_refused() {
         }
         status
     };
-    // Of the other interface, of another archive, cut off, overfull.
+    // From the other interface, from another archive, too short, too long.
     assert_eq!(read(&archive.exchange(), &written), Status::Error);
     assert_eq!(read(&Archive::of("bouncing_mass", &[]).simulation(), &written), Status::Error);
     assert_eq!(read(&unit, &written[..written.len() - 1]), Status::Error);

@@ -39,7 +39,7 @@ pub struct Explanation {
     pub states: Vec<String>,
     /// Structure of the remaining equations.
     pub structure: Structure,
-    /// Whether the scene has fields, which the structure does not include.
+    /// True if the scene has fields, which the structure does not include.
     pub has_fields: bool,
     /// Reason why there are no object files, if they were wanted.
     pub no_object: Option<ObjectError>,

@@ -370,8 +370,8 @@ fn processes_at_once_get_the_same_and_fill_one_entry() {
     }
 }
 
-/// Starts four processes at once, which must agree. With Symbolica, each takes the lock from one that
-/// is ending.
+/// Starts four processes at once, which must agree. With Symbolica, each takes the lock from one
+/// that is ending.
 fn at_once(run: &[&str]) {
     let folder = folder_with(0.7);
     let start = || {

@@ -52,7 +52,7 @@ struct Host {
     environment: AtomicPtr<c_void>,
     log: Option<LogMessage>,
     update: Option<IntermediateUpdate>,
-    /// Whether the host wants events logged.
+    /// True if the host wants events logged.
     wants_events: AtomicBool,
     is_broken: AtomicBool,
     /// Strings or bytes handed to the host last, kept for as long as it may read them.
@@ -216,7 +216,7 @@ macro_rules! exported {
             #[doc = concat!("`", stringify!($name), "` of the standard.")]
             ///
             /// # Safety
-            /// Pointers are null, or point to as many of what the standard says as it says.
+            /// Pointers are null, or point to as many values as the standard requires.
             #[unsafe(no_mangle)]
             pub unsafe extern "C" fn $name($($argument: $type),*) -> $result $body
         )*

@@ -29,9 +29,9 @@ pub enum Interface {
     ModelExchange,
     /// The instance integrates between the host's communication points.
     CoSimulation {
-        /// Whether the host handles events.
+        /// True if the host handles events.
         event_mode: bool,
-        /// Whether the host accepts steps that end early.
+        /// True if the host accepts steps that end early.
         early_return: bool,
     },
 }

@@ -113,7 +113,7 @@ pub enum Unfit {
     /// The scene has no fields to discretize.
     #[error("scene `{scene}` has no fields")]
     NoFields {
-        /// The scene.
+        /// Name of the scene.
         scene: String,
     },
     /// The fields cannot be discretized as wanted.
@@ -130,7 +130,7 @@ pub enum Unfit {
     /// The equations of motion take the parameter to be constant.
     #[error("parameter `{name}` cannot be an input that changes with time: {why}")]
     NotAnInput {
-        /// The parameter.
+        /// Name of the parameter.
         name: String,
         /// Use that forbids it.
         why: &'static str,

@@ -57,7 +57,7 @@ pub struct GradientCommand {
 struct Row {
     name: String,
     unit: String,
-    /// Whether it is a parameter, or else the initial value of a state.
+    /// True for a parameter, false for the initial value of a state.
     is_parameter: bool,
     value: f64,
     /// Derivative, in the unit of the number over that of the parameter or state.

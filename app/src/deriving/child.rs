@@ -21,7 +21,7 @@ pub const COMMAND: &str = "derive-for-parent";
 const QUESTION: &[u8; 16] = b"machinist asks:\n";
 const ANSWER: &[u8; 16] = b"machinist says:\n";
 
-/// Whether a child of this process has printed the terms of its algebra.
+/// True if a child of this process has printed the terms of its algebra.
 static GREETED_ONCE: AtomicBool = AtomicBool::new(false);
 
 /// Derives requests in a child, each by its algebra.

@@ -35,7 +35,7 @@ pub(super) fn page_of(name: &str) -> String {
 pub struct Pages {
     /// Pages by their paths within the report's folder.
     pub files: Vec<(PathBuf, String)>,
-    /// Whether every check passed.
+    /// True if every check passed.
     pub all_passed: bool,
 }
 
@@ -58,7 +58,7 @@ pub(super) struct Report {
 /// Extent of the pages.
 #[derive(Debug, Clone, Copy)]
 pub struct Extent {
-    /// Whether error against run time is measured.
+    /// True if error against run time is measured.
     pub with_times: bool,
     /// Time limit of each run.
     pub time_limit: Duration,

@@ -91,7 +91,7 @@ struct Known {
     events: Vec<Event>,
     kinks: usize,
     constraints: Vec<String>,
-    /// Whether a discontinuity exists in some modes only.
+    /// True if a discontinuity exists in some modes only.
     holds_in_modes: bool,
     rate_jacobian: SparsityPattern,
     mass_matrix: SparsityPattern,
@@ -156,9 +156,9 @@ struct RunOfPage {
     times: Vec<f64>,
     rtol: f64,
     method: &'static str,
-    /// Whether the spec's method is for stiff machines.
+    /// True if the spec's method is for stiff machines.
     is_stiff: bool,
-    /// Whether the spec's method is always explicit.
+    /// True if the spec's method is always explicit.
     stays_explicit: bool,
 }
 

@@ -26,7 +26,7 @@ pub(super) struct Page<'a> {
     pub(super) others: Vec<(&'static str, &'static str)>,
     /// Sections, by id and name.
     pub(super) contents: Vec<(&'a str, String)>,
-    /// Whether the page has equations, which need their font.
+    /// True if the page has equations, which need their font.
     pub(super) has_equations: bool,
     /// `None` in a page that is a file.
     pub(super) served: Option<Served>,

@@ -17,7 +17,7 @@ const HARDER: f64 = 100.0;
 pub struct Study {
     walks: Vec<Walk>,
     maps: Vec<StabilityMap>,
-    /// Whether the cost of stages is shown.
+    /// True if the cost of stages is shown.
     with_times: bool,
 }
 

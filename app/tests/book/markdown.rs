@@ -40,7 +40,7 @@ pub struct Block {
     pub text: String,
     /// Position of the content in the file.
     pub start: usize,
-    /// Whether a comment just before the block says why it is not tested.
+    /// True if a comment just before the block says why it is not tested.
     pub is_excused: bool,
 }
 

@@ -17,7 +17,7 @@ const OFF: f64 = 1e-6;
 pub struct Update {
     /// Names of the events that happened.
     pub events: Vec<String>,
-    /// Whether a continuous state has changed.
+    /// True if a continuous state has changed.
     pub moves: bool,
     /// Next time at which the rate jumps \[s\].
     pub next: Option<f64>,
@@ -30,9 +30,9 @@ pub struct Step {
     standing: Standing,
     until: f64,
     halts: bool,
-    /// Whether the host allows the step to end early.
+    /// True if the host allows the step to end early.
     pub may_return_early: bool,
-    /// Whether there are inputs that a host may set within the step.
+    /// True if there are inputs that a host may set within the step.
     pub has_inputs: bool,
 }
 
@@ -63,9 +63,9 @@ pub struct Stepped {
     pub standing: Standing,
     /// Parameters, with inputs set within the step.
     pub parameters: Vec<f64>,
-    /// Whether the host has to handle an event.
+    /// True if the host has to handle an event.
     pub event: bool,
-    /// Whether the step ended early.
+    /// True if the step ended early.
     pub early: bool,
 }
 

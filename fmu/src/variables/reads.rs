@@ -7,7 +7,7 @@ use machinist_model::{Model, NodeId, Op, Tape};
 /// Time, states and parameters from which something is computed.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Reads {
-    /// Whether time is read.
+    /// True if time is read.
     pub time: bool,
     /// Entries of the state that are read.
     pub states: BTreeSet<u32>,

@@ -18,7 +18,7 @@ pub struct Reading<'r> {
     pub outputs: &'r [String],
     /// Start of the runs \[s\].
     pub from: f64,
-    /// Whether unknown columns are skipped instead of refused.
+    /// True if unknown columns are skipped instead of refused.
     pub skips_unknown: bool,
 }
 
@@ -39,7 +39,7 @@ struct Wanted {
     place: usize,
     /// Name of the output or state.
     name: String,
-    /// Whether the column is a standard deviation.
+    /// True if the column is a standard deviation.
     is_deviation: bool,
     values: Vec<f64>,
 }

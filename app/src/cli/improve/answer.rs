@@ -66,7 +66,7 @@ pub struct Limit {
     pub before: Option<[f64; 2]>,
     pub after: [f64; 2],
     pub is_met: bool,
-    /// Whether the limit is active.
+    /// True if the limit is active.
     pub is_active: bool,
     /// Improvement of the objective for each unit by which the limit is relaxed.
     pub cost: f64,

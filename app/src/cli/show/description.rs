@@ -63,7 +63,7 @@ pub struct Parameter {
     #[serde(flatten)]
     pub quantity: Quantity,
     pub value: f64,
-    /// Whether runs may change the value.
+    /// True if runs may change the value.
     pub tunable: bool,
 }
 
@@ -91,7 +91,7 @@ pub struct State {
     pub kind: Kind,
     /// Value at the spec's parameters; NaN if only a run determines it.
     pub initial: f64,
-    /// Whether constraints or a start in equilibrium may change the value.
+    /// True if constraints or a start in equilibrium may change the value.
     pub is_guess: bool,
     /// Other coordinates that joints connect with it.
     pub joined: Vec<String>,

@@ -55,7 +55,7 @@ struct Host {
     /// True if the host wants events logged.
     wants_events: AtomicBool,
     is_broken: AtomicBool,
-    /// Strings or bytes handed to the host last, kept for as long as it may read them.
+    /// Name of the instance, which begins each message.
     name: Mutex<CString>,
 }
 

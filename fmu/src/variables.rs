@@ -375,8 +375,8 @@ impl<'a> Gather<'a> {
         (*name == self.model.wanted[index].name.path).then_some(entry as usize)
     }
 
-    /// Returns whether an entry of the state is an output or local. All are outputs if the scene
-    /// wants none.
+    /// Returns the causality of an entry of the state: output or local. All entries are outputs if
+    /// the scene lists none.
     fn causality(&self, entry: usize) -> Causality {
         let mut outputs = 0..self.model.wanted.len();
         let is_output = self.model.wanted.is_empty()

@@ -119,8 +119,8 @@ fn constraints(
     }
 }
 
-/// Sets the modes so that as many constraints as possible apply; of constraints that exclude each
-/// other, the first.
+/// Sets the modes to those of the constraints, as far as these can apply together. Of constraints
+/// that exclude each other, the first counts.
 fn all_holding(
     system: &LagrangianSystem,
     simulator: &ModelSimulator,

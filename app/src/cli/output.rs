@@ -156,7 +156,7 @@ fn told(stop: &Stop) -> String {
 }
 
 fn lines(first: impl IntoIterator<Item = String>, notes: &[String], whole: &str) -> String {
-    /// Limit for machines that become stiff again and again, with a note each time.
+    /// Maximum number of notes. A machine that becomes stiff again and again has one each time.
     const MOST: usize = 8;
     let more = notes.len().saturating_sub(MOST);
     let more = (more > 0).then(|| format!("and {more} remarks more, which {whole} has"));

@@ -91,7 +91,7 @@ struct Known {
     events: Vec<Event>,
     kinks: usize,
     constraints: Vec<String>,
-    /// True if a discontinuity exists in some modes only.
+    /// True if a constraint holds in some modes only.
     holds_in_modes: bool,
     rate_jacobian: SparsityPattern,
     mass_matrix: SparsityPattern,

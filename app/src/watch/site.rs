@@ -77,7 +77,7 @@ impl Site {
         });
     }
 
-    /// Takes the result of the changed files. The page stays if the result is no better.
+    /// Takes the result of the changed files. A failure does not replace the page of a good run.
     pub fn take(&self, answer: Answer, took: Duration) {
         let has_failed = answer.troubles.iter().any(|trouble| !trouble.is_warning);
         self.change(|shown| {

@@ -200,7 +200,7 @@ impl Instance {
         Move { time: 0.0, state, parameters }
     }
 
-    /// Adds the direction of one known. Before the start, the values calculated from it change too.
+    /// Adds a change of one known. Before the start, the values calculated from it change too.
     fn add(&self, exact: &dyn Derivatives, along: &mut Move, known: Kind, by: f64) {
         match known {
             Kind::Time => along.time += by,

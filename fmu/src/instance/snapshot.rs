@@ -99,7 +99,7 @@ impl Instance {
         self.kept.get(&handle).ok_or_else(unknown)
     }
 
-    /// Returns whether the values are valid for the machine in number and kind.
+    /// Returns whether the data are valid for this machine and interface.
     fn fits(&self, now: &Now) -> bool {
         let Now { phase, parameters, chosen, experiment, standing } = now;
         let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());

@@ -100,7 +100,7 @@ impl Reading<'_> {
         Ok(File { measured: Measured { times, columns }, noise: noise.collect(), gaps })
     }
 
-    /// Returns the columns to read, or an error if there are none.
+    /// Returns the columns to read, or an error if any is missing.
     fn wanted(&self, header: &csv::StringRecord) -> Result<Vec<Wanted>, Refusal> {
         let mut wanted: Vec<Wanted> = Vec::new();
         for (place, cell) in header.iter().enumerate().skip(1) {

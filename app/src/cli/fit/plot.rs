@@ -13,7 +13,7 @@ use crate::plot::plot_profiles;
 /// Number of points of a curve in addition to those of the data.
 const POINTS: usize = 600;
 
-/// Draws each data file with the runs before and after.
+/// Draws the data of each experiment with the runs before and after.
 pub fn draw(fit: &Fit<'_>, answer: &Answer, file: &Path) -> Result<(), Failure> {
     for (index, experiment) in fit.experiments.iter().enumerate() {
         let drawn = compared(fit, experiment, answer)?;
@@ -29,7 +29,7 @@ pub fn draw(fit: &Fit<'_>, answer: &Answer, file: &Path) -> Result<(), Failure> 
     Ok(())
 }
 
-/// Draws the measured values as dots, and the runs before and after as lines.
+/// Returns the measured values, drawn as dots, with the runs before and after, drawn as lines.
 fn compared(
     fit: &Fit<'_>,
     experiment: &Experiment,

@@ -91,7 +91,8 @@ impl Options {
         }
     }
 
-    /// Returns an error for inputs that do not exist or that the equations take to be constant.
+    /// Returns an error for inputs that are given twice, that do not exist, or that the equations
+    /// take to be constant.
     fn check_inputs(&self, model: &Model) -> Result<(), Failure> {
         if self.inputs.is_empty() || !model.fields.is_empty() {
             return Ok(());

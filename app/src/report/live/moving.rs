@@ -137,8 +137,8 @@ impl Joined {
         found.or_else(|| group.iter().any(|path| is_held(scene, path)).then_some(At::Held))
     }
 
-    /// Returns the only coordinate of a part, and whether it is a displacement rather than an
-    /// angle.
+    /// Returns whether a part's only coordinate is a displacement rather than an angle, and its
+    /// index. `None` if the part has several.
     fn moves_as_one(
         &self,
         scene: &SceneSpec,

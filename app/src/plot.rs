@@ -69,7 +69,8 @@ pub enum PlotError {
 /// Draws the named columns over time as stacked panels, one for each unit, into an `.svg` or `.png`
 /// file. Without names, draws all outputs, or all states if the scene has no outputs.
 ///
-/// With more than 2000 points, the least and the greatest of each bin are drawn, so that spikes stay.
+/// With more than 2000 points, the least and the greatest of each bin are drawn, so that spikes
+/// stay.
 ///
 /// # Errors
 /// [`PlotError`]. In that case no file is written, or only part of one.

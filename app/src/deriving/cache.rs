@@ -3,8 +3,8 @@
 //! The name of an entry is the hash of everything that determines it: the files of the spec, the
 //! generator's own text, the request. An entry is therefore never outdated, only unused, and the
 //! least recently used ones are deleted when there are too many. Entries are written to a temporary
-//! file and renamed, so that concurrent processes see complete ones or none. An entry that cannot be
-//! read is derived again. A failure to write one is reported and does not end the command.
+//! file and renamed, so that concurrent processes see complete ones or none. An entry that cannot
+//! be read is derived again. A failure to write one is reported and does not end the command.
 
 use std::fs::{self, File};
 use std::io::{self, Write as _};

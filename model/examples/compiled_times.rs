@@ -1,4 +1,4 @@
-//! How long models take to compile, and to run: interpreted, compiled, and in two lanes.
+//! Times to compile models and to run them: interpreted, compiled, and in two lanes.
 //!
 //! ```text
 //! cargo run --release -p machinist-model --example compiled_times -- FILE...
@@ -14,7 +14,7 @@ use machinist_contract::{Describe, Simulator};
 use machinist_model::functions::FunctionId;
 use machinist_model::{F64x2, Lane, Model, ModelSimulator, file, operations};
 
-/// Order of the series that are timed.
+/// Order of the timed series.
 const ORDER: usize = 14;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -46,7 +46,7 @@ fn report(model: &Model) {
     }
 }
 
-/// Two ways of one function: on one number, and on two.
+/// A function, called on one number and on two lanes.
 type Work = (Box<dyn FnMut(&ModelSimulator)>, Box<dyn FnMut(&ModelSimulator)>);
 
 fn row(name: &str, [compiled, interpreted]: [&ModelSimulator; 2], (mut one, mut two): Work) {
@@ -91,7 +91,7 @@ fn of_series() -> Work {
     (work::<f64>(), work::<F64x2>())
 }
 
-/// The state at the start and the parameters.
+/// Returns the state at the start and the parameters.
 fn begin<R: Lane>(simulator: &ModelSimulator) -> (Vec<R>, Vec<R>) {
     let model = simulator.model();
     let parameters: Vec<R> = model.all_parameters().map(|p| R::literal(p.value)).collect();
@@ -100,7 +100,7 @@ fn begin<R: Lane>(simulator: &ModelSimulator) -> (Vec<R>, Vec<R>) {
     (state, parameters)
 }
 
-/// The shortest of some measurements.
+/// Returns the shortest of several measurements.
 fn nanoseconds(mut work: impl FnMut()) -> f64 {
     let mut measure = |count: u32| {
         let begin = Instant::now();

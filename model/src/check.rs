@@ -1,33 +1,33 @@
-//! What the runs of a model are held against. It takes no part in the machine.
+//! Checks of the runs of a model against references. They take no part in the machine.
 
 use serde::{Deserialize, Serialize};
 
 use crate::evaluate::{Evaluator, Inputs};
 use crate::{Table, Tape};
 
-/// A quantity of a run with what it should be.
+/// A quantity of a run with its reference.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Check {
-    /// What it is called.
+    /// Name of the check.
     pub name: String,
     /// The output or state that is checked.
     pub of: String,
-    /// Its SI unit.
+    /// SI unit of the quantity.
     pub unit: String,
-    /// Where the reference is from, in one line.
+    /// Origin of the reference, in one line.
     pub source: String,
-    /// Largest error that passes, relative to the largest size of the reference.
+    /// Largest accepted error, relative to the largest value of the reference.
     pub tolerance: f64,
-    /// Largest error that passes beside that, in the unit.
+    /// Largest accepted error in the unit, in addition to the relative one.
     pub absolute: Option<f64>,
-    /// What the quantity should be.
+    /// Expected values.
     pub reference: Reference,
 }
 
-/// What a quantity should be.
+/// Expected values of a quantity.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Reference {
-    /// An expression, at the times of output.
+    /// An expression, evaluated at the times of output.
     Closed(ClosedForm),
     /// Times, increasing \[s\], and values.
     Values(Vec<[f64; 2]>),
@@ -36,7 +36,7 @@ pub enum Reference {
 /// An expression of time and parameters.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ClosedForm {
-    /// As the spec writes it.
+    /// Text of the expression in the spec.
     pub text: String,
     /// One result.
     pub tape: Tape,
@@ -45,7 +45,7 @@ pub struct ClosedForm {
 }
 
 impl ClosedForm {
-    /// Its values at these times, with the parameters of the model.
+    /// Returns its values at the given times, with the given parameters.
     #[must_use]
     pub fn values(&self, times: &[f64], parameters: &[f64]) -> Vec<f64> {
         let evaluator = Evaluator::new(&self.tape);

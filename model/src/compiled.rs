@@ -1,17 +1,15 @@
-//! Models as machine code, made in the process by Cranelift.
+//! Models as machine code, compiled in the process by Cranelift.
 //!
 //! ```text
 //! Tape, TaylorTape -> Straight -> Schedule -> functions of Cranelift -> machine code
 //! ```
 //!
-//! Every operation is done on the operands it has on the tape, rounded as it is there, and
-//! the contract's own functions are called: results are those of
-//! [`Evaluator`](crate::evaluate::Evaluator) and
-//! [`SeriesEvaluator`](crate::series::SeriesEvaluator) to the last bit (but for the bits of
-//! what is no number). One program may be compiled for one number at a time or for two
-//! side by side.
+//! Every operation keeps its operands from the tape and their rounding, and calls the contract's
+//! own functions. Results are therefore those of [`Evaluator`](crate::evaluate::Evaluator) and
+//! [`SeriesEvaluator`](crate::series::SeriesEvaluator) to the last bit, except for the bits of NaN.
+//! A program can be compiled for one number at a time or for two lanes.
 //!
-//! Excluded: what depends on a model beyond its tapes; when to compile.
+//! Excluded: parts of a model beyond its tapes; the decision when to compile.
 
 mod native;
 mod schedule;
@@ -33,7 +31,7 @@ pub(crate) use series::SeriesRoom;
 use crate::straight::Straight;
 use native::Code;
 
-/// A tape as machine code: evaluating it allocates nothing, from any number of threads.
+/// A tape as machine code: evaluation allocates nothing and may run on any number of threads.
 #[derive(Debug)]
 pub struct CompiledTape {
     code: Arc<Code>,
@@ -41,8 +39,8 @@ pub struct CompiledTape {
 }
 
 impl CompiledTape {
-    /// Compiles a tape. `None` where the target has no backend, or the tape breaks the rules
-    /// of models.
+    /// Compiles a tape. Returns `None` if the target has no backend, or if the tape breaks the
+    /// rules of models.
     #[must_use]
     pub fn new(tape: &Tape, tables: &Arc<[Table]>) -> Option<Self> {
         Self::with_lanes(tape, tables, 1)
@@ -57,8 +55,8 @@ impl CompiledTape {
     /// Writes the tape's results.
     ///
     /// # Panics
-    /// If `results` is not as long as the tape's results, or if `inputs` lack an entry
-    /// that the tape reads.
+    /// If `results` is not as long as the tape's results, or if `inputs` lack an entry that the
+    /// tape reads.
     #[inline(always)]
     pub fn evaluate(&self, inputs: &Inputs<'_>, results: &mut [f64]) {
         let Inputs { ref time, state, parameters, handed, constants, motion, .. } = *inputs;
@@ -72,7 +70,7 @@ impl CompiledTape {
         self.code.run(read, results);
     }
 
-    /// For calls with as many numbers as these; see [`Again::new`].
+    /// Prepares further calls with the same lengths as these; see [`Again::new`].
     pub(crate) fn again(&self, read: &Regions<'_>) -> Option<Again> {
         Again::new(&self.code, read, self.results)
     }

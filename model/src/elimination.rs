@@ -1,11 +1,11 @@
-//! Lists for [`machinist_contract::elimination`], worked out from a pattern.
+//! Lists for [`machinist_contract::elimination`], computed from a sparsity pattern.
 
 use std::collections::BTreeSet;
 
 use machinist_contract::elimination as contract;
 
-/// The elimination of `I - scale J` for a pattern of `J`, with the order of unknowns in which the
-/// fewest entries fill in, as far as looking one unknown ahead tells (Markowitz).
+/// The elimination of `I - scale J` for a pattern of `J`. The order of unknowns minimizes fill-in
+/// greedily, one unknown at a time (Markowitz).
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Elimination {
     places: usize,
@@ -18,9 +18,9 @@ pub struct Elimination {
     upper: Vec<(u32, u32)>,
 }
 
-/// Places of entries, handed out in the order in which they are asked for.
+/// Places of entries, numbered in the order of the requests.
 struct Places {
-    /// Of each row, place and column, sorted by column.
+    /// (column, place) of the entries of each row, sorted by column.
     rows: Vec<Vec<(u32, u32)>>,
     count: u32,
 }
@@ -46,7 +46,7 @@ impl Places {
 }
 
 impl Elimination {
-    /// Of the structural nonzeros of a square matrix of so many rows.
+    /// Computes the lists from the structural nonzeros of a square matrix with `size` rows.
     #[must_use]
     pub fn new(size: usize, nonzeros: &[(u32, u32)]) -> Self {
         let mut places = Places { rows: vec![Vec::new(); size], count: 0 };
@@ -61,9 +61,9 @@ impl Elimination {
         list
     }
 
-    /// Eliminates every unknown; their order.
+    /// Eliminates every unknown and returns their order.
     fn eliminate(&mut self, size: usize, places: &mut Places) -> Vec<u32> {
-        // Rows and columns of what is left.
+        // Rows and columns of the remaining matrix.
         let mut rows: Vec<BTreeSet<u32>> = vec![BTreeSet::new(); size];
         let mut columns: Vec<BTreeSet<u32>> = vec![BTreeSet::new(); size];
         for (row, entries) in places.rows.iter().enumerate() {
@@ -142,7 +142,7 @@ impl Elimination {
         }
     }
 
-    /// As the contract takes it.
+    /// Returns the lists as the contract takes them.
     #[must_use]
     pub fn borrowed(&self) -> contract::Elimination<'_> {
         contract::Elimination {
@@ -162,12 +162,12 @@ impl Elimination {
 mod tests {
     use super::Elimination;
 
-    /// A value for an entry, the same for the same entry.
+    /// Returns a value for an entry, always the same for the same entry.
     fn value(row: u32, column: u32) -> f64 {
         (f64::from(row) * 1.7 + f64::from(column) * 2.9 + 0.3).sin()
     }
 
-    /// Solves by the list, and multiplies back.
+    /// Solves by the lists and returns the largest residual.
     fn residual(size: usize, nonzeros: &[(u32, u32)]) -> f64 {
         let list = Elimination::new(size, nonzeros);
         let of = list.borrowed();
@@ -203,7 +203,7 @@ mod tests {
 
     #[test]
     fn an_arrow_fills_nothing_in() {
-        // Its head is eliminated last.
+        // The head of the arrow is eliminated last.
         let arrow: Vec<(u32, u32)> =
             (1..9).flat_map(|k: u32| [(0, k), (k, 0), (k, k)]).chain([(0, 0)]).collect();
         assert_eq!(Elimination::new(9, &arrow).borrowed().places, 25);

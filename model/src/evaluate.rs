@@ -1,14 +1,14 @@
-//! Tapes run as they are, in `f64` or another number type.
+//! Interpretation of tapes, in `f64` or another number type.
 //!
-//! Excluded: names, compilation. The order of operations is that of the emitted
-//! Rust, so that both agree bit for bit.
+//! Excluded: names, compilation. The order of operations is that of the emitted Rust, so that both
+//! agree bit for bit.
 
 use machinist_contract::{CubicTable, Real};
 
 use crate::room::with_room;
 use crate::{Function, NodeId, Op, Table, Tape, needed_nodes};
 
-/// What tapes read from outside.
+/// Inputs of tapes.
 #[derive(Debug, Default, Clone, Copy)]
 pub struct Inputs<'a, R = f64> {
     /// t.
@@ -17,9 +17,9 @@ pub struct Inputs<'a, R = f64> {
     pub state: &'a [R],
     /// p.
     pub parameters: &'a [R],
-    /// What fields hand over.
+    /// Values that fields hand over.
     pub handed: &'a [R],
-    /// Results of the tape that goes before.
+    /// Results of the tape of constants.
     pub constants: &'a [R],
     /// Results of the motion's tape.
     pub motion: &'a [R],
@@ -27,17 +27,17 @@ pub struct Inputs<'a, R = f64> {
     pub tables: &'a [Table],
 }
 
-/// A tape that is run as it is: evaluating it allocates nothing, but for room that a
-/// thread's later evaluations reuse.
+/// A tape to interpret. An evaluation allocates nothing, except for memory that later evaluations
+/// of the same thread reuse.
 #[derive(Debug, Clone)]
 pub struct Evaluator {
-    /// The operations results need, each reading values before its own.
+    /// Operations that results need, each of which reads earlier values.
     operations: Vec<Op>,
     results: Vec<NodeId>,
 }
 
 impl Evaluator {
-    /// Prepares a tape; nodes that no result needs are left out.
+    /// Prepares a tape, without the nodes that no result needs.
     #[must_use]
     pub fn new(tape: &Tape) -> Self {
         let mut operations = Vec::new();
@@ -52,7 +52,7 @@ impl Evaluator {
         Self { operations, results }
     }
 
-    /// Number of results.
+    /// Returns the number of results.
     #[must_use]
     pub fn results(&self) -> usize {
         self.results.len()
@@ -61,22 +61,22 @@ impl Evaluator {
     /// Writes the tape's results.
     ///
     /// # Panics
-    /// If `results` is not as long as the tape's results, or if `inputs` lack an entry
-    /// that the tape reads.
+    /// If `results` is not as long as the tape's results, or if `inputs` lack an entry that the
+    /// tape reads.
     pub fn evaluate(&self, inputs: &Inputs<'_>, results: &mut [f64]) {
         with_room(self.operations.len(), |values| self.evaluate_in(values, inputs, results));
     }
 
-    /// Number of values that [`Evaluator::evaluate_in`] takes room for.
+    /// Returns the number of values that [`Evaluator::evaluate_in`] needs memory for.
     #[must_use]
     pub fn room(&self) -> usize {
         self.operations.len()
     }
 
-    /// As [`Evaluator::evaluate`], on any number type, in room of the caller's.
+    /// Does the same as [`Evaluator::evaluate`] on any number type, in memory of the caller.
     ///
     /// # Panics
-    /// As [`Evaluator::evaluate`], and if there is less room than [`Evaluator::room`].
+    /// As [`Evaluator::evaluate`], and if `values` is shorter than [`Evaluator::room`].
     pub fn evaluate_in<R: Real>(
         &self,
         values: &mut [R],
@@ -94,7 +94,7 @@ impl Evaluator {
     }
 }
 
-/// One operation on operands whose values are known.
+/// Computes one operation on operands whose values are known.
 #[inline]
 #[must_use]
 pub fn operate<R: Real>(op: Op, value: impl Fn(NodeId) -> R, inputs: &Inputs<'_, R>) -> R {
@@ -123,7 +123,7 @@ pub fn operate<R: Real>(op: Op, value: impl Fn(NodeId) -> R, inputs: &Inputs<'_,
     }
 }
 
-/// A function of one argument, as the contract computes it.
+/// Computes a function of one argument, as the contract does.
 #[must_use]
 pub fn call<R: Real>(function: Function, x: R) -> R {
     match function {
@@ -144,7 +144,7 @@ pub fn call<R: Real>(function: Function, x: R) -> R {
     }
 }
 
-/// Value or derivative of a table, constant beyond its ends.
+/// Returns the value or a derivative of a table, extended as a constant beyond its ends.
 #[must_use]
 pub fn interpolate<R: Real>(table: &Table, order: u32, x: R) -> R {
     let Table { knots, coefficients, .. } = table;

@@ -1,4 +1,4 @@
-//! What excites a machine that is linear with constant coefficients.
+//! Excitation of a machine that is linear with constant coefficients.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,16 +13,16 @@ use crate::Tape;
 /// A is the Jacobian of the rate anywhere between switching times.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Excitation {
-    /// Entry of the state on whose rate a term acts, and its power k of time.
+    /// (entry of the state on whose rate a term acts, power k of time) of every term.
     pub terms: Vec<(u32, u32)>,
-    /// g, w, C and S of every term. Time is read only to choose between pieces:
-    /// any time of a piece gives the same values.
+    /// g, w, C and S of every term. Time only selects the piece: any time within a piece gives the
+    /// same values.
     pub values: Tape,
-    /// Times at which pieces end, of parameters only; not finite where there is none.
+    /// End times of the pieces, functions of parameters only; not finite where a piece has no end.
     pub switches: Tape,
 }
 
 impl Excitation {
-    /// Powers of time beyond which there is none: who solves for it takes room for each.
+    /// Highest power of time allowed, because a solver allocates memory for each.
     pub const HIGHEST_POWER: u32 = 64;
 }

@@ -1,13 +1,13 @@
-//! Facts that the tapes of a model state for every state: values that parameters alone decide.
+//! Facts that the tapes of a model imply for every state: values that depend on parameters only.
 
 use crate::evaluate::{Evaluator, Inputs, call};
 use crate::{Model, Op, Requirement, Tape, What};
 
 impl Model {
-    /// The first requirement that some values of the parameters do not fulfil, with the value.
+    /// Returns the first requirement that the given parameters do not fulfil, with its value.
     ///
     /// # Panics
-    /// If there are fewer values than parameters.
+    /// If `parameters` is shorter than the parameters of the model.
     #[must_use]
     pub fn unfulfilled(&self, parameters: &[f64]) -> Option<(&Requirement, f64)> {
         if self.requirements.is_empty() {
@@ -20,17 +20,18 @@ impl Model {
         values.find(|(requirement, value)| !requirement.bound.admits(*value))
     }
 
-    /// True if the spec has a parameter of this name that was left out because nothing depends on
-    /// it.
+    /// Returns true if the spec has a parameter of this name that was left out because nothing
+    /// depends on it.
     #[must_use]
     pub fn is_unused(&self, parameter: &str) -> bool {
         let mut left_out = self.reduction.left_out.iter();
         left_out.any(|one| one.what == What::Parameter && one.name == parameter)
     }
 
-    /// True if no power is supplied or dissipated at any state and time, for these parameters: both
-    /// are zero by the structure of their tape, after factors that these parameters make zero. Not
-    /// known for a machine with fields, whose densities are not looked at.
+    /// Returns true if no power is supplied or dissipated at any state and time with these
+    /// parameters: both are zero by the structure of their tape, after factors that these
+    /// parameters make zero. Returns `None` for a machine with fields, because their densities are
+    /// not analysed.
     #[must_use]
     pub fn conserves_energy(&self, parameters: &[f64]) -> Option<bool> {
         let tape = &self.power_balance;
@@ -44,7 +45,7 @@ impl Model {
     }
 }
 
-/// The value of each node that parameters alone decide; a product of zero is zero.
+/// Returns the value of each node that depends on parameters only; a product with zero is zero.
 fn known(tape: &Tape, parameters: &[f64]) -> Vec<Option<f64>> {
     let mut known: Vec<Option<f64>> = Vec::with_capacity(tape.nodes.len());
     for node in &tape.nodes {
@@ -90,7 +91,7 @@ mod tests {
         Tape { nodes, results: results.iter().copied().map(NodeId).collect() }
     }
 
-    /// Losses p0 v |v|, behind a comparison of the state; nothing supplied.
+    /// Losses p0 v |v|, selected by a comparison of the state; no power supplied.
     fn lossy() -> Model {
         let [zero, speed, drag, size, share, loss, chosen] = [0, 1, 2, 3, 4, 5, 6].map(NodeId);
         let ops = [

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Dependence, Name, NodeId, Op, Place, Quantity, Tape};
 
-/// f_0 and f_1 of a field where they have nothing in common.
+/// f_0 and f_1 of a field, for fields in which they share no argument.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LocalForces {
     /// f_0.
@@ -22,26 +22,26 @@ pub struct LocalForces {
 
 /// A port on a field whose u is a coordinate of the machine.
 ///
-/// The machine's part of the node is like any other: it has an inertia and a force,
-/// both of which the field computes and hands over.
+/// The machine's part of the node is like any other: it has an inertia and a force, both of which
+/// the field computes and hands over.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Attachment {
     /// Its name.
     pub name: Name,
-    /// The coordinate; none where the field is held at zero.
+    /// Coordinate; `None` if the field is held at zero.
     pub coordinate: Option<u32>,
-    /// Where that is.
+    /// Place on the field.
     pub place: Place,
     /// x in the spec \[m\].
     pub x: f64,
-    /// The first of the numbers that the field hands over: inertia of the node, force on
-    /// it, u_x before it and after it.
+    /// Index of the first number that the field hands over. They are the inertia of the node, the
+    /// force on it, and u_x before and after it.
     pub handed: u32,
 }
 
 impl Attachment {
-    /// As simulators describe it, which take what is handed over behind so many
-    /// parameters.
+    /// Returns the attachment as simulators describe it, with the values that are handed over
+    /// behind the parameters, whose number is `parameters`.
     #[must_use]
     pub fn described(&self, parameters: usize) -> FieldAttachment {
         FieldAttachment {
@@ -57,59 +57,59 @@ impl Attachment {
     }
 }
 
-/// What is computed at a point of a field u(x, t). The state of the tapes is \[u, u_x,
-/// u_t, u_xt, x\]; forces come in twos, on u and on u_x.
+/// Functions at a point of a field u(x, t). The state of the tapes is \[u, u_x, u_t, u_xt, x\];
+/// forces come in pairs, on u and on u_x.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FieldModel {
     /// u, u_x, u_t, u_xt and x.
     pub quantities: [Quantity; 5],
     /// Typical sizes of u and u_t.
     pub scale: [f64; 2],
-    /// Its length in the spec \[m\].
+    /// Length in the spec \[m\].
     pub length: f64,
-    /// Whether the field is held at zero at its start and end.
+    /// True for each end, start and end, at which the field is held at zero.
     pub fixed: [bool; 2],
-    /// Elements unless a run says otherwise.
+    /// Default number of elements.
     pub elements: usize,
     /// Order of the elements.
     pub order: usize,
-    /// Places at which the machine takes hold of the field, by x.
+    /// Points at which the machine is attached to the field, by x.
     pub attachments: Vec<Attachment>,
-    /// Parameters that the densities or the places on the field depend on.
+    /// Parameters on which the densities or the places on the field depend.
     pub parameters: Vec<u32>,
-    /// m, of x.
+    /// m, a function of x.
     pub inertia: Tape,
     /// dm/dx, then dm/dp of `parameters`.
     pub inertia_gradient: Tape,
     /// Forces.
     pub force: Tape,
-    /// Whether forces are linear in u, u_x, u_t and u_xt, without anything else, and
-    /// the same at all times.
+    /// True if forces are homogeneous and linear in u, u_x, u_t and u_xt, and the same at all
+    /// times.
     pub is_linear: bool,
-    /// Forces one by one, if f_0 depends on neither u_x nor u_xt, and f_1 on nothing but
-    /// these and parameters.
+    /// Forces as separate tapes, if f_0 depends on neither u_x nor u_xt, and f_1 only on these and
+    /// parameters.
     pub local: Option<LocalForces>,
-    /// Their derivatives with respect to u, u_x, u_t, u_xt, row by row.
+    /// Derivatives of the forces by u, u_x, u_t and u_xt, row by row.
     pub force_jacobian: Tape,
-    /// Twos of their derivatives with respect to x, t, and `parameters`.
+    /// Derivatives of the forces by x, t and `parameters`, in pairs.
     pub force_gradient: Tape,
-    /// Kinetic, potential.
+    /// Kinetic and potential energy.
     pub energy: Tape,
-    /// Rate of the potential, power supplied, power dissipated.
+    /// Rate of the potential energy, power supplied, power dissipated.
     pub power: Tape,
     /// x of the attachments, then the length.
     pub places: Tape,
-    /// Their derivatives with respect to `parameters`, row by row.
+    /// Derivatives of the places by `parameters`, row by row.
     pub places_gradient: Tape,
-    /// u and u_t at the start, of x.
+    /// u and u_t at the start, functions of x.
     pub initial: Tape,
 }
 
 impl FieldModel {
-    /// Entries of the state of its tapes: u, u_x, u_t, u_xt and x.
+    /// Number of entries of the state of its tapes: u, u_x, u_t, u_xt and x.
     pub const STATES: usize = 5;
 
-    /// What its tapes tell of its forces.
+    /// Returns the structure of its forces, as its tapes show it.
     #[must_use]
     pub fn structure(&self) -> ForceStructure {
         ForceStructure {
@@ -120,7 +120,7 @@ impl FieldModel {
         }
     }
 
-    /// Its functions by name.
+    /// Returns its functions by name.
     #[must_use]
     pub fn functions(&self) -> Vec<(&'static str, &Tape)> {
         let mut functions = vec![
@@ -148,7 +148,7 @@ impl FieldModel {
     }
 }
 
-/// How the results of a tape vary; N of them. x counts as motion.
+/// Returns how the `N` results of a tape vary. x counts as motion.
 fn variations<const N: usize>(tape: &Tape) -> [Variation; N] {
     let dependence = Dependence::of(tape);
     let of = |id: &NodeId| match tape[*id].op {

@@ -1,4 +1,4 @@
-//! Models as files.
+//! Model files.
 //!
 //! ```text
 //! bytes  0..16   "machinist model\n"
@@ -8,9 +8,9 @@
 //!       60..     content: generator, then the model, as postcard writes them
 //! ```
 //!
-//! The same model gives the same bytes, on every machine. What is read is checked before
-//! anything relies on it: a file that is cut off, altered or of another version is refused
-//! by name, and a model that breaks a rule of models is too.
+//! The same model gives the same bytes on every machine. A file is checked when it is read: one
+//! that is cut off, altered or of another version is refused with the reason, and so is a model
+//! that breaks a rule of models.
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -19,7 +19,7 @@ use thiserror::Error;
 
 use crate::{Malformed, Model};
 
-/// Version of the format; one more whenever the bytes of a model would mean something else.
+/// Version of the format, increased whenever the meaning of a model's bytes changes.
 pub const VERSION: u32 = 7;
 
 /// The first bytes of every file.
@@ -27,67 +27,67 @@ pub const MARK: &[u8; 16] = b"machinist model\n";
 
 const HEADER: usize = 60;
 
-/// A model with what made it.
+/// A model with its generator.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Stamped {
-    /// Name and version of the generator, and how much of the scene it kept.
+    /// Name and version of the generator, and the extent of the scene that it kept.
     pub generator: String,
-    /// What it made.
+    /// The model.
     pub model: Model,
 }
 
-/// Why bytes are no model.
+/// Reason why bytes are not a model.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum FileError {
-    /// They do not begin as models do.
+    /// The bytes do not begin with the mark of models.
     #[error("this is no model of Machinist")]
     Foreign,
-    /// They are of another version.
+    /// The bytes have another version of the format.
     #[error("this model has version {found} of the format, and version {VERSION} is read here")]
     Version {
-        /// What they say.
+        /// Version in the header.
         found: u32,
     },
-    /// They end too early, or late.
+    /// The bytes are too few or too many.
     #[error("this model should have {expected} bytes and has {found}: it is cut off or overfull")]
     Length {
-        /// As the header says.
+        /// Length according to the header.
         expected: u64,
-        /// As there are.
+        /// Actual length.
         found: u64,
     },
-    /// They are not those that were written.
+    /// The content does not have the hash in the header.
     #[error("this model has been altered: its content does not have the hash it was written with")]
     Altered,
-    /// They have the right hash and are no model.
+    /// The hash is right, but the content is not a model.
     #[error("this model cannot be decoded: {reason}")]
     Undecodable {
-        /// What the decoder says.
+        /// Message of the decoder.
         reason: String,
     },
-    /// They decode to a model that breaks a rule.
+    /// The content decodes to a model that breaks a rule.
     #[error("this model breaks a rule of models: {0}")]
     Malformed(#[from] Malformed),
 }
 
-/// The bytes of a model.
+/// Returns the bytes of a model.
 #[must_use]
 pub fn write(stamped: &Stamped) -> Vec<u8> {
     seal(MARK, stamped)
 }
 
-/// The model of bytes.
+/// Reads a model from bytes.
 ///
 /// # Errors
-/// [`FileError`] if they are not what [`write()`] gave.
+/// [`FileError`] if the bytes are not those of [`write()`].
 pub fn read(bytes: &[u8]) -> Result<Stamped, FileError> {
     let stamped: Stamped = open(MARK, bytes)?;
     stamped.model.validate()?;
     Ok(stamped)
 }
 
-/// The bytes of plain data behind a header with a mark of its own.
+/// Returns the bytes of plain data behind a header with the given mark.
 ///
 /// # Panics
 /// Never: plain data can always be written to memory.
@@ -103,10 +103,10 @@ pub fn seal(mark: &[u8; 16], data: &impl Serialize) -> Vec<u8> {
     bytes
 }
 
-/// The data of bytes that [`seal`] gave.
+/// Reads the data from bytes that [`seal`] returned.
 ///
 /// # Errors
-/// [`FileError`] if they are not.
+/// [`FileError`] if the bytes are not those of [`seal`] with the same mark.
 pub fn open<T: DeserializeOwned>(mark: &[u8; 16], bytes: &[u8]) -> Result<T, FileError> {
     let rest = bytes.strip_prefix(mark).ok_or(FileError::Foreign)?;
     let cut_off = || FileError::Length { expected: HEADER as u64, found: bytes.len() as u64 };
@@ -135,7 +135,7 @@ pub fn open<T: DeserializeOwned>(mark: &[u8; 16], bytes: &[u8]) -> Result<T, Fil
     }
 }
 
-/// Whether bytes begin as models do.
+/// Returns whether bytes begin with the mark of models.
 #[must_use]
 pub fn is_model(bytes: &[u8]) -> bool {
     bytes.starts_with(MARK)

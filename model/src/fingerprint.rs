@@ -1,16 +1,16 @@
-//! What tells machines apart.
+//! Hashes that distinguish machines.
 
 use machinist_contract::Simulator;
 use sha2::{Digest, Sha256};
 
-/// SHA-256 of bytes, as text.
+/// Returns the SHA-256 of bytes, in hexadecimal.
 #[must_use]
 pub fn of_bytes(bytes: &[u8]) -> String {
     hex(&Sha256::digest(bytes))
 }
 
-/// A hash of what emitted code is called and computes: names, units, defaults, and rates and
-/// outputs at some states beside the start, to the last bit.
+/// Returns a hash of a machine's description and behaviour: names, units, defaults, and rates and
+/// outputs at the start and some other states, to the last bit.
 #[must_use]
 pub fn of_behaviour(simulator: &dyn Simulator<f64>) -> String {
     let shape = simulator.shape();

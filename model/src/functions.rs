@@ -1,41 +1,41 @@
-//! The table of functions of a model: [the contract's](machinist_contract::for_each_function),
-//! with the tape of each.
+//! The table of functions of a model: [the contract's](machinist_contract::for_each_function), with
+//! the tape of each.
 //!
-//! Emission, interpretation, checks of a model and tables of costs go by it. A new function
-//! is a row of the contract's table, and its tape in the [`Model`].
+//! Emission, interpretation, validation and cost tables all use it. A new function needs a row in
+//! the contract's table and its tape in the [`Model`].
 
 use machinist_contract::for_each_function;
 
 use crate::{MatrixTape, Model, Op, Solve, SparsityPattern, Tape};
 
-/// What a function reads.
+/// Arguments of a function.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reads {
-    /// Parameters alone.
+    /// Parameters only.
     Parameters,
     /// Time, state and parameters.
     Motion,
 }
 
-/// Which models have a function.
+/// Models that have a function.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Of {
-    /// All of them.
+    /// All models.
     Every,
-    /// Those with events.
+    /// Models with events.
     Events,
-    /// Those with constraints.
+    /// Models with constraints.
     Constraints,
-    /// Those whose rate has kinks.
+    /// Models whose rate has switching surfaces.
     Kinks,
 }
 
-/// What a function gives, and how emitted code calls it.
+/// Results of a function, and how emitted code calls it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Gives {
-    /// As many numbers as the constant of this name says.
+    /// Numbers, as many as the constant of this name.
     Numbers(&'static str),
-    /// As many numbers as the second says, in emitted code a struct of this name.
+    /// Numbers, as many as the second name says, in emitted code a struct of the first name.
     Record(&'static str, &'static str),
     /// Values of the nonzeros of the pattern of this name.
     Matrix(&'static str),
@@ -46,33 +46,33 @@ pub enum Gives {
 /// A row of the table.
 #[derive(Debug, Clone, Copy)]
 pub struct FunctionRow {
-    /// Which function it is.
+    /// Identifier of the function.
     pub id: FunctionId,
-    /// Its name, in the contract and in emitted code.
+    /// Name in the contract and in emitted code.
     pub name: &'static str,
-    /// What it computes, in a few signs.
+    /// Meaning of the results, as a short formula.
     pub meaning: &'static str,
-    /// What it computes, in Markdown.
+    /// Description in Markdown.
     pub doc: &'static str,
-    /// The name of the same by constants computed once a run, if there is such.
+    /// Name of the variant that uses constants computed once a run, if there is one.
     pub prepared: Option<&'static str>,
-    /// What it reads.
+    /// Arguments.
     pub reads: Reads,
-    /// Which models have it.
+    /// Models that have the function.
     pub of: Of,
-    /// What it gives.
+    /// Results.
     pub gives: Gives,
-    /// Its tape.
+    /// Returns its tape.
     pub tape: fn(&Model) -> &Tape,
-    /// The nonzeros it computes, of functions that give a matrix.
+    /// Returns the pattern of its nonzeros, for functions that give a matrix.
     pub pattern: Option<fn(&Model) -> &SparsityPattern>,
-    /// The matrix itself.
+    /// Returns the matrix, for functions that give one.
     pub matrix: Option<fn(&Model) -> &MatrixTape>,
-    /// How many results it has.
+    /// Returns the number of results.
     pub results: fn(&Model) -> usize,
 }
 
-/// Numbers of a model by the names of the constants that hold them.
+/// Returns a count of the model by the name of its constant.
 macro_rules! count {
     ($model:ident STATES) => {
         $model.states.len()
@@ -109,7 +109,7 @@ macro_rules! prepared {
     };
 }
 
-/// What a function gives, its tape, its pattern and the number of its results.
+/// Completes a row with its results: their kind, tape, pattern, matrix and number.
 macro_rules! with_result {
     ($row:tt $name:ident [numbers $length:ident]) => {
         with_result!(@ $row Gives::Numbers(stringify!($length)), |m| &m.$name, None, None,
@@ -200,7 +200,7 @@ macro_rules! rows {
 for_each_function! { [rows] }
 
 impl FunctionId {
-    /// Its row.
+    /// Returns its row.
     #[must_use]
     pub fn row(self) -> &'static FunctionRow {
         &FUNCTIONS[self as usize]
@@ -208,7 +208,7 @@ impl FunctionId {
 }
 
 impl FunctionRow {
-    /// Whether a model has the function.
+    /// Returns whether a model has the function.
     #[must_use]
     pub fn is_of(&self, model: &Model) -> bool {
         match self.of {
@@ -221,32 +221,32 @@ impl FunctionRow {
 }
 
 impl Model {
-    /// The functions it has, in the order of the table.
+    /// Returns the functions of the model, in the order of the table.
     pub fn functions(&self) -> impl Iterator<Item = &'static FunctionRow> {
         FUNCTIONS.iter().filter(|row| row.is_of(self))
     }
 
-    /// How a function solves for its results, if it does.
+    /// Returns the solution step of a function that solves for its results.
     #[must_use]
     pub fn solve(&self, id: FunctionId) -> Option<&Solve> {
         id.row().matrix.and_then(|matrix| matrix(self).solve.as_ref())
     }
 
-    /// Whether a function goes by what the motion's tape computes.
+    /// Returns whether a function reads results of the motion's tape.
     #[must_use]
     pub fn reads_motion(&self, id: FunctionId) -> bool {
         let is_read = |tape: &Tape| tape.nodes.iter().any(|node| matches!(node.op, Op::Motion(_)));
         self.motion.is_some() && (self.solve(id).is_some() || is_read(self.tape(id)))
     }
 
-    /// Whether dy'/dy and dy'/dp by constants are one function: where no motion goes before both,
-    /// and no fields add to them.
+    /// Returns whether dy'/dy and dy'/dp by constants are one function, which needs a model without
+    /// a motion tape and without fields.
     #[must_use]
     pub fn gives_jacobians_at_once(&self) -> bool {
         self.motion.is_none() && self.fields.is_empty()
     }
 
-    /// The tape of a function.
+    /// Returns the tape of a function.
     #[must_use]
     pub fn tape(&self, id: FunctionId) -> &Tape {
         (id.row().tape)(self)

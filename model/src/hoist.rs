@@ -1,9 +1,9 @@
-//! What depends on parameters alone, computed once a run instead of at every rate; and, of
-//! loops over many points, what depends on time and parameters alone, computed once for
-//! all points.
+//! Hoisting: values that depend on parameters only are computed once a run instead of at every
+//! rate; in loops over many points, values that depend on time and parameters only are computed
+//! once for all points.
 //!
-//! Excluded: what of a rate depends on time and parameters alone. A stage of a method has
-//! a time of its own, so that is computed once a stage as it is.
+//! Excluded: parts of a rate that depend on time and parameters only. Every stage of a method has
+//! its own time, so that they are computed once a stage anyway.
 
 use std::collections::HashSet;
 
@@ -14,27 +14,27 @@ use crate::{
     Dependence, Model, Node, NodeId, Op, OpKey, Tape, needed_nodes, operations, reachable,
 };
 
-/// Rate and Jacobians without what parameters alone decide.
+/// Rate and Jacobians without the operations that depend on parameters only.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hoisted {
-    /// Of parameters only; its results are the constants.
+    /// Tape of parameters only, whose results are the constants.
     pub constants: Tape,
-    /// y'; it reads constants, and so do the Jacobians.
+    /// y', which reads constants, as the Jacobians do.
     pub rate: Tape,
     /// dy'/dy.
     pub rate_jacobian: Tape,
     /// dy'/dp.
     pub parameter_jacobian: Tape,
-    /// Both, entries of dy'/dp behind those of dy'/dy, and what both need once; empty unless
-    /// [`Model::gives_jacobians_at_once`].
+    /// Both Jacobians, entries of dy'/dp behind those of dy'/dy, with shared operations done once;
+    /// empty unless [`Model::gives_jacobians_at_once`].
     pub jacobians: Tape,
-    /// What goes before dy'/dy and other functions; empty if nothing does.
+    /// Tape that runs before dy'/dy and other functions; empty if there is none.
     pub motion: Tape,
 }
 
 impl Hoisted {
-    /// Takes the rate and the Jacobians of a model apart. Every operation is done
-    /// on the same operands as before, so no result changes by a bit.
+    /// Splits the rate and the Jacobians of a model. Every operation keeps its operands, so no
+    /// result changes by a bit.
     #[must_use]
     pub fn new(model: &Model) -> Self {
         let mut constants = Constants::new(Known::OnceARun);
@@ -53,7 +53,7 @@ impl Hoisted {
         Self { constants, rate, rate_jacobian, parameter_jacobian, jacobians, motion }
     }
 
-    /// The tape of a function: without what is computed once a run, if that is done for it.
+    /// Returns the tape of a function, without hoisted operations if the function has any.
     #[must_use]
     pub fn tape<'a>(&'a self, model: &'a Model, id: FunctionId) -> &'a Tape {
         match id {
@@ -64,16 +64,15 @@ impl Hoisted {
         }
     }
 
-    /// Operations done once a run.
+    /// Returns the number of operations done once a run.
     #[must_use]
     pub fn operations(&self) -> usize {
         operations(&self.constants)
     }
 }
 
-/// A tape in two: what no entry of the state decides, and what is left, for which the
-/// results of the former are constants. Every operation is done on the same operands as
-/// before.
+/// Splits a tape into the operations that do not depend on the state, and the rest, for which the
+/// results of the former are constants. Every operation keeps its operands.
 #[must_use]
 pub fn apart_from_state(tape: &Tape) -> (Tape, Tape) {
     let mut constants = Constants::new(Known::OnceATime);
@@ -81,7 +80,7 @@ pub fn apart_from_state(tape: &Tape) -> (Tape, Tape) {
     (constants.shared.tape, remaining)
 }
 
-/// One tape with the results of several, one behind the other, and every operation once.
+/// Returns one tape with the results of several in order, and every operation once.
 fn at_once<const N: usize>(tapes: [&Tape; N]) -> Tape {
     let mut shared = Shared::default();
     let mut results = Vec::new();
@@ -92,30 +91,30 @@ fn at_once<const N: usize>(tapes: [&Tape; N]) -> Tape {
     Tape { results, ..shared.tape }
 }
 
-/// When constants are known.
+/// Inputs from which constants are computed.
 #[derive(Debug, Clone, Copy)]
 enum Known {
-    /// From parameters alone.
+    /// Parameters, once a run.
     OnceARun,
-    /// From parameters and time.
+    /// Parameters and time, once for each time.
     OnceATime,
 }
 
-/// The constants as they are found, those of several tapes shared.
+/// Constants found so far, shared by several tapes.
 struct Constants {
     shared: Shared,
     of: Known,
-    /// Which constant a node of the shared tape is.
+    /// Index of the constant of each node of the shared tape.
     places: FxHashMap<NodeId, u32>,
 }
 
-/// Nodes of several tapes on one, each operation once.
+/// Nodes of several tapes on one tape, each operation once.
 #[derive(Default)]
 struct Shared {
     tape: Tape,
     /// Nodes by their operation.
     known: FxHashMap<OpKey, NodeId>,
-    /// Names that are taken.
+    /// Names in use.
     names: HashSet<String>,
 }
 
@@ -124,7 +123,7 @@ impl Constants {
         Self { shared: Shared::default(), of, places: FxHashMap::default() }
     }
 
-    /// The tape with constants in place of what is done once a run.
+    /// Returns the tape with constants in place of hoisted operations.
     fn hoist(&mut self, tape: &Tape) -> Tape {
         let dependence = Dependence::of(tape);
         let needed = needed_nodes(tape);
@@ -138,7 +137,7 @@ impl Constants {
                 tape.nodes[index].op.is_arithmetic() && !varies
             })
             .collect();
-        // A constant is read if something at every evaluation asks for it.
+        // A constant is needed if an operation that is not hoisted reads it.
         let mut is_read = vec![false; tape.nodes.len()];
         for (index, node) in tape.nodes.iter().enumerate() {
             if needed[index] && !is_constant[index] {
@@ -166,7 +165,7 @@ impl Constants {
         reachable(&remaining.nodes, &results)
     }
 
-    /// Which constant a node of the shared tape is.
+    /// Returns the index of the constant for a node of the shared tape.
     fn place(&mut self, id: NodeId) -> u32 {
         let next = self.shared.tape.results.len() as u32;
         let place = *self.places.entry(id).or_insert(next);
@@ -178,7 +177,7 @@ impl Constants {
 }
 
 impl Shared {
-    /// Takes nodes of a tape, with all that they need; where each of them is now.
+    /// Adds nodes of a tape with all that they need, and returns their new ids.
     fn keep(&mut self, tape: &Tape, is_read: impl Fn(usize) -> bool) -> Vec<NodeId> {
         let mut wanted: Vec<bool> = (0..tape.nodes.len()).map(is_read).collect();
         for index in (0..tape.nodes.len()).rev() {
@@ -196,7 +195,7 @@ impl Shared {
         moved
     }
 
-    /// The node of an operation.
+    /// Returns the node of an operation.
     fn node(&mut self, op: Op, name: Option<&str>) -> NodeId {
         let next = NodeId(self.tape.nodes.len() as u32);
         let id = *self.known.entry(op.key()).or_insert(next);
@@ -228,7 +227,7 @@ mod tests {
         let mut constants = Constants::new(Known::OnceARun);
         let (first, second) = (constants.hoist(&first), constants.hoist(&second));
         assert_eq!(first, tape(&[Op::State(0), Op::Constant(0), product(1, 0)], &[2]));
-        // The parameter itself is read by nothing any more.
+        // No operation reads the parameter itself any more.
         assert_eq!(second, tape(&[Op::Constant(0), Op::Constant(1)], &[0, 1]));
         assert_eq!(constants.shared.tape, tape(&[p, product(0, 0), root], &[1, 2]));
     }
@@ -236,7 +235,7 @@ mod tests {
     #[test]
     fn what_no_state_decides_is_told_apart() {
         let product = |a, b| Op::Mul(NodeId(a), NodeId(b));
-        // (p t) y, p t being known before y is.
+        // (p t) y, where p t is known before y.
         let all =
             tape(&[Op::Parameter(0), Op::Time, product(0, 1), Op::State(0), product(2, 3)], &[4]);
         let (before, rest) = apart_from_state(&all);

@@ -1,4 +1,4 @@
-//! Two numbers side by side, as machine code computes with them.
+//! Numbers that run as lanes of one vector.
 
 #![allow(unsafe_code, reason = "numbers side by side are read as numbers one after the other")]
 
@@ -6,15 +6,15 @@ use machinist_contract::Real;
 
 pub use machinist_contract::F64x2;
 
-/// What models are run on: one number, or several side by side.
+/// Number type of models: one number, or several in lanes.
 pub trait Lane: Real + Send + Sync + sealed::Sealed + 'static {
-    /// How many.
+    /// Number of lanes.
     const COUNT: usize;
-    /// The numbers, those of one place side by side.
+    /// Returns the numbers, with those of one place next to each other.
     fn numbers(all: &[Self]) -> &[f64];
-    /// The numbers, to be written.
+    /// Returns the numbers for writing, with those of one place next to each other.
     fn numbers_mut(all: &mut [Self]) -> &mut [f64];
-    /// The first number and the last.
+    /// Returns the first number and the last.
     fn ends(self) -> [f64; 2];
 }
 
@@ -44,13 +44,13 @@ impl Lane for F64x2 {
     const COUNT: usize = 2;
     #[inline(always)]
     fn numbers(all: &[Self]) -> &[f64] {
-        // SAFETY: `F64x2` is two numbers and nothing else, so `all` holds twice as many as
-        // it is long; the slice lives as long as it.
+        // SAFETY: `F64x2` consists of two numbers and nothing else, so `all` holds twice as many
+        // numbers as its length; the slice lives as long as `all`.
         unsafe { std::slice::from_raw_parts(all.as_ptr().cast(), 2 * all.len()) }
     }
     #[inline(always)]
     fn numbers_mut(all: &mut [Self]) -> &mut [f64] {
-        // SAFETY: likewise, and any two numbers are an `F64x2`.
+        // SAFETY: as in `numbers`, and any two numbers are an `F64x2`.
         unsafe { std::slice::from_raw_parts_mut(all.as_mut_ptr().cast(), 2 * all.len()) }
     }
     #[inline(always)]

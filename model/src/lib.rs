@@ -1,12 +1,12 @@
 //! A derived machine as plain data.
 //!
-//! A [`Model`] is what deriving gives and what running takes: names, units, shapes and
-//! patterns, and one [`Tape`] of arithmetic for each function of a simulator. It is
-//! [written to a file](mod@file) and read anywhere; whoever has one needs neither the spec
-//! nor the computer algebra it came from.
+//! A [`Model`] is the result of derivation and the input of a run: names, units, shapes and
+//! patterns, and one [`Tape`] of arithmetic for each function of a simulator. It can be [written to
+//! a file](mod@file) and read anywhere. Neither the spec nor the computer algebra that derived it
+//! is needed to run it.
 //!
-//! Excluded: symbols to look up, expressions, any type of a computer algebra system,
-//! methods of integration.
+//! Excluded: symbols to look up, expressions, any type of a computer algebra system, integration
+//! methods.
 
 mod check;
 #[cfg(feature = "compiled")]

@@ -1,4 +1,4 @@
-//! A machine ready to be run: one tape for each function.
+//! A machine ready to run: one tape for each function.
 
 use machinist_contract as contract;
 use serde::{Deserialize, Serialize};
@@ -20,7 +20,7 @@ pub struct SparsityPattern {
 }
 
 impl SparsityPattern {
-    /// As simulators describe it.
+    /// Returns the pattern as simulators describe it.
     #[must_use]
     pub fn borrowed(&self) -> contract::SparsityPattern<'_> {
         let Self { rows, columns, entries } = self;
@@ -28,53 +28,53 @@ impl SparsityPattern {
     }
 }
 
-/// A matrix: the tape's results are its structural nonzeros in pattern order, unless some of
-/// them are solved for.
+/// A matrix whose tape gives its structural nonzeros in pattern order, unless some of them are
+/// solved for.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct MatrixTape {
-    /// Where the nonzeros are.
+    /// Positions of the nonzeros.
     pub pattern: SparsityPattern,
-    /// Their values, or what they are solved from.
+    /// Values of the nonzeros, or the inputs of the solution.
     pub tape: Tape,
-    /// How they are solved for, if some are.
+    /// Solution for the nonzeros, if some are solved for.
     pub solve: Option<Solve>,
 }
 
 impl MatrixTape {
-    /// How many results its tape has.
+    /// Returns the number of results of the tape.
     #[must_use]
     pub fn inputs(&self) -> usize {
         self.solve.as_ref().map_or(self.pattern.entries.len(), Solve::inputs)
     }
 }
 
-/// An event as a simulator describes it; what it computes is on tapes.
+/// An event as a simulator describes it; its functions are on tapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Event {
-    /// What it is called.
+    /// Name of the event.
     pub name: Name,
     /// One sentence of meaning; may be empty.
     pub doc: String,
-    /// Which way its guard passes zero.
+    /// Direction in which the guard passes zero.
     pub direction: Direction,
-    /// (entry of the state, value) of the modes in which it is watched.
+    /// (entry of the state, value) of the modes in which the guard is watched.
     pub when: Vec<(u32, f64)>,
-    /// Entries of the state that it sets.
+    /// Entries of the state that the event sets.
     pub sets: Vec<u32>,
 }
 
-/// A constraint as a simulator describes it; what it computes is on tapes.
+/// A constraint as a simulator describes it; its functions are on tapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Constraint {
-    /// What it is called.
+    /// Name of the constraint.
     pub name: Name,
     /// One sentence of meaning; may be empty.
     pub doc: String,
-    /// SI unit of what is zero.
+    /// SI unit of the expression that is zero.
     pub unit: String,
-    /// Whether it is of positions; else of velocities alone.
+    /// True for a constraint on positions, false for one on velocities alone.
     pub is_of_positions: bool,
-    /// Whether it holds in some modes only.
+    /// True if the constraint holds in some modes only.
     pub in_modes: bool,
 }
 
@@ -87,7 +87,7 @@ pub struct Coordinate {
     pub velocity: Quantity,
 }
 
-/// What an entry of the state is.
+/// Kind of an entry of the state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum StateKind {
     /// A position, or a position relative to another, of a coordinate.
@@ -102,7 +102,7 @@ pub enum StateKind {
 }
 
 impl StateKind {
-    /// As simulators describe it.
+    /// Returns the kind as simulators describe it.
     #[must_use]
     pub fn described(self) -> contract::StateKind {
         match self {
@@ -118,49 +118,49 @@ impl StateKind {
 pub struct State {
     /// Name, unit and meaning.
     pub quantity: Quantity,
-    /// What it is, and so how it changes.
+    /// Kind, which determines how the entry changes.
     pub kind: StateKind,
     /// Typical size, for absolute tolerance.
     pub scale: f64,
-    /// Whether the spec gives its initial value, so that constraints may not move it.
+    /// True if the spec gives the initial value, so that constraints may not change it.
     pub is_given: bool,
 }
 
-/// A parameter that runs may give another value.
+/// A parameter that runs may set to another value.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Parameter {
-    /// What it is.
+    /// Name, unit and meaning.
     pub quantity: Quantity,
-    /// Its value in SI units.
+    /// Value in SI units.
     pub value: f64,
 }
 
-/// A requirement on a value that is made of parameters.
+/// A requirement on a value computed from parameters.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Requirement {
-    /// In words: `the ratio of port \`gear.a\` is a number other than 0`.
+    /// The requirement in words: `the ratio of port \`gear.a\` is a number other than 0`.
     pub rule: String,
-    /// Which values do.
+    /// Values that fulfil it.
     pub bound: Bound,
 }
 
-/// Which values fulfil a requirement, of those that are finite.
+/// Finite values that fulfil a requirement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Bound {
-    /// All.
+    /// All values.
     Finite,
-    /// All but 0.
+    /// All values but 0.
     NotZero,
-    /// Those above 0.
+    /// Values above 0.
     Positive,
-    /// Those from 0 on.
+    /// Values of 0 or above.
     NotNegative,
-    /// 0.
+    /// The value 0 only.
     Zero,
 }
 
 impl Bound {
-    /// True if a value fulfils it.
+    /// Returns whether a value fulfils the bound.
     #[must_use]
     pub fn admits(self, value: f64) -> bool {
         value.is_finite()
@@ -174,12 +174,12 @@ impl Bound {
     }
 }
 
-/// Approximations that the scene asked for.
+/// Approximations that the scene requests.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Freeze {
-    /// Instances whose springs are taken for rigid.
+    /// Instances whose springs are treated as rigid.
     pub rigid: Vec<String>,
-    /// Largest error of any output that is allowed for it, relative to the output's
+    /// Largest error of any output allowed for the approximation, relative to the output's
     /// largest value over the scene's run.
     pub tolerance: f64,
 }
@@ -191,11 +191,11 @@ pub struct Freeze {
 pub struct Model {
     /// The scene's name, a Rust identifier.
     pub name: String,
-    /// One line for people.
+    /// One line for readers.
     pub title: String,
-    /// What the machine is; several lines.
+    /// Description of the machine, of several lines.
     pub doc: String,
-    /// Where the equations come from.
+    /// Origin of the equations.
     pub source: String,
     /// Every file of the spec, in the order read.
     pub files: Vec<SourceFile>,
@@ -203,33 +203,33 @@ pub struct Model {
     pub coordinates: Vec<Coordinate>,
     /// The entries of the state, in order.
     pub states: Vec<State>,
-    /// How many of the last of them are only integrated: no rate depends on them, so
-    /// that an implicit method may leave them out of its iteration.
+    /// Number of states at the end that are only integrated: no rate depends on them, so an
+    /// implicit method may leave them out of its iteration.
     pub quadratures: usize,
     /// p.
     pub parameters: Vec<Parameter>,
-    /// What fields hand to the machine, as parameters behind the parameters; as many as
+    /// Values that fields hand to the machine, as parameters behind the parameters;
     /// [`HANDED`](machinist_contract::field::HANDED) for each port on a field.
     pub handed: Vec<Parameter>,
     /// Wanted outputs.
     pub wanted: Vec<Quantity>,
-    /// Which of them have accelerations or forces of constraints in them.
+    /// Indices of the wanted outputs that contain accelerations or constraint forces.
     pub at_once: Vec<u32>,
     /// Tables that tapes refer to.
     pub tables: Vec<Table>,
-    /// The run unless told otherwise.
+    /// Default settings of the run.
     pub run: RunDefaults,
     /// Approximations.
     pub freeze: Freeze,
-    /// What has been left out.
+    /// Parts of the scene left out by the reduction.
     pub reduction: Reduction,
-    /// Whether runs start in the equilibrium near the initial state.
+    /// True if runs start in the equilibrium near the initial state.
     pub starts_in_equilibrium: bool,
     /// `states` results.
     pub initial_state: Tape,
     /// One result for each discontinuity.
     pub discontinuities: Tape,
-    /// What goes before functions that read it, if any does.
+    /// Computation before the functions that read it, if there is one.
     pub motion: Option<Motion>,
     /// `states` results.
     pub rate: Tape,
@@ -249,10 +249,9 @@ pub struct Model {
     pub energy: Tape,
     /// Rate of stored energy, power supplied, power dissipated.
     pub power_balance: Tape,
-    /// b(t) of linear equations with constant coefficients, without events and
-    /// constraints.
+    /// b(t) of linear equations with constant coefficients, without events and constraints.
     pub excitation: Option<Excitation>,
-    /// What happens where guards pass zero.
+    /// Events at zero crossings of guards.
     pub events: Vec<Event>,
     /// One result for each event.
     pub guards: Tape,
@@ -260,42 +259,43 @@ pub struct Model {
     pub guard_rates: Tape,
     /// New values of the entries that events set, event by event.
     pub resets: Tape,
-    /// What coordinates must fulfil.
+    /// Constraints on the coordinates.
     pub constraints: Vec<Constraint>,
     /// g, one result for each constraint.
     pub constraint_values: Tape,
-    /// g', likewise.
+    /// g', one result for each constraint.
     pub constraint_rates: Tape,
     /// G = dg'/dq'.
     pub constraint_matrix: MatrixTape,
-    /// What passes zero where the rate has a kink or a jump, by state or by time.
+    /// Expressions that pass zero at switching surfaces of the rate, by state or by time.
     pub kink_guards: Tape,
-    /// Rates of these along the motion.
+    /// Rates of the `kink_guards` along the motion.
     pub kink_rates: Tape,
     /// The generic element of every field.
     pub fields: Vec<FieldModel>,
-    /// What its runs are held against.
+    /// Checks on the results of its runs.
     pub checks: Vec<Check>,
     /// Requirements on values of parameters.
     pub requirements: Vec<Requirement>,
-    /// One result for each of them; of parameters only.
+    /// One result for each requirement, computed from parameters only.
     pub required: Tape,
 }
 
 impl Model {
-    /// Parameters as simulators take them: the machine's, then what fields hand over.
+    /// Returns the parameters as simulators take them: the machine's, then those that fields hand
+    /// over.
     pub fn all_parameters(&self) -> impl Iterator<Item = &Parameter> + Clone {
         self.parameters.iter().chain(&self.handed)
     }
 
-    /// Number of positions among the entries of the state.
+    /// Returns the number of positions among the entries of the state.
     #[must_use]
     pub fn positions(&self) -> usize {
         let is_position = |state: &&State| matches!(state.kind, StateKind::Position(_));
         self.states.iter().filter(is_position).count()
     }
 
-    /// Number of first-order states, modes included.
+    /// Returns the number of first-order states, modes included.
     #[must_use]
     pub fn first_order(&self) -> usize {
         let is_first_order =
@@ -303,7 +303,7 @@ impl Model {
         self.states.iter().filter(is_first_order).count()
     }
 
-    /// Whether the entries of the state are \[q, q', z\], all coordinates in order.
+    /// Reports whether the entries of the state are \[q, q', z\], all coordinates in order.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         let n = self.coordinates.len();
@@ -317,11 +317,11 @@ impl Model {
         self.positions() == n && self.states.iter().enumerate().all(is_in_place)
     }
 
-    /// Whether dy'/dy or the time derivative depends on the forces of fields.
+    /// Reports whether dy'/dy or the time derivative depends on the forces of fields.
     #[must_use]
     pub fn jacobian_reads_forces(&self) -> bool {
         let attachments = self.fields.iter().flat_map(|field| &field.attachments);
-        // Behind the inertia of the node.
+        // The force follows the inertia of the node.
         let forces: Vec<u32> = attachments.map(|at| at.handed + 1).collect();
         let motion = self.motion.as_ref().map(|motion| &motion.tape);
         let tapes = [&self.rate_jacobian.tape, &self.time_derivative];

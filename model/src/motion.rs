@@ -1,4 +1,4 @@
-//! What several functions of a machine need of its motion, computed by one tape, and
+//! Intermediate results of the motion that several functions need, computed by one tape, and
 //! matrices that are solved for with its factors.
 
 use machinist_contract::Real;
@@ -7,37 +7,37 @@ use serde::{Deserialize, Serialize};
 
 use crate::Tape;
 
-/// A tape that goes before those of other functions: accelerations, factors of the mass
-/// matrix, sines and cosines, so that no function repeats them. Others read its k-th
-/// result as [`Op::Motion`](crate::Op::Motion).
+/// A tape that runs before those of other functions. It computes accelerations, factors of the mass
+/// matrix, sines and cosines once for all of them. Other tapes read its k-th result as
+/// [`Op::Motion`](crate::Op::Motion).
 ///
-/// Only where that pays; of a small machine each function is complete by itself. The
-/// rate always is.
+/// Only machines for which it pays have one; in small machines each function is complete by itself.
+/// The rate always is.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Motion {
-    /// Of time, state and parameters.
+    /// A function of time, state and parameters.
     pub tape: Tape,
-    /// Which of its results are the factors that steps of a [`Solve`] multiply by.
+    /// Results that are the factors for the steps of a [`Solve`].
     pub factors: Vec<u32>,
 }
 
-/// A matrix of derivatives some entries of which are solved for by the factors of the
-/// motion, with [`substitute`]. The results of the matrix's tape are then first
-/// what is given, then the right sides.
+/// A matrix of derivatives, some entries of which are solved for by the factors of the motion with
+/// [`substitute`]. The results of the matrix's tape are then first the given entries, then the
+/// right-hand sides.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Solve {
     /// Rows that the steps work on.
     pub rows: u32,
     /// Columns that are solved for.
     pub columns: u32,
-    /// One after the other.
+    /// Steps of the substitution, in order.
     pub steps: Vec<SolveStep>,
-    /// Entries of the pattern that the tape's first results are.
+    /// Entries of the pattern that the first results of the tape give.
     pub given: Vec<u32>,
-    /// (row, column) of the right side that each of the tape's other results is, sorted by
+    /// (row, column) of the right-hand side that each other result of the tape gives, sorted by
     /// column.
     pub right_sides: Vec<(u32, u32)>,
-    /// (entry of the pattern, row, column) of what is read from the solution, sorted by
+    /// (entry of the pattern, row, column) of the entries taken from the solution, sorted by
     /// column.
     pub solved: Vec<(u32, u32, u32)>,
 }
@@ -47,14 +47,14 @@ pub struct Solve {
 pub struct SolveStep {
     /// The row that changes.
     pub row: u32,
-    /// Which of the factors it is scaled by before, if by any.
+    /// Factor by which the row is scaled before, if any.
     pub scale: Option<u32>,
-    /// (which of the factors, from which other row) of each product.
+    /// (factor, other row) of each product.
     pub terms: Vec<(u32, u32)>,
 }
 
 impl SolveStep {
-    /// As the contract takes it.
+    /// Returns the step as the contract takes it.
     #[must_use]
     pub fn borrowed(&self) -> Step<'_> {
         Step { row: self.row, scale: self.scale, terms: &self.terms }
@@ -62,16 +62,17 @@ impl SolveStep {
 }
 
 impl Solve {
-    /// Results of the matrix's tape.
+    /// Returns the number of results of the matrix's tape.
     #[must_use]
     pub fn inputs(&self) -> usize {
         self.given.len() + self.right_sides.len()
     }
 
-    /// The matrix, by `factors` and the results of its tape; `work` has a place for each row.
+    /// Writes the matrix from `factors` and the results of its tape; `work` has a place for each
+    /// row.
     ///
     /// # Panics
-    /// If there are fewer of any than the steps and places mention.
+    /// If any slice is shorter than the steps and entries require.
     pub fn write<R: Real>(
         &self,
         factors: &[R],

@@ -1,9 +1,9 @@
-//! Names, quantities, tables: what a model says of itself.
+//! Names, quantities and tables of a model.
 
 use machinist_contract as contract;
 use serde::{Deserialize, Serialize};
 
-/// The name of a thing, in its three spellings.
+/// A name in its three spellings.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Name {
     /// The spec's path, `motor.phi`.
@@ -18,38 +18,38 @@ pub struct Name {
 /// A named quantity with unit and meaning.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Quantity {
-    /// What it is called.
+    /// Name of the quantity.
     pub name: Name,
-    /// SI unit as the spec writes it; `1` for a pure number.
+    /// SI unit as the spec writes it; `1` if dimensionless.
     pub unit: String,
     /// One sentence of meaning; may be empty.
     pub doc: String,
 }
 
 impl Quantity {
-    /// As simulators describe it.
+    /// Returns the quantity as simulators describe it.
     #[must_use]
     pub fn described(&self) -> contract::Quantity<'_> {
         contract::Quantity { name: &self.name.path, unit: &self.unit, doc: &self.doc }
     }
 }
 
-/// Which way a guard passes zero.
+/// Direction in which a guard passes zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Direction {
-    /// From below to above.
+    /// From negative to positive.
     Rising,
-    /// From above to below.
+    /// From positive to negative.
     Falling,
-    /// Either way.
+    /// Either direction.
     Both,
 }
 
 impl Direction {
-    /// All of them.
+    /// All directions.
     pub const ALL: [Direction; 3] = [Direction::Rising, Direction::Falling, Direction::Both];
 
-    /// The spec's word for it.
+    /// Returns the spec's word for it.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -60,7 +60,7 @@ impl Direction {
     }
 }
 
-/// Where a port on a field is.
+/// Place of a port on a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Place {
     /// At x = 0.
@@ -74,7 +74,7 @@ pub enum Place {
 /// A cubic interpolation table, natural spline; see `CubicTable` of the contract.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Table {
-    /// What it is called.
+    /// Name of the table.
     pub name: Name,
     /// Abscissae, increasing.
     pub knots: Vec<f64>,
@@ -82,7 +82,7 @@ pub struct Table {
     pub coefficients: Vec<[f64; 4]>,
 }
 
-/// The run a scene asks for.
+/// Settings of the run that a scene requests.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RunDefaults {
     /// Start time \[s\].
@@ -99,7 +99,7 @@ pub struct RunDefaults {
     pub method: String,
 }
 
-/// A source file that took part.
+/// A source file of the spec.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SourceFile {
     /// File name relative to the folder of specs, with forward slashes.

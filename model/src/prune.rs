@@ -1,17 +1,17 @@
-//! What results need of a tape, and what nodes depend on.
+//! Nodes of a tape that results need, and dependences of nodes.
 
 use machinist_contract::field::HANDED;
 
 use crate::{Node, NodeId, Op, Tape};
 
-/// The part of `nodes` that `results` reach, renumbered, in order.
+/// Returns the part of `nodes` that `results` reach, renumbered, in order.
 #[must_use]
 pub fn reachable(nodes: &[Node], results: &[NodeId]) -> Tape {
     let mut needed = vec![false; nodes.len()];
     for result in results {
         needed[result.0 as usize] = true;
     }
-    // A node refers only to earlier ones, so one pass backwards reaches all.
+    // A node refers only to earlier ones, so one backward pass reaches all.
     for index in (0..nodes.len()).rev() {
         if needed[index] {
             for operand in nodes[index].op.operands() {
@@ -30,7 +30,7 @@ pub fn reachable(nodes: &[Node], results: &[NodeId]) -> Tape {
     tape
 }
 
-/// Operations that cost something at run time, among the nodes results need.
+/// Counts the operations with a cost at run time, among the nodes that results need.
 #[must_use]
 pub fn operations(tape: &Tape) -> usize {
     let needed = needed_nodes(tape);
@@ -38,7 +38,7 @@ pub fn operations(tape: &Tape) -> usize {
     nodes.filter(|(node, needed)| *needed && node.op.is_arithmetic()).count()
 }
 
-/// For each node, whether a result depends on it.
+/// Returns for each node whether a result depends on it.
 #[must_use]
 pub fn needed_nodes(tape: &Tape) -> Vec<bool> {
     let mut needed = vec![false; tape.nodes.len()];
@@ -59,25 +59,25 @@ pub fn needed_nodes(tape: &Tape) -> Vec<bool> {
     needed
 }
 
-/// Whether a number that a field hands over is the inertia of its node, which parameters
-/// alone decide.
+/// Returns whether a number that a field hands over is the inertia of its node, which depends on
+/// parameters only.
 fn is_inertia(number: u32) -> bool {
     (number as usize).is_multiple_of(HANDED)
 }
 
-/// For each node, whether it depends on time and whether on the state.
+/// For each node, whether it depends on time, and whether on the state.
 #[derive(Debug, Clone)]
 pub struct Dependence(Vec<(bool, bool)>);
 
 impl Dependence {
-    /// Looks at a tape. What fields hand over changes as the state does, but for inertias.
+    /// Analyses a tape. The values that fields hand over change with the state, except inertias.
     #[must_use]
     pub fn of(tape: &Tape) -> Self {
         let mut known: Vec<(bool, bool)> = Vec::with_capacity(tape.nodes.len());
         for node in &tape.nodes {
             known.push(match node.op {
                 Op::Time => (true, false),
-                // The motion is that of a state.
+                // The motion is computed from the state.
                 Op::State(_) | Op::Motion(_) => (false, true),
                 Op::Handed(number) => (false, !is_inertia(number)),
                 ref op => op.operands().iter().fold((false, false), |(time, state), id| {
@@ -89,19 +89,19 @@ impl Dependence {
         Dependence(known)
     }
 
-    /// Whether a node depends on time.
+    /// Returns whether a node depends on time.
     #[must_use]
     pub fn on_time(&self, id: NodeId) -> bool {
         self.0[id.0 as usize].0
     }
 
-    /// Whether a node depends on the state.
+    /// Returns whether a node depends on the state.
     #[must_use]
     pub fn on_state(&self, id: NodeId) -> bool {
         self.0[id.0 as usize].1
     }
 
-    /// Whether a node depends on either.
+    /// Returns whether a node depends on either.
     #[must_use]
     pub fn on_anything(&self, id: NodeId) -> bool {
         self.0[id.0 as usize] != (false, false)

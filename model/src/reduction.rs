@@ -1,31 +1,31 @@
-//! What was left out of a model, and why.
+//! Parts of a scene that were left out of a model, with the reasons.
 
 use serde::{Deserialize, Serialize};
 
-/// What was left out of a scene.
+/// Parts of a scene that were left out.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Reduction {
-    /// Each thing, in the order in which it was left out.
+    /// The parts, in the order in which they were left out.
     pub left_out: Vec<LeftOut>,
 }
 
-/// One thing left out.
+/// One part left out.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct LeftOut {
-    /// What it is.
+    /// Kind of the part.
     pub what: What,
-    /// The spec's name of it.
+    /// Name in the spec.
     pub name: String,
-    /// Why it is not needed.
+    /// Reason why it is not needed.
     pub why: Why,
-    /// What stands for it, if something does; a sentence or nothing.
+    /// Sentence about its replacement, or empty.
     pub instead: String,
 }
 
-/// Kinds of things that are left out.
+/// Kinds of parts that are left out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum What {
-    /// An instance of a unit, with all that it has.
+    /// An instance of a unit, with everything in it.
     Unit,
     /// An entry of the state, with its equation.
     State,
@@ -41,25 +41,25 @@ pub enum What {
     Constraint,
 }
 
-/// Why something is not needed.
+/// Reason why a part is not needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Why {
     /// No wanted output depends on it.
     Unreachable,
-    /// Only its rate matters, or its difference from another.
+    /// Only its rate matters, or its difference from another state.
     Cyclic,
     /// The scene fixes its value.
     Fixed,
     /// The scene fixes it at zero, and its terms vanish.
     Zero,
-    /// The scene wants it frozen: an approximation.
+    /// The scene freezes it: an approximation.
     Frozen,
     /// It follows from others.
     Redundant,
 }
 
 impl Reduction {
-    /// Notes one more thing.
+    /// Adds a part.
     pub fn add(&mut self, what: What, name: &str, why: Why, instead: impl Into<String>) {
         let (name, instead) = (name.to_owned(), instead.into());
         self.left_out.push(LeftOut { what, name, why, instead });
@@ -67,7 +67,7 @@ impl Reduction {
 }
 
 impl What {
-    /// One word for people.
+    /// Returns one word for messages.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -83,7 +83,7 @@ impl What {
 }
 
 impl Why {
-    /// One word for people.
+    /// Returns one word for messages.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -1,14 +1,12 @@
-//! Recurrences for the normalized Taylor coefficients of a solution, plain data.
+//! Recurrences for the normalized Taylor coefficients of a solution, as plain data.
 //!
-//! Excluded: functions without a recurrence of their own (a tangent brings its
-//! 1 + tan^2 with it, an absolute value is a choice, an integer power is
-//! products), the L D L^T of a mass matrix that moves (it is kept as a matrix
-//! and factored at order zero alone), names of emitted variables.
+//! Excluded: functions without a recurrence of their own (a tangent uses 1 + tan^2, an absolute
+//! value is a selection, an integer power is products), the L D L^T of a variable mass matrix (it
+//! is kept as a matrix and factored at order zero only), names of emitted variables.
 //!
-//! With `x = sum_k x_k (t - t_0)^k` every node has a zeroth coefficient, its
-//! value, and a k-th one made of coefficients up to order k of the nodes before
-//! it, and of those up to order k - 1 of any node. The sums within
-//! are listed by [`TaylorTape::convolutions`]; they read orders 1 to k - 1 only:
+//! With `x = sum_k x_k (t - t_0)^k` the zeroth coefficient of a node is its value. The k-th follows
+//! from coefficients up to order k of the nodes before it, and up to order k - 1 of any node.
+//! [`TaylorTape::convolutions`] lists the sums in it, which read orders 1 to k - 1 only:
 //!
 //! ```text
 //! S(a, b)_k = sum_(j=1..k-1) a_j b_(k-j)      a' stands for the series j a_j
@@ -30,11 +28,11 @@ use crate::{Function, NodeId, Op, TableId};
 pub use build::recurrences;
 pub use evaluate::SeriesEvaluator;
 
-/// How the coefficients of one node follow from those of others.
+/// Rule by which the coefficients of a node follow from those of others.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Recurrence {
-    /// Of parameters only: all coefficients but the zeroth vanish. Operands are
-    /// constants too.
+    /// A function of parameters only: all coefficients but the zeroth vanish, also those of the
+    /// operands.
     Constant(Op),
     /// Time: t_0, 1, 0, 0, ...
     Time,
@@ -48,7 +46,7 @@ pub enum Recurrence {
     Sub(NodeId, NodeId),
     /// Series times constant.
     Scaled {
-        /// The factor that varies.
+        /// The variable factor.
         series: NodeId,
         /// The constant.
         factor: NodeId,
@@ -62,27 +60,27 @@ pub enum Recurrence {
     Quotient(NodeId, NodeId),
     /// Square root.
     Root(NodeId),
-    /// `function(argument)` with derivative `integrand`, or minus that; the
-    /// integrand may come later or be this very node.
+    /// `function(argument)` with derivative `integrand`, or minus that; the integrand may come
+    /// later or be the node itself.
     Integral {
-        /// Gives the zeroth coefficient.
+        /// Function that gives the zeroth coefficient.
         function: Function,
-        /// What the function is of.
+        /// Argument of the function.
         argument: NodeId,
-        /// The derivative by the argument.
+        /// Derivative by the argument.
         integrand: NodeId,
-        /// Whether the derivative has a minus.
+        /// True if the derivative is `-integrand`.
         minus: bool,
     },
     /// `function(argument)` with derivative 1/`divisor`, or minus that.
     IntegralOver {
-        /// Gives the zeroth coefficient.
+        /// Function that gives the zeroth coefficient.
         function: Function,
-        /// What the function is of.
+        /// Argument of the function.
         argument: NodeId,
-        /// One over the derivative by the argument.
+        /// Reciprocal of the derivative by the argument.
         divisor: NodeId,
-        /// Whether the derivative has a minus.
+        /// True if the derivative is `-1/divisor`.
         minus: bool,
     },
     /// Constant real power of a positive series.
@@ -92,26 +90,26 @@ pub enum Recurrence {
         /// The constant.
         exponent: NodeId,
     },
-    /// All coefficients of `then` or of `otherwise`, as the zeroth ones of `lhs`
-    /// and `rhs` say.
+    /// All coefficients of `then` or of `otherwise`, selected by the zeroth ones of `lhs` and
+    /// `rhs`.
     Select {
-        /// Compared for less.
+        /// Left side of the comparison `lhs < rhs`.
         lhs: NodeId,
-        /// What it is compared with.
+        /// Right side.
         rhs: NodeId,
-        /// Where less.
+        /// Result if the comparison is true.
         then: NodeId,
-        /// Where not.
+        /// Result if it is false.
         otherwise: NodeId,
     },
-    /// The cubic that holds at the zeroth coefficient of the argument; `square`
-    /// and `cube` are the powers of the argument less its zeroth coefficient.
+    /// The cubic that applies at the zeroth coefficient of the argument; `square` and `cube` are
+    /// the powers of the argument less its zeroth coefficient.
     Table {
-        /// Which table.
+        /// The table.
         table: TableId,
-        /// Derivative of the table.
+        /// Order of the derivative of the table.
         order: u32,
-        /// What the function is of.
+        /// Argument of the table.
         argument: NodeId,
         /// `(x - x_0)^2`.
         square: NodeId,
@@ -122,21 +120,21 @@ pub enum Recurrence {
     /// acceleration: `y_k = entry_k acceleration_0 + S(entry, acceleration)`,
     /// zeroth coefficient 0.
     Lagged {
-        /// Of the mass matrix.
+        /// Entry of the mass matrix.
         entry: NodeId,
-        /// The unknown it is multiplied with.
+        /// Acceleration that the entry multiplies.
         acceleration: NodeId,
     },
     /// Entry of the accelerations, solved for after all other nodes of an order.
     Acceleration(u32),
 }
 
-/// How much of a series there is.
+/// Coefficients of a series that may differ from zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Extent {
     /// The zeroth coefficient only.
     Constant,
-    /// Zeroth and first: linear in time.
+    /// Zeroth and first, linear in time.
     Line,
     /// All of them.
     Series,
@@ -145,15 +143,15 @@ pub enum Extent {
 /// One node.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SeriesNode {
-    /// How its coefficients follow.
+    /// Rule for the coefficients.
     pub recurrence: Recurrence,
-    /// How many of them there are.
+    /// Coefficients that may differ from zero.
     pub extent: Extent,
     /// The spec's name, if it has one.
     pub name: Option<String>,
 }
 
-/// A mass matrix that moves: `M_0 a_k = right_side_k` at every order.
+/// A variable mass matrix: `M_0 a_k = right_side_k` at every order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MassMatrix {
     /// Nonzeros of the lower triangle, `(row, column, entry)`.
@@ -164,25 +162,25 @@ pub struct MassMatrix {
     pub accelerations: Vec<NodeId>,
 }
 
-/// `S(left, right)`, the left one perhaps with every coefficient times its order.
+/// `S(left, right)`, with the coefficients of `left` multiplied by their order if `weighted`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Convolution {
     /// The first factor.
     pub left: NodeId,
-    /// Whether the left factor is `j left_j`.
+    /// True if the left factor is `j left_j`.
     pub weighted: bool,
     /// The second factor.
     pub right: NodeId,
 }
 
-/// Recurrences of all that the rate depends on.
+/// Recurrences of all nodes that the rate depends on.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TaylorTape {
-    /// Zeroth coefficients in order of evaluation.
+    /// Nodes in order of evaluation.
     pub nodes: Vec<SeriesNode>,
-    /// The rate of every state.
+    /// Rate of every state.
     pub rate: Vec<NodeId>,
-    /// Present where the mass matrix couples coordinates and moves.
+    /// Mass matrix, if it is variable and couples coordinates.
     pub mass_matrix: Option<MassMatrix>,
 }
 
@@ -194,25 +192,25 @@ impl std::ops::Index<NodeId> for TaylorTape {
 }
 
 impl TaylorTape {
-    /// Whether a node is the same at all times.
+    /// Returns whether a node is the same at all times.
     #[must_use]
     pub fn is_constant(&self, id: NodeId) -> bool {
         self[id].extent == Extent::Constant
     }
 
-    /// Whether a node is linear in time, and so costs no sum.
+    /// Returns whether a node is linear in time, so that a product with it needs no sum.
     #[must_use]
     pub fn is_line(&self, id: NodeId) -> bool {
         self[id].extent == Extent::Line
     }
 
-    /// Where the motion may bend so that no coefficient tells of it from afar, if runs
-    /// are cut at so many times at which the rate jumps.
+    /// Returns the worst kind of bend in the motion that the coefficients do not announce, for runs
+    /// that are split at `jumps` discontinuities of the rate in time.
     ///
-    /// A comparison of time with a constant is one of these jumps; where there are more
-    /// of them than jumps, one is a kink. Functions that saturate (tanh, exp, atan and
-    /// their kin) lose all their coefficients to rounding where they are flat. Poles and
-    /// roots do not: what is near shows in how coefficients grow.
+    /// A comparison of time with a constant is one of these discontinuities. If there are more
+    /// comparisons than discontinuities, one of them is a switching surface. Functions that
+    /// saturate (tanh, exp, atan and the like) lose all their coefficients to rounding where they
+    /// are flat. Poles and roots do not: the growth of the coefficients shows that one is near.
     #[must_use]
     pub fn bends(&self, jumps: usize) -> Bends {
         let mut switches: Vec<(NodeId, NodeId)> = Vec::new();
@@ -252,7 +250,7 @@ impl TaylorTape {
         if switches.len() > jumps { Bends::Corners } else { most }
     }
 
-    /// Whether a node stays as it is along a motion: a constant, or a mode.
+    /// Returns whether a node is constant along a motion: a constant or a mode.
     fn rests(&self, id: NodeId) -> bool {
         let is_zero =
             |rate: &NodeId| self[*rate].recurrence == Recurrence::Constant(Op::Literal(0.0));
@@ -262,8 +260,8 @@ impl TaylorTape {
         }
     }
 
-    /// The sums in a node's k-th coefficient that are written as sums. None where a factor
-    /// is linear in time: there the sum is one product.
+    /// Returns the sums in a node's k-th coefficient that are written as sums, none if a factor is
+    /// linear in time, where the sum is a single product.
     #[must_use]
     pub fn convolutions(&self, id: NodeId) -> Vec<Convolution> {
         match self[id].recurrence {
@@ -273,7 +271,7 @@ impl TaylorTape {
         }
     }
 
-    /// The sums in a node's k-th coefficient, whatever their factors are.
+    /// Returns all sums in a node's k-th coefficient, also those with a factor linear in time.
     #[must_use]
     pub fn all_convolutions(&self, id: NodeId) -> Vec<Convolution> {
         let plain = |left, right| Convolution { left, weighted: false, right };

@@ -23,47 +23,47 @@ use run::{Read, Series, TapeFunction};
 
 pub use run::Running;
 
-/// A model as a simulator: the numbers of the emitted code, to the last bit.
+/// A model as a simulator: its numbers equal those of the emitted code to the last bit.
 ///
-/// On `f64`, or on [`F64x2`](crate::lanes::F64x2): two variants of a machine side by side.
-/// Functions are made ready when they are first called, or have been called some thousand times, and
-/// called by any number of threads at once; calls allocate nothing after that.
+/// Runs on `f64`, or on [`F64x2`](crate::lanes::F64x2) for two variants of a machine in lanes.
+/// Functions are prepared at their first call, or after some thousand calls, and may be called by
+/// any number of threads concurrently. Calls allocate nothing after that.
 #[derive(Debug)]
 pub struct ModelSimulator {
     model: Model,
     running: Running,
-    /// Those of the model, for machine code to point at.
+    /// Tables of the model, for machine code to point at.
     tables: Arc<[Table]>,
-    /// One for each row of the table of functions.
+    /// One function for each row of the table of functions.
     functions: [TapeFunction; FUNCTIONS.len()],
-    /// What goes before functions that read it.
+    /// Computation before the functions that read the motion.
     motion: motion::MotionFunction,
     hoisted: OnceLock<Hoisted>,
-    /// What parameters alone decide, then rate and Jacobians that read it.
+    /// Computation of the constants, then the rate and Jacobians that read them.
     prepared: [TapeFunction; Prepared::ALL.len()],
     series: Series,
-    /// Excitation and switches.
+    /// Excitation and its switching times.
     linear: [TapeFunction; 2],
     fields: Vec<field::PointFunctions>,
 }
 
 impl ModelSimulator {
-    /// A model as machine code once that pays, where the target has a backend for it; else
-    /// interpreted.
+    /// Runs a model as machine code once that pays, if the target has a backend; otherwise
+    /// interprets it.
     #[must_use]
     pub fn new(model: Model) -> Self {
         Self::with(model, if is_compiled() { Running::Compiled } else { Running::Interpreted })
     }
 
-    /// A model as machine code from the first call of each function on: for who must not wait later,
-    /// or asks for what machine code gives.
+    /// Runs a model as machine code from the first call of each function, for callers that must not
+    /// wait later or that need machine code itself.
     #[must_use]
     pub fn compiled_at_once(model: Model) -> Self {
         let at_once = Running::CompiledAtOnce;
         Self::with(model, if is_compiled() { at_once } else { Running::Interpreted })
     }
 
-    /// A model that is run operation by operation: ready at once, and several times slower.
+    /// Runs a model operation by operation: ready immediately, and several times slower.
     #[must_use]
     pub fn interpreted(model: Model) -> Self {
         Self::with(model, Running::Interpreted)
@@ -88,62 +88,63 @@ impl ModelSimulator {
         }
     }
 
-    /// It on single numbers, its code compiled with this crate and as this crate is: one that
-    /// makes `&dyn Simulator` of it by itself compiles that code anew, as it is compiled.
+    /// Returns the simulator on single numbers, with code compiled in this crate and with its
+    /// settings. A conversion to `&dyn Simulator` elsewhere compiles that code anew, with the
+    /// settings there.
     #[must_use]
     #[inline(never)]
     pub fn single(&self) -> &(dyn Simulator<f64> + Sync) {
         self
     }
 
-    /// It on two variants side by side, likewise.
+    /// Returns the simulator on two variants in lanes, likewise compiled here.
     #[must_use]
     #[inline(never)]
     pub fn in_pairs(&self) -> &(dyn SideBySide<F64x2> + Sync) {
         self
     }
 
-    /// It with fields to be cut, likewise.
+    /// Returns the simulator with fields to be discretized, likewise compiled here.
     #[must_use]
     #[inline(never)]
     pub fn with_fields(&self) -> &dyn FieldScene<f64> {
         self
     }
 
-    /// Likewise, on numbers that carry derivatives.
+    /// Returns the same on numbers that carry derivatives.
     #[must_use]
     #[inline(never)]
     pub fn with_fields_on_duals(&self) -> &dyn FieldScene<Dual> {
         self
     }
 
-    /// It with fields, shared.
+    /// Returns the simulator with fields, shared.
     #[must_use]
     #[inline(never)]
     pub fn shared_with_fields(self: Arc<Self>) -> Arc<dyn FieldScene<f64> + Send> {
         self
     }
 
-    /// Likewise, on numbers that carry derivatives.
+    /// Returns the same on numbers that carry derivatives.
     #[must_use]
     #[inline(never)]
     pub fn shared_with_fields_on_duals(self: Arc<Self>) -> Arc<dyn FieldScene<Dual> + Send> {
         self
     }
 
-    /// The model that is run.
+    /// Returns the model.
     #[must_use]
     pub fn model(&self) -> &Model {
         &self.model
     }
 
-    /// How it is run.
+    /// Returns how the model is run.
     #[must_use]
     pub fn running(&self) -> Running {
         self.running
     }
 
-    /// What tapes read, once the slices have the lengths the contract asks for.
+    /// Collects the inputs of tapes after a check of the slices' lengths.
     #[inline(always)]
     fn read<'a, R: Lane>(&'a self, time: &'a R, state: &'a [R], parameters: &'a [R]) -> Read<'a> {
         assert_eq!(state.len(), self.model.states.len(), "length of the state");
@@ -189,11 +190,11 @@ impl ModelSimulator {
         }
     }
 
-    /// Which function of the table it is, if that goes behind the motion.
+    /// Returns the function of the table, if it depends on the motion's tape.
     fn behind_motion(&self, called: Called) -> Option<FunctionId> {
         let function = match called {
             Called::Function(id) => id,
-            // Of what is prepared only the Jacobians may be.
+            // Of the prepared functions only the Jacobians can depend on it.
             Called::Prepared(Prepared::RateJacobian) => FunctionId::RateJacobian,
             Called::Prepared(Prepared::ParameterJacobian) => FunctionId::ParameterJacobian,
             Called::Prepared(_) => return None,
@@ -201,7 +202,7 @@ impl ModelSimulator {
         self.motion.is_read_by(function).then_some(function)
     }
 
-    /// Writes what a tape gives that reads no constants, and no state if none is given.
+    /// Writes the results of a tape that reads no constants, and no state if `motion` is `None`.
     #[inline(always)]
     fn call<R: Lane>(
         &self,
@@ -219,7 +220,7 @@ impl ModelSimulator {
         }
     }
 
-    /// Writes what a tape gives that reads constants.
+    /// Writes the results of a tape that reads constants.
     #[inline(always)]
     fn call_prepared<const PREPARED: usize, R: Lane>(
         &self,
@@ -236,7 +237,8 @@ impl ModelSimulator {
         }
     }
 
-    /// Called with what the method was called with, and so by a jump: who calls saves nothing.
+    /// Handles the slow path. The arguments are those of the caller, so that the call is a jump and
+    /// the caller saves no register.
     #[inline(never)]
     fn prepared_with_care<const PREPARED: usize, R: Lane>(
         &self,
@@ -251,7 +253,8 @@ impl ModelSimulator {
         self.call_with_care(called, time, Some(state), parameters, constants, results);
     }
 
-    /// As it is called first, with other lengths, or if it is long or behind the motion.
+    /// Handles the first call, changed lengths, and functions that are long or depend on the
+    /// motion.
     #[inline(never)]
     fn call_with_care<R: Lane>(
         &self,
@@ -277,7 +280,7 @@ impl ModelSimulator {
     }
 }
 
-/// Whether models are compiled here.
+/// Returns whether models are compiled on this target.
 fn is_compiled() -> bool {
     #[cfg(feature = "compiled")]
     let is_available = crate::compiled::is_available();
@@ -286,15 +289,14 @@ fn is_compiled() -> bool {
     is_available
 }
 
-/// What is run of a model: a function of the table, or what stands for one once parameters are
-/// known.
+/// A function to run: one of the table, or one that replaces it once the parameters are known.
 #[derive(Debug, Clone, Copy)]
 enum Called {
     Function(FunctionId),
     Prepared(Prepared),
 }
 
-/// What parameters alone decide, and what reads it.
+/// The constants, which depend on parameters only, and the functions that read them.
 #[derive(Debug, Clone, Copy)]
 enum Prepared {
     Constants,
@@ -440,7 +442,7 @@ impl Describe for ModelSimulator {
 
 /// Runs functions of the table on a type of numbers.
 trait Runs<R> {
-    /// Writes the results of one; what it does not read is nothing.
+    /// Writes the results of a function; `motion` is `None` for one of parameters only.
     fn run(&self, function: FunctionId, motion: Option<(&R, &[R])>, p: &[R], results: &mut [R]);
 }
 
@@ -565,7 +567,7 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
     fn linear(&self) -> Option<&dyn LinearEquations<R>> {
         self.model.excitation.is_some().then_some(self)
     }
-    /// None of a model with fields, whose parameters follow from others; see
+    /// Returns `None` for a model with fields, because some parameters follow from others; see
     /// [`ModelSimulator::shared_with_fields_on_duals`].
     fn derivatives(&self) -> Option<&dyn Derivatives> {
         self.model.fields.is_empty().then_some(self)

@@ -1,7 +1,7 @@
-//! Straight-line programs as code is made from, of a machine or of WebAssembly: what is read from where, what is
-//! computed, what is written where to.
+//! Straight-line programs from which machine code or WebAssembly is made: reads, operations and
+//! writes.
 //!
-//! Excluded: integer powers (they are products), operations that nothing needs, names.
+//! Excluded: integer powers (they become products), unused operations, names.
 
 use std::collections::HashMap;
 
@@ -11,27 +11,27 @@ use crate::{Function, NodeId, Op, TableId, Tape, needed_nodes};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct StepId(pub u32);
 
-/// Numbers that lie behind one pointer.
+/// A block of numbers behind one pointer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Region {
-    /// Time; of series the numbers of an order.
+    /// Time; for series the numbers of an order.
     Time,
-    /// The state; of series its coefficients of an order.
+    /// The state; for series its coefficients of an order.
     State,
     /// Parameters.
     Parameters,
-    /// What fields hand over.
+    /// Values that fields hand over.
     Handed,
-    /// What was computed before.
+    /// Constants computed before.
     Constants,
     /// Results of the motion.
     Motion,
-    /// What is computed: the only one that is written.
+    /// Results, the only region that is written.
     Results,
 }
 
 impl Region {
-    /// How many there are.
+    /// Number of regions.
     pub const COUNT: usize = 7;
 }
 
@@ -40,7 +40,7 @@ impl Region {
 pub enum Step {
     /// A literal.
     Literal(f64),
-    /// The entry of a region.
+    /// An entry of a region.
     Read(Region, u32),
     /// -a.
     Neg(StepId),
@@ -56,14 +56,14 @@ pub enum Step {
     Powf(StepId, StepId),
     /// A function of one argument.
     Call(Function, StepId),
-    /// Where the first is less than the second the third, else the fourth.
+    /// The third operand if the first is less than the second, else the fourth.
     SelectLess([StepId; 4]),
     /// Cubic table or its derivative.
     Table(TableId, u32, StepId),
 }
 
 impl Step {
-    /// The steps it reads.
+    /// Returns the steps that it reads.
     pub fn operands(&self) -> impl Iterator<Item = StepId> + use<> {
         let none = [None; 4];
         let all = match *self {
@@ -79,7 +79,7 @@ impl Step {
         all.into_iter().flatten()
     }
 
-    /// The same on other steps.
+    /// Returns the same operation on other steps.
     fn with_operands(self, to: impl Fn(StepId) -> StepId) -> Self {
         match self {
             Step::Literal(_) | Step::Read(..) => self,
@@ -95,12 +95,12 @@ impl Step {
         }
     }
 
-    /// Whether it stands for nothing but a number in memory.
+    /// Returns whether the step is only a number in memory.
     pub fn is_leaf(&self) -> bool {
         matches!(self, Step::Literal(_) | Step::Read(..))
     }
 
-    /// Whether a function outside is called for it.
+    /// Returns whether the step calls an external function.
     pub fn is_call(&self) -> bool {
         match self {
             Step::Call(function, _) => !matches!(function, Function::Sqrt | Function::Abs),
@@ -127,39 +127,39 @@ impl Step {
     }
 }
 
-/// Sums of products that are formed before the steps, for series:
-/// `sum of left_j right_(k-j)`, j from two to k - 2, in every lane side by side.
+/// Sums of products for series that are formed before the steps: `sum of left_j right_(k-j)`, j
+/// from 2 to k - 2, in all lanes together.
 ///
-/// Rows of factors stand one after the other, that of order one first among the parameters,
-/// that of order k - 1 first of the state. Sums are put into the results.
+/// Rows of factors follow one another. The row of order 1 is the first of the parameters, that of
+/// order k - 1 the first of the state. Sums are written to the results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Middles {
-    /// How many sums.
+    /// Number of sums.
     pub count: usize,
-    /// Where left factors and right factors begin in a row, and where sums are put.
+    /// Index of the first left factor in a row.
     pub left: usize,
-    /// Likewise.
+    /// Index of the first right factor in a row.
     pub right: usize,
-    /// Likewise.
+    /// Index of the first sum in the results.
     pub sums: usize,
-    /// Numbers of a row.
+    /// Length of a row.
     pub row: usize,
 }
 
-/// Steps in an order of evaluation, and what is written.
+/// Steps in order of evaluation, and the results to write.
 #[derive(Debug, Clone, Default)]
 pub struct Straight {
-    /// Each reads steps before its own.
+    /// Steps, each of which reads earlier steps only.
     pub steps: Vec<Step>,
-    /// Entries of the results.
+    /// Entries of the results with the steps that give them.
     pub writes: Vec<(u32, StepId)>,
-    /// What is formed first.
+    /// Sums formed before the steps.
     pub middles: Option<Middles>,
     known: HashMap<(u8, [u64; 4]), StepId>,
 }
 
 impl Straight {
-    /// The step that computes this, written once.
+    /// Adds a step, or returns the equal step that is already there.
     pub fn push(&mut self, step: Step) -> StepId {
         let next = StepId(self.steps.len() as u32);
         let id = *self.known.entry(step.key()).or_insert(next);
@@ -169,18 +169,18 @@ impl Straight {
         id
     }
 
-    /// A literal.
+    /// Adds a literal.
     pub fn literal(&mut self, value: f64) -> StepId {
         self.push(Step::Literal(value))
     }
 
-    /// What a step computes.
+    /// Returns a step.
     pub fn step(&self, id: StepId) -> Step {
         self.steps[id.0 as usize]
     }
 
-    /// An operation of a tape whose operands are known. `None` for a table that is not
-    /// there.
+    /// Adds an operation of a tape whose operands are known. Returns `None` if its table does not
+    /// exist.
     pub fn operation(
         &mut self,
         op: Op,
@@ -212,8 +212,8 @@ impl Straight {
         Some(self.push(step))
     }
 
-    /// By repeated squaring, as the contract does it; the product with one that it begins
-    /// with changes nothing.
+    /// Expands a power by repeated squaring, as the contract does. The contract's initial product
+    /// with one is left out, because it changes nothing.
     fn integer_power(&mut self, base: StepId, exponent: i32) -> StepId {
         let (mut power, mut square) = (None, base);
         let mut left = exponent.unsigned_abs();
@@ -231,8 +231,8 @@ impl Straight {
         if exponent < 0 { self.push(Step::Div(one, power)) } else { power }
     }
 
-    /// What a tape computes, its results one after the other. `None` for a tape that breaks
-    /// the rules of models.
+    /// Translates a tape, with its results in order. Returns `None` for a tape that breaks the
+    /// rules of models.
     pub fn of_tape(tape: &Tape, tables: usize) -> Option<Self> {
         let mut straight = Self::default();
         let mut places: Vec<Option<StepId>> = Vec::with_capacity(tape.nodes.len());
@@ -247,7 +247,7 @@ impl Straight {
         Some(straight.pruned())
     }
 
-    /// The same without what no result needs.
+    /// Returns the program without the steps that no result needs.
     pub fn pruned(&self) -> Self {
         let mut needed = vec![false; self.steps.len()];
         self.writes.iter().for_each(|(_, id)| needed[id.0 as usize] = true);
@@ -266,7 +266,7 @@ impl Straight {
         pruned
     }
 
-    /// How long each region must be.
+    /// Returns the length that each region must have.
     #[cfg(feature = "compiled")]
     pub fn needs(&self) -> [usize; Region::COUNT] {
         let mut needs = [0; Region::COUNT];

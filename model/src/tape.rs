@@ -1,7 +1,7 @@
-//! The tape: straight-line arithmetic in single-assignment form, plain data.
+//! The tape: straight-line arithmetic in single-assignment form, as plain data.
 //!
-//! Excluded: symbols to look up, exact numbers, n-ary sums, expressions written
-//! twice. A node refers only to nodes before it.
+//! Excluded: symbols to look up, exact numbers, n-ary sums, duplicate expressions. A node refers
+//! only to nodes before it.
 
 use serde::{Deserialize, Serialize};
 
@@ -20,7 +20,7 @@ pub enum Function {
     Sqrt,
     /// Absolute value.
     Abs,
-    /// The largest whole number that is not above it.
+    /// The largest integer not above the argument.
     Floor,
     /// Exponential function.
     Exp,
@@ -47,7 +47,8 @@ pub enum Function {
 }
 
 impl Function {
-    /// Each with its name, that of the method of `machinist_contract::Real`.
+    /// All functions with their names, which are those of the methods of
+    /// `machinist_contract::Real`.
     pub const ALL: [(Function, &'static str); 14] = [
         (Function::Sqrt, "sqrt"),
         (Function::Abs, "abs"),
@@ -65,13 +66,13 @@ impl Function {
         (Function::Tanh, "tanh"),
     ];
 
-    /// Its name.
+    /// Returns its name.
     #[must_use]
     pub fn name(self) -> &'static str {
         Self::ALL[self as usize].1
     }
 
-    /// Whether f(-x) is -f(x), or else f(x), to the last bit; nothing if neither.
+    /// Returns true if f(-x) is -f(x), false if it is f(x), to the last bit; `None` if neither.
     #[must_use]
     pub fn is_odd(self) -> Option<bool> {
         match self {
@@ -93,11 +94,11 @@ pub enum Op {
     State(u32),
     /// Entry of the parameters.
     Parameter(u32),
-    /// What fields hand to the machine at their ports: the k-th number, of which each
-    /// port has [`HANDED`](machinist_contract::field::HANDED).
+    /// The k-th value that fields hand to the machine at their ports, of which each port has
+    /// [`HANDED`](machinist_contract::field::HANDED).
     Handed(u32),
-    /// The k-th result of the tape that goes before this one, whose results are known
-    /// when this one is run: see [`hoist`](crate::hoist).
+    /// The k-th result of the tape of constants, which runs before this one: see
+    /// [`hoist`](crate::hoist).
     Constant(u32),
     /// The k-th result of the motion's tape: see [`Motion`](crate::Motion).
     Motion(u32),
@@ -119,41 +120,41 @@ pub enum Op {
     Call(Function, NodeId),
     /// `then` where `lhs < rhs`, else `otherwise`.
     SelectLess {
-        /// Left of the comparison.
+        /// Left side of the comparison.
         lhs: NodeId,
-        /// Right of it.
+        /// Right side of the comparison.
         rhs: NodeId,
-        /// Where it holds.
+        /// Result if the comparison is true.
         then: NodeId,
-        /// Where it does not.
+        /// Result if it is false.
         otherwise: NodeId,
     },
     /// Cubic table or its derivative.
     Table {
-        /// Which table.
+        /// The table.
         table: TableId,
         /// Order of the derivative.
         order: u32,
-        /// Where it is read.
+        /// Argument of the table.
         argument: NodeId,
     },
 }
 
-/// A node with the name it bears in emitted code, if the spec gives it one.
+/// A node, with its name in emitted code if the spec gives it one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Node {
-    /// What it computes.
+    /// The operation.
     pub op: Op,
     /// A valid Rust identifier, unique on the tape, or `None`.
     pub name: Option<String>,
 }
 
-/// Nodes in order of evaluation, and which of them are the results.
+/// Nodes in order of evaluation, and the results among them.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Tape {
-    /// In order of evaluation.
+    /// Nodes in order of evaluation.
     pub nodes: Vec<Node>,
-    /// Which of them are the results.
+    /// Results, in order.
     pub results: Vec<NodeId>,
 }
 
@@ -165,7 +166,7 @@ impl std::ops::Index<NodeId> for Tape {
 }
 
 impl Op {
-    /// The nodes this operation reads.
+    /// Returns the nodes that the operation reads.
     #[must_use]
     pub fn operands(&self) -> Vec<NodeId> {
         match *self {
@@ -184,7 +185,7 @@ impl Op {
         }
     }
 
-    /// The same operation on other nodes.
+    /// Returns the same operation on other nodes.
     #[must_use]
     pub fn with_operands(self, mut to: impl FnMut(NodeId) -> NodeId) -> Self {
         match self {
@@ -213,7 +214,7 @@ impl Op {
         }
     }
 
-    /// Time that the operation takes, in that of a sum, roughly.
+    /// Returns the approximate cost of the operation, relative to an addition.
     #[must_use]
     pub fn cost(&self) -> u32 {
         match self {
@@ -224,7 +225,7 @@ impl Op {
         }
     }
 
-    /// Whether the operation costs anything at run time.
+    /// Returns whether the operation costs anything at run time.
     #[must_use]
     pub fn is_arithmetic(&self) -> bool {
         !matches!(
@@ -239,7 +240,7 @@ impl Op {
         )
     }
 
-    /// What it is and what it reads; sums and products are the same either way round.
+    /// Returns the operation with its operands as a key, in which sums and products commute.
     #[must_use]
     pub fn key(&self) -> OpKey {
         let n = |id: NodeId| u64::from(id.0);

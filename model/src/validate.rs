@@ -1,4 +1,4 @@
-//! Rules of models, on which everything that runs or emits them relies.
+//! Rules of models, on which running and emission rely.
 
 use thiserror::Error;
 
@@ -12,13 +12,13 @@ use crate::{
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{part}: {reason}")]
 pub struct Malformed {
-    /// The function or part that breaks it.
+    /// Function or part that breaks the rule.
     pub part: String,
-    /// How.
+    /// Reason.
     pub reason: String,
 }
 
-/// What a tape may read.
+/// Inputs that a tape may read.
 struct Room {
     time: bool,
     states: usize,
@@ -30,11 +30,12 @@ struct Room {
 }
 
 impl Model {
-    /// Checks that every tape reads only what there is, in order, and gives as many
-    /// results as it should; that patterns are sorted; that names of what is counted exist.
+    /// Checks that every tape reads only existing inputs, in order, and gives the right number of
+    /// results; that patterns are sorted; and that all other indices and names refer to existing
+    /// items.
     ///
     /// # Errors
-    /// The first rule that is broken.
+    /// The first broken rule.
     pub fn validate(&self) -> Result<(), Malformed> {
         for row in self.functions() {
             let of_motion = row.reads == Reads::Motion;
@@ -82,7 +83,7 @@ impl Model {
         Ok(())
     }
 
-    /// What a tape of parameters alone may read.
+    /// Returns the inputs of a tape of parameters only.
     fn room(&self) -> Room {
         Room {
             time: false,
@@ -95,8 +96,8 @@ impl Model {
         }
     }
 
-    /// Results of the motion's tape that a function may read. Those of which series are made,
-    /// and those of parameters alone, stand by themselves.
+    /// Returns the number of results of the motion's tape that a function may read. Functions from
+    /// which series are made, and those of parameters only, are complete by themselves.
     fn motion_results(&self, id: FunctionId) -> usize {
         let stands = id.row().reads == Reads::Parameters
             || matches!(id, FunctionId::Rate | FunctionId::MassMatrix | FunctionId::Forcing);
@@ -114,8 +115,8 @@ impl Model {
         }
     }
 
-    /// That steps and places of a solve are within their bounds, that columns are sorted, and
-    /// that every entry of the pattern is given or solved for, once.
+    /// Checks that steps and places of a solve are within their bounds, that columns are sorted,
+    /// and that every entry of the pattern is given or solved for exactly once.
     fn check_solve(&self, part: &str, matrix: &MatrixTape) -> Result<(), Malformed> {
         let Some(solve) = &matrix.solve else { return Ok(()) };
         let factors = self.motion.as_ref().map_or(0, |motion| motion.factors.len());
@@ -132,7 +133,8 @@ impl Model {
             && solve.solved.iter().all(|&(_, row, column)| is_place(row, column));
         let sorted = solve.right_sides.is_sorted_by_key(|(_, column)| *column)
             && solve.solved.is_sorted_by_key(|(_, _, column)| *column);
-        // Bounds first, so that a hostile model asks for no more room than it has bytes.
+        // Bounds are checked first, so that a hostile model cannot request more memory than it has
+        // bytes.
         let mut entries: Vec<u32> = solve.solved.iter().map(|(entry, _, _)| *entry).collect();
         entries.extend(&solve.given);
         entries.sort_unstable();
@@ -169,7 +171,8 @@ impl Model {
         }
     }
 
-    /// Functions that no scene lacks by mistake are there or absent together.
+    /// Checks the number of quadratures, and that a model without constraints has no constraint
+    /// matrix.
     fn check_shapes(&self) -> Result<(), Malformed> {
         if self.quadratures > self.states.len() {
             return broken(

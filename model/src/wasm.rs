@@ -1,17 +1,17 @@
-//! Models as WebAssembly, for pages that run them where nothing can be compiled.
+//! Models as WebAssembly, for web pages and other hosts where nothing can be compiled.
 //!
 //! ```text
 //! Tape -> Straight -> function bodies -> module
 //! ```
 //!
-//! Every operation is done on the operands it has on the tape, so that results are those of
-//! [`Evaluator`](crate::evaluate::Evaluator) to the last bit, if the host's functions are:
-//! sines, exponentials and the like are imported from it. A module has one memory, in which
-//! what functions read and what they write have their [places](Layout), and a function
-//! `(time: f64) -> ()` for each of the model's that was asked for, by its name; `prepare`
-//! computes what parameters alone decide and has to be called after each change of them.
+//! Every operation keeps its operands from the tape. Results are therefore those of
+//! [`Evaluator`](crate::evaluate::Evaluator) to the last bit, provided that the host's functions
+//! are the same: sines, exponentials and the like are imported from the host. A module has one
+//! memory, in which arguments and results have their [places](Layout), and a function
+//! `(time: f64) -> ()` for each requested function of the model, under its name. The function
+//! `prepare` computes the values that depend on parameters only; call it after each change of them.
 //!
-//! Excluded: fields, methods, who runs the module.
+//! Excluded: fields, methods, hosts.
 
 mod body;
 mod solve;
@@ -30,9 +30,9 @@ use crate::hoist::Hoisted;
 use crate::straight::{Region, Step, Straight};
 use crate::{Model, Table, TableId};
 
-/// The module that functions of the host are imported from.
+/// Name of the module from which host functions are imported.
 pub const HOST: &str = "math";
-/// The name of `x^y` among them; the others have the names of [`Function`](crate::Function).
+/// Name of `x^y` among them; the others have the names of [`Function`](crate::Function).
 pub const POWER: &str = "powf";
 
 /// A model's functions as a module.
@@ -40,51 +40,51 @@ pub const POWER: &str = "powf";
 pub struct WasmModule {
     /// The module.
     pub bytes: Vec<u8>,
-    /// Where its numbers are.
+    /// Places of its numbers.
     pub layout: Layout,
 }
 
-/// Places in the memory of a module: numbers of eight bytes, counted from its start.
+/// Places in the memory of a module, in bytes from its start; each number has eight bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Layout {
-    /// The state, to be written before a call.
+    /// State, to be written before a call.
     pub state: usize,
-    /// Parameters, likewise.
+    /// Parameters, to be written before a call.
     pub parameters: usize,
     /// Results of the last call.
     pub results: usize,
 }
 
-/// Why a model has no module.
+/// Reason why a model has no module.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum NotInWasm {
-    /// What fields hand over is computed by the engine.
+    /// The model has fields, whose values the engine computes.
     #[error("it has fields along a shaft")]
     Fields,
-    /// A function would be longer than hosts take.
+    /// A function is longer than hosts accept.
     #[error("its equations are too long: {steps} operations in `{function}`")]
     TooLong {
-        /// Which one.
+        /// Name of the function.
         function: &'static str,
-        /// Operations, of a function at most [`LONGEST`].
+        /// Number of its operations, at most [`LONGEST`] are allowed.
         steps: usize,
     },
-    /// A tape refers to what is not there.
+    /// A tape refers to a table or node that does not exist.
     #[error("the model is malformed")]
     Malformed,
 }
 
-/// Operations of a function at most: hosts refuse bodies of more than some megabytes.
+/// Maximum number of operations of a function: hosts refuse bodies of more than some megabytes.
 pub const LONGEST: usize = 300_000;
 
 /// Types of functions, by their index.
 #[derive(Clone, Copy)]
 enum Type {
-    /// Of one number.
+    /// One number to one number.
     OfOne,
-    /// Of two numbers.
+    /// Two numbers to one number.
     OfTwo,
-    /// Of time, without a result.
+    /// Time to no result.
     Program,
 }
 
@@ -92,16 +92,16 @@ enum Type {
 struct Program {
     name: &'static str,
     straight: Straight,
-    /// Where its results are put.
+    /// Place of its results.
     into: usize,
-    /// Whether the motion goes before it.
+    /// True if the motion is computed before it.
     reads_motion: bool,
 }
 
-/// A module of some functions of a model; those it does not have are left out.
+/// Returns a module of some functions of a model, without those that the model does not have.
 ///
 /// # Errors
-/// [`NotInWasm`] says what stands against it.
+/// [`NotInWasm`] gives the reason.
 pub fn module(model: &Model, wanted: &[FunctionId]) -> Result<WasmModule, NotInWasm> {
     if !model.fields.is_empty() || !model.handed.is_empty() {
         return Err(NotInWasm::Fields);
@@ -156,7 +156,7 @@ pub fn module(model: &Model, wanted: &[FunctionId]) -> Result<WasmModule, NotInW
 const MOTION: &str = "motion";
 const PREPARE: &str = "prepare";
 
-/// What goes before others, then each function that is wanted.
+/// Returns the programs that others depend on, then each wanted function.
 fn programs(
     model: &Model,
     hoisted: &Hoisted,
@@ -199,11 +199,11 @@ fn programs(
     }
 }
 
-/// Where numbers are in the memory, in bytes.
+/// Places of numbers in the memory, in bytes.
 struct Places {
-    /// By region; time is an argument.
+    /// Regions; time is an argument instead.
     regions: [usize; Region::COUNT],
-    /// Of each table: knots, then coefficients.
+    /// Tables: knots, then coefficients of each.
     tables: Vec<usize>,
     end: usize,
 }
@@ -234,7 +234,7 @@ impl Places {
     }
 }
 
-/// Functions of the host that programs call, each with its index and how many numbers it takes.
+/// Functions of the host that programs call, each with its index and type.
 type Imports = BTreeMap<&'static str, (u32, Type)>;
 
 fn imports(programs: &[Program]) -> Imports {
@@ -298,5 +298,5 @@ fn data(tables: &[Table], places: &Places) -> DataSection {
     section
 }
 
-/// A table or its derivative of an order.
+/// A table and the order of its derivative.
 type TableKey = (TableId, u32);

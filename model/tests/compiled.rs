@@ -1,4 +1,4 @@
-//! Tapes as machine code against tapes as they are, to the last bit.
+//! Compiled tapes are compared with interpreted tapes, to the last bit.
 #![cfg(feature = "compiled")]
 
 mod support;
@@ -13,7 +13,7 @@ use machinist_model::{NodeId, Op, Table, TableId, Tape};
 
 use support::{PARAMETERS, STATES, numbers, random_tape, table, tape};
 
-/// Equal bits; of what is no number the bits are anybody's.
+/// Asserts equal bits; the bits of NaN may differ.
 fn assert_same(found: &[f64], expected: &[f64], what: &str) {
     for (index, (a, b)) in found.iter().zip(expected).enumerate() {
         let is_same = a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());

@@ -1,4 +1,4 @@
-//! Models as files: the same bytes for the same model, and every damage refused by name.
+//! Model files: the same model gives the same bytes, and every kind of damage is reported.
 
 mod support;
 
@@ -9,7 +9,7 @@ use machinist_model::{
 };
 use support::{matrix, model, random_tape, tape};
 
-/// One coordinate with a rate that is made of everything there is.
+/// A machine of one coordinate, with a rate that contains every operation.
 fn stamped() -> Stamped {
     let mut rate = random_tape(&mut Rng::with_seed(11), 60, 0.3);
     for node in &mut rate.nodes {
@@ -76,7 +76,7 @@ fn another_version_is_refused_by_name() {
     assert!(error.to_string().contains(&format!("version {}", VERSION + 6)), "{error}");
 }
 
-/// What somebody could write by hand, with the hash it should have.
+/// Files that somebody could write by hand, with a valid hash.
 #[test]
 fn a_model_that_breaks_a_rule_is_refused_although_its_hash_is_right() {
     type Break = fn(&mut Model);

@@ -1,5 +1,5 @@
-//! Files of models damaged at random, with the hash they should have: refused, or run.
-//! `MACHINIST_FUZZ=100000 cargo test -p machinist-model --test fuzz` tries as many.
+//! Model files damaged at random, but with a valid hash, are refused, or they run.
+//! `MACHINIST_FUZZ=100000 cargo test -p machinist-model --test fuzz` sets the number of trials.
 
 #[path = "../../tests/common/damaged_model.rs"]
 mod damaged_model;
@@ -22,7 +22,7 @@ use damaged_model::{damaged, refused_or_run};
 use mutation::{Fuzz, Rule};
 use support::{matrix, model, name, quantity, random_tape, tape};
 
-/// A random tape of so many results that reads only what there is.
+/// Returns a random tape with `results` results that reads only existing inputs.
 fn random(seed: u64, results: usize, states: u32) -> Tape {
     let mut tape = random_tape(&mut Rng::with_seed(seed), 40, 0.3);
     for node in &mut tape.nodes {
@@ -37,7 +37,7 @@ fn random(seed: u64, results: usize, states: u32) -> Tape {
     tape
 }
 
-/// One coordinate and one first-order state with everything a machine may have but a field.
+/// A machine of one coordinate and one first-order state, with all features except fields.
 fn machine() -> Model {
     let mut machine =
         model(1, random(1, 3, 3), matrix(1, 1, &[(0, 0)], random(2, 1, 3)), random(3, 1, 3));
@@ -77,7 +77,7 @@ fn constrained() -> Model {
     machine
 }
 
-/// The excitation of linear equations.
+/// A machine with the excitation of linear equations.
 fn excited() -> Model {
     let mut machine = machine();
     machine.events.clear();
@@ -90,7 +90,7 @@ fn excited() -> Model {
     machine
 }
 
-/// A rod with one port.
+/// A machine with a rod that has one port.
 fn distributed() -> Model {
     let mut machine = machine();
     machine.handed = (0..HANDED).map(|_| machine.parameters[0].clone()).collect();
@@ -127,8 +127,8 @@ fn distributed() -> Model {
     machine
 }
 
-/// Found by damaging files: these have the hash they should have, and panicked or took all
-/// memory when they were run.
+/// Models found by damaging files: they have a valid hash, and panicked or exhausted the memory
+/// when they were run.
 #[test]
 fn results_too_many_and_powers_too_high_are_refused() {
     type Break = fn(&mut Model);

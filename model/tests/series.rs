@@ -1,5 +1,5 @@
-//! Recurrences as machine code against recurrences as they are, and two numbers side by side
-//! against each alone, to the last bit.
+//! Compiled recurrences are compared with interpreted ones, and two lanes with each number alone,
+//! to the last bit.
 
 mod support;
 
@@ -26,13 +26,13 @@ fn series<R: machinist_model::Lane>(
 ) -> Vec<R> {
     let mut coefficients = vec![R::literal(0.0); state.len() * (order + 1)];
     let series: &dyn TaylorSeries<R> = simulator.taylor().expect("no constraints");
-    // With anything in it.
+    // Filled with NaN, to show that no initial value is read.
     let mut workspace = vec![R::literal(f64::NAN); series.series_workspace(order)];
     series.series(time, state, parameters, &mut coefficients, &mut workspace);
     coefficients
 }
 
-/// Series of a model in all four ways.
+/// Compares the series of a model in all four ways.
 fn check(rng: &mut Rng, model: &Model, what: &str) {
     let states = model.states.len();
     let compiled = ModelSimulator::compiled_at_once(model.clone());
@@ -61,7 +61,7 @@ fn check(rng: &mut Rng, model: &Model, what: &str) {
     }
 }
 
-/// Every function and operation that has a recurrence.
+/// A model with every function and operation that has a recurrence.
 fn one_of_each() -> Model {
     let mut writer = Writer::default();
     let push = &mut |op| writer.push(op);
@@ -114,7 +114,7 @@ fn every_recurrence_gives_the_same_bits() {
     }
 }
 
-/// A mass matrix that moves, with holes: M_ii = 4 + sin(q_i), M_ij = cos(q_j)/2 for some.
+/// A variable mass matrix with structural zeros: M_ii = 4 + sin(q_i), M_ij = cos(q_j)/2 for some.
 fn coupled(n: usize, entries: &[(u32, u32)]) -> Model {
     let mut writer = Writer::default();
     let push = &mut |op| writer.push(op);
@@ -158,7 +158,7 @@ fn mass_matrices_that_move_give_the_same_bits() {
     check(&mut rng, &coupled(9, &all), "nine bodies, all of them coupled");
 }
 
-/// A random rate, without what reads numbers a model has not.
+/// A random rate, without inputs that a model does not have.
 fn random_rate(rng: &mut Rng, length: usize) -> Tape {
     let mut rate = random_tape(rng, length, 0.2);
     for node in &mut rate.nodes {
@@ -198,7 +198,7 @@ fn series_go_on_the_same_where_machine_code_takes_over() {
     let states = model.states.len();
     let interpreted = ModelSimulator::interpreted(model.clone());
     let both = ModelSimulator::new(model);
-    // Asked for once, as methods do.
+    // Requested once, as methods do.
     let mut workspace = vec![f64::NAN; TaylorSeries::<f64>::series_workspace(&both, ORDER)];
     let mut found = vec![f64::NAN; (ORDER + 1) * states];
     for call in 0..CALLS {

@@ -1,5 +1,5 @@
-//! Tapes as WebAssembly against tapes as they are, to the last bit where the host has our own
-//! functions.
+//! Tapes as WebAssembly are compared with interpreted tapes, to the last bit if the host has our
+//! own functions.
 #![cfg(feature = "wasm")]
 
 #[path = "support/hosted.rs"]
@@ -15,7 +15,7 @@ use machinist_model::{Model, Op, Parameter, State, StateKind, Tape};
 
 use support::{PARAMETERS, STATES, numbers, random_tape, table, tape};
 
-/// A model whose outputs are a tape.
+/// A model with a tape as outputs.
 fn model(outputs: Tape) -> Model {
     let name = || machinist_model::Name {
         path: "x".to_owned(),
@@ -38,7 +38,7 @@ fn model(outputs: Tape) -> Model {
     }
 }
 
-/// The same without what only machines with fields read, or what goes before.
+/// Replaces inputs that need fields or other tapes by parameters.
 fn alone(mut tape: Tape) -> Tape {
     for node in &mut tape.nodes {
         if let Op::Handed(entry) | Op::Constant(entry) | Op::Motion(entry) = node.op {

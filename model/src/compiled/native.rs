@@ -1,4 +1,4 @@
-//! Machine code of a program, and the only place that jumps to it.
+//! Machine code of a program. This is the only module that calls it.
 
 #![allow(unsafe_code, reason = "machine code made here is called here, with checked lengths")]
 
@@ -19,8 +19,8 @@ use super::translate::Translator;
 use crate::Table;
 use crate::straight::{Region, Straight};
 
-/// A piece of a program: time, state, parameters, what fields hand over, constants, motion,
-/// results, room.
+/// Signature of a piece of a program: time, state, parameters, values that fields hand over,
+/// constants, motion, results, workspace.
 type Piece = unsafe extern "C" fn(
     *const f64,
     *const f64,
@@ -32,8 +32,9 @@ type Piece = unsafe extern "C" fn(
     *mut MaybeUninit<f64>,
 );
 
-/// A program of one piece that reads nothing of the motion and has room of its own: time of the
-/// first lane and of the last, results, state, what fields hand over, parameters, constants.
+/// Signature of a program of one piece that does not read the motion and has its workspace on the
+/// stack: time of the first lane and of the last, results, state, values that fields hand over,
+/// parameters, constants.
 type Short =
     unsafe extern "C" fn(f64, f64, *mut f64, *const f64, *const f64, *const f64, *const f64);
 
@@ -43,13 +44,14 @@ enum Pieces {
     Long(Vec<Piece>),
 }
 
-/// Numbers of the room that are kept on the stack.
+/// Largest workspace that is kept on the stack.
 const ON_STACK: usize = 256;
 
-/// Where pieces begin: on lines of the processor's cache, and where their literals may stand behind.
+/// Alignment of pieces: lines of the processor's cache, and enough for the literals behind the
+/// code.
 const ALIGNMENT: u32 = 64;
 
-/// What a program reads, region by region, of numbers whose lanes stand side by side.
+/// Regions that a program reads, with the lanes of each number next to each other.
 #[derive(Debug, Clone, Copy)]
 pub struct Regions<'a> {
     /// Time.
@@ -58,9 +60,9 @@ pub struct Regions<'a> {
     pub state: &'a [f64],
     /// Parameters.
     pub parameters: &'a [f64],
-    /// What fields hand over.
+    /// Values that fields hand over.
     pub handed: &'a [f64],
-    /// What was computed before.
+    /// Constants computed before.
     pub constants: &'a [f64],
     /// Results of the motion.
     pub motion: &'a [f64],
@@ -69,13 +71,13 @@ pub struct Regions<'a> {
 /// Machine code of a program.
 pub struct Code {
     pieces: Pieces,
-    /// How long regions must be.
+    /// Required lengths of the regions.
     needs: [usize; Region::COUNT],
-    /// Numbers that are put aside.
+    /// Length of the workspace.
     room: usize,
-    /// Numbers of a row, where rows from the parameters to the state are walked through.
+    /// Length of a row, if the program walks through rows from the parameters to the state.
     walks: Option<usize>,
-    /// Where the code is, and the tables it points at: they live as long as it.
+    /// Memory of the code and the tables it points at; both live as long as the code.
     _memory: Mmap,
     _tables: Arc<[Table]>,
 }
@@ -86,19 +88,20 @@ impl std::fmt::Debug for Code {
     }
 }
 
-/// Steps of a program up to which Cranelift looks for equal operations, loads among them.
+/// Largest number of steps for which Cranelift looks for equal operations, loads among them.
 ///
-/// Tapes share what they compute already, so that long programs are no faster for it, and it is
-/// most of the time that they take; short ones are a fifth faster, and take a millisecond.
+/// Tapes share equal operations already, so that long programs gain nothing from the search, which
+/// takes most of their compile time. Short programs become a fifth faster, and the search takes a
+/// millisecond.
 const BRIEF: usize = 64;
 
-/// Whether there is machine code on this target.
+/// Returns whether machine code is supported on this target.
 #[must_use]
 pub fn is_available() -> bool {
     host(0).is_some()
 }
 
-/// This machine, for programs of so many steps; none where there is no backend for it.
+/// Returns the target for programs of `steps` steps, or `None` if there is no backend for it.
 fn host(steps: usize) -> Option<&'static OwnedTargetIsa> {
     static BRIEFLY: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
     static AT_LENGTH: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
@@ -111,7 +114,7 @@ fn host(steps: usize) -> Option<&'static OwnedTargetIsa> {
             ("enable_verifier", verifies),
             ("is_pic", "false"),
             ("unwind_info", "false"),
-            // Frames larger than a page of guards touch every page of theirs.
+            // Frames larger than a guard page touch each of their pages.
             ("enable_probestack", "true"),
             ("probestack_strategy", "inline"),
         ];
@@ -122,7 +125,7 @@ fn host(steps: usize) -> Option<&'static OwnedTargetIsa> {
         #[cfg(target_arch = "x86_64")]
         enable_what_is_there(&mut isa).ok()?;
         let isa = isa.finish(settings::Flags::new(flags)).ok()?;
-        // Numbers are laid out as machine code of these expects them.
+        // Machine code made here expects this layout of numbers.
         let is_known = cfg!(all(target_endian = "little", target_pointer_width = "64"));
         is_known.then_some(isa)
     };
@@ -130,7 +133,7 @@ fn host(steps: usize) -> Option<&'static OwnedTargetIsa> {
     isa.get_or_init(made).as_ref()
 }
 
-/// Turns on what this processor has of what arithmetic is made of.
+/// Enables the instruction sets of this processor that arithmetic uses.
 #[cfg(target_arch = "x86_64")]
 fn enable_what_is_there(isa: &mut isa::Builder) -> Result<(), settings::SetError> {
     let features = [
@@ -147,15 +150,15 @@ fn enable_what_is_there(isa: &mut isa::Builder) -> Result<(), settings::SetError
     Ok(())
 }
 
-/// Memory of its own that holds code, to be run and no longer written.
+/// Returns new memory with the code, executable and no longer writable.
 fn executable(code: &[u8]) -> io::Result<Mmap> {
     let mut memory = MmapMut::map_anon(code.len())?;
     memory.copy_from_slice(code);
     let memory = memory.make_exec()?;
-    // No thread goes on with what it has fetched before.
+    // No thread may continue with instructions that it fetched before.
     #[cfg(not(target_arch = "x86_64"))]
     {
-        // SAFETY: the memory is there for as long as it takes.
+        // SAFETY: the memory is valid for the duration of the call.
         unsafe { icache::clear_cache(memory.as_ptr().cast(), memory.len()) }
             .map_err(io::Error::other)?;
         icache::pipeline_flush_mt().map_err(io::Error::other)?;
@@ -164,7 +167,7 @@ fn executable(code: &[u8]) -> io::Result<Mmap> {
 }
 
 impl Code {
-    /// Compiles a program for numbers of 1 or 2 lanes. `None` where it cannot be.
+    /// Compiles a program for numbers of 1 or 2 lanes. Returns `None` if that is not possible.
     pub fn new(straight: &Straight, tables: &Arc<[Table]>, lanes: usize) -> Option<Self> {
         let isa = host(straight.steps.len())?;
         let schedule = Schedule::new(straight, lanes);
@@ -181,7 +184,7 @@ impl Code {
             context.clear();
             translator.translate(index, &mut context.func, &**isa);
             let compiled = context.compile(&**isa, &mut ControlPlane::default()).ok()?;
-            // What is called is called by its address: nothing is left to be filled in.
+            // Functions are called by address, so no relocations remain.
             if !compiled.buffer.relocs().is_empty() || compiled.buffer.alignment > ALIGNMENT {
                 return None;
             }
@@ -192,11 +195,11 @@ impl Code {
         let memory = executable(&code).ok()?;
         let address = |start: &usize| memory[*start..].as_ptr();
         let pieces = if let (true, [start]) = (is_short, &*starts) {
-            // SAFETY: the function has been made with this signature, for the calling
-            // convention of the target.
+            // SAFETY: the function was compiled with this signature, for the calling convention of
+            // the target.
             Pieces::Short(unsafe { std::mem::transmute::<*const u8, Short>(address(start)) })
         } else {
-            // SAFETY: likewise.
+            // SAFETY: as above.
             let piece = |start| unsafe { std::mem::transmute::<*const u8, Piece>(address(start)) };
             Pieces::Long(starts.iter().map(piece).collect())
         };
@@ -213,7 +216,7 @@ impl Code {
     /// Runs the program.
     ///
     /// # Panics
-    /// If a region is shorter than what the program reads or writes of it.
+    /// If a region is shorter than the program's accesses to it.
     #[inline(always)]
     pub fn run(&self, read: &Regions<'_>, results: &mut [f64]) {
         let Regions { time, state, parameters, handed, constants, motion } = *read;
@@ -284,11 +287,10 @@ impl Code {
     ) {
         let Regions { time, state, parameters, handed, constants, motion } = *read;
         for piece in pieces {
-            // SAFETY: the code reads and writes no entry beyond `needs` and `room`, which
-            // the caller has compared with the lengths, nor, if it walks, beyond the rows
-            // from the parameters to the state, which are all among the parameters; it
-            // reads of the room only what it has written; what is written overlaps nothing
-            // that is read before it is.
+            // SAFETY: the code accesses no entry beyond `needs` and `room`, which the caller has
+            // compared with the lengths. If it walks, it accesses nothing beyond the rows from the
+            // parameters to the state, which all lie within the parameters. It reads from the
+            // workspace only what it has written, and no write overlaps data that is read later.
             unsafe {
                 piece(
                     time.as_ptr(),
@@ -305,22 +307,22 @@ impl Code {
     }
 }
 
-/// A short program that is called again and again with as many numbers: they are enough, and
-/// so only compared with what they were.
+/// A short program that is called repeatedly with the same lengths. They were checked once, so that
+/// each call only compares them for equality.
 #[derive(Debug)]
 pub struct Again {
     short: Short,
-    /// Of state, parameters, constants and results.
+    /// Lengths of state, parameters, constants and results.
     lengths: [usize; 4],
-    /// Parameters before what fields hand over.
+    /// Number of parameters before the values that fields hand over.
     own: usize,
-    /// What the piece is part of.
+    /// Code that the piece is part of.
     _code: Arc<Code>,
 }
 
 impl Again {
-    /// For calls with as many numbers as these. `None` if the program is not short, or reads or
-    /// writes more than it is given.
+    /// Prepares calls with the same lengths as these. Returns `None` if the program is not short,
+    /// or if it reads or writes more than the lengths allow.
     pub fn new(code: &Arc<Code>, read: &Regions<'_>, results: usize) -> Option<Self> {
         let Pieces::Short(short) = code.pieces else { return None };
         let Regions { time, state, parameters, handed, constants, motion } = *read;
@@ -336,13 +338,15 @@ impl Again {
         })
     }
 
-    /// Runs it, if there are as many numbers as before; else nothing is done. Given are time of
-    /// the first lane and of the last, and state, parameters with what fields hand over behind
-    /// them, and constants, of numbers whose lanes stand side by side.
+    /// Runs the program and returns true if the lengths are as before; otherwise does nothing.
+    /// `time` is that of the first lane and of the last. `given` is the state, the parameters
+    /// followed by the values that fields hand over, and the constants, with the lanes of each
+    /// number next to each other.
     #[inline(always)]
     pub fn run(&self, time: [f64; 2], given: [&[f64]; 3], results: &mut [f64]) -> bool {
         let [state, parameters, constants] = given;
-        // One by one: arrays are compared in memory, where they would be written first.
+        // Compared one by one: arrays are compared in memory, to which they would have to be
+        // written.
         let [of_state, of_parameters, of_constants, of_results] = self.lengths;
         let is_as_before = state.len() == of_state
             && parameters.len() == of_parameters
@@ -368,8 +372,8 @@ impl Again {
     }
 }
 
-/// Whether the state is a row among the parameters: rows that are walked through from
-/// behind the first one up to it, and as many down from before it, are too.
+/// Returns whether the state is a row within the parameters. Then all rows from the second up to
+/// the state, and as many down from the one before it, are within the parameters too.
 #[inline(always)]
 fn is_walk(parameters: &[f64], state: &[f64], row: usize) -> bool {
     let distance = state.as_ptr().addr().wrapping_sub(parameters.as_ptr().addr());
@@ -378,6 +382,6 @@ fn is_walk(parameters: &[f64], state: &[f64], row: usize) -> bool {
 }
 
 thread_local! {
-    /// Room of long programs, which grows to what the longest one asks for.
+    /// Workspace of long programs, which grows to the largest that any of them needs.
     static ROOM: RefCell<Vec<MaybeUninit<f64>>> = const { RefCell::new(Vec::new()) };
 }

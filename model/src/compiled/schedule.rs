@@ -1,37 +1,38 @@
-//! In which order a program is run, and in which pieces.
+//! Order and pieces in which a program runs.
 //!
-//! A function that is called may change every register, so what is alive across a call is
-//! put aside and fetched again. So calls that do not need each other stand together, as
-//! early as they can, with only what their arguments need before them; sines and tangents
-//! of up to four numbers are one call. Every operation has the operands it had.
+//! A called function may change every register, so values that are alive across a call must be
+//! stored and loaded again. Calls that are independent of each other are therefore grouped, as
+//! early as possible, with only the computation of their arguments before them. Sines and
+//! hyperbolic tangents of up to four numbers are one call. Every operation keeps its operands.
 
 use crate::Function;
 use crate::straight::{Step, StepId, Straight};
 
-/// Steps of a piece at most: what allocating registers costs grows faster than pieces do.
+/// Maximum number of steps of a piece: the cost of register allocation grows faster than the
+/// length.
 const LONGEST: usize = 1500;
 
-/// What is done next.
+/// A unit of work of a piece.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Item {
     /// One step.
     Step(StepId),
-    /// Functions of several numbers at once.
+    /// A function of several numbers.
     Batch(Batch),
 }
 
-/// Functions of up to four numbers at once.
+/// A function of up to four numbers, computed in one call.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Batch {
-    /// Which function.
+    /// The function.
     pub kind: BatchKind,
-    /// What of.
+    /// Its arguments.
     pub arguments: Vec<StepId>,
-    /// Where its results are put: the first place of the room.
+    /// First place of its results in the workspace.
     pub place: u32,
 }
 
-/// Which functions are computed for several numbers at once.
+/// Functions that are computed for several numbers in one call.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BatchKind {
     /// Sines, then cosines.
@@ -40,23 +41,22 @@ pub enum BatchKind {
     Tanh,
 }
 
-/// Where the value of a step is kept besides registers.
+/// Place of each step's value in the workspace, if it has one.
 pub type Places = Vec<Option<u32>>;
 
-/// A program in order.
+/// An ordered program.
 #[derive(Debug, Clone)]
 pub struct Schedule {
-    /// Pieces, run one after the other.
+    /// Pieces, run in order.
     pub pieces: Vec<Vec<Item>>,
-    /// The place in the room of every step that has one: results of batches, and what a
-    /// later piece reads.
+    /// Places in the workspace: results of batches, and values that a later piece reads.
     pub places: Places,
-    /// How many places there are.
+    /// Number of places.
     pub room: usize,
 }
 
 impl Schedule {
-    /// Orders a program for numbers of so many lanes.
+    /// Orders a program for numbers of `lanes` lanes.
     pub fn new(straight: &Straight, lanes: usize) -> Self {
         let mut schedule =
             Self { pieces: vec![], places: vec![None; straight.steps.len()], room: 0 };
@@ -72,7 +72,7 @@ impl Schedule {
         place
     }
 
-    /// Stage by stage: what the calls of a stage need, then the calls.
+    /// Orders the steps by stage: first those that the calls of a stage need, then the calls.
     fn ordered(&mut self, straight: &Straight, width: usize) -> Vec<Item> {
         let stages = stages(straight);
         let last = stages.iter().filter(|stage| **stage != u32::MAX).max().copied();
@@ -99,7 +99,7 @@ impl Schedule {
         items
     }
 
-    /// The calls of one stage.
+    /// Adds the calls of one stage.
     fn batch(
         &mut self,
         straight: &Straight,
@@ -148,7 +148,7 @@ impl Schedule {
         }
     }
 
-    /// Gives a place to every step that a later piece reads.
+    /// Assigns a place to every step that a later piece reads.
     fn keep_what_pieces_share(&mut self, straight: &Straight) {
         if self.pieces.len() < 2 {
             return;
@@ -182,8 +182,8 @@ impl Schedule {
     }
 }
 
-/// The stage of every step. Calls of a stage need calls of earlier stages alone; another
-/// step is of the first stage whose calls need it, and of none if only results do.
+/// Returns the stage of every step. Calls of a stage need calls of earlier stages only. Any other
+/// step belongs to the first stage whose calls need it, and to none if only results need it.
 fn stages(straight: &Straight) -> Vec<u32> {
     let count = straight.steps.len();
     let mut level = vec![0; count];
@@ -204,7 +204,7 @@ fn stages(straight: &Straight) -> Vec<u32> {
     stage
 }
 
-/// In pieces of about the same length.
+/// Splits the items into pieces of about the same length.
 fn cut(items: Vec<Item>) -> Vec<Vec<Item>> {
     let pieces = items.len().div_ceil(LONGEST).max(1);
     let length = items.len().div_ceil(pieces).max(1);

@@ -1,10 +1,10 @@
 //! Taylor recurrences as machine code.
 //!
-//! What an order costs is known before the run: a program computes zeroth coefficients and
-//! what of them all orders read (inverses, factors of the mass matrix); another computes
-//! the coefficients of one order from the newest ones, which stay in registers, and from
-//! sums over the older ones. The factors of those sums stand in rows, an order a row, so
-//! that the sums of all products are formed side by side.
+//! The cost of an order is known before the run. One program computes the zeroth coefficients and
+//! the values derived from them that all orders read (inverses, factors of the mass matrix).
+//! Another computes the coefficients of one order from the newest ones, which stay in registers,
+//! and from sums over the older ones. The factors of those sums are stored in rows, one for each
+//! order, so that the sums of all products are formed in lanes.
 
 mod factors;
 mod lowering;
@@ -17,42 +17,43 @@ use crate::evaluate::Inputs;
 use crate::series::TaylorTape;
 use lowering::{Lowered, Orders};
 
-/// Numbers of an order: 1/k, k, 1/(k + 1), and the coefficient of time.
+/// Number of the values of an order: 1/k, k, 1/(k + 1), and the coefficient of time.
 const NUMBERS: usize = 4;
 
-/// Which sums there are.
+/// Numbers of sums.
 #[derive(Debug, Clone, Copy)]
 struct Sums {
-    /// Sums of products of series.
+    /// Number of sums of products of series.
     products: usize,
-    /// Products with what is linear in time: `L_1 R_(k-1)`.
+    /// Number of products with series linear in time: `L_1 R_(k-1)`.
     lines: usize,
 }
 
 impl Sums {
-    /// Numbers that factors of one side take in a row.
+    /// Returns the number of factors of one side in a row.
     fn lanes(&self) -> usize {
         self.products + self.lines
     }
 
-    /// Numbers of a row: left factors, right factors, the next coefficients of the state,
-    /// and sums, of which vectors may write one more than there are.
+    /// Returns the length of a row: left factors, right factors, the next coefficients of the
+    /// state, and sums, of which vectors may write one more than needed.
     fn row(&self, states: usize) -> usize {
         2 * self.lanes() + states + self.lanes() + 1
     }
 }
 
-/// What machine code of recurrences asks for, told without making it.
+/// Workspace of machine code of recurrences, computed without compiling it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SeriesRoom {
-    /// Zeroth coefficients and what follows from them.
+    /// Number of zeroth coefficients and values derived from them.
     constants: usize,
-    /// Numbers of an order.
+    /// Length of a row.
     row: usize,
 }
 
 impl SeriesRoom {
-    /// That of recurrences with so many tables. `None` where they are too long to be written out.
+    /// Computes the workspace of recurrences with `tables` tables. Returns `None` if they are too
+    /// long to be compiled.
     pub(crate) fn of(tape: &TaylorTape, tables: usize) -> Option<Self> {
         Lowered::new(tape, Orders::First, tables).map(|lowered| Self::of_lowered(tape, &lowered))
     }
@@ -61,18 +62,17 @@ impl SeriesRoom {
         Self { constants: lowered.constants, row: lowered.sums.row(tape.rate.len()) }
     }
 
-    /// Numbers of workspace for series up to an order.
+    /// Returns the length of the workspace for series up to an order.
     pub(crate) fn numbers(self, order: usize) -> usize {
         self.constants + order.max(1) * self.row
     }
 }
 
-/// Recurrences as machine code: evaluating them allocates nothing, from any number of
-/// threads.
+/// Recurrences as machine code: evaluation allocates nothing and may run on any number of threads.
 #[derive(Debug)]
 pub struct CompiledSeries {
     zeroth: Code,
-    /// For the first two orders, and for those behind them.
+    /// For the first two orders, and for later ones.
     higher: [Code; 2],
     states: usize,
     room: SeriesRoom,
@@ -81,8 +81,8 @@ pub struct CompiledSeries {
 }
 
 impl CompiledSeries {
-    /// Compiles recurrences. `None` where the target has no backend, or where they are too
-    /// long to be written out.
+    /// Compiles recurrences. Returns `None` if the target has no backend, or if they are too long
+    /// to be compiled.
     #[must_use]
     pub fn new(tape: &TaylorTape, tables: &Arc<[Table]>) -> Option<Self> {
         Self::with_lanes(tape, tables, 1)
@@ -106,18 +106,18 @@ impl CompiledSeries {
         })
     }
 
-    /// Numbers of workspace for series up to an order.
+    /// Returns the length of the workspace for series up to an order.
     #[must_use]
     pub fn workspace(&self, order: usize) -> usize {
         self.room.numbers(order)
     }
 
-    /// Writes normalized coefficients of the solution, order after order, each as long as
-    /// the state; the highest order is what there is room for.
+    /// Writes normalized coefficients of the solution, order by order, each as long as the state.
+    /// The length of `coefficients` determines the highest order.
     ///
     /// # Panics
-    /// If `coefficients` has no room for the state, if `workspace` is shorter than
-    /// [`CompiledSeries::workspace`] says, or if `inputs` lack an entry that is read.
+    /// If `coefficients` is shorter than the state, if `workspace` is shorter than
+    /// [`CompiledSeries::workspace`], or if `inputs` lack an entry that is read.
     pub fn evaluate(&self, inputs: &Inputs<'_>, coefficients: &mut [f64], workspace: &mut [f64]) {
         let Inputs { ref time, state, parameters, handed, .. } = *inputs;
         let time = std::slice::from_ref(time);
@@ -135,8 +135,8 @@ impl CompiledSeries {
         let [row, kept, lanes] =
             [self.room.row, self.room.constants, self.sums.lanes()].map(|count| count * self.lanes);
         let (constants, rows) = workspace.split_at_mut(kept);
-        // Row 0 has nothing but the coefficients of order one; those of an order stand in
-        // the row before, and are copied when they are long written.
+        // Row 0 holds only the coefficients of order one. The coefficients of an order are in the
+        // row before it, and are copied long after they were written.
         let next = 2 * lanes..2 * lanes + states;
         self.zeroth.run(read, constants);
         rows[next.clone()].copy_from_slice(&constants[kept - states..]);
@@ -166,8 +166,8 @@ impl CompiledSeries {
         }
     }
 
-    /// The sums of the first two orders. Of order one there are no products, of order two
-    /// there is one, of the row of order one.
+    /// Computes the sums of the first two orders. Order one has no products, order two has one, of
+    /// the row of order one.
     fn first_sums(&self, order: usize, rows: &[f64], sums: &mut [f64]) {
         let lanes = self.sums.lanes() * self.lanes;
         if order < 2 {
@@ -181,10 +181,10 @@ impl CompiledSeries {
     }
 }
 
-/// Orders whose numbers are known beforehand.
+/// Number of orders whose numbers are tabulated.
 const KNOWN: usize = 48;
 
-/// Of numbers of one lane, then of two.
+/// Tabulated numbers, for one lane, then for two.
 static KNOWN_NUMBERS: [[[f64; 2 * NUMBERS]; KNOWN]; 2] = {
     let mut known = [[[0.0; 2 * NUMBERS]; KNOWN]; 2];
     let mut order = 1;
@@ -196,7 +196,7 @@ static KNOWN_NUMBERS: [[[f64; 2 * NUMBERS]; KNOWN]; 2] = {
     known
 };
 
-/// The numbers of an order, once for each lane.
+/// Returns the numbers of an order, each once for each lane.
 const fn numbers(order: usize, lanes: usize) -> [f64; 2 * NUMBERS] {
     let k = order as f64;
     let time = if order == 1 { 1.0 } else { 0.0 };

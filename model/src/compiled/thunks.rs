@@ -1,4 +1,4 @@
-//! The contract's own functions, as machine code calls them.
+//! The contract's own functions, callable from machine code.
 
 #![allow(unsafe_code, reason = "results are written behind a pointer, as machine code asks")]
 
@@ -11,13 +11,13 @@ use crate::{Function, Table};
 /// A function that machine code calls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Thunk {
-    /// Of one number.
+    /// A function of one number.
     Function(Function),
     /// Real power.
     Powf,
-    /// Table, order of the derivative, argument.
+    /// A table, with the order of the derivative and the argument.
     Table,
-    /// Sine and cosine of one number; the latter is put four places behind.
+    /// Sine and cosine of one number; the cosine is written four places after the sine.
     SinCos,
     /// Four sines, then four cosines.
     SinCosOfFour,
@@ -26,7 +26,7 @@ pub enum Thunk {
 }
 
 impl Thunk {
-    /// Types of what it takes, and whether it gives a number back.
+    /// Returns the types of its parameters, and whether it returns a number.
     pub fn signature(self, pointer: Type) -> (Vec<Type>, bool) {
         match self {
             Self::Function(_) => (vec![types::F64], true),
@@ -39,7 +39,7 @@ impl Thunk {
         }
     }
 
-    /// Where it is.
+    /// Returns its address.
     pub fn address(self) -> *const u8 {
         match self {
             Self::Function(function) => of_one(function) as *const u8,
@@ -54,7 +54,7 @@ impl Thunk {
 
 macro_rules! of_one {
     ($($function:ident),*) => {
-        /// A function of one number.
+        /// Returns a thunk of a function of one number.
         fn of_one(function: Function) -> extern "C" fn(f64) -> f64 {
             match function {
                 $(Function::$function => {
@@ -77,7 +77,7 @@ extern "C" fn powf(base: f64, exponent: f64) -> f64 {
 /// # Safety
 /// `table` must be alive.
 unsafe extern "C" fn table(table: *const Table, order: u32, x: f64) -> f64 {
-    // SAFETY: as asked for.
+    // SAFETY: required of the caller.
     interpolate(unsafe { &*table }, order, x)
 }
 
@@ -85,7 +85,7 @@ unsafe extern "C" fn table(table: *const Table, order: u32, x: f64) -> f64 {
 /// `results` must have room for five numbers.
 unsafe extern "C" fn sin_cos(x: f64, results: *mut f64) {
     let (sine, cosine) = Real::sin_cos(x);
-    // SAFETY: as asked for.
+    // SAFETY: required of the caller.
     unsafe {
         results.write(sine);
         results.add(4).write(cosine);
@@ -100,7 +100,7 @@ unsafe extern "C" fn sin_cos_of_four(a: f64, b: f64, c: f64, d: f64, results: *m
     for (index, (sine, cosine)) in pairs.into_iter().enumerate() {
         (all[index], all[index + 4]) = (sine, cosine);
     }
-    // SAFETY: as asked for; numbers of machine code lie as those of Rust do.
+    // SAFETY: required of the caller; numbers in machine code have the layout of those in Rust.
     unsafe { results.write(all) };
 }
 
@@ -108,6 +108,6 @@ unsafe extern "C" fn sin_cos_of_four(a: f64, b: f64, c: f64, d: f64, results: *m
 /// `results` must have room for four numbers.
 unsafe extern "C" fn tanh_of_four(a: f64, b: f64, c: f64, d: f64, results: *mut [f64; 4]) {
     let tangents = Real::tanh_each([a, b, c, d]);
-    // SAFETY: as asked for.
+    // SAFETY: required of the caller.
     unsafe { results.write(tangents) };
 }

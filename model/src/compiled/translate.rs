@@ -1,6 +1,6 @@
-//! A piece of a program as a function of Cranelift.
+//! Translation of a piece of a program to a function of Cranelift.
 //!
-//! Excluded: what is computed and in which order; that is the schedule's.
+//! Excluded: the operations and their order, which the schedule determines.
 
 use std::collections::HashMap;
 
@@ -18,7 +18,7 @@ use super::thunks::Thunk;
 use crate::straight::{Middles, Region, Step, StepId, Straight};
 use crate::{Function, Table};
 
-/// What a piece is called with pointers to.
+/// Pointer parameters of a piece.
 const POINTERS: [usize; Region::COUNT + 1] = [
     Region::Time as usize,
     Region::State as usize,
@@ -30,8 +30,8 @@ const POINTERS: [usize; Region::COUNT + 1] = [
     ROOM,
 ];
 
-/// What a short program is called with pointers to, behind time: most of what functions of the
-/// contract are called with stands in the same registers.
+/// Pointer parameters of a short program, behind time. In this order most arguments of the
+/// contract's functions are in the same registers.
 const OF_SHORT: [usize; 5] = [
     Region::Results as usize,
     Region::State as usize,
@@ -40,14 +40,14 @@ const OF_SHORT: [usize; 5] = [
     Region::Constants as usize,
 ];
 
-/// The room, beside the regions.
+/// Index of the workspace, behind the regions.
 const ROOM: usize = Region::COUNT;
 
-/// Vectors of sums that are formed at once: two sums of each, and what is read, stay in
-/// registers.
+/// Number of vectors of sums that are formed together: two sums of each, and the factors read, stay
+/// in registers.
 const BLOCK: usize = 6;
 
-/// The signature of pieces, or of a short program.
+/// Returns the signature of pieces, or of a short program.
 fn signature(isa: &dyn TargetIsa, is_short: bool) -> Signature {
     let time = if is_short { 2 } else { 0 };
     let pointers = if is_short { OF_SHORT.len() } else { POINTERS.len() };
@@ -61,36 +61,37 @@ fn signature(isa: &dyn TargetIsa, is_short: bool) -> Signature {
 pub struct Translator<'a> {
     /// The program.
     pub straight: &'a Straight,
-    /// Its order.
+    /// Its schedule.
     pub schedule: &'a Schedule,
-    /// 1 or 2.
+    /// Number of lanes, 1 or 2.
     pub lanes: usize,
-    /// The model's tables; they must outlive the code.
+    /// Tables of the model; they must outlive the code.
     pub tables: &'a [Table],
-    /// One piece, called with time itself, nothing of the motion, and room of its own.
+    /// True for a program of one piece that takes time by value, reads no motion and has its
+    /// workspace on the stack.
     pub is_short: bool,
 }
 
-/// What a piece is called with.
+/// Arguments of a piece.
 struct Given {
-    /// Of a short program.
+    /// Times of the lanes of a short program, as one value.
     time: Option<Value>,
-    /// By region, and to the room.
+    /// Pointers by region, and to the workspace.
     pointers: [Option<Value>; POINTERS.len()],
 }
 
-/// What the translation of one piece knows.
+/// State of the translation of one piece.
 struct Piece<'a, 'b> {
     of: &'a Translator<'a>,
     at: FuncCursor<'b>,
     isa: &'a dyn TargetIsa,
-    /// Signatures of what is called.
+    /// Signatures of called functions.
     signatures: HashMap<Thunk, SigRef>,
     given: Given,
     pointer: Type,
     /// Values of this piece that are not in memory.
     values: HashMap<StepId, Value>,
-    /// Values from memory since the last call: behind it they are read again.
+    /// Values loaded from memory since the last call; behind a call they are loaded again.
     read: HashMap<StepId, Value>,
     lane: Type,
 }
@@ -145,7 +146,7 @@ impl Translator<'_> {
             }
         }
         if index + 1 == self.schedule.pieces.len() {
-            // What is in memory already: leaves, and results of batches.
+            // Results that are in memory already: leaves, and results of batches.
             for &(entry, id) in &self.straight.writes {
                 if piece.is_in_memory(id) {
                     let value = piece.value(id);
@@ -191,7 +192,7 @@ impl Translator<'_> {
 }
 
 impl Piece<'_, '_> {
-    /// Goes on in a block behind all others.
+    /// Appends a block and continues in it.
     fn append(&mut self, block: Block) {
         self.at.func.layout.append_block(block);
         self.at.goto_bottom(block);
@@ -207,7 +208,7 @@ impl Piece<'_, '_> {
         }
     }
 
-    /// Forms sums of products row by row, a block of vectors at a time.
+    /// Forms sums of products row by row, for a block of vectors at a time.
     fn form(&mut self, middles: Middles) {
         let vectors = (middles.count * self.of.lanes).div_ceil(2);
         for first in (0..vectors).step_by(BLOCK) {
@@ -215,7 +216,8 @@ impl Piece<'_, '_> {
         }
     }
 
-    /// In each lane two sums take turns, so that neither waits for itself.
+    /// Forms a block of sums. In each lane two sums alternate, so that neither waits for its last
+    /// addition.
     fn form_block(&mut self, middles: Middles, first: usize, count: usize) {
         let flags = MemFlags::new().with_notrap();
         let row = self.offset(middles.row as u32);
@@ -287,7 +289,7 @@ impl Piece<'_, '_> {
         self.at.ins().store(flags, value, pointer, offset);
     }
 
-    /// The value of a step that has been computed, here or in an earlier piece.
+    /// Returns the value of a step that was computed, in this or an earlier piece.
     fn value(&mut self, id: StepId) -> Value {
         if let Some(&value) = self.values.get(&id).or_else(|| self.read.get(&id)) {
             return value;
@@ -314,7 +316,8 @@ impl Piece<'_, '_> {
         let bytes: Vec<u8> = [literal.to_le_bytes(); 2].concat();
         let constant = self.at.func.dfg.constants.insert(bytes.into());
         let both = self.at.ins().vconst(types::F64X2, constant);
-        // From memory: as a constant, a single number would go by way of an integer.
+        // Loaded from memory: as a constant, a single number would pass through an integer
+        // register.
         if self.of.lanes == 1 { self.at.ins().extractlane(both, 0) } else { both }
     }
 

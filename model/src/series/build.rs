@@ -1,14 +1,14 @@
-//! From a model to the recurrences of its solution.
+//! Construction of recurrences from a model.
 
 use std::collections::BTreeMap;
 
 use super::{Extent, MassMatrix, Recurrence, SeriesNode, TaylorTape};
 use crate::{Function, Model, NodeId, Op, StateKind, Tape, reachable};
 
-/// The recurrences of a model's solution.
+/// Returns the recurrences of a model's solution.
 ///
-/// Where the mass matrix couples coordinates and moves, the accelerations stay
-/// unknowns of a linear system; otherwise the rate is taken as it is, solved.
+/// If the mass matrix is variable and couples coordinates, the accelerations remain unknowns of a
+/// linear system; otherwise the solved rate is used.
 #[must_use]
 pub fn recurrences(model: &Model) -> TaylorTape {
     let mut builder = Builder::default();
@@ -26,14 +26,14 @@ pub fn recurrences(model: &Model) -> TaylorTape {
     tape
 }
 
-/// The rate tape as it is.
+/// Translates the rate tape.
 fn solved(model: &Model) -> TaylorTape {
     let mut builder = Builder::default();
     builder.tape.rate = builder.translate(&model.rate, &model.rate.results);
     builder.tape
 }
 
-/// The accelerations as unknowns of `M a = f`.
+/// Keeps the accelerations as unknowns of `M a = f`.
 fn unsolved(mut builder: Builder, model: &Model, entries: &[NodeId]) -> TaylorTape {
     let n = model.coordinates.len();
     let forcing = builder.translate(&model.forcing, &model.forcing.results);
@@ -74,12 +74,12 @@ fn unsolved(mut builder: Builder, model: &Model, entries: &[NodeId]) -> TaylorTa
 #[derive(Default)]
 struct Builder {
     tape: TaylorTape,
-    /// Nodes by their text, so that each is written once.
+    /// Nodes by their text, so that each is stored once.
     known: BTreeMap<String, NodeId>,
 }
 
 impl Builder {
-    /// Translates what `results` need of a tape.
+    /// Translates the part of a tape that `results` need.
     fn translate(&mut self, tape: &Tape, results: &[NodeId]) -> Vec<NodeId> {
         let tape = reachable(&tape.nodes, results);
         let mut place: Vec<NodeId> = Vec::with_capacity(tape.nodes.len());
@@ -92,7 +92,7 @@ impl Builder {
         tape.results.iter().map(|id| place[id.0 as usize]).collect()
     }
 
-    /// An operation on nodes of this tape.
+    /// Adds an operation on nodes of this tape.
     fn node(&mut self, op: Op) -> NodeId {
         let reads_machine = matches!(op, Op::Time | Op::State(_));
         if !reads_machine && op.operands().iter().all(|&id| self.tape.is_constant(id)) {
@@ -162,8 +162,8 @@ impl Builder {
         self.push(Recurrence::Constant(Op::Literal(value)))
     }
 
-    /// `a - b`, as `-(b - a)` where that difference is known: functions of both
-    /// are then one.
+    /// Returns `a - b`, as `-(b - a)` if that difference exists already, so that functions of both
+    /// are shared.
     fn difference(&mut self, a: NodeId, b: NodeId) -> NodeId {
         let opposite = format!("{:?}", Recurrence::Sub(b, a));
         match self.known.get(&opposite) {
@@ -182,7 +182,7 @@ impl Builder {
         self.push(Recurrence::Product(a, b))
     }
 
-    /// Factors of factors are one: what an order costs is its longest chain.
+    /// Merges constant factors: the cost of an order is its longest chain.
     fn scaled(&mut self, series: NodeId, factor: NodeId) -> NodeId {
         let Recurrence::Scaled { series: inner, factor: first } = self.tape[series].recurrence
         else {
@@ -204,7 +204,7 @@ impl Builder {
             return self.push(Recurrence::Quotient(a, b));
         }
         let factor = match self.tape[b].recurrence {
-            // Exact, so that halves do not divide.
+            // Exact, so that halves need no division.
             Recurrence::Constant(Op::Literal(value)) if value.log2().fract() == 0.0 => {
                 self.number(1.0 / value)
             }
@@ -216,7 +216,7 @@ impl Builder {
         self.scaled(a, factor)
     }
 
-    /// By repeated squaring.
+    /// Expands a power by repeated squaring.
     fn integer_power(&mut self, base: NodeId, exponent: i32) -> NodeId {
         let mut power = None;
         let mut square = base;
@@ -244,8 +244,7 @@ impl Builder {
         self.push(Recurrence::Power { base, exponent })
     }
 
-    /// A function by its differential equation; odd and even ones of -x by those
-    /// of x.
+    /// Returns a function by its differential equation; odd and even functions of -x by those of x.
     fn call(&mut self, function: Function, x: NodeId) -> NodeId {
         if let (Recurrence::Neg(x), Some(is_odd)) = (self.tape[x].recurrence, function.is_odd()) {
             let of_x = self.call(function, x);
@@ -291,8 +290,8 @@ impl Builder {
         integrand: NodeId,
         minus: bool,
     ) -> NodeId {
-        // The integrand's place depends on where this node comes, so equal
-        // functions are told by function and argument alone.
+        // The integrand's id depends on the position of this node, so equal functions are
+        // recognized by function and argument only.
         let text = format!("{function:?} of {argument:?}");
         if let Some(&known) = self.known.get(&text) {
             return known;
@@ -312,8 +311,7 @@ impl Builder {
         self.push(Recurrence::IntegralOver { function, argument, divisor, minus })
     }
 
-    /// Two functions of which each is the derivative of the other, the second
-    /// perhaps with a minus.
+    /// Adds two functions, each the derivative of the other, the second with a minus if `minus`.
     fn pair(&mut self, x: NodeId, functions: [Function; 2], minus: bool) -> (NodeId, NodeId) {
         let NodeId(next) = self.next_id();
         let first = self.integral(functions[0], x, NodeId(next + 1), false);
@@ -321,7 +319,7 @@ impl Builder {
         (first, second)
     }
 
-    /// A function with derivative 1 + y^2 or 1 - y^2.
+    /// Adds a function with derivative 1 + y^2 or 1 - y^2.
     fn with_square(
         &mut self,
         function: Function,
@@ -330,7 +328,7 @@ impl Builder {
     ) -> NodeId {
         let one = self.number(1.0);
         let NodeId(next) = self.next_id();
-        // The square and its sum with one are new too, for they read this node.
+        // The square and its sum with one are new nodes too, because they read this node.
         let y = self.integral(function, x, NodeId(next + 2), false);
         let square = self.push(Recurrence::Product(y, y));
         self.push(combine(one, square));
@@ -342,7 +340,7 @@ impl Builder {
         self.push(combine(one, square))
     }
 
-    /// A sum without a long chain.
+    /// Adds terms as a balanced tree, without a long chain.
     fn balanced_sum(&mut self, terms: &[NodeId]) -> Option<NodeId> {
         match terms {
             [] => None,
@@ -356,7 +354,7 @@ impl Builder {
     }
 }
 
-/// Leaves out nodes that no rate needs.
+/// Removes nodes that no rate needs.
 fn keep_needed(tape: &mut TaylorTape) {
     let mut needed = vec![false; tape.nodes.len()];
     let mut waiting = tape.rate.clone();
@@ -391,7 +389,7 @@ fn keep_needed(tape: &mut TaylorTape) {
 }
 
 impl Recurrence {
-    /// The nodes whose coefficients are read, earlier or later.
+    /// Returns the nodes whose coefficients are read, earlier or later ones.
     #[must_use]
     pub fn reads(&self) -> Vec<NodeId> {
         let mut reads = Vec::new();
@@ -403,7 +401,7 @@ impl Recurrence {
         reads
     }
 
-    /// The same on other nodes.
+    /// Returns the same recurrence on other nodes.
     #[must_use]
     pub fn with_reads(self, mut to: impl FnMut(NodeId) -> NodeId) -> Self {
         match self {

@@ -1,22 +1,22 @@
-//! Recurrences run as they are, in `f64`.
+//! Interpretation of recurrences, in `f64`.
 //!
-//! Excluded: side-by-side sums, compilation. Coefficients are formed one by one, by the
-//! equations of [`Recurrence`] with products in place of quotients (by 1/k, and by the
-//! inverse of what is divided by at order zero), so that this is a check on emitted and on
-//! compiled code as well; of the latter to the last bit.
+//! Excluded: sums in lanes, compilation. Coefficients are computed one by one, by the equations of
+//! [`Recurrence`] with products in place of quotients (by 1/k, and by the inverse of the divisor at
+//! order zero). Results can therefore be compared with those of emitted and compiled code; the
+//! latter agree to the last bit.
 
 use super::{Convolution, MassMatrix, Recurrence, TaylorTape};
 use crate::evaluate::{Inputs, call, interpolate, operate};
 use crate::room::with_room;
 use crate::{NodeId, Op};
 
-/// A tape of recurrences that is run as it is: evaluating it allocates nothing, but for room
-/// that a thread's later evaluations reuse.
+/// A tape of recurrences to interpret. An evaluation allocates nothing, except for memory that
+/// later evaluations of the same thread reuse.
 #[derive(Debug, Clone)]
 pub struct SeriesEvaluator {
     tape: TaylorTape,
     states: usize,
-    /// Where factors of the mass matrix are not zero, by rows; below the diagonal and on it.
+    /// Nonzeros of the factors of the mass matrix, by rows; below the diagonal and on it.
     filled: Vec<bool>,
 }
 
@@ -27,7 +27,7 @@ struct Run<'a> {
     filled: &'a [bool],
     /// Coefficients, one node after another.
     values: &'a mut [f64],
-    /// Coefficients a node has room for.
+    /// Number of coefficients of each node.
     orders: usize,
     /// L below the diagonal, 1/D on it, by rows.
     factors: &'a mut [f64],
@@ -43,12 +43,12 @@ impl SeriesEvaluator {
         Self { tape, states, filled }
     }
 
-    /// Writes normalized coefficients of the solution, order after order, each
-    /// as long as the state; the highest order is what there is room for.
+    /// Writes normalized coefficients of the solution, order by order, each as long as the state.
+    /// The length of `coefficients` determines the highest order.
     ///
     /// # Panics
-    /// If `coefficients` has no room for the state, or if `inputs` lack an entry that the
-    /// tape reads.
+    /// If `coefficients` is shorter than the state, or if `inputs` lack an entry that the tape
+    /// reads.
     pub fn evaluate(&self, inputs: &Inputs<'_>, coefficients: &mut [f64]) {
         let orders = coefficients.len() / self.states.max(1);
         let mass = self.tape.mass_matrix.as_ref();
@@ -73,7 +73,7 @@ impl SeriesEvaluator {
 }
 
 impl Run<'_> {
-    /// The coefficients of one order, from those of the state.
+    /// Computes the coefficients of one order, from those of the state.
     fn coefficients(&mut self, order: usize, state: &[f64]) {
         for index in 0..self.tape.nodes.len() {
             let id = NodeId(index as u32);
@@ -121,7 +121,7 @@ impl Run<'_> {
         }
     }
 
-    /// The coefficient of order `k`, from 1 on. Coefficients of constants vanish and are
+    /// Returns the coefficient of order `k`, from 1 on. Coefficients of constants vanish and are
     /// left out of sums.
     fn higher(&self, id: NodeId, k: usize, state: &[f64]) -> f64 {
         let zeroth = |id| self.at(id, 0);
@@ -194,8 +194,8 @@ impl Run<'_> {
         self.convolve(Convolution { left, weighted: true, right }, order)
     }
 
-    /// The sum over even orders, that over odd ones, and what the order before has just
-    /// given: it comes last where sums are formed side by side.
+    /// Adds the sum over even orders, that over odd ones, and the products with coefficients of the
+    /// previous order. The latter come last, as where sums are formed in lanes.
     fn convolve(&self, Convolution { left, weighted, right }: Convolution, order: usize) -> f64 {
         let weight = |j: usize| if weighted { j as f64 } else { 1.0 };
         let product = |j: usize| weight(j) * self.at(left, j) * self.at(right, order - j);
@@ -215,7 +215,7 @@ impl Run<'_> {
         (sums[0] + sums[1]) + (product(1) + product(order - 1))
     }
 
-    /// Puts the accelerations of one order in their place.
+    /// Writes the accelerations of one order.
     fn solve(&mut self, mass: &MassMatrix, order: usize) {
         let n = mass.right_side.len();
         for row in 0..n {
@@ -258,7 +258,7 @@ impl Run<'_> {
     }
 }
 
-/// Where the factors of a mass matrix are not zero.
+/// Returns the nonzeros of the factors of a mass matrix, including fill-in.
 fn filled(mass: &MassMatrix) -> Vec<bool> {
     let n = mass.right_side.len();
     let mut filled = vec![false; n * n];

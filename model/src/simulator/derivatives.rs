@@ -10,7 +10,7 @@ use crate::functions::FunctionId;
 const ZERO: Dual = Dual::constant(0.0);
 
 impl ModelSimulator {
-    /// What tapes read.
+    /// Returns the inputs of tapes.
     pub(super) fn dual_inputs<'a>(
         &'a self,
         (time, state): (Dual, &'a [Dual]),

@@ -1,4 +1,4 @@
-//! Fields of scenes run from their tapes.
+//! Fields of scenes, computed by their tapes.
 
 use machinist_contract::field::{
     FieldAttachment, FieldDescription, FieldPoint, FieldScene, ForceStructure,
@@ -48,9 +48,9 @@ impl PointFunctions {
 /// A function of a field with its tape.
 type OfField<'a> = (&'a TapeFunction, &'a Tape);
 
-/// Numbers on which functions of a point are run.
+/// Number types on which functions of a point run.
 pub(super) trait AtPoint: Real {
-    /// Writes the results of one, whose state is \[u, u_x, u_t, u_xt, x\].
+    /// Writes the results of a function, whose state is \[u, u_x, u_t, u_xt, x\].
     fn run(
         simulator: &ModelSimulator,
         of_field: OfField<'_>,
@@ -106,7 +106,7 @@ impl ModelSimulator {
     }
 }
 
-/// A function of a field with its tape, by its name.
+/// Returns a function of a field with its tape, by name.
 macro_rules! of_field {
     ($simulator:ident, $index:ident, $name:ident) => {
         (&$simulator.fields[$index].$name, &$simulator.model.fields[$index].$name)

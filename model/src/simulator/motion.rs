@@ -1,5 +1,5 @@
-//! The motion's tape, run before the functions that read it, and matrices that are solved
-//! for with its factors.
+//! The motion's tape, run before the functions that read it, and matrices that are solved for with
+//! its factors.
 
 use machinist_contract::Dual;
 use machinist_contract::implicit::LANES;
@@ -11,11 +11,11 @@ use crate::functions::{COUNT, FUNCTIONS, FunctionId};
 use crate::room::with_room;
 use crate::{Model, Motion, Solve, Tape};
 
-/// The motion's tape, as it is and by constants of the parameters.
+/// The motion's tape, unprepared and with constants of the parameters.
 #[derive(Debug, Default)]
 pub(super) struct MotionFunction {
     tapes: [TapeFunction; 2],
-    /// Which functions read it.
+    /// True for each function that reads it.
     readers: [bool; COUNT],
 }
 
@@ -27,7 +27,7 @@ impl MotionFunction {
         }
     }
 
-    /// Writes what a model's tape of the motion gives.
+    /// Writes the results of a model's motion tape.
     pub fn run_on_duals(&self, tape: &Tape, inputs: &Inputs<'_, Dual>, results: &mut [Dual]) {
         self.tapes[0].run_on_duals(tape, inputs, results);
     }
@@ -39,8 +39,8 @@ impl MotionFunction {
 }
 
 impl ModelSimulator {
-    /// Runs a function behind the motion, whose tape is the prepared one if constants are
-    /// there.
+    /// Runs the motion's tape, the prepared one if there are constants, then a function that reads
+    /// it.
     #[inline(never)]
     pub(super) fn run_behind_motion<'a>(
         &'a self,
@@ -57,7 +57,7 @@ impl ModelSimulator {
         let [inputs, rows] =
             solve.map_or([0; 2], |solve| [solve.inputs(), solve.rows as usize * LANES]);
         let counts = [motion.tape.results.len(), inputs].map(|count| count * lanes);
-        // Behind these the numbers of one lane: factors, inputs, values, and the solution.
+        // Followed by the numbers of one lane: factors, inputs, values, and the solution.
         let of_lane = [motion.factors.len(), inputs, results.len() / lanes, rows];
         let all = counts.iter().chain(&of_lane).sum();
         with_room(all, |room| {
@@ -79,7 +79,7 @@ impl ModelSimulator {
     }
 }
 
-/// Solves for the matrix of one lane of so many, in the room of one.
+/// Solves for the matrix of one of `lanes` lanes, in workspace for one lane.
 fn solve_lane(
     (motion, solve): (&Motion, &Solve),
     (lane, lanes): (usize, usize),

@@ -1,4 +1,4 @@
-//! Tapes of a model, compiled or interpreted when they are first asked for.
+//! Tapes of a model, compiled or interpreted at first use.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -12,38 +12,38 @@ use crate::room::with_room;
 use crate::series::{SeriesEvaluator, TaylorTape, recurrences};
 use crate::{Model, Table, Tape};
 
-/// So often a tape is interpreted before machine code is made of it: by then as many calls have taken
-/// between a third and a half of what that takes, however long the tape is.
+/// Number of calls that are interpreted before a tape is compiled. They take between a third and a
+/// half of the compile time, whatever the length of the tape.
 const CALLS_AT_FIRST: u32 = 10_000;
 
-/// Likewise of series, of which a call is some twenty orders.
+/// The same for series, a call of which computes about twenty orders.
 const SERIES_AT_FIRST: u32 = 1000;
 
-/// How the tapes of a model are run.
+/// Way in which the tapes of a model run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Running {
-    /// Operation by operation until a function has been called some thousand times, then as machine code;
-    /// what cannot be compiled is interpreted.
+    /// Interpreted until a function has been called some thousand times, then as machine code;
+    /// tapes that cannot be compiled remain interpreted.
     Compiled,
-    /// As machine code, made when a function is first called; what cannot be compiled is
-    /// interpreted.
+    /// As machine code, compiled at the first call of each function; tapes that cannot be compiled
+    /// are interpreted.
     CompiledAtOnce,
-    /// Operation by operation.
+    /// Interpreted, operation by operation.
     Interpreted,
 }
 
-/// How often a function has been called before it is machine code.
+/// Number of calls of a function that is not compiled yet.
 #[derive(Debug, Default)]
 struct Calls(AtomicU32);
 
 impl Calls {
-    /// Counts one more; whether it is to be interpreted, of so many that are.
+    /// Counts a call, and returns whether it is one of the first `at_first` that are interpreted.
     fn is_interpreted(&self, running: Running, at_first: u32) -> bool {
         running == Running::Compiled && self.0.fetch_add(1, Ordering::Relaxed) < at_first
     }
 }
 
-/// What tapes read: region by region, numbers of one place side by side.
+/// Inputs of tapes by region, with the lanes of each number next to each other.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Read<'a> {
     pub time: &'a [f64],
@@ -68,7 +68,7 @@ impl Read<'_> {
         Inputs { time: time[0], state, parameters, handed, constants, motion, tables }
     }
 
-    /// Runs something for each of so many lanes, with inputs and results of one.
+    /// Runs a closure for each of `lanes` lanes, with inputs and results of one.
     fn for_each_lane(
         &self,
         lanes: usize,
@@ -117,7 +117,7 @@ impl Read<'_> {
     }
 }
 
-/// A tape that is ready to be run on numbers of some lanes.
+/// A tape that is ready to run on numbers of some lanes.
 #[derive(Debug)]
 enum Ready {
     #[cfg(feature = "compiled")]
@@ -154,18 +154,18 @@ fn interpret(evaluator: &Evaluator, lanes: usize, read: &Read<'_>, results: &mut
 /// A function of a model.
 #[derive(Debug, Default)]
 pub(super) struct TapeFunction {
-    /// On one number, on two, as it was called before.
+    /// On one lane, on two, for calls with the same lengths as before.
     #[cfg(feature = "compiled")]
     again: [OnceLock<Again>; 2],
-    /// On one number, on two.
+    /// On one lane, on two.
     ready: [OnceLock<Box<Ready>>; 2],
-    /// On dual numbers, and at first.
+    /// On dual numbers, and for the first calls.
     evaluator: OnceLock<Box<Evaluator>>,
     calls: Calls,
 }
 
 impl TapeFunction {
-    /// Writes the results of its tape for numbers of so many lanes.
+    /// Writes the results of its tape for numbers of `lanes` lanes.
     #[inline(always)]
     pub fn run<'a>(
         &self,
@@ -182,9 +182,10 @@ impl TapeFunction {
 }
 
 impl TapeFunction {
-    /// Writes the results of its tape, if it is machine code that has been kept for as many
-    /// numbers; else says that it did not. Given are time of the first lane and of the last, and
-    /// state, parameters with what fields hand over behind them, and constants.
+    /// Writes the results of its tape and returns true, if its machine code was kept for these
+    /// lengths; otherwise returns false. `time` is that of the first lane and of the last. `given`
+    /// is the state, the parameters followed by the values that fields hand over, and the
+    /// constants.
     #[inline(always)]
     #[cfg_attr(
         not(feature = "compiled"),
@@ -204,8 +205,8 @@ impl TapeFunction {
         false
     }
 
-    /// Writes the results of its tape, as [`TapeFunction::run`], and keeps it for calls with as many
-    /// numbers if it is short machine code; see docs/decisions/0013-models-compiled-at-once.md.
+    /// Writes the results of its tape as [`TapeFunction::run`], and keeps short machine code for
+    /// calls with the same lengths; see docs/decisions/0013-models-compiled-at-once.md.
     pub fn run_and_keep<'a>(
         &self,
         tape: (impl FnOnce() -> &'a Tape, Running),
@@ -219,7 +220,7 @@ impl TapeFunction {
             && let Ready::Compiled(compiled) = &**ready
             && let Some(again) = compiled.again(&read.regions())
         {
-            // Who came first had as many.
+            // If another thread was first, it had the same lengths.
             let _ = self.again[lanes - 1].set(again);
         }
     }
@@ -235,7 +236,7 @@ impl TapeFunction {
         self.evaluator.get_or_init(|| Box::new(Evaluator::new(tape)))
     }
 
-    /// As long as it is not ready. Both ways have the same bits.
+    /// Runs the tape before it is ready. Interpreter and machine code give the same bits.
     #[cold]
     fn run_at_first(
         &self,
@@ -253,7 +254,7 @@ impl TapeFunction {
     }
 }
 
-/// Recurrences that are ready to be run on numbers of some lanes.
+/// Recurrences that are ready to run on numbers of some lanes.
 #[derive(Debug)]
 enum ReadySeries {
     #[cfg(feature = "compiled")]
@@ -296,8 +297,9 @@ impl Series {
         })
     }
 
-    /// Numbers of workspace that machine code asks for, each of so many lanes: it may be made
-    /// while a method goes on with the same.
+    /// Returns the length of the workspace of machine code, in numbers of `lanes` lanes. It applies
+    /// to the interpreter too, because a method may go on with the same workspace after
+    /// compilation.
     #[cfg_attr(
         not(feature = "compiled"),
         allow(unused_variables, clippy::unused_self, reason = "compiled by none")
@@ -316,7 +318,7 @@ impl Series {
         0
     }
 
-    /// Writes coefficients, order after order.
+    /// Writes coefficients, order by order.
     #[cfg_attr(not(feature = "compiled"), allow(unused_variables, reason = "compiled by none"))]
     pub fn run(
         &self,
@@ -353,7 +355,7 @@ mod tests {
     use super::*;
     use crate::{Node, NodeId, Op};
 
-    /// x -> 1 + x + ... by so many additions.
+    /// x -> 1 + x + ... by `count` additions.
     fn sums(count: usize) -> Tape {
         let mut ops = vec![Op::State(0), Op::Literal(1.0)];
         ops.extend((0..count).map(|k| Op::Add(NodeId(k as u32 + 1), NodeId(0))));

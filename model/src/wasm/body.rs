@@ -1,7 +1,7 @@
-//! A straight-line program as the body of a function.
+//! Translation of a straight-line program to the body of a function.
 //!
-//! What is read once stands where it is read, for WebAssembly is a machine with a stack; what
-//! is read more often is kept in a local, which is taken again once nothing reads it any more.
+//! WebAssembly is a stack machine: a value that is read once is computed where it is read. A value
+//! that is read more often is kept in a local, which is reused after its last read.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,8 @@ use super::{Imports, POWER, Places, TableKey};
 use crate::Function;
 use crate::straight::{Region, Step, StepId, Straight};
 
-/// What is nested deeper is kept in a local: hosts and we walk nested operations by recursion.
+/// Nesting depth beyond which values are kept in a local: hosts and this module walk nested
+/// operations recursively.
 const DEEPEST: u32 = 48;
 
 /// The local that holds time, the only argument.
@@ -23,8 +24,8 @@ pub(super) struct Calls<'a> {
     pub(super) tables: HashMap<TableKey, u32>,
 }
 
-/// The body of a program that writes its results from the byte `into` on, after a call of the
-/// function that goes before it.
+/// Returns the body of a program that calls the function `before`, if any, and writes its results
+/// from the byte `into` on.
 pub(super) fn body(
     straight: &Straight,
     places: &Places,
@@ -63,12 +64,12 @@ fn place(byte: usize) -> MemArg {
     MemArg { offset: byte as u64, align: 3, target: MemArgTarget::default(), ordering: None }
 }
 
-/// What is done one after the other.
+/// A statement of the body.
 #[derive(Clone, Copy)]
 enum Root {
-    /// A value is put into its local.
+    /// Stores a value in its local.
     Keep(StepId),
-    /// A result is written.
+    /// Writes a result.
     Write(u32, StepId),
 }
 
@@ -79,10 +80,10 @@ impl Root {
     }
 }
 
-/// Which values are kept, and where.
+/// Values that are kept, and their locals.
 struct Plan {
     roots: Vec<Root>,
-    /// The local of each step that has one.
+    /// Local of each step that has one.
     locals: Vec<Option<u32>>,
 }
 
@@ -106,7 +107,7 @@ impl Plan {
         for (reader, (root, read)) in roots.iter().zip(&reads).enumerate() {
             for id in read {
                 let index = id.0 as usize;
-                // Read twice by this one, it is free once.
+                // A local that this root reads twice is freed once.
                 if last_reader[index] == reader
                     && let Some(local) = locals[index].filter(|local| !free.contains(local))
                 {
@@ -124,7 +125,7 @@ impl Plan {
     }
 }
 
-/// Whether each step is kept in a local.
+/// Returns for each step whether it is kept in a local.
 fn kept(straight: &Straight) -> Vec<bool> {
     let mut readers = vec![0_u32; straight.steps.len()];
     let operands = straight.steps.iter().flat_map(Step::operands);
@@ -141,7 +142,7 @@ fn kept(straight: &Straight) -> Vec<bool> {
     is_kept
 }
 
-/// Kept values that a root reads.
+/// Returns the kept values that a root reads.
 fn read_by(straight: &Straight, is_kept: &[bool], root: Root) -> Vec<StepId> {
     let mut read = Vec::new();
     let mut left = match root {
@@ -167,7 +168,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Puts the value of a step onto the stack.
+    /// Pushes the value of a step onto the stack.
     fn value(&self, sink: &mut InstructionSink<'_>, id: StepId) {
         match self.plan.locals[id.0 as usize] {
             Some(local) => {
@@ -177,7 +178,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Computes it there.
+    /// Computes a step on the stack.
     fn operation(&self, sink: &mut InstructionSink<'_>, id: StepId) {
         let step = self.straight.step(id);
         if let Step::SelectLess([lhs, rhs, then, otherwise]) = step {

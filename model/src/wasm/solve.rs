@@ -1,13 +1,13 @@
-//! Matrices that are solved for, with the substitution written out: zeros that the steps would
-//! carry through are none.
+//! Matrices that are solved for, with the substitution unrolled: zeros are left out of the steps.
 
 use std::collections::HashMap;
 
 use crate::Solve;
 use crate::straight::{Region, Step, StepId, Straight};
 
-/// The program that gives the matrix, from the one that gives what is solved with and the
-/// results of the motion that are the factors. `None` if the steps refer to what is not there.
+/// Returns the program for the matrix. `inputs` gives the right-hand sides and given entries,
+/// `factors` the results of the motion that are the factors. Returns `None` if the steps refer to
+/// entries that do not exist.
 pub(super) fn solved(inputs: &Straight, solve: &Solve, factors: &[u32]) -> Option<Straight> {
     let mut program = inputs.clone();
     let input: HashMap<usize, StepId> =

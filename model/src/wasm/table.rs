@@ -1,5 +1,5 @@
-//! Cubic tables as functions of one number: the interval by bisection, then its cubic, each
-//! operation as [`CubicTable`](machinist_contract::CubicTable) does it.
+//! Cubic tables as functions of one number: the interval by bisection, then its cubic, with the
+//! same operations as [`CubicTable`](machinist_contract::CubicTable).
 
 use wasm_encoder::{BlockType, Function as Body, InstructionSink, MemArg, MemArgTarget, ValType};
 
@@ -13,10 +13,10 @@ const X: u32 = 0;
 const LOW: u32 = 1;
 const HIGH: u32 = 2;
 const MIDDLE: u32 = 3;
-/// The distance from the first knot of the interval.
+/// Distance from the first knot of the interval.
 const U: u32 = 4;
 
-/// Tables that programs read, with the orders of their derivatives.
+/// Returns the tables that programs read, with the orders of their derivatives.
 pub(super) fn used<'a>(programs: impl Iterator<Item = &'a Straight>) -> Vec<TableKey> {
     let steps = programs.flat_map(|straight| &straight.steps);
     let mut keys: Vec<TableKey> = steps
@@ -30,13 +30,13 @@ pub(super) fn used<'a>(programs: impl Iterator<Item = &'a Straight>) -> Vec<Tabl
     keys
 }
 
-/// A table, or its derivative, whose numbers begin at the byte `place`.
+/// Returns the function of a table, or its derivative, whose numbers begin at the byte `place`.
 pub(super) fn body(table: &Table, order: u32, place: usize) -> Body {
     let mut body = Body::new([(3, ValType::I32), (1, ValType::F64)]);
     let mut sink = body.instructions();
     let ends = [f64::NEG_INFINITY, f64::INFINITY].map(|end| interpolate(table, order, end));
     if let Some(last) = table.knots.last() {
-        // No number goes the way of what is beyond.
+        // NaN is treated as a value beyond the last knot.
         sink.local_get(X).f64_const((*last).into()).f64_lt().i32_eqz();
         sink.if_(BlockType::Empty).f64_const(ends[1].into()).return_().end();
         search(&mut sink, table.knots.len(), place);
@@ -44,7 +44,7 @@ pub(super) fn body(table: &Table, order: u32, place: usize) -> Body {
         sink.if_(BlockType::Empty).f64_const(ends[0].into()).return_().end();
         let cubics = place + 8 * table.knots.len();
         sink.local_get(X);
-        // LOW - 1 is the interval; its knot lies a number before that of LOW.
+        // LOW - 1 is the interval; its knot is one number before that of LOW.
         sink.local_get(LOW).i32_const(1).i32_sub().local_tee(LOW);
         sink.i32_const(3).i32_shl().f64_load(at(place)).f64_sub().local_set(U);
         sink.local_get(LOW).i32_const(5).i32_shl().local_set(LOW);
@@ -60,7 +60,7 @@ fn at(byte: usize) -> MemArg {
     MemArg { offset: byte as u64, align: 3, target: MemArgTarget::default(), ordering: None }
 }
 
-/// How many knots are not beyond the argument, into `LOW`.
+/// Stores the number of knots that are not above the argument in `LOW`.
 fn search(sink: &mut InstructionSink<'_>, knots: usize, place: usize) {
     sink.i32_const(knots as i32).local_set(HIGH);
     sink.loop_(BlockType::Empty);
@@ -75,7 +75,7 @@ fn search(sink: &mut InstructionSink<'_>, knots: usize, place: usize) {
     sink.end();
 }
 
-/// Derivative of an order of the cubic whose coefficients are `LOW` bytes behind `cubics`.
+/// Computes a derivative of the cubic whose coefficients are `LOW` bytes behind `cubics`.
 fn polynomial(sink: &mut InstructionSink<'_>, order: u32, cubics: usize) {
     // Factors of the coefficients, from the highest to the last.
     let factors: &[f64] = match order {

@@ -1,4 +1,4 @@
-//! A module as a page runs it, with our own functions in the place of the browser's.
+//! A module in a host as on a web page, with our own functions in place of the browser's.
 
 use machinist_contract::Real;
 use machinist_model::Function;
@@ -28,13 +28,13 @@ impl Hosted {
         Self { store, instance, memory, module }
     }
 
-    /// Runs go by these parameters from now on.
+    /// Sets the parameters of later runs.
     pub fn set(&mut self, parameters: &[f64]) {
         self.write(self.module.layout.parameters, parameters);
         self.run("prepare", 0.0);
     }
 
-    /// So many results of a function at a time and a state.
+    /// Returns `count` results of a function at a time and a state.
     pub fn results(&mut self, name: &str, time: f64, state: &[f64], count: usize) -> Vec<f64> {
         self.write(self.module.layout.state, state);
         self.run(name, time);

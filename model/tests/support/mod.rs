@@ -1,4 +1,4 @@
-//! Tapes and models made for tests.
+//! Tapes and models for tests.
 
 #![allow(dead_code, reason = "every test takes what it needs")]
 
@@ -11,13 +11,13 @@ use machinist_model::{
 pub const STATES: usize = 6;
 pub const PARAMETERS: usize = 5;
 
-/// The tape of some operations.
+/// A tape of the given operations.
 pub fn tape(ops: &[Op], results: &[u32]) -> Tape {
     let nodes = ops.iter().map(|&op| Node { op, name: None }).collect();
     Tape { nodes, results: results.iter().copied().map(NodeId).collect() }
 }
 
-/// A tape with every operation there is, on nodes before it, mostly near ones.
+/// A random tape with every operation, on nodes before it, mostly near ones.
 pub fn random_tape(rng: &mut Rng, length: usize, calls: f64) -> Tape {
     let mut ops: Vec<Op> = Vec::with_capacity(length);
     for index in 0..length {
@@ -30,7 +30,7 @@ pub fn random_tape(rng: &mut Rng, length: usize, calls: f64) -> Tape {
     let results: Vec<u32> =
         (0..STATES as u32).map(|k| (length as u32 - 1).saturating_sub(k)).collect();
     let mut tape = tape(&ops, &results);
-    // Some in the middle, one twice, and a leaf.
+    // One in the middle, one twice, and a leaf.
     tape.results.extend([NodeId(length as u32 / 2), NodeId(length as u32 - 1), NodeId(0)]);
     tape
 }
@@ -75,7 +75,7 @@ fn operation(rng: &mut Rng, index: usize, calls: f64) -> Op {
     }
 }
 
-/// Numbers between -2 and 2, now and then one that is special.
+/// Numbers between -2 and 2, sometimes a special one.
 pub fn numbers(rng: &mut Rng, count: usize) -> Vec<f64> {
     let mut number = || match rng.u32(0..40) {
         0 => 0.0,
@@ -113,7 +113,7 @@ pub fn matrix(rows: usize, columns: usize, entries: &[(u32, u32)], tape: Tape) -
     }
 }
 
-/// Writes tapes.
+/// Builder of tapes.
 #[derive(Default)]
 pub struct Writer(Vec<Op>);
 
@@ -128,8 +128,8 @@ impl Writer {
     }
 }
 
-/// A model of `n` coordinates and one first-order state with this rate, mass matrix and
-/// forcing; what else it has is zero.
+/// A model of `n` coordinates and one first-order state with this rate, mass matrix and forcing;
+/// all other functions are zero.
 pub fn model(n: usize, rate: Tape, mass: MatrixTape, forcing: Tape) -> Model {
     let states = 2 * n + 1;
     let zeros = |count: usize| tape(&[Op::Literal(0.0)], &vec![0; count]);

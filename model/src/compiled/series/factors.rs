@@ -1,16 +1,16 @@
-//! The mass matrix, factored by operations written one by one.
+//! Factorization of the mass matrix as a sequence of single operations.
 
 use crate::series::MassMatrix;
 use crate::straight::{Step, StepId, Straight};
 
-/// Operations of a factorization that is written out, at most.
+/// Maximum number of operations of a factorization.
 const MOST: usize = 40_000;
 
-/// L D L^T: L below the diagonal, 1/D on it, by rows; of zeros nothing.
+/// L D L^T: L below the diagonal, 1/D on it, by rows; `None` for zeros.
 pub struct Factors(Vec<Vec<Option<StepId>>>);
 
 impl Factors {
-    /// Factors the matrix among zeroth coefficients. `None` where that is too long.
+    /// Factors the matrix of zeroth coefficients. Returns `None` if that takes too many operations.
     pub fn new(program: &mut Straight, mass: &MassMatrix, values: &[StepId]) -> Option<Self> {
         let n = mass.right_side.len();
         let mut matrix = vec![vec![None; n]; n];
@@ -44,7 +44,7 @@ impl Factors {
         Some(Self(matrix))
     }
 
-    /// The solution, entries of the factors read as told.
+    /// Solves for `solution`; `read` loads entries of the factors.
     pub fn solve(
         &self,
         program: &mut Straight,

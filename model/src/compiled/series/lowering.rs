@@ -1,4 +1,4 @@
-//! From recurrences to two straight-line programs.
+//! Lowering of recurrences to two straight-line programs.
 
 use std::collections::HashMap;
 
@@ -10,24 +10,24 @@ use crate::straight::{Middles, Region, Step, StepId, Straight};
 
 /// Recurrences as programs.
 pub struct Lowered {
-    /// Zeroth coefficients and what follows from them, then the first ones of the state.
+    /// Zeroth coefficients and values derived from them, then the first coefficients of the state.
     pub zeroth: Straight,
-    /// Coefficients of an order, by its numbers, from zeroth ones and sums: factors of
-    /// sums, left and right, then the next coefficients of the state.
+    /// Coefficients of an order, computed from its numbers, zeroth coefficients and sums. Results
+    /// are the left and right factors of sums, then the next coefficients of the state.
     pub higher: Straight,
-    /// How many results the first has.
+    /// Number of results of the first program.
     pub constants: usize,
-    /// Which sums the second reads.
+    /// Sums that the second program reads.
     pub sums: Sums,
 }
 
-/// The row of order one.
+/// Region of the row of order one.
 const FIRST: Region = Region::Parameters;
 
-/// The row of the order before, whose end are the coefficients of the state.
+/// Region of the row of the previous order, which ends with the coefficients of the state.
 const LAST: Region = Region::State;
 
-/// The numbers of an order, as the program reads them.
+/// Numbers of an order that the program reads.
 #[derive(Debug, Clone, Copy)]
 enum Number {
     /// 1/k.
@@ -40,17 +40,16 @@ enum Number {
     Time,
 }
 
-/// Which orders a program is for.
+/// Orders that a program computes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Orders {
     /// The first two: sums are read as they are.
     First,
-    /// From the third on: to what is read of sums, products with the first and the newest
-    /// factors are added.
+    /// From the third on: products with the first and the newest factors are added to the sums.
     Later,
 }
 
-/// A factor of a sum: which node, and whether times its order.
+/// A factor of a sum: its node, and whether it is multiplied by its order.
 type Factor = (NodeId, bool);
 
 struct Lowering<'a> {
@@ -60,17 +59,17 @@ struct Lowering<'a> {
     higher: Straight,
     /// Zeroth coefficients of nodes.
     values: Vec<StepId>,
-    /// Those of the order; none of constants.
+    /// Coefficients of the current order; `None` for constants.
     newest: Vec<Option<StepId>>,
-    /// What higher orders read of zeroth ones, and where it stands.
+    /// Values derived from zeroth coefficients that higher orders read, with their places.
     kept: HashMap<StepId, u32>,
-    /// Sums: of products, then products with what is linear in time.
+    /// Sums of products, then products with series linear in time.
     products: Vec<(Factor, Factor)>,
     lines: Vec<(Factor, Factor)>,
 }
 
 impl Lowered {
-    /// Lowers a tape. `None` where it would be too long.
+    /// Lowers a tape. Returns `None` if the programs would be too long.
     pub fn new(tape: &TaylorTape, orders: Orders, tables: usize) -> Option<Self> {
         let mut lowering = Lowering {
             tape,
@@ -108,7 +107,7 @@ impl Lowered {
 }
 
 impl Lowering<'_> {
-    /// Numbers the sums. Those with what is linear in time are one product.
+    /// Numbers the sums. Those with a factor linear in time are a single product.
     fn find_sums(&mut self) {
         for index in 0..self.tape.nodes.len() {
             for Convolution { left, weighted, right } in
@@ -169,7 +168,7 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// The coefficient of the order; none of what is constant or still unknown.
+    /// Returns the coefficient of the order; `None` if the node is constant or still unknown.
     fn higher(&mut self, id: NodeId) -> Option<StepId> {
         let step = match self.tape[id].recurrence {
             Recurrence::Constant(_) | Recurrence::Acceleration(_) => return None,
@@ -251,7 +250,7 @@ impl Lowering<'_> {
         Some(self.higher.push(step))
     }
 
-    /// `S + a_k b_0 + b_k a_0`, the factor that is there last multiplied last.
+    /// Returns `S + a_k b_0 + b_k a_0`, with the factor that is known last multiplied last.
     fn product(&mut self, id: NodeId, a: NodeId, b: NodeId) -> StepId {
         debug_assert!(matches!(self.tape[id].recurrence, Recurrence::Product(..)));
         let sum = self.sum(a, false, b);
@@ -269,7 +268,7 @@ impl Lowering<'_> {
         self.higher.push(Step::Add(sum, product))
     }
 
-    /// `(c y_0 x_k + (c S(x', y) - S(y', x))/k)/x_0`.
+    /// Returns `(c y_0 x_k + (c S(x', y) - S(y', x))/k)/x_0`.
     fn power(&mut self, id: NodeId, base: NodeId, exponent: NodeId) -> Step {
         let c = self.zeroth(exponent);
         let sum = self.sum(base, true, id);
@@ -286,7 +285,7 @@ impl Lowering<'_> {
         Step::Mul(all, self.inverse(base))
     }
 
-    /// `a_k b_0`.
+    /// Returns `a_k b_0`.
     fn times(&mut self, newest: NodeId, zeroth: NodeId) -> StepId {
         let product = Step::Mul(self.newest(newest), self.zeroth(zeroth));
         self.higher.push(product)
@@ -300,7 +299,7 @@ impl Lowering<'_> {
         self.higher.push(Step::Read(Region::Time, number as u32))
     }
 
-    /// The coefficient of the order.
+    /// Returns the coefficient of the order.
     fn newest(&mut self, id: NodeId) -> StepId {
         match self.newest.get(id.0 as usize).copied().flatten() {
             Some(newest) => newest,
@@ -308,12 +307,12 @@ impl Lowering<'_> {
         }
     }
 
-    /// The zeroth coefficient.
+    /// Returns the zeroth coefficient.
     fn zeroth(&mut self, id: NodeId) -> StepId {
         self.keep(self.values[id.0 as usize])
     }
 
-    /// What of zeroth coefficients all orders read.
+    /// Reads a value derived from zeroth coefficients, and keeps it for all orders.
     fn keep(&mut self, value: StepId) -> StepId {
         if let Step::Literal(literal) = self.zeroth.step(value) {
             return self.higher.literal(literal);
@@ -333,7 +332,7 @@ impl Lowering<'_> {
         self.keep(inverse)
     }
 
-    /// `S(left', right)/k`.
+    /// Returns `S(left', right)/k`.
     fn share(&mut self, left: NodeId, right: NodeId) -> StepId {
         let (sum, inverse) = (self.sum(left, true, right), self.number(Number::Inverse));
         self.higher.push(Step::Mul(inverse, sum))
@@ -343,10 +342,10 @@ impl Lowering<'_> {
         (self.products.len() + self.lines.len()) as u32
     }
 
-    /// A sum of the order.
+    /// Returns a sum of the order.
     fn sum(&mut self, left: NodeId, weighted: bool, right: NodeId) -> StepId {
         let (left, right) = ((left, weighted), (right, false));
-        // Sums of products go by their left factor: rounding tells sides apart.
+        // Sums of products are found by their left factor: rounding distinguishes the sides.
         let of_products = self.products.iter().position(|sum| *sum == (left, right));
         let mut lines = self.lines.iter();
         let line = lines.position(|sum| *sum == (left, right) || *sum == (right, left));
@@ -370,7 +369,7 @@ impl Lowering<'_> {
         self.higher.push(Step::Add(middle, ends))
     }
 
-    /// What is known of a sum before the order before is.
+    /// Reads the part of a sum that is known before the previous order is.
     fn middle(&mut self, lane: u32) -> StepId {
         let before = 2 * self.lanes() + self.tape.rate.len() as u32;
         self.higher.push(Step::Read(Region::Results, before + lane))
@@ -390,7 +389,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Names what is written.
+    /// Lists the results to write and returns the programs.
     fn finish(mut self) -> Lowered {
         let sums = Sums { products: self.products.len(), lines: self.lines.len() };
         let lanes = sums.lanes() as u32;

@@ -1,7 +1,7 @@
-//! Algebra: derivatives, sums and products, and which of several equal forms is cheapest.
+//! Algebra: derivatives, sums and products, and a choice of the cheapest of several equal forms.
 //!
-//! Takes [`Expr`] in and gives [`Expr`] back; in between stands [`Form`], an expression of
-//! the [`Algebra`] that a session was opened with, and that nobody else looks into.
+//! Takes and returns [`Expr`]. Intermediate results are [`Form`]s, opaque expressions of the
+//! [`Algebra`] that a session was opened with.
 
 mod digits;
 #[cfg(feature = "symbolica")]
@@ -21,33 +21,34 @@ pub use session::{CasError, GREETED, session};
 use symbolica::{Known, Vocabulary};
 pub use terms::Terms;
 
-/// What works expressions out.
+/// Algebra used for derivation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Algebra {
-    /// The computer algebra system of that name, which simplifies most. It waits for whoever on
-    /// this machine uses it.
+    /// The computer algebra system Symbolica, which simplifies most. It waits for other processes
+    /// on this machine that use it.
     #[cfg(feature = "symbolica")]
     Symbolica,
-    /// Our own: normal forms, derivatives, products multiplied out, common factors. The same
-    /// motion, by equations that are less simplified here and there. It takes no lock.
+    /// Our own: normal forms, derivatives, expansion of products, common factors. The motion is the
+    /// same, but some equations are less simplified. It takes no lock.
     #[default]
     Plain,
 }
 
-/// Coordinates beyond which Symbolica is not worth its time: nobody reads so many equations.
+/// Largest number of coordinates for which Symbolica is worth its time: nobody reads the equations
+/// of more.
 const MANY: usize = 100;
 
 impl Algebra {
-    /// All of them, the one that simplifies most first.
+    /// All algebras, the one that simplifies most first.
     pub const ALL: &[Self] = &[
         #[cfg(feature = "symbolica")]
         Algebra::Symbolica,
         Algebra::Plain,
     ];
 
-    /// The algebra that simplifies most, for equations that are emitted or read: Symbolica where
-    /// the build has it, but for more than 100 coordinates.
+    /// Returns the algebra that simplifies most, for equations that are emitted or read: Symbolica
+    /// if the build has it, except for more than 100 coordinates.
     #[must_use]
     pub fn most_simplifying(coordinates: usize) -> Self {
         match Self::ALL {
@@ -56,7 +57,7 @@ impl Algebra {
         }
     }
 
-    /// Its name.
+    /// Returns its name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -74,12 +75,12 @@ enum Engine {
     #[cfg(feature = "symbolica")]
     Symbolica(Box<Vocabulary>),
     Plain {
-        /// Whether an expression without a value was taken in.
+        /// True if an expression without a value was taken in.
         undefined: bool,
     },
 }
 
-/// An expression within a session. Not for other threads.
+/// An expression within a session. It must not be used in other threads.
 #[derive(Clone)]
 pub struct Form(Kind);
 
@@ -103,7 +104,7 @@ impl From<Known> for Form {
     }
 }
 
-/// The same of a form of either algebra.
+/// Evaluates the same expression for a form of either algebra.
 macro_rules! of_form {
     ($form:expr, $inner:ident => $value:expr) => {
         match &$form.0 {
@@ -124,7 +125,7 @@ impl Cas {
         Cas(Engine::Plain { undefined: false })
     }
 
-    /// Takes an expression in.
+    /// Converts an expression to a form.
     pub fn form(&mut self, expr: &Expr) -> Form {
         match &mut self.0 {
             #[cfg(feature = "symbolica")]
@@ -133,8 +134,8 @@ impl Cas {
         }
     }
 
-    /// Gives an expression back, in an order of terms that does not depend on
-    /// what was asked before.
+    /// Converts a form to an expression, in an order of terms that does not depend on earlier
+    /// calls.
     #[must_use]
     pub fn expr(&self, form: &Form) -> Expr {
         match (&self.0, &form.0) {
@@ -146,7 +147,7 @@ impl Cas {
         }
     }
 
-    /// Zero.
+    /// Returns zero.
     #[must_use]
     pub fn zero(&self) -> Form {
         match self.0 {
@@ -156,7 +157,7 @@ impl Cas {
         }
     }
 
-    /// Partial derivative with respect to one symbol, all others held.
+    /// Returns the partial derivative by one symbol.
     pub fn derivative(&mut self, form: &Form, symbol: Symbol) -> Form {
         match (&mut self.0, &form.0) {
             #[cfg(feature = "symbolica")]
@@ -169,19 +170,19 @@ impl Cas {
         }
     }
 
-    /// The cheapest of several equal forms, by operations of its tape.
+    /// Returns the cheapest of several equal forms, by the cost of its tape.
     pub fn simplify(&mut self, form: &Form) -> Expr {
         simplify::cheapest(self, form)
     }
 
-    /// The shorter of a form and what it is multiplied out: what it is derived from
-    /// decides how long everything derived is before it is simplified.
+    /// Returns the shorter of a form and its expansion. The size of a form determines the size of
+    /// its derivatives before they are simplified.
     pub fn shorter(&mut self, form: &Form) -> Form {
         simplify::shorter(self, form)
     }
 
-    /// With common factors cancelled, as far as the algebra can: as one quotient of
-    /// polynomials by Symbolica. None beyond what that may cost.
+    /// Cancels common factors as far as the algebra can; Symbolica does it in one quotient of
+    /// polynomials. Returns `None` if that may cost too much.
     #[must_use]
     pub fn rational(&self, form: &Form) -> Option<Form> {
         simplify::may_be_joined(&self.expr(form)).then(|| match &form.0 {
@@ -191,8 +192,8 @@ impl Cas {
         })
     }
 
-    /// Multiplied out, with sin^2 + cos^2 put together; as it stands beyond what that may
-    /// cost.
+    /// Expands products and joins sin^2 + cos^2. Returns the form unchanged if that may cost too
+    /// much.
     pub fn expand(&mut self, form: &Form) -> Form {
         if simplify::may_be_expanded(&self.expr(form)) {
             simplify::expanded(self, form)
@@ -201,13 +202,13 @@ impl Cas {
         }
     }
 
-    /// Whether a form is zero, whatever its symbols are.
+    /// Returns whether a form is zero for all values of its symbols.
     #[must_use]
     pub fn is_zero(&self, form: &Form) -> bool {
         form.is_zero() || identity::is_zero(&self.expr(form))
     }
 
-    /// The sum of many forms; adding them one by one would copy the sum each time.
+    /// Returns the sum of many forms; one-by-one addition would copy the sum each time.
     #[must_use]
     pub fn sum(&self, forms: Vec<Form>) -> Form {
         match self.0 {
@@ -217,14 +218,14 @@ impl Cas {
         }
     }
 
-    /// A form by the symbols of its terms.
+    /// Returns the terms of a form, indexed by their symbols.
     #[must_use]
     pub fn terms(&self, form: &Form) -> Terms {
         Terms::of(self, form)
     }
 
-    /// Whether a form since the last question divided by zero or took the logarithm of
-    /// zero; such a form stands for nothing.
+    /// Returns whether a form since the last call divided by zero or took the logarithm of zero;
+    /// such a form has no value.
     pub fn was_undefined(&mut self) -> bool {
         std::mem::take(match &mut self.0 {
             #[cfg(feature = "symbolica")]
@@ -234,12 +235,12 @@ impl Cas {
     }
 }
 
-/// Nobody takes forms from one session to another.
+/// Message for forms that were moved from one session to another.
 #[cfg(feature = "symbolica")]
 const ONE_ALGEBRA: &str = "the forms of a session are of its algebra";
 
 impl Form {
-    /// Whether the form is zero as it stands.
+    /// Returns whether the form is the number zero.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         match &self.0 {
@@ -249,7 +250,7 @@ impl Form {
         }
     }
 
-    /// What is multiplied out.
+    /// Returns the form with its products expanded.
     fn expand(&self) -> Form {
         match &self.0 {
             #[cfg(feature = "symbolica")]
@@ -258,7 +259,7 @@ impl Form {
         }
     }
 
-    /// The terms of a sum, or the form alone.
+    /// Returns the terms of a sum, or the form itself.
     fn terms(&self) -> Vec<Form> {
         of_form!(self, form => form.terms())
     }
@@ -280,7 +281,7 @@ impl Form {
     }
 }
 
-/// An operation on two forms of one algebra.
+/// Implements an operation on two forms of one algebra.
 macro_rules! operation {
     ($trait:ident, $method:ident, $($doc:literal)?) => {
         impl std::ops::$trait for &Form {

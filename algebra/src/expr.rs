@@ -1,7 +1,7 @@
-//! Expressions after names are resolved, and the operations they are made of.
+//! Expressions after names are resolved, and the graph of their operations.
 //!
-//! Excluded: spans, strings and units (they stay in the spec), and any
-//! type of the computer algebra system (it stays in [`crate::cas`]).
+//! Excluded: spans, strings and units (they stay in the spec), and any type of the computer algebra
+//! system (it stays in [`crate::cas`]).
 
 pub mod abbreviate;
 mod cost;
@@ -43,15 +43,15 @@ pub struct ParameterId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct HelperId(pub u32);
 
-/// A number that a field hands to the machine at one of its ports.
+/// Index of a number that a field hands to the machine at one of its ports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct HandedId(pub u32);
 
-/// A constraint of a scene.
+/// Index of a constraint of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ConstraintId(pub u32);
 
-/// What an expression may depend on.
+/// Symbols in expressions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Symbol {
     /// The number pi, kept as a symbol so that documents show it.
@@ -70,20 +70,20 @@ pub enum Symbol {
     FirstOrder(FirstOrderId),
     /// Parameter p.
     Parameter(ParameterId),
-    /// What a field hands over.
+    /// Value that a field hands over.
     Handed(HandedId),
-    /// A helper standing for its expression; from [`crate::expr::abbreviate`] on only.
+    /// A helper in place of its expression; only after [`crate::expr::abbreviate`].
     Helper(HelperId),
 }
 
-/// The functions expressions know, by their usual names.
+/// Functions in expressions, by their usual names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Function {
     /// Square root.
     Sqrt,
     /// Absolute value.
     Abs,
-    /// The largest whole number that is not above it; its derivative is 0.
+    /// The largest integer not above the argument; its derivative is 0.
     Floor,
     /// Exponential function.
     Exp,
@@ -107,13 +107,12 @@ pub enum Function {
     Cosh,
     /// Hyperbolic tangent.
     Tanh,
-    /// `select_less(a, b, x, y)`: x where a < b, else y. `min`, `max`, `step`,
-    /// `piecewise` and `smooth_step` are written with it; it is differentiated
-    /// branch by branch.
+    /// `select_less(a, b, x, y)`: x if a < b, else y. `min`, `max`, `step`, `piecewise` and
+    /// `smooth_step` are written with it; it is differentiated branch by branch.
     SelectLess,
     /// Cubic table or a derivative of it, of one argument.
     Table {
-        /// Which table.
+        /// The table.
         table: TableId,
         /// 0 for the value, k for the k-th derivative.
         order: u32,
@@ -121,7 +120,7 @@ pub enum Function {
 }
 
 impl Function {
-    /// Functions that tapes know under the same names.
+    /// Functions that tapes have under the same names.
     const UNARY: [(Self, Unary); 14] = [
         (Self::Sqrt, Unary::Sqrt),
         (Self::Abs, Unary::Abs),
@@ -139,13 +138,14 @@ impl Function {
         (Self::Tanh, Unary::Tanh),
     ];
 
-    /// As the operation of a tape; those that are operations of their own are none.
+    /// Returns the function of tapes; `None` for functions that tapes have as operations of their
+    /// own.
     #[must_use]
     pub fn unary(self) -> Option<Unary> {
         Self::UNARY.iter().find(|(function, _)| *function == self).map(|(_, unary)| *unary)
     }
 
-    /// The function of an operation of a tape; nothing if expressions know none.
+    /// Returns the function of expressions for one of tapes; `None` if there is none.
     #[must_use]
     pub fn of_unary(unary: Unary) -> Option<Self> {
         Self::UNARY.iter().find(|(_, other)| *other == unary).map(|(function, _)| *function)
@@ -170,13 +170,13 @@ pub enum Expr {
 }
 
 impl Expr {
-    /// The number of an integer.
+    /// Returns an integer as an expression.
     #[must_use]
     pub fn integer(value: i64) -> Self {
         Expr::Number(BigRational::from_integer(value.into()))
     }
 
-    /// Whether this is the number zero.
+    /// Returns whether this is the number zero.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         matches!(self, Expr::Number(number) if number.is_zero())
@@ -199,7 +199,7 @@ impl Expr {
         }
     }
 
-    /// Every symbol of the expression.
+    /// Returns all symbols of the expression.
     #[must_use]
     pub fn symbols(&self) -> BTreeSet<Symbol> {
         let mut symbols = BTreeSet::new();
@@ -211,7 +211,7 @@ impl Expr {
         symbols
     }
 
-    /// Whether a symbol for which `is` holds is in the expression.
+    /// Returns whether the expression contains a symbol for which `is` returns true.
     #[must_use]
     pub fn mentions(&self, is: impl Fn(Symbol) -> bool) -> bool {
         let mut found = false;
@@ -219,7 +219,7 @@ impl Expr {
         found
     }
 
-    /// The expression with other ones in place of symbols.
+    /// Returns the expression with symbols replaced by other expressions.
     #[must_use]
     pub fn replace(&self, with: &impl Fn(Symbol) -> Option<Expr>) -> Expr {
         let all = |parts: &[Expr]| parts.iter().map(|part| part.replace(with)).collect();

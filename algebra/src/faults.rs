@@ -1,10 +1,9 @@
-//! Wrong signs on request, for tests of the generator, by the feature `faults` and nowhere else:
-//! so that the second derivation is shown to find them where they are made.
+//! Wrong signs on request, for tests of the generator, only with the feature `faults`: they show
+//! that the second derivation finds such faults where they are made.
 //!
-//! A fault is known by its name. Those of this crate are named `fold ...`.
+//! A fault is identified by its name. Names of faults in this crate begin with `fold`.
 
-/// What is right; with the feature `faults` what is wrong, while a test injects the fault of
-/// that name.
+/// Evaluates to `$right`; with the feature `faults`, to `$wrong` while a test injects the fault.
 #[cfg(not(feature = "faults"))]
 #[macro_export]
 macro_rules! unless_faulty {
@@ -13,7 +12,7 @@ macro_rules! unless_faulty {
     };
 }
 
-/// What is right; what is wrong, while a test injects the fault of that name.
+/// Evaluates to `$right`, or to `$wrong` while a test injects the fault.
 #[cfg(feature = "faults")]
 #[macro_export]
 macro_rules! unless_faulty {
@@ -33,13 +32,13 @@ mod injection {
         static INJECTED: Cell<Option<&'static str>> = const { Cell::new(None) };
     }
 
-    /// Whether this thread makes the fault of that name.
+    /// Returns whether the fault is injected in this thread.
     #[must_use]
     pub fn is_injected(fault: &str) -> bool {
         INJECTED.get() == Some(fault)
     }
 
-    /// Does some work with a fault; others go on without.
+    /// Runs `work` with a fault injected in this thread.
     pub fn with<T>(fault: Option<&'static str>, work: impl FnOnce() -> T) -> T {
         struct Before(Option<&'static str>);
         impl Drop for Before {
@@ -51,7 +50,7 @@ mod injection {
         work()
     }
 
-    /// A job for another thread, with the fault of this one.
+    /// Wraps a job for another thread, so that it runs with the fault of this one.
     pub fn carried<C, T>(job: impl FnOnce(&mut C) -> T) -> impl FnOnce(&mut C) -> T {
         let fault = INJECTED.get();
         move |context| with(fault, || job(context))

@@ -1,7 +1,7 @@
-//! Expressions, and algebra on them: what equations of motion are derived by.
+//! Expressions, and the algebra that derives equations of motion from them.
 //!
-//! [`expr`] has expressions, the graph of their operations, and what is asked of them; [`cas`]
-//! works them out, by Symbolica or by our own algebra.
+//! [`expr`] has expressions, the graph of their operations, and analyses of them; [`cas`]
+//! differentiates and simplifies them, with Symbolica or with our own algebra.
 //!
 //! Excluded: names to look up, spans, units, scenes, mechanics.
 

@@ -1,20 +1,20 @@
-//! Whether multiplying out loses digits: powers of t - 0.77 are exact near 0.77 s, those of t that
-//! they are multiplied out to cancel there.
+//! Loss of digits by expansion: powers of t - 0.77 are exact near 0.77 s, but the powers of t in
+//! their expansion cancel there.
 
 use machinist_model::{NodeId, Op, Tape, evaluate};
 use num_traits::{Signed as _, ToPrimitive as _};
 
 use crate::expr::{Expr, Function, Graph, Symbol};
 
-/// How near to where a sum passes zero both forms are looked at, as shares of its number.
+/// Relative distances from the zero of a sum at which both forms are compared.
 const NEAR: [f64; 3] = [1e-3, 1e-5, 1e-7];
-/// In the square of such a sum so many roundings may be lost.
+/// Accepted error, as a multiple of the rounding error in the square of such a sum.
 const ROUNDINGS: f64 = 100.0;
-/// So many sums are looked at.
+/// Maximum number of sums that are examined.
 const MOST: usize = 8;
 
-/// Whether an expression is less exact multiplied out, near where a sum of a symbol and a number
-/// within it passes zero: by more than a square of that sum would be.
+/// Returns whether the expanded expression is less accurate near the zero of a sum of a symbol and
+/// a number within it, by more than a square of that sum would be.
 pub(super) fn loses(expr: &Expr, multiplied_out: &Expr) -> bool {
     if spreads(expr, multiplied_out) {
         return true;
@@ -36,10 +36,10 @@ pub(super) fn loses(expr: &Expr, multiplied_out: &Expr) -> bool {
     })
 }
 
-/// Whether the power of a distance from a place that parameters give is multiplied out: that is
-/// small where the two are near, what it is multiplied out to is not, and another parameter may be
-/// far smaller. Or that of a sum with an exponential: squares of it overflow sooner, and quotients
-/// with it are told as such no more.
+/// Returns whether expansion spreads the power of a distance from a place given by parameters, or
+/// of a sum with an exponential. Such a distance is small near the place, but the terms of its
+/// expansion are not, and another parameter may be much smaller. Squares of exponentials overflow
+/// sooner, and quotients with the sum are no longer recognized.
 fn spreads(expr: &Expr, multiplied_out: &Expr) -> bool {
     let powers = |expr: &Expr, is: fn(&Expr) -> bool| {
         let mut bases = Vec::new();
@@ -54,7 +54,7 @@ fn spreads(expr: &Expr, multiplied_out: &Expr) -> bool {
         bases
     };
     let mut kept = powers(expr, |base| is_distance(base) || grows(base));
-    // In an exponent or below, where they say how near something is.
+    // In an exponent or a denominator, where they are the distance to something.
     expr.visit(&mut |part| match part {
         Expr::Call(Function::Exp, arguments) => kept.extend(powers(&arguments[0], is_linear)),
         Expr::Power(base, exponent) if is_below(exponent) => kept.extend(powers(base, is_linear)),
@@ -75,7 +75,7 @@ fn is_below(exponent: &Expr) -> bool {
     matches!(exponent, Expr::Number(number) if number.is_negative())
 }
 
-/// Whether an expression is a sum with an exponential.
+/// Returns whether an expression is a sum with an exponential.
 pub(super) fn grows(expr: &Expr) -> bool {
     let is_exponential = |expr: &Expr| matches!(expr, Expr::Call(Function::Exp, _));
     let has_exponential = |term: &Expr| match term {
@@ -85,7 +85,7 @@ pub(super) fn grows(expr: &Expr) -> bool {
     matches!(expr, Expr::Sum(terms) if terms.iter().any(has_exponential))
 }
 
-/// Whether an expression is a multiple of a state or time, less a product of parameters.
+/// Returns whether an expression is a multiple of a state or time, less a product of parameters.
 fn is_distance(expr: &Expr) -> bool {
     match expr {
         Expr::Sum(terms) => match &terms[..] {
@@ -96,7 +96,8 @@ fn is_distance(expr: &Expr) -> bool {
     }
 }
 
-/// Whether an expression is a sum of multiples of states and time, and of parameters and numbers.
+/// Returns whether an expression is a sum of multiples of states and time, and of parameters and
+/// numbers.
 fn is_linear(expr: &Expr) -> bool {
     let is_term =
         |term: &Expr| is_of_place(term) || is_place(term) || matches!(term, Expr::Number(_));
@@ -114,7 +115,8 @@ fn is_place(expr: &Expr) -> bool {
     is_multiple(expr, |symbol| matches!(symbol, Symbol::Parameter(_)))
 }
 
-/// Whether an expression is a product of numbers and of such symbols.
+/// Returns whether an expression is a product of numbers and of symbols for which `is` returns
+/// true.
 fn is_multiple(expr: &Expr, is: fn(Symbol) -> bool) -> bool {
     let is_one = |factor: &Expr| matches!(factor, Expr::Symbol(symbol) if is(*symbol));
     match expr {
@@ -127,7 +129,7 @@ fn is_multiple(expr: &Expr, is: fn(Symbol) -> bool) -> bool {
     }
 }
 
-/// Where sums of a number and a multiple of one symbol pass zero.
+/// Returns the zeros of sums of a number and a multiple of one symbol.
 fn zeros(expr: &Expr) -> Vec<(Symbol, f64)> {
     let mut zeros = Vec::new();
     expr.visit(&mut |part| {
@@ -143,7 +145,7 @@ fn zeros(expr: &Expr) -> Vec<(Symbol, f64)> {
     zeros
 }
 
-/// Where c s + d is zero.
+/// Returns the zero of c s + d.
 fn zero(linear: &Expr, number: &Expr) -> Option<(Symbol, f64)> {
     let Expr::Number(number) = number else { return None };
     let (symbol, slope) = match linear {
@@ -159,7 +161,7 @@ fn zero(linear: &Expr, number: &Expr) -> Option<(Symbol, f64)> {
     (symbol != Symbol::Pi && zero.is_finite() && zero != 0.0).then_some((symbol, zero))
 }
 
-/// Whether all in it has a value once time, states and parameters have.
+/// Returns whether the expression has a value once time, states and parameters have values.
 fn is_closed(expr: &Expr) -> bool {
     let mut is_closed = true;
     expr.visit(&mut |part| {
@@ -180,7 +182,8 @@ fn is_closed(expr: &Expr) -> bool {
     is_closed
 }
 
-/// The first two results where one symbol has this value, and others some of their own.
+/// Returns the first two results with the given value of one symbol and arbitrary values of the
+/// others.
 fn values(tape: &Tape, symbol: NodeId, value: f64) -> [f64; 2] {
     let mut values: Vec<f64> = Vec::with_capacity(tape.nodes.len());
     for (index, node) in tape.nodes.iter().enumerate() {
@@ -238,7 +241,7 @@ mod tests {
         assert!(loses(&power(&distance, 2), &apart));
         assert!(!loses(&power(&distance, 2), &Expr::Product(vec![distance.clone(), x.clone()])));
         assert!(!loses(&power(&Expr::Sum(vec![x.clone(), power(&place, 2)]), 2), &apart));
-        // By numbers, too, in an exponent: x^2 - 6 x + 9.
+        // The same for numbers in an exponent: x^2 - 6 x + 9.
         let near = power(&Expr::Sum(vec![x.clone(), number(-3)]), 2);
         let middle = Expr::Product(vec![number(-6), x.clone()]);
         let out = Expr::Sum(vec![power(&x, 2), middle, number(9)]);

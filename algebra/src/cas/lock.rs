@@ -1,4 +1,4 @@
-//! One process of the machine at a time: an advisory file lock, with word of who holds it.
+//! An advisory file lock for one process of the machine at a time, with a note by its holder.
 
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{ErrorKind, Read as _, Seek as _, SeekFrom, Write as _};
@@ -9,19 +9,19 @@ use std::time::{Duration, Instant};
 
 use super::CasError;
 
-/// Bytes that the holder's word of itself may have.
+/// Maximum length of the holder's note in bytes.
 const MOST: u64 = 200;
 
-/// The port by which Symbolica tells that another process uses it, unless the environment names
-/// another.
+/// Port by which Symbolica detects another process that uses it, unless the environment names
+/// another port.
 const PORT: u16 = 12011;
-/// Longest wait for that port. A process that ends gives it back at once.
+/// Longest wait for that port. A process that ends releases it immediately.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Time between two looks at it.
+/// Time between two attempts.
 const PAUSE: Duration = Duration::from_millis(5);
 
-/// Takes the lock, waiting with a message if another process holds it, and keeps
-/// it until this process ends; the system releases it then, also after a crash.
+/// Takes the lock and keeps it until this process ends. Waits with a message if another process
+/// holds it. The system releases it when the process ends, also after a crash.
 pub(super) fn hold_for_this_process(purpose: &str) -> Result<(), CasError> {
     static HELD: OnceLock<File> = OnceLock::new();
     if HELD.get().is_some() {
@@ -43,13 +43,13 @@ pub(super) fn hold_for_this_process(purpose: &str) -> Result<(), CasError> {
         Err(TryLockError::Error(error)) => return Err(failed(error)),
     }
     wait_until_free(port(), PATIENCE)?;
-    // Only a courtesy to who waits; another user's file may not be written to.
+    // The note only informs waiting processes. A file of another user may not be writable.
     let _ = tell(&mut file, purpose);
     let _ = HELD.set(file);
     Ok(())
 }
 
-/// The port that Symbolica will take, or none if a key lets it run beside others.
+/// Returns the port that Symbolica will take; `None` if a license key lets it run beside others.
 fn port() -> Option<u16> {
     if std::env::var_os("SYMBOLICA_LICENSE").is_some() {
         return None;
@@ -58,16 +58,16 @@ fn port() -> Option<u16> {
     Some(named.and_then(|port| port.parse().ok()).unwrap_or(PORT))
 }
 
-/// Waits until nobody has Symbolica's port. Symbolica ends its process by `abort` if the port is
-/// taken, and a process that ends need not give it back before the lock: the order in which the
-/// system closes files is its own affair.
+/// Waits until Symbolica's port is free. Symbolica aborts its process if the port is taken. A
+/// process that ends may release the lock before the port, because the order in which the system
+/// closes files is not specified.
 fn wait_until_free(port: Option<u16>, patience: Duration) -> Result<(), CasError> {
     let Some(port) = port else { return Ok(()) };
     let start = Instant::now();
     loop {
         match TcpListener::bind((Ipv4Addr::LOCALHOST, port)) {
             Err(error) if error.kind() == ErrorKind::AddrInUse => {}
-            // Of any other difficulty Symbolica speaks for itself.
+            // Symbolica reports other errors itself.
             _ => return Ok(()),
         }
         if start.elapsed() >= patience {
@@ -77,8 +77,8 @@ fn wait_until_free(port: Option<u16>, patience: Duration) -> Result<(), CasError
     }
 }
 
-/// The ban is the machine's, so all users share the file, and none owns it: who may not
-/// write to it locks it all the same.
+/// Opens the lock file. The restriction applies to the whole machine, so all users share the file.
+/// A user without permission to write to it can lock it nevertheless.
 fn open(path: &Path) -> std::io::Result<File> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder)?;
@@ -88,13 +88,13 @@ fn open(path: &Path) -> std::io::Result<File> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::OpenOptionsExt as _;
-        // A link that somebody left there would have us write to another file.
+        // A symbolic link at this path would redirect our writes to another file.
         options.mode(0o666).custom_flags(libc::O_NOFOLLOW);
     }
     options.open(path).or_else(|_| File::open(path))
 }
 
-/// Who holds the lock, by its own word.
+/// Returns the note of the lock's holder.
 fn holder(file: &mut File) -> String {
     let mut text = String::new();
     let read = file.take(MOST).read_to_string(&mut text);
@@ -113,7 +113,7 @@ fn tell(file: &mut File, purpose: &str) -> std::io::Result<()> {
     writeln!(file, "{text}")
 }
 
-/// The same file for all users of a machine.
+/// Returns the path, which is the same for all users of a machine.
 fn lock_path() -> PathBuf {
     let folder = if cfg!(unix) { PathBuf::from("/tmp") } else { std::env::temp_dir() };
     folder.join("machinist-symbolica.lock")

@@ -1,8 +1,8 @@
-//! Algebra on our own expressions: normal forms, derivatives, products multiplied out, common
-//! factors put before.
+//! Algebra on our own expressions: normal forms, derivatives, expansion of products, common
+//! factors.
 //!
-//! It needs nothing but this crate, and its work is near linear in the size of what comes out.
-//! What it leaves to Symbolica: polynomials factored, quotients over one denominator.
+//! It needs nothing but this crate, and its cost is nearly linear in the size of the result. Only
+//! Symbolica factors polynomials and puts quotients over one denominator.
 
 mod collect;
 mod derivative;
@@ -22,8 +22,8 @@ pub(super) use expand::expand;
 pub(super) struct Plain(pub(super) Expr);
 
 impl Plain {
-    /// An expression in normal form; `undefined` is set if something in it divides by zero
-    /// or is the logarithm of zero as it stands.
+    /// Converts an expression to normal form; sets `undefined` if a part of it divides by zero or
+    /// is the logarithm of zero.
     pub(super) fn of(expr: &Expr, undefined: &mut bool) -> Self {
         Plain(normal::normal(expr, undefined))
     }
@@ -36,14 +36,14 @@ impl Plain {
         Plain(derivative::derivative(&self.0, symbol))
     }
 
-    /// Leaves and operations, written out.
+    /// Returns the number of leaves and operations, without sharing.
     pub(super) fn size(&self) -> usize {
         let mut size = 0;
         self.0.visit(&mut |_| size += 1);
         size
     }
 
-    /// The terms of a sum, or the form alone.
+    /// Returns the terms of a sum, or the form itself.
     pub(super) fn terms(&self) -> Vec<Form> {
         let terms = match &self.0 {
             Expr::Sum(terms) => terms.as_slice(),

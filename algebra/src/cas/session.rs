@@ -1,59 +1,60 @@
-//! Where algebra runs.
+//! Sessions, in which algebra runs.
 //!
-//! Without a key Symbolica may run in one thread of one process of a machine at a time. So
-//! one thread of this process runs every session of it, and it holds an advisory file lock
-//! from its first session to the end of the process, so that other processes wait for it.
-//! Our own algebra needs neither.
+//! Without a license key, Symbolica may run in one thread of one process of a machine at a time.
+//! Therefore one thread of this process runs all its sessions. It holds an advisory file lock from
+//! its first session to the end of the process, so that other processes wait for it. Our own
+//! algebra needs neither.
 //!
-//! **A process that has used Symbolica starts no other process.** Once a second Symbolica closes its
-//! port and takes it again, and aborts the process where that fails. A process that is being started
-//! has, until it runs its own program, a copy of the port that was open: then it fails.
+//! **A process that has used Symbolica must not start other processes.** Symbolica closes its port
+//! once a second, takes it again, and aborts the process if that fails. A child process holds a
+//! copy of the open port until it executes its own program; meanwhile the port cannot be taken.
 
 use std::any::Any;
 use std::panic::resume_unwind;
 
 use super::{Algebra, Cas};
 
-/// Why a session could not be held.
+/// Reason why a session failed.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 pub enum CasError {
-    /// The lock that keeps processes apart could not be taken.
+    /// The lock shared by all processes could not be taken.
     #[error("cannot take the lock on Symbolica at {path}")]
     #[diagnostic(help("the folder must exist and be writable"))]
     Lock {
-        /// Where the lock file is.
+        /// Path of the lock file.
         path: std::path::PathBuf,
-        /// What the system said.
+        /// Error of the system.
         #[source]
         source: std::io::Error,
     },
-    /// A program that takes no such lock uses Symbolica.
+    /// A program that does not take the lock uses Symbolica.
     #[error(
         "another program uses Symbolica, which without a key runs once a machine: port {port} of \
          127.0.0.1 is taken"
     )]
     #[diagnostic(help("end that program, or derive by our own algebra: `--algebra plain`"))]
     InUse {
-        /// The port by which Symbolica tells.
+        /// Port by which Symbolica detects other users.
         port: u16,
     },
-    /// No thread to run in, or it is gone.
+    /// The thread could not be started, or it has ended.
     #[error("the thread that runs the algebra has ended")]
     Gone,
 }
 
-/// The environment variable of processes whose parent has said on whose terms they derive.
+/// Environment variable of child processes, whose parent has already printed the notice on
+/// licensing.
 pub const GREETED: &str = "MACHINIST_GREETED";
 
-/// Bytes of stack of the thread that runs the sessions: expressions nest some six hundred
+/// Stack size in bytes of the thread that runs the sessions: expressions nest about six hundred
 /// levels deep, and their derivatives deeper.
 const STACK: usize = 256 << 20;
 
 type Value = Box<dyn Any + Send>;
 type Job = Box<dyn FnOnce(&mut Cas) -> Value + Send>;
 
-/// Runs `job` where the algebra may run, and waits for its result. Who has to wait for this
-/// process is told `purpose`, such as the name of a scene.
+/// Runs `job` in the thread of the algebra, and waits for its result. Processes that wait for this
+/// one are shown `purpose`, such as the name of a scene.
 ///
 /// # Errors
 /// If the lock that Symbolica needs, shared by all processes of the machine, cannot be taken.
@@ -85,7 +86,7 @@ where
     }
 }
 
-/// Sessions of what only one thread of the machine may use.
+/// Sessions of an algebra that only one thread of the machine may use.
 #[cfg(feature = "symbolica")]
 mod guarded {
     use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -97,7 +98,7 @@ mod guarded {
     type Reply = std::thread::Result<Value>;
     type Request = (String, Job, mpsc::Sender<Result<Reply, CasError>>);
 
-    /// Runs a job on the one thread.
+    /// Runs a job in the one thread.
     pub(super) fn run(purpose: String, job: Job) -> Result<Reply, CasError> {
         static WORKER: OnceLock<mpsc::Sender<Request>> = OnceLock::new();
         let worker = WORKER.get_or_init(|| {
@@ -107,11 +108,12 @@ mod guarded {
                 for (purpose, job, reply) in receiver {
                     let answer = started(&mut cas, &purpose)
                         .map(|cas| catch_unwind(AssertUnwindSafe(|| job(cas))));
-                    // The asker may be gone; then nobody needs the answer.
+                    // If the caller is gone, nobody needs the answer.
                     let _ = reply.send(answer);
                 }
             };
-            // Without a thread its end of the channel is gone, which the asker is told.
+            // If the thread cannot start, its end of the channel is dropped, which the caller
+            // notices.
             let _ = std::thread::Builder::new().stack_size(STACK).spawn(work);
             sender
         });
@@ -120,7 +122,7 @@ mod guarded {
         receiver.recv().map_err(|_| CasError::Gone)?
     }
 
-    /// Starts the system at the first session.
+    /// Starts Symbolica at the first session.
     fn started<'a>(cas: &'a mut Option<Cas>, purpose: &str) -> Result<&'a mut Cas, CasError> {
         if cas.is_none() {
             lock::hold_for_this_process(purpose)?;
@@ -130,12 +132,12 @@ mod guarded {
         cas.as_mut().ok_or(CasError::Gone)
     }
 
-    /// Symbolica greets on standard output unless told not to by its documented
-    /// switch; we say what it would say on standard error instead.
+    /// Suppresses Symbolica's greeting on standard output by its documented switch, and prints the
+    /// same notice on standard error instead.
     fn keep_standard_output_clean() {
         #[expect(unsafe_code, reason = "the switch is an environment variable")]
-        // SAFETY: Rust's own readers of the environment are locked against this
-        // writer, and nothing here calls C code that reads it.
+        // SAFETY: Rust's own readers of the environment are locked against this writer, and nothing
+        // here calls C code that reads it.
         unsafe {
             std::env::set_var("SYMBOLICA_HIDE_BANNER", "1");
         }

@@ -1,4 +1,4 @@
-//! Which of several equal forms is cheapest.
+//! Choice of the cheapest of several equal forms.
 
 use num_rational::BigRational;
 use num_traits::Signed as _;
@@ -8,22 +8,22 @@ use crate::expr::extent::{self, bits};
 use crate::expr::trigonometry::{combine, has_sine};
 use crate::expr::{Expr, Function, operations, weigh};
 
-/// Forms larger than this are not multiplied out.
+/// Maximum number of operations of a form that is expanded.
 const EXPAND_LIMIT: usize = 2000;
 
-/// Leaves beyond which nothing is multiplied out, by a bound told beforehand: ten sums of
-/// ten terms are small before and 10^10 terms after.
+/// Maximum number of leaves after expansion, by a bound known before: a product of ten sums of ten
+/// terms is small, but its expansion has 10^10 terms.
 const EXPANDED_LIMIT: f64 = 20_000.0;
 
-/// Likewise for common denominators.
+/// The same for common denominators.
 const JOINED_LIMIT: f64 = 1500.0;
 
-/// Whether multiplying an expression out has a result of bounded size.
+/// Returns whether the expansion of an expression has an acceptable size.
 pub(super) fn may_be_expanded(expr: &Expr) -> bool {
     extent::expanded(expr).leaves <= EXPANDED_LIMIT && bits(expr) <= NUMBER_LIMIT
 }
 
-/// Whether putting an expression over one denominator does.
+/// Returns whether an expression over one denominator has an acceptable size.
 pub(super) fn may_be_joined(expr: &Expr) -> bool {
     extent::expanded(expr).leaves <= JOINED_LIMIT
         && bits(expr) <= NUMBER_LIMIT
@@ -31,16 +31,16 @@ pub(super) fn may_be_joined(expr: &Expr) -> bool {
         && !has_growing_denominator(expr)
 }
 
-/// Sums with higher powers than this are not put over one denominator.
+/// Highest power in sums that are put over one denominator.
 const HIGHEST_DEGREE: i32 = 16;
 
-/// Bits of exact numbers beyond which algebra with them is not worth its time.
+/// Maximum number of bits of exact numbers for which algebra is worth its time.
 const NUMBER_LIMIT: u64 = 8192;
 
-/// The form whose tape takes the least time: as it is, multiplied out with
-/// trigonometric identities applied, or so with common factors collected. Polynomials are not
-/// factored: Symbolica's factors save two operations in a thousand of the scenes, and it does
-/// not find an end of one polynomial in some thousands.
+/// Returns the form whose tape takes the least time: the original, the expansion with trigonometric
+/// identities applied, or that with common factors collected. Polynomials are not factored:
+/// Symbolica's factors save two operations in a thousand in the scenes, and its factorization of
+/// one polynomial in some thousands does not end.
 pub(super) fn cheapest(cas: &mut Cas, form: &Form) -> Expr {
     let own = cas.expr(form);
     let (size, cost) = weigh(&own);
@@ -69,7 +69,7 @@ pub(super) fn cheapest(cas: &mut Cas, form: &Form) -> Expr {
     best.1.unwrap_or(own)
 }
 
-/// With factors that terms share before them.
+/// Returns the form with factors that terms share taken out.
 fn collected(cas: &Cas, form: &Form) -> Expr {
     match &form.0 {
         #[cfg(feature = "symbolica")]
@@ -78,8 +78,8 @@ fn collected(cas: &Cas, form: &Form) -> Expr {
     }
 }
 
-/// The form itself, or multiplied out with trigonometric identities applied if that
-/// is shorter, written out without any sharing.
+/// Returns the form, or its expansion with trigonometric identities applied if that is shorter,
+/// counted without sharing.
 pub(super) fn shorter(cas: &mut Cas, form: &Form) -> Form {
     let expr = cas.expr(form);
     if operations(&expr) > EXPAND_LIMIT || !may_be_expanded(&expr) {
@@ -98,14 +98,14 @@ fn size(form: &Form) -> usize {
     }
 }
 
-/// Multiplied out, with trigonometric identities applied.
+/// Returns the expansion with trigonometric identities applied.
 pub(super) fn expanded(cas: &mut Cas, form: &Form) -> Form {
     trigonometric(cas, &form.expand())
 }
 
-/// Whether there is a high power, or an exponential with a number in its argument:
-/// exp(50 t + 7) is a power of exp(t) to Symbolica. Polynomials of degree 50 take long to
-/// divide, and those with large numbers besides, such as (1000/a)^64 + a, for ever.
+/// Returns whether there is a high power, or an exponential with a number in its argument:
+/// Symbolica treats exp(50 t + 7) as a power of exp(t). Polynomials of degree 50 take long to
+/// divide, and those that also have large numbers, such as (1000/a)^64 + a, do not finish.
 fn has_high_degree(expr: &Expr) -> bool {
     let one = BigRational::from_integer(1.into());
     let highest = BigRational::from_integer(HIGHEST_DEGREE.into());
@@ -125,14 +125,14 @@ fn has_high_degree(expr: &Expr) -> bool {
     found
 }
 
-/// Whether a power of what grows beyond all numbers is a denominator.
+/// Returns whether a denominator is a power of an exponentially growing expression.
 fn has_growing_denominator(expr: &Expr) -> bool {
     let mut found = false;
     expr.visit(&mut |part| found |= growing_denominator(part).is_some());
     found
 }
 
-/// What grows beyond all numbers, of a power that is a denominator.
+/// Returns the exponentially growing base of a power in a denominator.
 fn growing_denominator(expr: &Expr) -> Option<&Expr> {
     let Expr::Power(base, exponent) = expr else { return None };
     let Expr::Number(number) = &**exponent else { return None };
@@ -142,8 +142,8 @@ fn growing_denominator(expr: &Expr) -> Option<&Expr> {
     (number.is_negative() && grows).then_some(base)
 }
 
-/// Whether a sum with what grows beyond all numbers is over that: infinity over infinity, where
-/// each term for itself is a number.
+/// Returns whether a sum that contains an exponentially growing expression is divided by it: this
+/// is infinity over infinity, although each term alone is finite.
 fn is_over_what_grows(expr: &Expr) -> bool {
     let mut found = false;
     expr.visit(&mut |part| {
@@ -160,12 +160,12 @@ fn is_over_what_grows(expr: &Expr) -> bool {
     found
 }
 
-/// Pythagoras and the addition theorems, as often as they apply.
+/// Applies Pythagoras and the addition theorems as often as possible.
 fn trigonometric(cas: &mut Cas, form: &Form) -> Form {
     let mut current = form.clone();
     let mut expr = cas.expr(&current);
     while has_sine(&expr) {
-        // The algebra puts what is joined in normal form again.
+        // The algebra restores the normal form of the joined terms.
         current = cas.form(&combine(&expr));
         let joined = cas.expr(&current);
         if joined == expr {

@@ -1,4 +1,4 @@
-//! The only file, with those below it, that names Symbolica.
+//! Interface to Symbolica. Only this module and its children name it.
 
 mod convert;
 mod functions;
@@ -9,7 +9,7 @@ use super::Form;
 use crate::expr::{Expr, Symbol};
 pub(in crate::cas) use functions::Vocabulary;
 
-/// An expression of Symbolica's.
+/// An expression of Symbolica.
 #[derive(Clone)]
 pub(super) struct Known(Atom);
 
@@ -42,7 +42,7 @@ impl Known {
         Known(self.0.collect_factors())
     }
 
-    /// One quotient of polynomials, common factors cancelled.
+    /// Returns one quotient of polynomials with common factors cancelled.
     pub(super) fn rational(&self) -> Self {
         Known(self.0.together().cancel())
     }
@@ -51,7 +51,7 @@ impl Known {
         self.0.as_view().get_byte_size()
     }
 
-    /// The terms of a sum, or the form alone.
+    /// Returns the terms of a sum, or the form itself.
     pub(super) fn terms(&self) -> Vec<Form> {
         match self.0.as_view() {
             AtomView::Add(sum) => {

@@ -1,12 +1,12 @@
-//! A sum by what its terms mention, so that differentiating a sum of thousands by one
-//! symbol costs what mentions it.
+//! A sum indexed by the symbols of its terms, so that the cost of a derivative of a sum of
+//! thousands of terms depends only on those with the symbol.
 
 use std::collections::HashMap;
 
 use super::{Cas, Form};
 use crate::expr::Symbol;
 
-/// The terms of a form, and where each symbol is.
+/// The terms of a form, and the places of each symbol.
 pub struct Terms {
     terms: Vec<Form>,
     places: HashMap<Symbol, Vec<usize>>,
@@ -24,26 +24,26 @@ impl Terms {
         Terms { terms, places }
     }
 
-    /// The sum itself.
+    /// Returns the sum.
     #[must_use]
     pub fn form(&self, cas: &Cas) -> Form {
         cas.sum(self.terms.clone())
     }
 
-    /// Whether a symbol is in any term.
+    /// Returns whether any term contains a symbol.
     #[must_use]
     pub fn mention(&self, symbol: Symbol) -> bool {
         self.places.contains_key(&symbol)
     }
 
-    /// The symbols that `pick` takes, in their order.
+    /// Returns the symbols that `pick` accepts, as `pick` maps them, in order.
     pub fn symbols<T: Ord>(&self, pick: impl Fn(Symbol) -> Option<T>) -> Vec<T> {
         let mut symbols: Vec<T> = self.places.keys().filter_map(|symbol| pick(*symbol)).collect();
         symbols.sort_unstable();
         symbols
     }
 
-    /// Partial derivative with respect to one symbol, all others held.
+    /// Returns the partial derivative by one symbol.
     pub fn derivative(&self, cas: &mut Cas, symbol: Symbol) -> Form {
         let Some(places) = self.places.get(&symbol) else { return cas.zero() };
         let sum = cas.sum(places.iter().map(|place| self.terms[*place].clone()).collect());

@@ -1,11 +1,10 @@
-//! Helpers of the spec found again inside derived expressions.
+//! Recognition of the spec's helpers in derived expressions.
 //!
-//! Derivation multiplies everything out of its names. Here the names come back:
-//! where a sum holds the terms of a helper, or a product the factors of one (to
-//! some power), the helper stands for them. That is what makes emitted code and
-//! printed equations read like the spec, and it shares the work.
+//! Derivation replaces helpers by their expressions. Here they are restored: if a sum contains the
+//! terms of a helper, or a product its factors (to some power), the helper replaces them. Emitted
+//! code and printed equations therefore read like the spec, and the helper is computed once.
 //!
-//! The result holds [`Symbol::Helper`], which the computer algebra never sees.
+//! The result contains [`Symbol::Helper`], which the computer algebra never sees.
 
 use std::collections::BTreeSet;
 
@@ -15,14 +14,14 @@ use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, HelperId, Symbol};
 
-/// Helpers by what they stand for, smallest first; a larger one is written with
-/// the smaller ones.
+/// Helpers by their definitions, smallest first; the definitions of larger ones contain smaller
+/// ones.
 #[derive(Debug, Clone, Default)]
 pub struct Abbreviations {
     entries: Vec<(HelperId, Expr)>,
-    /// The first entry of a definition.
+    /// First entry of each definition.
     by_definition: FxHashMap<Expr, HelperId>,
-    /// Entries that are sums: their terms, and these with the other sign.
+    /// Entries that are sums: their terms, and the terms with opposite sign.
     sums: Vec<(HelperId, [Vec<Expr>; 2])>,
     /// Sums by the first of their terms.
     by_term: Places,
@@ -32,11 +31,11 @@ pub struct Abbreviations {
     by_base: Places,
 }
 
-/// Where something is that begins with an expression.
+/// Indices of entries, by the expression that they begin with.
 type Places = FxHashMap<Expr, Vec<usize>>;
 
-/// What may be found in a sum or product, in order, by what it is made of: only what begins
-/// with one of these can be.
+/// Entries that may be found in a sum or product, in order: only those that begin with one of its
+/// parts.
 struct Candidates<'a> {
     places: &'a Places,
     left: BTreeSet<usize>,
@@ -52,7 +51,7 @@ impl<'a> Candidates<'a> {
         self.left.pop_first()
     }
 
-    /// A part that came in at a place; what stands before that is not asked again.
+    /// Adds the entries of a new part that come after `at`; earlier ones were tried already.
     fn add(&mut self, part: &Expr, at: usize) {
         let more = self.places.get(part).into_iter().flatten();
         self.left.extend(more.copied().filter(|place| *place > at));
@@ -60,7 +59,7 @@ impl<'a> Candidates<'a> {
 }
 
 impl Abbreviations {
-    /// From the helpers' full expressions, in the order of their ids.
+    /// Builds the table from the helpers' full expressions, in the order of their ids.
     #[must_use]
     pub fn new(helpers: &[Expr]) -> Self {
         let mut order: Vec<usize> = (0..helpers.len()).collect();
@@ -100,13 +99,13 @@ impl Abbreviations {
         self.entries.push((id, definition));
     }
 
-    /// What each helper stands for, written with those before it.
+    /// Returns the definition of each helper, written with those before it.
     #[must_use]
     pub fn entries(&self) -> &[(HelperId, Expr)] {
         &self.entries
     }
 
-    /// The same value with helpers in place of what they stand for.
+    /// Returns an equal expression with helpers in place of their definitions.
     #[must_use]
     pub fn apply(&self, expr: &Expr) -> Expr {
         let all = |parts: &[Expr]| parts.iter().map(|part| self.apply(part)).collect::<Vec<_>>();
@@ -122,7 +121,7 @@ impl Abbreviations {
         }
     }
 
-    /// An expression that is a helper as it stands.
+    /// Returns the helper whose definition is the whole expression, or the expression.
     fn whole(&self, expr: Expr) -> Expr {
         self.by_definition.get(&expr).map_or(expr, |id| helper(*id))
     }
@@ -180,7 +179,7 @@ fn number(n: i64) -> BigRational {
     BigRational::from_integer(n.into())
 }
 
-/// A product as coefficient and bases with exponents.
+/// A product as a coefficient and bases with exponents.
 #[derive(Debug, Clone)]
 struct Powers {
     coefficient: BigRational,
@@ -218,7 +217,7 @@ impl Powers {
         }
     }
 
-    /// Takes out the largest whole power of `part`, if there is one.
+    /// Replaces the largest whole power of `part`, if there is one.
     fn replace(&mut self, part: &Powers, id: HelperId) {
         let Some(count) = self.whole_powers_of(part) else { return };
         let Some(scale) = count.to_i32() else { return };
@@ -230,7 +229,7 @@ impl Powers {
         self.bases.retain(|(_, exponent)| !exponent.is_zero());
     }
 
-    /// The whole number n farthest from zero such that part^n is a factor.
+    /// Returns the whole number n farthest from zero such that part^n is a factor.
     fn whole_powers_of(&self, part: &Powers) -> Option<BigRational> {
         let mut count: Option<BigRational> = None;
         for (base, exponent) in &part.bases {
@@ -265,7 +264,7 @@ impl Powers {
     }
 }
 
-/// A term times 1 or -1, in normal order.
+/// Returns a term times 1 or -1, in normal order.
 fn scaled(term: &Expr, sign: i64) -> Expr {
     if sign == 1 {
         return term.clone();

@@ -1,22 +1,22 @@
-//! What an expression costs.
+//! Costs of expressions.
 
 use machinist_model::Op;
 
 use super::{Expr, Graph, Symbol};
 
-/// Operations of the tape of one expression.
+/// Returns the number of operations of the tape of one expression.
 #[must_use]
 pub fn operations(expr: &Expr) -> usize {
     weigh(expr).0
 }
 
-/// Operations of the tape of one expression, and the time that they take in that of a sum,
-/// roughly.
+/// Returns the number of operations of the tape of one expression, and their approximate cost
+/// relative to an addition.
 #[must_use]
 pub fn weigh(expr: &Expr) -> (usize, u32) {
     let mut graph = Graph::new();
-    // What is solved for costs nothing here, and stands for itself: a guard may hold the size
-    // of a constraint's force.
+    // Unknowns of the equations of motion cost nothing here and are represented by themselves: a
+    // guard may contain the magnitude of a constraint force.
     let mut count = 0;
     expr.visit(&mut |part| match part {
         Expr::Symbol(Symbol::Acceleration(id)) => count = count.max(id.0 + 1),

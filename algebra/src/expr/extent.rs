@@ -1,28 +1,27 @@
-//! How large an expression becomes by multiplying it out or by differentiating it, told
-//! before it is done.
+//! Bounds for the size of an expression after expansion or differentiation, computed before.
 //!
-//! Sizes are leaves written out, nothing shared; they are bounds, computed in time linear
-//! in the expression, and floating so that none overflows.
+//! Sizes are numbers of leaves without sharing. The bounds are computed in time linear in the
+//! expression, and in floating point so that none overflows.
 
 use num_bigint::BigInt;
 use num_traits::{Signed as _, ToPrimitive as _};
 
 use super::{Expr, Function};
 
-/// What an expression is multiplied out.
+/// Size of an expression after expansion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Expanded {
-    /// Terms of the sum.
+    /// Number of terms of the sum.
     pub terms: f64,
-    /// Leaves of all terms, with those of exact numbers that grow with powers.
+    /// Number of leaves of all terms, including those of exact numbers that grow with powers.
     pub leaves: f64,
 }
 
-/// How often what stands inside of a denominator is gone through for each
-/// time that what is around it is: nested, these multiply.
+/// Passes through the inside of a denominator for each pass through its surroundings: if nested,
+/// these multiply.
 const AGAIN: f64 = 2.0;
 
-/// A bound for the size of an expression multiplied out, within functions too.
+/// Returns a bound for the size of an expression after expansion, within functions too.
 #[must_use]
 pub fn expanded(expr: &Expr) -> Expanded {
     match expr {
@@ -46,7 +45,7 @@ pub fn expanded(expr: &Expr) -> Expanded {
                 return Expanded { terms: 1.0, leaves: AGAIN * (base.leaves + exponent.leaves) };
             };
             let count = exponent.abs();
-            // Ways to choose `count` factors of so many terms.
+            // Number of ways to choose `count` factors from the terms.
             let terms = choose(base.terms + count - 1.0, count.min(base.terms - 1.0));
             let bits = count * base.terms.log2();
             let leaves = terms * (base.leaves / base.terms * count.min(base.terms) + bits / 64.0);
@@ -70,7 +69,7 @@ fn whole(exponent: &Expr) -> Option<f64> {
     }
 }
 
-/// n over k, as far as anybody cares.
+/// Returns n over k, up to a large limit.
 fn choose(n: f64, k: f64) -> f64 {
     let mut ways = 1.0_f64;
     let mut step = 0.0;
@@ -81,18 +80,18 @@ fn choose(n: f64, k: f64) -> f64 {
     ways.max(1.0)
 }
 
-/// Leaves of an expression, of its first derivatives and of its second, each by one symbol.
+/// Numbers of leaves of an expression, of a first derivative and of a second, each by one symbol.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Derivatives {
-    /// As it stands.
+    /// Number for the expression itself.
     pub value: f64,
-    /// Of a first derivative.
+    /// Number for a first derivative.
     pub first: f64,
-    /// Of a second.
+    /// Number for a second derivative.
     pub second: f64,
 }
 
-/// Bounds for the sizes of derivatives by the rules of sums, products and chains.
+/// Returns bounds for the sizes of derivatives by the rules of sums, products and chains.
 #[must_use]
 pub fn derivatives(expr: &Expr) -> Derivatives {
     match expr {
@@ -153,7 +152,7 @@ fn product(parts: &[Expr]) -> Derivatives {
     let (count, firsts) =
         moving.iter().fold((0.0, 0.0), |(count, sum), part| (count + 1.0, sum + part.first));
     let values: f64 = moving.iter().map(|part| part.value).sum();
-    // Over all i: f_i' and what is left of the product.
+    // Over all i: f_i' and the rest of the product.
     let first = firsts + count * value - values;
     // Over all i: f_i''; over all i and j: f_i' f_j'.
     let bends: f64 = moving
@@ -165,7 +164,7 @@ fn product(parts: &[Expr]) -> Derivatives {
     Derivatives { value, first, second: bends + pairs }
 }
 
-/// Bits of the largest exact number within an expression.
+/// Returns the number of bits of the largest exact number within an expression.
 #[must_use]
 pub fn bits(expr: &Expr) -> u64 {
     let mut most = 0;

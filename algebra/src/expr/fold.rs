@@ -1,8 +1,7 @@
-//! What an operation becomes when its operands are known: constants computed,
-//! neutral elements dropped, signs moved outward.
+//! Simplification of an operation with known operands: constants are computed, neutral elements
+//! dropped, signs moved outward.
 //!
-//! 0 x is 0 also where x would be infinite: a term with a structural zero is not
-//! there.
+//! 0 x is 0 even if x would be infinite: a term with a structural zero does not exist.
 
 use machinist_model::{Function, NodeId, Op, evaluate};
 
@@ -11,9 +10,9 @@ use crate::unless_faulty;
 
 /// The result of folding.
 pub enum Folded {
-    /// A node that is there already.
+    /// An existing node.
     Node(NodeId),
-    /// An operation to be written.
+    /// An operation to add.
     Op(Op),
 }
 
@@ -113,8 +112,8 @@ fn mul(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
     }
 }
 
-/// A product with a literal times another literal: one product, unless the first has a
-/// name, under which it is to be found.
+/// Merges the literal factor of a product with another literal, unless the product has a name,
+/// under which it must remain available.
 fn scaled(graph: &mut Graph, product: NodeId, factor: f64) -> Option<Folded> {
     let Op::Mul(x, y) = graph.op(product) else { return None };
     let (literal, rest) = match (graph.literal_value(x), graph.literal_value(y)) {
@@ -157,7 +156,7 @@ fn div(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
     }
 }
 
-/// Odd and even functions of a difference, so that both ways round are one call.
+/// Folds odd and even functions of a difference, so that both signs share one call.
 fn call(graph: &mut Graph, function: Function, a: NodeId) -> Folded {
     let Some(is_odd) = function.is_odd() else { return Folded::Op(Op::Call(function, a)) };
     let positive = match graph.op(a) {
@@ -170,7 +169,7 @@ fn call(graph: &mut Graph, function: Function, a: NodeId) -> Folded {
     Folded::Node(if is_negative { graph.neg(value) } else { value })
 }
 
-/// The value of an operation on literals, if it is finite.
+/// Returns the value of an operation on literals, if it is finite.
 fn computed(graph: &Graph, op: &Op) -> Option<f64> {
     let value = |id: NodeId| graph.literal_value(id);
     let result = match *op {
@@ -184,8 +183,7 @@ fn computed(graph: &Graph, op: &Op) -> Option<f64> {
         Op::Call(function, a) => evaluate::call(function, value(a)?),
         _ => return None,
     };
-    // Whatever is not finite stays an operation: it may be in a branch that is
-    // never selected.
+    // A result that is not finite stays an operation: it may be in a branch that is never selected.
     result.is_finite().then_some(if result == 0.0 { 0.0 } else { result })
 }
 
@@ -193,7 +191,7 @@ fn computed(graph: &Graph, op: &Op) -> Option<f64> {
 mod tests {
     use super::*;
 
-    /// A graph with two entries of the state.
+    /// Returns a graph with two entries of the state.
     fn graph() -> (Graph, NodeId, NodeId) {
         let mut graph = Graph::new();
         let [x, y] = [0, 1].map(|entry| graph.insert(Op::State(entry)));
@@ -274,7 +272,7 @@ mod tests {
             let node = g.insert(op);
             assert_eq!(g.op(node), op);
         }
-        // Not finite: perhaps in a branch that is never selected.
+        // A result that is not finite may be in a branch that is never selected.
         let infinite = g.div(two, zero);
         assert_eq!(g.op(infinite), Op::Div(two, zero));
     }
@@ -314,7 +312,7 @@ mod tests {
             let node = g.mul(three, stays);
             assert_eq!(g.op(node), Op::Mul(three, stays));
         }
-        // Two factors that are nothing together are something one after the other.
+        // Two factors whose product underflows are kept separate.
         let little = g.mul(tiny, x);
         let node = g.mul(tiny, little);
         assert_eq!(g.op(node), Op::Mul(tiny, little));

@@ -1,4 +1,4 @@
-//! The operations of a whole scene, each written once.
+//! Operations of a whole scene, each stored once.
 
 use machinist_model::{Function, Node, NodeId, Op, OpKey, TableId, Tape, reachable};
 use rustc_hash::FxHashMap;
@@ -6,15 +6,15 @@ use rustc_hash::FxHashMap;
 use super::fold;
 use super::{Expr, HelperId, Symbol};
 
-/// Operations in order of creation, equal ones shared; functions of the scene
-/// are slices of it.
+/// Operations in order of creation, with equal ones shared; functions of the scene are parts of the
+/// graph.
 #[derive(Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
     known: FxHashMap<OpKey, NodeId>,
-    /// Depends on parameters and literals only; see [`super::terms`].
+    /// True for nodes that depend on parameters and literals only; see [`super::terms`].
     constant: Vec<bool>,
-    /// Entries of the state by what expressions call them.
+    /// Entries of the state by their symbols in expressions.
     entries: FxHashMap<Symbol, u32>,
     accelerations: Vec<NodeId>,
     multipliers: Vec<NodeId>,
@@ -26,40 +26,40 @@ pub struct Graph {
 pub struct PlusExponential {
     /// a.
     pub a: NodeId,
-    /// b; none is 1.
+    /// b; `None` is 1.
     pub b: Option<NodeId>,
     /// v.
     pub argument: NodeId,
 }
 
 impl Graph {
-    /// A graph for one expression, whose symbols get entries as they come.
+    /// Returns a graph for one expression, whose symbols get entries in order of appearance.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A graph for a scene whose state is made of `symbols`, in this order.
+    /// Returns a graph for a scene with the state `symbols`, in this order.
     #[must_use]
     pub fn for_scene(symbols: impl Iterator<Item = Symbol>) -> Self {
         Graph { entries: symbols.zip(0..).collect(), ..Self::default() }
     }
 
-    /// What q'' and the multipliers of constraints stand for from now on.
+    /// Sets the nodes of q'' and of the multipliers of constraints.
     pub fn set_accelerations(&mut self, accelerations: Vec<NodeId>, multipliers: Vec<NodeId>) {
         self.accelerations = accelerations;
         self.multipliers = multipliers;
     }
 
-    /// What a helper stands for from now on.
+    /// Sets the node of a helper.
     pub fn set_helper(&mut self, id: HelperId, node: NodeId) {
         self.helpers.insert(id, node);
     }
 
-    /// The nodes of an expression.
+    /// Adds an expression and returns its node.
     ///
     /// # Panics
-    /// If it holds accelerations or helpers before they are set.
+    /// If the expression contains accelerations or helpers that are not set.
     pub fn lower(&mut self, expr: &Expr) -> NodeId {
         super::terms::lower(self, expr)
     }
@@ -81,7 +81,7 @@ impl Graph {
         }
     }
 
-    /// Names a node, if it is an operation without a name; the first name stays.
+    /// Names a node if it is an operation without a name; the first name remains.
     pub fn name(&mut self, id: NodeId, ident: &str) {
         let node = &mut self.nodes[id.0 as usize];
         if node.op.is_arithmetic() && node.name.is_none() {
@@ -89,19 +89,19 @@ impl Graph {
         }
     }
 
-    /// Whether a node has a name.
+    /// Returns whether a node has a name.
     #[must_use]
     pub fn is_named(&self, id: NodeId) -> bool {
         self.nodes[id.0 as usize].name.is_some()
     }
 
-    /// A finite literal.
+    /// Adds a finite literal.
     pub fn literal(&mut self, value: f64) -> NodeId {
         // Minus zero would hide equal operations.
         self.push(Op::Literal(if value == 0.0 { 0.0 } else { value }))
     }
 
-    /// The value of a literal node.
+    /// Returns the value of a literal node.
     #[must_use]
     pub fn literal_value(&self, id: NodeId) -> Option<f64> {
         match self.nodes[id.0 as usize].op {
@@ -110,62 +110,62 @@ impl Graph {
         }
     }
 
-    /// Whether a node is the literal zero.
+    /// Returns whether a node is the literal zero.
     #[must_use]
     pub fn is_zero(&self, id: NodeId) -> bool {
         matches!(self.nodes[id.0 as usize].op, Op::Literal(value) if value == 0.0)
     }
 
-    /// Of each node, whether it is zero whatever the state, the parameters and time are,
-    /// also where that shows only once everything is worked out.
+    /// Returns for each node whether it is zero for all states, parameters and times, even if its
+    /// structure does not show it.
     #[must_use]
     pub fn vanishing(&self) -> Vec<bool> {
         super::vanishing::vanishing(&self.nodes)
     }
 
-    /// Whether a node depends on parameters and literals only.
+    /// Returns whether a node depends on parameters and literals only.
     #[must_use]
     pub fn is_constant(&self, id: NodeId) -> bool {
         self.constant[id.0 as usize]
     }
 
-    /// The operation of a node.
+    /// Returns the operation of a node.
     #[must_use]
     pub fn op(&self, id: NodeId) -> Op {
         self.nodes[id.0 as usize].op
     }
 
-    /// Time t.
+    /// Adds time t.
     pub fn time(&mut self) -> NodeId {
         self.push(Op::Time)
     }
 
-    /// An entry of the parameters.
+    /// Adds an entry of the parameters.
     pub fn parameter(&mut self, index: u32) -> NodeId {
         self.push(Op::Parameter(index))
     }
 
-    /// -a
+    /// Adds -a.
     pub fn neg(&mut self, a: NodeId) -> NodeId {
         self.push(Op::Neg(a))
     }
-    /// a + b
+    /// Adds a + b.
     pub fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Add(a, b))
     }
-    /// a - b
+    /// Adds a - b.
     pub fn sub(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Sub(a, b))
     }
-    /// a b
+    /// Adds a b.
     pub fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Mul(a, b))
     }
-    /// a / b
+    /// Adds a / b.
     pub fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Div(a, b))
     }
-    /// a^n; small powers are products.
+    /// Adds a^n; small powers are products.
     pub fn powi(&mut self, a: NodeId, exponent: i32) -> NodeId {
         match exponent {
             0 => self.literal(1.0),
@@ -187,7 +187,8 @@ impl Graph {
             _ => self.push(Op::Powi(a, exponent)),
         }
     }
-    /// Base and exponent of what [`Graph::powi`] makes; of all else itself and 1.
+    /// Returns base and exponent of a power made by [`Graph::powi`]; for any other node the node
+    /// and 1.
     #[must_use]
     pub fn as_power(&self, id: NodeId) -> (NodeId, i32) {
         let is_square = |id: NodeId, of: NodeId| self.op(id) == Op::Mul(of, of);
@@ -202,7 +203,7 @@ impl Graph {
             _ => (id, 1),
         }
     }
-    /// The parts of a + b e^v, where a and b are of parameters alone.
+    /// Returns the parts of a + b e^v, where a and b depend on parameters only.
     #[must_use]
     pub fn plus_exponential(&self, id: NodeId) -> Option<PlusExponential> {
         let Op::Add(first, second) = self.op(id) else { return None };
@@ -222,15 +223,15 @@ impl Graph {
             self.is_constant(a).then_some(PlusExponential { a, b, argument })
         })
     }
-    /// a^b
+    /// Adds a^b.
     pub fn powf(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Powf(a, b))
     }
-    /// A function of one argument.
+    /// Adds a function of one argument.
     pub fn call(&mut self, function: Function, a: NodeId) -> NodeId {
         self.push(Op::Call(function, a))
     }
-    /// `then` where lhs < rhs, else `otherwise`.
+    /// Adds a selection: `then` if lhs < rhs, else `otherwise`.
     pub fn select_less(
         &mut self,
         lhs: NodeId,
@@ -240,16 +241,16 @@ impl Graph {
     ) -> NodeId {
         self.push(Op::SelectLess { lhs, rhs, then, otherwise })
     }
-    /// An operation on nodes of this graph.
+    /// Adds an operation on nodes of this graph.
     pub fn insert(&mut self, op: Op) -> NodeId {
         self.push(op)
     }
-    /// A table or a derivative of it.
+    /// Adds a table or a derivative of it.
     pub fn table(&mut self, table: TableId, order: u32, argument: NodeId) -> NodeId {
         self.push(Op::Table { table, order, argument })
     }
 
-    /// Folds, then finds or appends.
+    /// Folds an operation, then finds or appends it.
     pub(super) fn push(&mut self, op: Op) -> NodeId {
         let op = match fold::fold(self, op) {
             fold::Folded::Node(id) => return id,
@@ -271,7 +272,7 @@ impl Graph {
         id
     }
 
-    /// The nodes that `results` need, in order, and nothing else.
+    /// Returns the nodes that `results` need, in order.
     #[must_use]
     pub fn tape(&self, results: &[NodeId]) -> Tape {
         super::signs::absorb(&reachable(&self.nodes, results))

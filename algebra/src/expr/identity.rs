@@ -1,14 +1,14 @@
-//! Whether expressions are equal, by their values at random points of a finite field.
+//! Equality of expressions, tested by their values at random points of a finite field.
 //!
-//! A polynomial that is not zero is zero at a random point with a chance of its degree
-//! over the number of points (Schwartz, Zippel); with 2^60 points that never happens.
-//! Values are exact, so nothing is lost to rounding, and the work is linear in the size
-//! of the expression where multiplying it out has no bound.
+//! A nonzero polynomial is zero at a random point with a probability of its degree over the number
+//! of points (Schwartz, Zippel), which is negligible with 2^60 points. Values are exact, so there
+//! is no rounding error. The cost is linear in the size of the expression, while that of expansion
+//! has no bound.
 //!
-//! The field has P = 4 Q + 1 elements, P and Q both prime: exponents live modulo Q, so
-//! that e^x = g^x keeps e^(x + y) = e^x e^y, and -1 has a root, so that cosine and sine
-//! keep Pythagoras and the addition theorems. Other functions are only known to be equal
-//! where their arguments are.
+//! The field has P = 4 Q + 1 elements, P and Q both prime. Exponents are residues modulo Q, so that
+//! e^x = g^x keeps e^(x + y) = e^x e^y, and -1 has a square root, so that cosine and sine keep
+//! Pythagoras and the addition theorems. Other functions are only known to be equal if their
+//! arguments are.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -23,23 +23,23 @@ const Q: u64 = 1_152_921_504_606_846_577;
 /// Elements of order Q, for e^x and for e^(i x).
 const GROWTH: u64 = 16;
 const TURN: u64 = 81;
-/// A root of -1 modulo P.
+/// A square root of -1 modulo P.
 const I: u64 = 2_800_538_231_775_425_404;
-/// Points at which an identity has to hold.
+/// Number of points at which an identity must hold.
 pub(super) const POINTS: u64 = 2;
 
-/// What is known of an expression at the points.
+/// Result of evaluation at the points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Identity {
-    /// It is zero, whatever its symbols are.
+    /// Zero, for all values of its symbols.
     Zero,
-    /// It is not zero.
+    /// Not zero.
     NotZero,
-    /// Something in it divides by zero or is the logarithm of zero, whatever its symbols are.
+    /// A part divides by zero or is the logarithm of zero, for all values of the symbols.
     Undefined,
 }
 
-/// Whether an expression is zero, whatever its symbols are.
+/// Determines whether an expression is zero for all values of its symbols.
 #[must_use]
 pub fn identity(expr: &Expr) -> Identity {
     let mut all_zero = true;
@@ -52,13 +52,13 @@ pub fn identity(expr: &Expr) -> Identity {
     if all_zero { Identity::Zero } else { Identity::NotZero }
 }
 
-/// Whether an expression is zero, whatever its symbols are.
+/// Returns whether an expression is zero for all values of its symbols.
 #[must_use]
 pub fn is_zero(expr: &Expr) -> bool {
     identity(expr) == Identity::Zero
 }
 
-/// Whether two expressions are equal and defined, whatever their symbols are.
+/// Returns whether two expressions are equal and defined for all values of their symbols.
 #[must_use]
 pub fn are_equal(a: &Expr, b: &Expr) -> bool {
     (0..POINTS).all(|point| {
@@ -67,7 +67,7 @@ pub fn are_equal(a: &Expr, b: &Expr) -> bool {
     })
 }
 
-/// A number modulo P, where it stands, and modulo Q, where it is an exponent.
+/// A number modulo P, used as a value, and modulo Q, used as an exponent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Value {
     pub(super) p: u64,
@@ -102,10 +102,10 @@ impl Value {
         Value { p: times(self.p, other.p, P), q: times(self.q, other.q, Q) }
     }
 
-    /// None of zero.
+    /// Returns the inverse, `None` for zero.
     pub(super) fn inverse(self) -> Option<Value> {
         let p = inverse(self.p, P)?;
-        // A residue may vanish by chance where an exponent does not stand.
+        // A residue may vanish by chance if the number is not used as an exponent.
         Some(Value { p, q: inverse(self.q, Q).unwrap_or(0) })
     }
 
@@ -130,10 +130,10 @@ fn residue(number: &BigInt, modulus: u64) -> u64 {
     rest.to_u64().unwrap_or(0)
 }
 
-/// a b modulo P or Q, for a and b below it.
+/// Returns a b modulo P or Q, for a and b below the modulus.
 ///
-/// Both are 2^k - c with a small c, so that 2^k counts as c: what is above k bits folds down to
-/// less than 2^(k + 1) by two products, without a division of 128 bits.
+/// Both moduli are 2^k - c with a small c, so that 2^k is equivalent to c: two products reduce the
+/// bits above k to a number below 2^(k + 1), without a 128-bit division.
 pub(super) fn times(a: u64, b: u64, modulus: u64) -> u64 {
     let bits = u64::BITS - modulus.leading_zeros();
     let c = u128::from((1 << bits) - modulus);
@@ -158,7 +158,7 @@ pub(super) fn inverse(number: u64, modulus: u64) -> Option<u64> {
     (number != 0).then(|| raised(number, modulus - 2, modulus))
 }
 
-/// Bits that depend on all of those before them (splitmix64).
+/// Mixes bits so that each depends on all input bits (splitmix64).
 fn mixed(bits: u64, more: u64) -> u64 {
     let mut z = bits.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ more.wrapping_add(0xD1B5_4A32_D192_ED03);
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -166,7 +166,7 @@ fn mixed(bits: u64, more: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// A value for every symbol.
+/// A random value for every symbol.
 pub(super) struct Point {
     pub(super) point: u64,
 }
@@ -193,7 +193,7 @@ impl Point {
         self.random(&[kind, u64::from(id)])
     }
 
-    /// None where something divides by zero.
+    /// Returns the value of an expression; `None` if it divides by zero.
     pub(super) fn value(&self, expr: &Expr) -> Option<Value> {
         match expr {
             Expr::Number(number) => Value::of(number),
@@ -270,7 +270,8 @@ impl Point {
             Function::Acos => self.opaque(8, arguments),
             Function::Floor => self.opaque(10, arguments),
             Function::SelectLess => match arguments {
-                // otherwise + (then - otherwise) chi: what is zero for any chi is for 0 and 1.
+                // otherwise + (then - otherwise) chi: an expression that is zero for any chi is
+                // zero for 0 and 1.
                 [a, b, then, otherwise] => {
                     let chi = self.opaque(9, &[a.plus(b.minus())]);
                     otherwise.plus(then.plus(otherwise.minus()).times(chi))
@@ -284,19 +285,19 @@ impl Point {
         })
     }
 
-    /// A function of which only that it is one is known.
+    /// Returns the value of a function without known identities.
     pub(super) fn opaque(&self, function: u64, arguments: &[Value]) -> Value {
         let words = arguments.iter().flat_map(|value| [value.p, value.q]);
         let words: Vec<u64> = std::iter::once(1000 + function).chain(words).collect();
         self.random(&words)
     }
 
-    /// f(-x) = f(x), 0 at 0.
+    /// Returns the value of an even function: f(-x) = f(x), with f(0) = 0.
     fn even(&self, function: u64, x: Value) -> Value {
         if x.is_zero() { Value::ZERO } else { self.opaque(function, &[x.min(x.minus())]) }
     }
 
-    /// f(-x) = -f(x)
+    /// Returns the value of an odd function: f(-x) = -f(x).
     fn odd(&self, function: u64, x: Value) -> Value {
         let size = self.even(function, x);
         if x <= x.minus() { size } else { size.minus() }

@@ -1,15 +1,15 @@
-//! Matrices of expressions, of which most are zero.
+//! Sparse matrices of expressions.
 
 use super::Expr;
 
-/// Rows of (column, entry), columns ascending; what is not there is zero.
+/// Rows of (column, entry) with ascending columns; missing entries are zero.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Matrix {
     rows: Vec<Vec<(usize, Expr)>>,
 }
 
 impl Matrix {
-    /// Adds a row, its columns ascending; entries that are zero are left out.
+    /// Adds a row with ascending columns; zero entries are left out.
     pub fn push(&mut self, row: impl IntoIterator<Item = (usize, Expr)>) {
         self.rows.push(row.into_iter().filter(|(_, entry)| !entry.is_zero()).collect());
     }
@@ -19,30 +19,30 @@ impl Matrix {
         self.rows[row].extend(entries.into_iter().filter(|(_, entry)| !entry.is_zero()));
     }
 
-    /// Number of rows.
+    /// Returns the number of rows.
     #[must_use]
     pub fn len(&self) -> usize {
         self.rows.len()
     }
 
-    /// Whether there is no row.
+    /// Returns whether there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
-    /// (column, entry) of a row.
+    /// Returns (column, entry) of a row.
     #[must_use]
     pub fn row(&self, row: usize) -> &[(usize, Expr)] {
         &self.rows[row]
     }
 
-    /// All rows.
+    /// Returns all rows.
     pub fn rows(&self) -> impl Iterator<Item = &[(usize, Expr)]> {
         self.rows.iter().map(Vec::as_slice)
     }
 
-    /// An entry, if it is there.
+    /// Returns an entry, or `None` if it is zero.
     #[must_use]
     pub fn entry(&self, row: usize, column: usize) -> Option<&Expr> {
         let row = &self.rows[row];
@@ -50,12 +50,12 @@ impl Matrix {
         Some(&row[place].1)
     }
 
-    /// Every entry, row after row.
+    /// Returns all entries, row by row.
     pub fn exprs(&self) -> impl Iterator<Item = &Expr> {
         self.rows.iter().flatten().map(|(_, entry)| entry)
     }
 
-    /// Every entry, to be changed.
+    /// Returns all entries for modification.
     pub fn exprs_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
         self.rows.iter_mut().flatten().map(|(_, entry)| entry)
     }

@@ -1,12 +1,12 @@
-//! Quotients of what grows beyond all numbers, of which nothing is left: slopes of steep functions,
-//! far away from where they are steep, are zero and not infinity over infinity.
+//! Quotients of exponentially growing expressions that cancel: slopes of steep functions far from
+//! the steep part are zero, not infinity over infinity.
 
 use machinist_model::{Function, NodeId, Op};
 
 use super::graph::{Graph, PlusExponential};
 
-/// Takes sinh(u)/cosh(u) of a quotient of products for tanh(u), and e^v/(a + b e^v) for
-/// 1/(a e^-v + b), and so for powers of them.
+/// In a quotient of products, replaces sinh(u)/cosh(u) by tanh(u), e^v/(a + b e^v) by
+/// 1/(a e^-v + b), and their powers likewise.
 pub(super) fn avoid(graph: &mut Graph, above: &mut Vec<NodeId>, below: &mut Vec<NodeId>) {
     let mut index = 0;
     while let Some(&factor) = above.get(index) {
@@ -52,8 +52,8 @@ pub(super) fn avoid(graph: &mut Graph, above: &mut Vec<NodeId>, below: &mut Vec<
     }
 }
 
-/// Takes a divisor, or as much of its power, as often as is wanted of a base that is there so many
-/// times; gives the base, and how often.
+/// Removes powers of a divisor. `wanted` returns how many, from its base and its power. Returns the
+/// base and the number removed.
 fn take(
     graph: &mut Graph,
     below: &mut Vec<NodeId>,
@@ -72,7 +72,7 @@ fn take(
     Some((base, taken))
 }
 
-/// What multiple one node is of another, if that is a whole number above zero and told by literals.
+/// Returns the ratio of two nodes, if it is a positive whole number up to 8 determined by literals.
 fn multiple(graph: &Graph, of: NodeId, one: NodeId) -> Option<i32> {
     let monomial = |id: NodeId| {
         let mut factors = Vec::new();
@@ -86,7 +86,8 @@ fn multiple(graph: &Graph, of: NodeId, one: NodeId) -> Option<i32> {
     (of == one && is_whole).then_some(ratio as i32)
 }
 
-/// The literals of a product, or of its reciprocal where the power is -1; and the rest of its factors.
+/// Returns the product of the literals of a node, or of its reciprocal if `power` is -1, and
+/// collects the other factors.
 fn factor(graph: &Graph, id: NodeId, power: i32, factors: &mut Vec<(NodeId, i32)>) -> f64 {
     match graph.op(id) {
         Op::Literal(value) => value.powi(power),
@@ -132,7 +133,7 @@ mod tests {
         let sum = |terms: [Expr; 2]| Expr::Sum(terms.to_vec());
         let [one, three] = [1, 3].map(Expr::integer);
         let twice = Expr::Product(vec![Expr::integer(2), t.clone()]);
-        // Values at 0.5, and where the argument is -1000 and 1000.
+        // Values at 0.5, and for arguments of -1000 and 1000.
         let (e, [s, c]) = (0.5_f64.exp(), [0.5_f64.sinh(), 0.5_f64.cosh()]);
         let quotients = [
             (

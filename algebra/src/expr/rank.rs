@@ -1,18 +1,18 @@
-//! Directions in which a quadratic form has no value, whatever its other symbols are.
+//! Singular directions of a quadratic form, for all values of its other symbols.
 //!
-//! Exact, in the field of [`super::identity`]: what is found singular is so at all states
-//! and parameters, and what is not is regular but at single ones.
+//! The test is exact, in the field of [`super::identity`]: a form found singular is singular at all
+//! states and parameters, any other form is regular except at isolated ones.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::identity::{P, Point, inverse, times};
 use super::{CoordinateId, Expr, Matrix, Symbol};
 
-/// Coordinates beyond which nothing is said: elimination fills in.
+/// Largest number of coordinates that is examined, because elimination fills in.
 const MOST_COORDINATES: usize = 2000;
 
-/// Coordinates that can move together without kinetic energy, for one such motion; none if
-/// there is no such motion, or if the energy is not quadratic in the velocities.
+/// Returns the coordinates of a motion without kinetic energy. Returns `None` if there is no such
+/// motion, or if the energy is not quadratic in the velocities.
 #[must_use]
 pub fn motion_without_energy(kinetic: &Expr, coordinates: usize) -> Option<Vec<CoordinateId>> {
     if coordinates > MOST_COORDINATES {
@@ -26,8 +26,8 @@ pub fn motion_without_energy(kinetic: &Expr, coordinates: usize) -> Option<Vec<C
     Some(columns.into_iter().map(CoordinateId).collect())
 }
 
-/// Columns in which a vector that a square matrix takes to zero is not zero, whatever its
-/// symbols are; none if there is no such vector, or if an entry has no value.
+/// Returns the nonzero columns of a null vector of a square matrix, for all values of its symbols.
+/// Returns `None` if there is no such vector, or if an entry has no value.
 #[must_use]
 pub fn null_columns(matrix: &Matrix) -> Option<Vec<usize>> {
     if matrix.len() > MOST_COORDINATES {
@@ -47,10 +47,10 @@ pub fn null_columns(matrix: &Matrix) -> Option<Vec<usize>> {
     Some(columns.into_iter().map(|column| column as usize).collect())
 }
 
-/// Where entries are evaluated.
+/// Point at which entries are evaluated.
 const POINT: Point = Point { point: 7 };
 
-/// The terms of a sum, also of sums within it.
+/// Returns the terms of a sum, including those of nested sums.
 fn flat(expr: &Expr) -> Vec<&Expr> {
     match expr {
         Expr::Sum(terms) => terms.iter().flat_map(flat).collect(),
@@ -60,7 +60,7 @@ fn flat(expr: &Expr) -> Vec<&Expr> {
 
 type Row = BTreeMap<u32, u64>;
 
-/// Adds second derivatives of a term; none if it is not quadratic.
+/// Adds the second derivatives of a term; returns `None` if it is not quadratic.
 fn add(matrix: &mut [Row], term: &Expr) -> Option<()> {
     let velocities: BTreeSet<u32> = term
         .symbols()
@@ -111,10 +111,10 @@ fn put(matrix: &mut [Row], row: u32, column: u32, value: u64) {
     }
 }
 
-/// The columns in which a null vector is not zero, by Gauss on sparse rows.
+/// Returns the nonzero columns of a null vector, by Gaussian elimination on sparse rows.
 fn null_vector(matrix: Vec<Row>) -> Option<Vec<u32>> {
     let columns = matrix.len() as u32;
-    // Leading 1 of each; columns after it only.
+    // The leading entry of each is 1; only the columns after it are stored.
     let mut leads: BTreeMap<u32, Row> = BTreeMap::new();
     for mut row in matrix {
         while let Some((lead, first)) = row.pop_first() {

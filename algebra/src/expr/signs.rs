@@ -1,10 +1,10 @@
-//! Signs that stand before a product or a sum go into it: into a literal, or into a difference that
-//! nothing else reads, which is taken the other way round. Every result keeps its bits, but
-//! for the sign of a zero.
+//! Absorption of signs before a product or a sum into a literal, or into a difference that nothing
+//! else reads, by exchange of its operands. Every result keeps its bits, except for the sign of a
+//! zero.
 
 use machinist_model::{Node, NodeId, Op, Tape, reachable};
 
-/// The tape with fewer negations.
+/// Returns the tape with fewer negations.
 pub(super) fn absorb(tape: &Tape) -> Tape {
     let mut uses = vec![0_u32; tape.nodes.len()];
     let operands = tape.nodes.iter().flat_map(|node| node.op.operands());
@@ -30,7 +30,7 @@ struct Absorbed<'a> {
     tape: &'a Tape,
     uses: Vec<u32>,
     nodes: Vec<Node>,
-    /// Where nodes of the tape are.
+    /// New ids of the nodes of the tape.
     moved: Vec<NodeId>,
 }
 
@@ -40,12 +40,12 @@ impl Absorbed<'_> {
         NodeId(self.nodes.len() as u32 - 1)
     }
 
-    /// An operation of the tape on the moved nodes.
+    /// Returns an operation of the tape on the moved nodes.
     fn again(&self, op: Op) -> Op {
         op.with_operands(|id| self.moved[id.0 as usize])
     }
 
-    /// The operation that gives -a, if a is made for this alone and a sign has room in it.
+    /// Returns the operation that gives -a, if nothing else reads a and it can absorb a sign.
     fn opposite(&mut self, a: NodeId) -> Option<Op> {
         let node = &self.tape[a];
         if let Op::Literal(value) = node.op {
@@ -100,7 +100,7 @@ mod tests {
         let ops = [Op::Literal(2.0), Op::State(0), Op::Mul(first, second), Op::Neg(third)];
         let expected = [Op::State(0), Op::Literal(-2.0), Op::Mul(second, first)];
         assert_eq!(absorb(&tape(&ops, &[3])), tape(&expected, &[2]));
-        // The product is read besides.
+        // Here the product is also a result.
         assert_eq!(absorb(&tape(&ops, &[2, 3])), tape(&ops, &[2, 3]));
     }
 }

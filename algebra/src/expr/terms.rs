@@ -1,6 +1,6 @@
-//! Sums and products in the order that costs least: what depends on parameters
-//! only comes first, so that it is shared and can be computed once; signs become
-//! subtractions and negative powers divisions.
+//! Sums and products in the cheapest order: operands that depend on parameters only come first, so
+//! that they are shared and can be computed once; signs become subtractions and negative powers
+//! divisions.
 
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
@@ -39,9 +39,9 @@ pub(super) fn lower(graph: &mut Graph, expr: &Expr) -> NodeId {
     }
 }
 
-/// The nearest f64 of an exact number.
+/// Returns the nearest f64 of an exact number.
 fn to_f64(value: &BigRational) -> f64 {
-    // Numerator and denominator that are exact make the quotient exactly rounded.
+    // If numerator and denominator are exact, the quotient is correctly rounded.
     let exact = |n: &num_bigint::BigInt| n.bits() <= 53;
     match (value.numer().to_f64(), value.denom().to_f64()) {
         (Some(n), Some(d)) if exact(value.numer()) && exact(value.denom()) => n / d,
@@ -69,8 +69,8 @@ fn power(graph: &mut Graph, base: &Expr, exponent: &Expr) -> NodeId {
     }
 }
 
-/// A product as coefficient, then parameters over parameters, then the rest over
-/// the rest.
+/// Lowers a product as the coefficient, then parameters over parameters, then the rest over the
+/// rest.
 fn product(graph: &mut Graph, factors: &[Expr]) -> NodeId {
     let mut coefficient = 1.0;
     let mut parts: [Vec<NodeId>; 4] = Default::default();
@@ -117,7 +117,7 @@ fn divide(graph: &mut Graph, numerator: NodeId, factors: &[NodeId]) -> NodeId {
     }
 }
 
-/// A sum: parameters first, then what is added, then what is subtracted.
+/// Lowers a sum: parameters first, then added terms, then subtracted ones.
 fn sum(graph: &mut Graph, terms: &[Expr]) -> NodeId {
     let mut nodes: Vec<(NodeId, bool)> = Vec::new();
     for term in terms {
@@ -125,7 +125,7 @@ fn sum(graph: &mut Graph, terms: &[Expr]) -> NodeId {
         nodes.push((lower(graph, &positive), negative));
     }
     nodes.sort_by_key(|(node, negative)| (!graph.is_constant(*node), *negative));
-    // Starting with a subtraction would cost a negation.
+    // A sum that starts with a subtraction would cost a negation.
     if let Some(first) = nodes.iter().position(|(_, negative)| !negative) {
         let first = nodes.remove(first);
         nodes.insert(0, first);
@@ -139,7 +139,7 @@ fn sum(graph: &mut Graph, terms: &[Expr]) -> NodeId {
     )
 }
 
-/// A term and whether its sign was taken off.
+/// Returns a term without its sign, and whether it was negative.
 fn without_sign(term: &Expr) -> (Expr, bool) {
     match term {
         Expr::Number(value) if value.is_negative() => (Expr::Number(-value.clone()), true),

@@ -6,7 +6,7 @@
 //! c sin x cos y - c cos x sin y     = c sin(x - y)      with +: sin(x + y)
 //! ```
 //!
-//! Every rule takes one term off a sum, so repeated application ends.
+//! Every rule removes one term from a sum, so repeated application ends.
 
 use num_rational::BigRational;
 use num_traits::One;
@@ -14,10 +14,11 @@ use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, Function};
 
-/// Sines and cosines in one term beyond which no partner is looked for: their pairs are many.
+/// Maximum number of sines and cosines in a term for which partners are searched, because the pairs
+/// are many.
 const MOST_FACTORS: usize = 16;
 
-/// Applies the rules everywhere, as often as they apply.
+/// Applies the rules everywhere, as often as possible.
 #[must_use]
 pub fn combine(expr: &Expr) -> Expr {
     let all = |parts: &[Expr]| parts.iter().map(combine).collect::<Vec<_>>();
@@ -32,7 +33,7 @@ pub fn combine(expr: &Expr) -> Expr {
     }
 }
 
-/// Whether an expression has a sine in it, without which no rule applies.
+/// Returns whether an expression contains a sine, without which no rule applies.
 #[must_use]
 pub fn has_sine(expr: &Expr) -> bool {
     match expr {
@@ -45,8 +46,7 @@ pub fn has_sine(expr: &Expr) -> bool {
     }
 }
 
-/// A term as coefficient and sorted factors; powers of sine and cosine are
-/// written as repeated factors.
+/// A term as a coefficient and sorted factors; powers of sine and cosine are repeated factors.
 struct Term {
     coefficient: BigRational,
     factors: Vec<Expr>,
@@ -64,7 +64,7 @@ fn combine_sum(terms: Vec<Expr>) -> Expr {
         if let Some((other, merged)) = merged {
             terms[at] = None;
             terms[other] = None;
-            // The new term may meet yet another one, or one of its own kind.
+            // The new term may have a partner itself, or equal a known one.
             let place = places.get(&merged.factors).copied().unwrap_or(terms.len());
             if let Some(Some(known)) = terms.get_mut(place) {
                 known.coefficient += merged.coefficient;
@@ -82,7 +82,7 @@ fn combine_sum(terms: Vec<Expr>) -> Expr {
     Expr::Sum(terms)
 }
 
-/// The term that a rule joins with the one at `at`, and what they become.
+/// Returns the term that a rule joins with the one at `at`, and the result.
 fn partner(
     term: &Term,
     terms: &[Option<Term>],
@@ -128,7 +128,7 @@ fn partner(
     None
 }
 
-/// What `f(x) g(y)` plus or minus its partner becomes: a sign and a factor.
+/// Returns the result of `f(x) g(y)` plus or minus its partner: a sign and a factor.
 fn joined(
     (first, x): (Function, &Expr),
     (second, y): (Function, &Expr),
@@ -171,7 +171,7 @@ fn sine_or_cosine(factor: &Expr) -> Option<(Function, &Expr)> {
     }
 }
 
-/// The cosine for a sine and the other way round.
+/// Returns the cosine for a sine and vice versa.
 fn other_of(function: Function, argument: &Expr) -> Expr {
     let other = if function == Function::Sin { Function::Cos } else { Function::Sin };
     Expr::Call(other, vec![argument.clone()])
@@ -208,7 +208,7 @@ impl Term {
     }
 }
 
-/// A whole exponent from 2 to 8, beyond which nobody writes trigonometry.
+/// Returns a whole exponent from 2 to 8; larger ones do not occur in practice.
 fn small_count(exponent: &Expr) -> Option<usize> {
     (2..=8_usize).find(|count| {
         matches!(exponent, Expr::Number(value) if *value == BigRational::from_integer((*count).into()))

@@ -1,8 +1,8 @@
-//! Which operations of a graph are zero although nothing says so.
+//! Detection of operations that are zero although their structure does not show it.
 //!
-//! A derivative that is solved for may cancel as a whole, such as that of a pendulum's
-//! acceleration by its mass. Numbers show it as rounding; at random points of a finite
-//! field ([`identity`](super::identity)) it is zero.
+//! The derivative of a solution may cancel as a whole, such as that of a pendulum's acceleration by
+//! its mass. Floating-point numbers show rounding errors instead of zero; at random points of a
+//! finite field ([`identity`](super::identity)) the value is exactly zero.
 
 use machinist_model::{Node, NodeId, Op};
 use num_bigint::BigInt;
@@ -11,7 +11,7 @@ use num_rational::BigRational;
 use super::Function;
 use super::identity::{POINTS, Point, Value};
 
-/// Of each node, whether it is zero whatever the state, the parameters and time are.
+/// Returns for each node whether it is zero for all states, parameters and times.
 #[must_use]
 pub(super) fn vanishing(nodes: &[Node]) -> Vec<bool> {
     let mut vanishes = vec![true; nodes.len()];
@@ -24,7 +24,7 @@ pub(super) fn vanishing(nodes: &[Node]) -> Vec<bool> {
     vanishes
 }
 
-/// The value of each node; none where something divides by zero.
+/// Returns the value of each node; `None` if it divides by zero.
 fn values(point: &Point, nodes: &[Node]) -> Vec<Option<Value>> {
     let mut values: Vec<Option<Value>> = Vec::with_capacity(nodes.len());
     for node in nodes {

@@ -1,4 +1,4 @@
-//! Common factors before the sums that share them.
+//! Extraction of common factors from sums.
 
 use std::collections::BTreeMap;
 
@@ -7,11 +7,12 @@ use num_traits::{One as _, Signed as _, Zero as _};
 
 use crate::expr::Expr;
 
-/// Terms beyond which nothing is collected: each factor goes through what is left of the sum.
+/// Maximum number of terms of a sum: each factor needs a pass through the remaining sum.
 const MOST_TERMS: usize = 400;
 
-/// The same value, in every sum the factor that most of its terms share before them, as often
-/// as there is one. The result is not in normal form, where numbers stand within.
+/// Returns an equal expression. From every sum the factor that most of its terms share is taken
+/// out, as often as there is one. The result is not in normal form, in which numbers are
+/// distributed over sums.
 pub(in crate::cas) fn collect(expr: &Expr) -> Expr {
     let all = |parts: &[Expr]| parts.iter().map(collect).collect::<Vec<_>>();
     match expr {
@@ -26,7 +27,7 @@ pub(in crate::cas) fn collect(expr: &Expr) -> Expr {
     }
 }
 
-/// A number and powers of bases.
+/// A number times powers of bases.
 struct Term {
     number: BigRational,
     powers: BTreeMap<Expr, BigRational>,
@@ -72,14 +73,14 @@ impl Term {
     }
 }
 
-/// A sum of terms, the base of most of them outside.
+/// Returns a sum of terms with the most frequent base taken out.
 fn collected(terms: Vec<Term>) -> Expr {
     let mut counts: BTreeMap<(&Expr, bool), usize> = BTreeMap::new();
     for (base, exponent) in terms.iter().flat_map(|term| &term.powers) {
         *counts.entry((base, exponent.is_positive())).or_default() += 1;
     }
     let shared = counts.into_iter().filter(|(_, count)| *count > 1);
-    // Of several, the first in order, so that the result is the same every time.
+    // Among equally frequent ones the first in order, so that the result is deterministic.
     let most = shared.max_by(|(a, m), (b, n)| m.cmp(n).then_with(|| b.cmp(a)));
     let Some(((base, is_above), _)) = most else {
         return sum(terms.into_iter().map(Term::into_expr).collect());

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::normal::{call, power, product, sum};
 use crate::expr::{Expr, Function, Symbol};
 
-/// The derivative with respect to one symbol, all others held.
+/// Returns the partial derivative by one symbol.
 pub(super) fn derivative(expr: &Expr, by: Symbol) -> Expr {
     match expr {
         Expr::Number(_) => Expr::integer(0),
@@ -45,7 +45,7 @@ fn of_power(base: &Expr, exponent: &Expr, by: Symbol) -> Expr {
 fn of_call(function: Function, arguments: &[Expr], by: Symbol) -> Expr {
     let slope = derivative(&arguments[0], by);
     if function == Function::SelectLess {
-        // In its branches only: that it jumps is left to whoever stops the solver there.
+        // Only the branches: the solver stops at the discontinuity.
         let mut sides = arguments[..2].to_vec();
         sides.extend(arguments[2..].iter().map(|branch| derivative(branch, by)));
         return call(function, sides);

@@ -1,18 +1,18 @@
-//! Products multiplied out.
+//! Expansion of products.
 
 use num_traits::{One as _, Signed as _, ToPrimitive as _};
 
 use super::normal::{call, power, product, sum};
 use crate::expr::Expr;
 
-/// An expression in normal form multiplied out, within functions too. Of what size it becomes
-/// is asked before: see [`crate::expr::extent`].
+/// Expands an expression in normal form, within functions too. Callers must check the size of the
+/// result before: see [`crate::expr::extent`].
 pub(in crate::cas) fn expand(expr: &Expr) -> Expr {
     match expr {
         Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
         Expr::Sum(terms) => sum(terms.iter().map(expand)),
         Expr::Product(factors) => {
-            // A base multiplied out may have become a factor, and a power of it one of a sum.
+            // An expanded base may have become a factor, and its power that of a sum.
             let whole = product(factors.iter().map(expand));
             match &whole {
                 Expr::Product(factors) => {
@@ -26,7 +26,7 @@ pub(in crate::cas) fn expand(expr: &Expr) -> Expr {
     }
 }
 
-/// A power of a sum multiplied out; anything else as it stands.
+/// Expands a power of a sum; returns any other expression unchanged.
 fn expanded_power(factor: &Expr) -> Expr {
     let Expr::Power(base, exponent) = factor else { return factor.clone() };
     let Expr::Number(exponent) = &**exponent else { return factor.clone() };
@@ -45,7 +45,7 @@ fn raised(base: &Expr, count: u32) -> Expr {
     (0..count).fold(Expr::integer(1), |power, _| multiplied(power, base.clone()))
 }
 
-/// The product of two sums, term by term.
+/// Returns the product of two sums, term by term.
 fn multiplied(left: Expr, right: Expr) -> Expr {
     let terms = |expr| match expr {
         Expr::Sum(terms) => terms,

@@ -1,17 +1,18 @@
 //! Normal forms.
 //!
-//! - A sum is flat, holds no two terms that differ by a number only, and is sorted.
-//! - A product is flat, its number stands before its other factors, each base is there once,
-//!   and these are sorted. A number times a sum is a sum; beside other factors, and in whole powers,
+//! - A sum is flat, has no two terms that differ by a number only, and is sorted.
+//! - A product is flat, its number is before its other factors, each base occurs once, and the
+//!   bases are sorted. A number times a sum is a sum. Beside other factors, and in whole powers,
 //!   sums have coefficients without a common factor, the first positive, so that a - b and
 //!   2 b - 2 a are one base.
-//! - An offset, a symbol and a number such as t - 30, has the symbol alone there, and stays apart from
-//!   a number before it: 100 (t - 30) is exact near 30, and 100 t - 3000 is not. Signs and powers of
-//!   two are multiplied in, which loses nothing.
-//! - Whole powers of products and of powers are products and powers; a power of half a whole
-//!   number is one of a square root, for (x^2)^(1/2) is not x.
+//! - An offset is the sum of a symbol and a number, such as t - 30. Its symbol has no coefficient,
+//!   and a number before it is kept separate: 100 (t - 30) is exact near 30, and 100 t - 3000 is
+//!   not. Signs and powers of two are multiplied in, because that is exact.
+//! - Whole powers of products and of powers are products and powers. A power of half a whole number
+//!   is a power of a square root, because (x^2)^(1/2) is not x.
 //!
-//! Two expressions with the same normal form are equal; equal ones may have different forms.
+//! Two expressions with the same normal form are equal; equal expressions may have different normal
+//! forms.
 
 use num_bigint::BigInt;
 use num_integer::Integer as _;
@@ -21,11 +22,11 @@ use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, Function};
 
-/// Bits beyond which powers of numbers are not worked out.
+/// Maximum number of bits of evaluated powers of numbers.
 const MOST_BITS: u64 = 1 << 16;
 
-/// The normal form of an expression; `undefined` is set if it divides by zero or takes the
-/// logarithm of zero as it stands.
+/// Returns the normal form of an expression; sets `undefined` if it divides by zero or takes the
+/// logarithm of zero.
 pub(in crate::cas) fn normal(expr: &Expr, undefined: &mut bool) -> Expr {
     let mut all = |parts: &[Expr]| -> Vec<Expr> {
         parts.iter().map(|part| normal(part, undefined)).collect()
@@ -54,7 +55,7 @@ pub(in crate::cas) fn normal(expr: &Expr, undefined: &mut bool) -> Expr {
     }
 }
 
-/// A function of arguments in normal form.
+/// Returns a function of arguments in normal form.
 pub(super) fn call(function: Function, mut arguments: Vec<Expr>) -> Expr {
     let argument = &arguments[0];
     let at_zero = argument.is_zero();
@@ -81,7 +82,7 @@ pub(super) fn call(function: Function, mut arguments: Vec<Expr>) -> Expr {
     }
 }
 
-/// A number, and what it is multiplied by.
+/// Splits a term into its number and the rest.
 fn split(term: Expr) -> (BigRational, Expr) {
     match term {
         Expr::Product(mut factors) if matches!(factors[0], Expr::Number(_)) => {
@@ -92,7 +93,8 @@ fn split(term: Expr) -> (BigRational, Expr) {
     }
 }
 
-/// A number times what is neither a number nor a sum, but an offset, and has none before it.
+/// Multiplies an expression by a number. The expression is no number, no sum except an offset, and
+/// has no number yet.
 fn scaled(number: BigRational, rest: Expr) -> Expr {
     if number.is_one() {
         return rest;
@@ -110,7 +112,7 @@ fn single(mut parts: Vec<Expr>, many: impl Fn(Vec<Expr>) -> Expr) -> Expr {
     if parts.len() == 1 { parts.swap_remove(0) } else { many(parts) }
 }
 
-/// The sum of terms in normal form.
+/// Returns the sum of terms in normal form.
 pub(super) fn sum(terms: impl IntoIterator<Item = Expr>) -> Expr {
     let mut all = Terms::default();
     terms.into_iter().for_each(|term| all.take(term));
@@ -154,7 +156,7 @@ impl Terms {
     }
 }
 
-/// The product of factors in normal form.
+/// Returns the product of factors in normal form.
 pub(super) fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
     let mut all =
         Factors { number: BigRational::one(), exponents: FxHashMap::default(), powers: Vec::new() };
@@ -164,7 +166,7 @@ pub(super) fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
 
 struct Factors {
     number: BigRational,
-    /// Where the power of a base is.
+    /// Index of the power of each base.
     exponents: FxHashMap<Expr, usize>,
     powers: Vec<(Expr, Expr)>,
 }
@@ -204,7 +206,7 @@ impl Factors {
         }
         let mut factors = Vec::new();
         for (base, exponent) in self.powers {
-            // A power may have become whole, and so a product or a number.
+            // A power may have become an integer power, and therefore a product or a number.
             match power(base, exponent) {
                 Expr::Number(value) => number *= value,
                 Expr::Product(parts) => {
@@ -228,8 +230,8 @@ impl Factors {
     }
 }
 
-/// A power of base and exponent in normal form. Of zero to a power that is not positive it is
-/// what it says.
+/// Returns a power of base and exponent in normal form. A power of zero with an exponent that is
+/// not positive is left as it is.
 pub(super) fn power(base: Expr, exponent: Expr) -> Expr {
     let Expr::Number(value) = &exponent else {
         let is_one = matches!(&base, Expr::Number(value) if value.is_one());
@@ -267,13 +269,13 @@ pub(super) fn power(base: Expr, exponent: Expr) -> Expr {
     }
 }
 
-/// True if floating-point numbers are multiplied by a number without rounding.
+/// Returns whether multiplication of floating-point numbers by a number is exact.
 fn is_exact(number: &BigRational) -> bool {
     let is_power = |part: &BigInt| part.magnitude().count_ones() == 1;
     is_power(number.numer()) && is_power(number.denom())
 }
 
-/// The coefficient of the symbol, if a sum is of a symbol and a number.
+/// Returns the coefficient of the symbol, if the sum consists of a symbol and a number.
 fn offset(terms: &[Expr]) -> Option<BigRational> {
     let [a, b] = terms else { return None };
     let ((a, first), (b, second)) = (coefficient(a), coefficient(b));
@@ -284,8 +286,8 @@ fn offset(terms: &[Expr]) -> Option<BigRational> {
     }
 }
 
-/// What the coefficients of a sum have in common, with the sign of the term that is first
-/// without them, or that of the symbol of an offset; nothing if it is 1.
+/// Returns the common factor of the coefficients of a sum. Its sign is that of the first term in
+/// the order without coefficients, or of the symbol of an offset. Returns `None` if it is 1.
 fn content(terms: &[Expr]) -> Option<BigRational> {
     if let Some(number) = offset(terms) {
         return (!number.is_one()).then_some(number);
@@ -303,7 +305,7 @@ fn content(terms: &[Expr]) -> Option<BigRational> {
     (!content.is_one()).then_some(content)
 }
 
-/// The other factors of a term, and its number.
+/// Splits a term into its other factors and its number.
 fn coefficient(term: &Expr) -> (&[Expr], BigRational) {
     match term {
         Expr::Number(value) => (&[], value.clone()),
@@ -315,7 +317,7 @@ fn coefficient(term: &Expr) -> (&[Expr], BigRational) {
     }
 }
 
-/// Divides a sum, term by term.
+/// Divides a sum by a number, term by term.
 fn divide(terms: &mut [Expr], by: &BigRational) {
     for term in terms.iter_mut() {
         let (number, rest) = split(std::mem::replace(term, Expr::integer(0)));
@@ -327,7 +329,7 @@ fn divide(terms: &mut [Expr], by: &BigRational) {
     terms.sort_unstable();
 }
 
-/// A whole power of a number, if it is one and not too long.
+/// Returns a whole power of a number, if the exponent is whole and the result not too long.
 fn worked_out(number: &BigRational, exponent: &BigRational) -> Option<BigRational> {
     if number.is_one() {
         return Some(number.clone());

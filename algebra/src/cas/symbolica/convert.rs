@@ -1,4 +1,4 @@
-//! Expr to Atom and back.
+//! Conversion of `Expr` to `Atom` and back.
 
 use num_rational::BigRational;
 use num_traits::{Signed as _, ToPrimitive, Zero};
@@ -9,7 +9,7 @@ use super::functions::{Called, Vocabulary};
 use crate::expr::{Expr, Function};
 use machinist_model::TableId;
 
-/// An expression as Symbolica's.
+/// Converts an expression to one of Symbolica.
 pub(super) fn to_atom(vocabulary: &mut Vocabulary, expr: &Expr) -> Atom {
     match expr {
         Expr::Number(value) => number(value),
@@ -33,7 +33,7 @@ pub(super) fn to_atom(vocabulary: &mut Vocabulary, expr: &Expr) -> Atom {
     }
 }
 
-/// The sum of many: halves first, for each addition copies what it adds.
+/// Returns the sum of many terms, added in pairs, because each addition copies its operands.
 pub(super) fn sum(mut terms: Vec<Atom>) -> Atom {
     while terms.len() > 1 {
         let pairs = terms.chunks(2);
@@ -47,7 +47,7 @@ pub(super) fn sum(mut terms: Vec<Atom>) -> Atom {
     terms.pop().unwrap_or_default()
 }
 
-/// What stands for a quotient or logarithm of zero, which Symbolica must not see.
+/// Returns a placeholder for a quotient or logarithm of zero, which Symbolica must not see.
 fn undefined(vocabulary: &mut Vocabulary) -> Atom {
     vocabulary.undefined = true;
     Atom::new()
@@ -60,7 +60,8 @@ fn number(value: &BigRational) -> Atom {
     }
 }
 
-/// Beyond 64 bits the text form is the one both sides agree on exactly.
+/// Converts a number beyond 64 bits by its decimal digits, the only exact form that both sides
+/// share.
 fn big_number(value: &BigRational) -> Atom {
     let signed = |text: &str| match text.strip_prefix('-') {
         Some(rest) => -digits(rest.as_bytes()),
@@ -69,8 +70,8 @@ fn big_number(value: &BigRational) -> Atom {
     signed(&value.numer().to_string()) / signed(&value.denom().to_string())
 }
 
-/// Digit after digit takes minutes of a number of some ten thousand; by halves most of the
-/// work is on short ones.
+/// Converts digits by halves, so that most of the work is on short numbers: digit by digit, a
+/// number of ten thousand digits takes minutes.
 fn digits(text: &[u8]) -> Atom {
     let nines = 18;
     if text.len() <= nines {
@@ -80,8 +81,8 @@ fn digits(text: &[u8]) -> Atom {
     digits(high) * Atom::num(10).pow(low.len() as i64) + digits(low)
 }
 
-/// Half-integer powers go by way of `sqrt`, which Symbolica leaves alone; it
-/// would otherwise take (x^2)^(1/2) for x.
+/// Converts a power. Half-integer powers become powers of `sqrt`, which Symbolica does not rewrite;
+/// it would simplify (x^2)^(1/2) to x.
 fn power(vocabulary: &mut Vocabulary, base: &Expr, exponent: &Expr) -> Atom {
     let base = to_atom(vocabulary, base);
     if base.is_zero() && !matches!(exponent, Expr::Number(value) if value.is_positive()) {
@@ -97,7 +98,7 @@ fn power(vocabulary: &mut Vocabulary, base: &Expr, exponent: &Expr) -> Atom {
     base.pow(exponent)
 }
 
-/// Symbolica's expression as ours, in our own order.
+/// Converts an expression of Symbolica to ours, in our own order.
 pub(super) fn to_expr(vocabulary: &Vocabulary, view: AtomView<'_>) -> Expr {
     match view {
         AtomView::Num(value) => Expr::Number(rational(value.get_coeff_view(), view)),
@@ -155,9 +156,9 @@ fn rational(value: CoefficientView<'_>, view: AtomView<'_>) -> BigRational {
     }
 }
 
-/// A sum in our order, with the branches of `select_less` put together again:
-/// `select_less(a, b, 1, 0) x + select_less(a, b, 0, 1) y` is
-/// `select_less(a, b, x, y)`, which never multiplies what is not selected.
+/// Returns a sum in our order, with the branches of `select_less` joined again:
+/// `select_less(a, b, 1, 0) x + select_less(a, b, 0, 1) y` is `select_less(a, b, x, y)`, which
+/// never multiplies the branch that is not selected.
 fn sum_of(terms: Vec<Expr>) -> Expr {
     let mut plain = Vec::new();
     let mut selected: Vec<([Expr; 2], Vec<Expr>, Vec<Expr>)> = Vec::new();
@@ -186,7 +187,7 @@ fn sum_of(terms: Vec<Expr>) -> Expr {
     }
 }
 
-/// A product in our order; a one-sided `select_less` takes the other factors in.
+/// Returns a product in our order; a one-sided `select_less` absorbs the other factors.
 fn product_of(mut factors: Vec<Expr>) -> Expr {
     factors.sort();
     let product = Expr::Product(factors);
@@ -200,14 +201,14 @@ fn product_of(mut factors: Vec<Expr>) -> Expr {
     }
 }
 
-/// `value` where the comparison of `sides` holds (`then`) or does not; else 0.
+/// `value` if the comparison of `sides` is equal to `then`, else 0.
 struct Branch {
     sides: [Expr; 2],
     then: bool,
     value: Expr,
 }
 
-/// Reads a term as a one-sided selection, or gives it back.
+/// Reads a term as a one-sided selection, or returns it unchanged as the error.
 fn branch_of(term: Expr) -> Result<Branch, Expr> {
     let is = |expr: &Expr, n: i64| matches!(expr, Expr::Number(v) if *v == BigRational::from_integer(n.into()));
     let one_sided = |expr: &Expr| match expr {

@@ -1,4 +1,4 @@
-//! The symbols Symbolica knows our expressions by.
+//! Symbols of our expressions in Symbolica.
 
 use std::collections::HashMap;
 
@@ -11,19 +11,19 @@ use crate::expr::{
 
 type CasSymbol = symbolica::atom::Symbol;
 
-/// Variables and functions, registered in one fixed order so that forms do not
-/// depend on which scene came first.
+/// Variables and functions, registered in a fixed order so that forms do not depend on which scene
+/// came first.
 pub(in crate::cas) struct Vocabulary {
     variables: HashMap<Symbol, CasSymbol>,
     names: HashMap<CasSymbol, Symbol>,
     functions: Vec<(Function, CasSymbol)>,
     select_less: CasSymbol,
     table: CasSymbol,
-    /// Whether an expression without a value was taken in.
+    /// True if an expression without a value was taken in.
     pub(in crate::cas) undefined: bool,
 }
 
-/// Variables of each kind that are registered beforehand.
+/// Number of variables of each kind that are registered in advance.
 const POOL: u32 = 128;
 
 impl Vocabulary {
@@ -64,7 +64,7 @@ impl Vocabulary {
         self.names.insert(name, symbol);
     }
 
-    /// The variable of a symbol, registered at first use.
+    /// Returns the variable of a symbol, registered at first use.
     pub(super) fn variable(&mut self, symbol: Symbol) -> CasSymbol {
         if let Some(name) = self.variables.get(&symbol) {
             return *name;
@@ -86,12 +86,12 @@ impl Vocabulary {
         name
     }
 
-    /// The symbol of a variable.
+    /// Returns the symbol of a variable.
     pub(super) fn symbol(&self, variable: CasSymbol) -> Option<Symbol> {
         self.names.get(&variable).copied()
     }
 
-    /// A function of ours applied to arguments.
+    /// Applies one of our functions to arguments.
     pub(super) fn call(&self, function: Function, arguments: &[Atom]) -> Atom {
         match function {
             Function::SelectLess => self.select_less.call_args(arguments),
@@ -107,7 +107,7 @@ impl Vocabulary {
         }
     }
 
-    /// What a function of Symbolica's is called by us.
+    /// Returns our function for one of Symbolica.
     pub(super) fn function(&self, name: CasSymbol) -> Option<Called> {
         if name == self.select_less {
             Some(Called::SelectLess)
@@ -120,7 +120,7 @@ impl Vocabulary {
     }
 }
 
-/// How a function's arguments are to be read.
+/// Kind of a function, which determines the meaning of its arguments.
 pub(super) enum Called {
     Plain(Function),
     SelectLess,
@@ -138,7 +138,7 @@ fn one_minus_square(view: AtomView<'_>) -> Atom {
     Atom::num(1) - argument(view, 0).pow(2)
 }
 
-/// Functions of one argument. Those that Symbolica lacks come with their
+/// Returns the functions of one argument. Those that Symbolica lacks are registered with their
 /// derivatives.
 fn functions() -> Vec<(Function, CasSymbol)> {
     let sqrt = symbol!(
@@ -204,8 +204,8 @@ fn functions() -> Vec<(Function, CasSymbol)> {
     ]
 }
 
-/// `select_less(a, b, x, y)`: differentiated in its branches only; that it jumps
-/// where a passes b is left to whoever stops the solver there.
+/// `select_less(a, b, x, y)`, differentiated in its branches only: the solver stops at the
+/// discontinuity where a passes b.
 fn select_less() -> CasSymbol {
     symbol!(
         "machinist::select_less",

@@ -1,16 +1,16 @@
-//! The emitted scenes, eight variants side by side, for sweeps.
+//! The emitted scenes with eight lanes, for sweeps.
 //!
-//! Emitted code is generic, and compiled where it is asked for on some kind of number, as that
-//! crate is compiled. Here that is done once, optimised, for programs that are not; and no more of
-//! it than variants side by side ask for.
+//! Emitted code is generic over the number type. It is compiled in the crate that uses it, with the
+//! settings of that crate. Here it is compiled once, optimised, also for programs that are not, and
+//! only the parts that lanes need.
 #![forbid(unsafe_code)]
 
 use machinist::lanes::F64x8;
 use machinist_contract::SideBySide;
 use machinist_scenes::find_carried;
 
-/// The scene of a name, eight at a time, if variants of it may go so: by series, without events and
-/// corners.
+/// Returns the scene of this name with eight lanes, if its variants can run in lanes: by series,
+/// without events and switching surfaces.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static dyn SideBySide<F64x8>> {
     #[cfg(feature = "bench")]

@@ -1,10 +1,10 @@
-//! The same models as emitted code, compiled at once and interpreted, in one run:
+//! Emitted code, JIT-compiled models and interpreted models compared in one run:
 //! `cargo bench -p machinist-tests --features measure --bench backends`.
 //!
-//! For each scene: nanoseconds of a rate and of a Jacobian (as methods call them, with
-//! constants prepared; of one with fields, those of what is beside them), milliseconds of the
-//! scene's own run by `dop853` or `radau`, and what it takes until the machine code is there.
-//! Minima of several rounds, in turns.
+//! For each scene: nanoseconds of a rate and of a Jacobian (as methods call them, with constants
+//! prepared; for scenes with fields, those of the rest of the machine), milliseconds of the scene's
+//! own run by `dop853` or `radau`, and the time until the machine code is ready. Values are minima
+//! of several rounds, in turns.
 
 use std::hint::black_box;
 use std::path::Path;
@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for (scene, method) in SCENES {
         let specs = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/scenes"));
         let system = pipeline::check(&specs.join(format!("{scene}.toml")))?;
-        // As what is emitted.
+        // The same algebra as for emitted code.
         let algebra = Algebra::most_simplifying(system.coordinates.len());
         let model = pipeline::compile_by(algebra, system, Keep::Needed)?;
         row(scene, &model, method)?;
@@ -93,7 +93,7 @@ fn row(scene: &str, model: &Model, method: Method) -> Result<(), Box<dyn std::er
     Ok(())
 }
 
-/// What a simulator is called with, and room for what it says.
+/// Arguments of a simulator, and memory for its results.
 struct Inputs {
     state: Vec<f64>,
     parameters: Vec<f64>,

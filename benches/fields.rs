@@ -1,6 +1,6 @@
-//! How cost grows with the number of elements, from ten to a million: a rate, a Jacobian, an
-//! implicit step, and memory, of a field that is not linear and of two of the kit, with fitted
-//! exponents.
+//! Growth of cost with the number of elements, from ten to a million, with fitted exponents: a
+//! rate, a Jacobian, an implicit step, and memory, for a nonlinear field and two fields of standard
+//! parts.
 //!
 //! `cargo bench -p machinist --bench fields`
 
@@ -14,7 +14,7 @@ use machinist_contract::{Describe as _, Simulator as _};
 use machinist_scenes::bench::{m3::M3, m4::M4};
 use machinist_scenes::scenes::saw_gin_shaft::SawGinShaft;
 
-/// Elements of order 1.
+/// Numbers of elements of order 1.
 const NUMBERS: [usize; 6] = [10, 100, 1000, 10_000, 100_000, 1_000_000];
 const WHAT: [&str; 5] =
     ["rate [us]", "Jacobian [us]", "implicit step [us]", "held [kB]", "in a run [kB]"];
@@ -29,8 +29,8 @@ fn main() {
     }
 }
 
-/// Microseconds of a rate, of a Jacobian, of a step of Rodas5P; kilobytes that the simulator
-/// holds, and at most beside them in that run.
+/// Returns microseconds of a rate, of a Jacobian and of a step of Rodas5P; kilobytes that the
+/// simulator holds, and the maximum of additional kilobytes in that run.
 fn costs(scene: &dyn FieldScene<f64>, elements: usize) -> [f64; 5] {
     let wanted = Discretisation { elements: Some(elements), order: Some(1) };
     let before = bytes::held();

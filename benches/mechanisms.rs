@@ -1,7 +1,7 @@
-//! How cost grows with the number of bodies of a mechanism: a chain of rods in a plane, each by
-//! its centre of mass and its angle, pinned to the one before by two constraints. Deriving it,
-//! machine code of its rate, a rate, a run of a dozen steps with its start, a step of dop853 with what
-//! puts it back onto the constraints, and memory, with fitted exponents.
+//! Growth of cost with the number of bodies of a mechanism, with fitted exponents. It is a chain of
+//! rods in a plane, described by centre of mass and angle, each pinned to the one before by two
+//! constraints. Measured are its derivation, machine code of its rate, a rate, a run of a dozen
+//! steps with its start, a step of dop853 with projection onto the constraints, and memory.
 //!
 //! `cargo bench -p machinist-tests --features measure --bench mechanisms`
 
@@ -32,7 +32,7 @@ const WHAT: [&str; 7] = [
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // What is done once a process is not of the first.
+    // Work done once a process must not count for the first row.
     costs(3)?;
     let rows = NUMBERS.map(|size| costs(size).map(|costs| Row { size, costs }));
     let rows: Vec<_> = rows.into_iter().collect::<Result<_, _>>()?;
@@ -90,7 +90,7 @@ fn costs(bodies: usize) -> Result<[f64; 7], Box<dyn Error>> {
     ])
 }
 
-/// Rods of 0.4 m that hang askew.
+/// Returns a spec with rods of 0.4 m that hang at an angle.
 fn spec(bodies: usize) -> Result<String, std::fmt::Error> {
     let mut text = format!(
         r#"[scene]

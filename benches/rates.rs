@@ -11,7 +11,7 @@ use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use machinist_contract::Simulator;
 use machinist_scenes::{bench, scenes};
 
-/// States that a measurement cycles through, so that no branch is learnt by heart.
+/// States that a measurement cycles through, so that the branch predictor cannot learn one.
 const STATES: usize = 16;
 
 type Scene = dyn Simulator<f64>;
@@ -23,7 +23,7 @@ fn rates(criterion: &mut Criterion) {
     measure(criterion, "rate_jacobian", entries, Simulator::rate_jacobian);
 }
 
-/// Times a function that writes so many numbers, scene by scene.
+/// Times a function that writes `length` numbers, scene by scene.
 fn measure(
     criterion: &mut Criterion,
     what: &str,
@@ -51,7 +51,7 @@ fn measure(
     group.finish();
 }
 
-/// A state of typical size.
+/// Returns a state of typical size.
 fn state(scene: &Scene, number: usize) -> Vec<f64> {
     let angle = |index: usize| FRAC_PI_4 * (1.0 + index as f64 + 0.3 * number as f64);
     let value = |index| 0.3 * scene.state_scale(index) * angle(index).sin();

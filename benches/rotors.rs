@@ -1,6 +1,6 @@
-//! How cost grows with the length of a chain of rotors on couplings, each a unit, driven and braked
-//! at its first rotor: deriving it by our own algebra, its operations and memory, its equilibrium
-//! and all its natural motions with their shapes, with fitted exponents.
+//! Growth of cost with the length of a chain of rotors and couplings, each a unit, driven and
+//! braked at its first rotor, with fitted exponents: derivation by our own algebra, operations and
+//! memory, equilibrium, and all natural motions with their shapes.
 //!
 //! `cargo bench -p machinist-tests --features measure --bench rotors`
 
@@ -19,12 +19,12 @@ use machinist_codegen::pipeline;
 use machinist_model::{Model, ModelSimulator, operations};
 
 const DERIVED: [usize; 4] = [100, 300, 1000, 3000];
-/// Shapes of more would be as many numbers as the square of their states.
+/// No larger chains, because shapes need as much memory as the square of the number of states.
 const ANALYSED: [usize; 3] = [100, 300, 1000];
 const MS: f64 = 1e3;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // What is done once a process is not of the first.
+    // Work done once a process must not count for the first row.
     derive(10)?;
     let rows = DERIVED.map(|size| derive(size).map(|(_, costs)| Row { size, costs }));
     let rows: Vec<_> = rows.into_iter().collect::<Result<_, _>>()?;
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The model of a chain and what it costs.
+/// Returns the model of a chain, and its costs.
 fn derive(rotors: usize) -> Result<(Model, [f64; 3]), Box<dyn Error>> {
     let folder = tempfile::tempdir()?;
     let path = folder.path().join("rotors.toml");
@@ -59,7 +59,7 @@ fn derive(rotors: usize) -> Result<(Model, [f64; 3]), Box<dyn Error>> {
     Ok((model, [seconds * MS, count as f64, most as f64 * 1e-3]))
 }
 
-/// From the spec to the natural motions.
+/// Times the analysis from the spec to the natural motions.
 fn analyse(rotors: usize) -> Result<[f64; 4], Box<dyn Error>> {
     let (model, [derived, ..]) = derive(rotors)?;
     let simulator = ModelSimulator::compiled_at_once(model);

@@ -1,9 +1,10 @@
-//! What sensitivities to ten parameters cost beside the run alone, of emitted machines and of one
-//! compiled at once: `cargo bench -p machinist-tests --features measure --bench sensitivities`.
+//! Cost of sensitivities to ten parameters relative to the run alone, for emitted machines and a
+//! JIT-compiled one: `cargo bench -p machinist-tests --features measure --bench sensitivities`.
 //!
-//! Medians of many rounds, in turns, with 201 rows; errors of all columns over the largest size
-//! of each, against a run at 1e-12. `-- WORDS` keeps rows that hold one of the words: `emitted`,
-//! `compiled`, the name of another machine or of a method.
+//! Times are medians of many rounds, in turns, with 201 output samples. Errors are the largest of
+//! all columns, relative to the largest value of each, against a run at 1e-12. `-- WORDS` selects
+//! rows that contain one of the words: `emitted`, `compiled`, the name of another machine or of a
+//! method.
 
 use std::collections::BTreeSet;
 use std::hint::black_box;
@@ -31,7 +32,7 @@ const BY: [&str; 10] = [
     "motor.x_s",
     "motor.alpha_s",
 ];
-/// Others, by as many of their parameters as they have up to ten.
+/// Other machines, with up to ten of their parameters.
 const OTHERS: [&str; 2] = ["two_mass", "pendulum_chain"];
 const METHODS: [Method; 3] = [Method::Tsit5, Method::Dop853, Method::Radau];
 const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-9];
@@ -41,7 +42,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let emitted = scenes::find_f64("saw_gin").ok_or("it is built in")?;
     let spec = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/scenes/saw_gin.toml"));
     let system = pipeline::check(spec)?;
-    // As what is emitted.
+    // The same algebra as for emitted code.
     let algebra = Algebra::most_simplifying(system.coordinates.len());
     let model = pipeline::compile_by(algebra, system, Keep::Needed)?;
     let compiled = ModelSimulator::compiled_at_once(model);
@@ -65,7 +66,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// The first ten parameters that the rate depends on.
+/// Returns the first ten parameters that the rate depends on.
 fn moving(simulator: &dyn Simulator<f64>) -> Vec<&str> {
     let entries = simulator.parameter_jacobian_pattern().entries;
     let parameters: BTreeSet<u32> = entries.iter().map(|entry| entry.1).collect();
@@ -133,7 +134,7 @@ fn row(
     Ok(())
 }
 
-/// What the gradient of one number by all parameters and initial values costs.
+/// Times the gradient of one number by all parameters and initial values.
 fn in_reverse(name: &str, simulator: &dyn Simulator<f64>) -> Result<(), SimulateError> {
     for method in [Method::Tsit5, Method::Dop853] {
         for rtol in TOLERANCES {
@@ -169,7 +170,7 @@ fn in_reverse(name: &str, simulator: &dyn Simulator<f64>) -> Result<(), Simulate
     Ok(())
 }
 
-/// The largest error of all sensitivities, over the largest size of each.
+/// Returns the largest error of all sensitivities, relative to the largest value of each.
 fn error(run: &Trajectory, reference: &Trajectory) -> f64 {
     let columns = run.columns.iter().zip(&reference.columns);
     let of_column = columns.filter(|(own, _)| own.name.starts_with("d(")).map(|(own, wanted)| {

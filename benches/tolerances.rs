@@ -1,10 +1,11 @@
-//! Errors over tolerances where methods have been wrong without a word: friction by bristles,
-//! a spring with play, a pendulum on a rod over 1000 s; many tolerances, parameters and methods:
+//! Errors relative to the tolerance, for problems on which methods have been wrong without a
+//! message: friction by bristles, a spring with backlash, a pendulum on a rod over 1000 s, with
+//! many tolerances, parameters and methods:
 //! `cargo bench -p machinist-tests --features measure --bench tolerances`.
 //!
-//! An error is the largest difference of a state, over what it is at most, or its scale if that
-//! is more. Words keep problems and methods of these names; `sets=N` and `tolerances=N` ask for
-//! other than 20 and 200.
+//! An error is the largest difference of a state, divided by the largest value of the state, or by
+//! its scale if that is larger. Words select problems and methods by name; `sets=N` and
+//! `tolerances=N` replace the defaults of 20 and 200.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -17,17 +18,18 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_model::ModelSimulator;
 
-/// Names and values for values that are drawn.
+/// Converts drawn values to names and values of the reference machine.
 type Translation = fn(&[f64]) -> Vec<(&'static str, f64)>;
 
-/// A machine, what of it is compared, and how its parameters are drawn.
+/// A machine with the columns to compare and the ranges of its parameters.
 struct Problem {
     name: &'static str,
     /// Columns of the run and of the reference, with scales.
     columns: &'static [(&'static str, &'static str, f64)],
-    /// Another machine that is its reference, and what that is given for what is drawn.
+    /// Name of another machine as its reference, and the conversion of drawn values to that
+    /// machine.
     reference: Option<(&'static str, Translation)>,
-    /// Initial values and parameters, each drawn between two values, evenly in its logarithm.
+    /// Initial values and parameters, each drawn between two values, uniformly in its logarithm.
     drawn: &'static [(&'static str, [f64; 2])],
     loosest: f64,
 }
@@ -84,7 +86,7 @@ const PROBLEMS: [Problem; 3] = [
 const TIGHTEST: f64 = 1e-10;
 const SEED: u64 = 1995;
 
-/// What the pendulum by its angle is given, for what the one on a rod is.
+/// Returns the values of the pendulum by its angle, from those of the pendulum on a rod.
 fn by_angle(drawn: &[f64]) -> Vec<(&'static str, f64)> {
     let [x, mass, length, gravity] = *drawn else { unreachable!("four are drawn") };
     vec![
@@ -123,7 +125,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The model of a file beside this one.
+/// Returns the model of a spec in the folder of this benchmark.
 fn model(name: &str) -> Result<ModelSimulator, Box<dyn Error>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../benches/tolerances");
     let model = pipeline::generate(&folder.join(name).with_extension("toml"), Keep::All);
@@ -147,7 +149,8 @@ fn run(
     Ok(run.run()?)
 }
 
-/// The largest difference of columns, over what they are at most, or their scale if that is more.
+/// Returns the largest difference of columns, relative to their largest value, or to their scale if
+/// that is larger.
 fn difference(problem: &Problem, found: &[Vec<f64>], exact: &[Vec<f64>]) -> f64 {
     let columns = problem.columns.iter().zip(found).zip(exact);
     columns.fold(0.0, |most: f64, (((.., scale), found), exact)| {
@@ -157,10 +160,11 @@ fn difference(problem: &Problem, found: &[Vec<f64>], exact: &[Vec<f64>]) -> f64 
     })
 }
 
-/// One run: set, tolerance, and its error over the tolerance or why there is none.
+/// Result of one run: set, tolerance, and its error relative to the tolerance or the reason for its
+/// failure.
 type Outcome = (usize, f64, Result<f64, String>);
 
-/// A problem's machine with the values that are drawn for it.
+/// A problem's machine with the drawn values.
 struct Study<'a> {
     problem: &'a Problem,
     machine: ModelSimulator,
@@ -189,8 +193,8 @@ impl<'a> Study<'a> {
         names.zip(self.drawn[set].iter().copied()).collect()
     }
 
-    /// Columns of a converged run, by which much they differ from those of another one, and both
-    /// over what they are at most.
+    /// Returns the columns of a converged run and their difference from those of another such run,
+    /// relative to their largest values.
     fn exact(&self, set: usize) -> Result<(Vec<Vec<f64>>, f64), Failed> {
         let columns = |run: &Trajectory| -> Vec<Vec<f64>> {
             let names = self.problem.columns.iter();
@@ -211,7 +215,7 @@ impl<'a> Study<'a> {
         Ok((fine, doubt))
     }
 
-    /// Runs of a method at all tolerances.
+    /// Runs a method at all tolerances.
     fn runs(
         &self,
         (set, method): (usize, Method),
@@ -259,7 +263,7 @@ fn study(
     Ok(())
 }
 
-/// A row of the table.
+/// Prints a row of the table.
 fn print(method: Method, outcomes: &[Outcome]) {
     let errors = outcomes
         .iter()
@@ -280,7 +284,7 @@ fn print(method: Method, outcomes: &[Outcome]) {
     );
 }
 
-/// What a function gives for each index, on all cores.
+/// Computes a function for each index, on all cores.
 fn in_parallel<T: Send>(count: usize, of: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let (next, found) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
     std::thread::scope(|scope| {

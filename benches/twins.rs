@@ -1,9 +1,9 @@
-//! Twin experiments: how many 95 % intervals of fits hold the truth, where data are runs of the
-//! same machine with noise: `cargo bench -p machinist --bench twins`.
+//! Twin experiments: the share of 95 % confidence intervals of fits that contain the truth, for
+//! data from runs of the same machine with noise: `cargo bench -p machinist --bench twins`.
 //!
-//! Each draw is fitted from three starts far away, none of them near the truth, with scales found
-//! from the residuals. Noise is 1 % of the standard deviation of each output. `-- WORDS` keeps
-//! machines of these names; a number is that of the draws, 100 unless given.
+//! Each draw is fitted from three starts, none of them near the truth, with scales estimated from
+//! the residuals. Noise is 1 % of the standard deviation of each output. `-- WORDS` selects
+//! machines by name; a number sets the number of draws, 100 by default.
 
 use std::error::Error;
 use std::time::Instant;
@@ -14,17 +14,17 @@ use machinist::{Method, Simulation};
 use machinist_contract::Simulator;
 use machinist_scenes::scenes;
 
-/// A machine whose parameters are looked for.
+/// A machine with parameters to fit.
 struct Twin {
     scene: &'static str,
-    /// Elements of its field, if it has one.
+    /// Number of elements of its field, if it has one.
     elements: Option<usize>,
     method: Method,
     rtol: f64,
     until: f64,
     samples: u32,
     outputs: &'static [&'static str],
-    /// Unknowns, and shares of the truth at which the first start, and bounds, lie.
+    /// Unknowns, with the first start and both bounds relative to the truth.
     unknowns: &'static [(&'static str, [f64; 3])],
 }
 
@@ -85,7 +85,7 @@ const TWINS: &[Twin] = &[
 /// An output with its values.
 type Column = (String, Vec<f64>);
 
-/// Of the standard deviation of each output.
+/// Standard deviation of the noise, relative to that of each output.
 const NOISE: f64 = 0.01;
 const STARTS: usize = 3;
 
@@ -103,7 +103,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Hands a simulator of a machine to the calling thread.
+/// Lends a simulator of a machine to the calling thread.
 fn lend(twin: &Twin, work: &mut dyn FnMut(&dyn Simulator<f64>)) {
     let fields = scenes::find_field_f64(twin.scene).zip(scenes::find_field_duals(twin.scene));
     if let Some((scene, duals)) = fields {
@@ -116,16 +116,16 @@ fn lend(twin: &Twin, work: &mut dyn FnMut(&dyn Simulator<f64>)) {
     }
 }
 
-/// What came of the draws.
+/// Results of the draws.
 #[derive(Default)]
 struct Came {
-    /// By unknown: intervals that hold the truth, and intervals that there are.
+    /// Per unknown: number of intervals that contain the truth, and number of intervals.
     held: Vec<(usize, usize)>,
-    /// Relative standard errors, summed.
+    /// Per unknown: sum of the relative standard errors.
     errors: Vec<f64>,
     seconds: Vec<f64>,
     evaluations: usize,
-    /// Fits that ended away from the truth, or not at all.
+    /// Number of fits that ended away from the truth, or failed.
     astray: usize,
 }
 
@@ -163,7 +163,7 @@ fn study(twin: &Twin, scene: &dyn Simulator<f64>, draws: usize) -> Result<(), Bo
     Ok(())
 }
 
-/// Columns of the outputs, without noise.
+/// Returns the columns of the outputs, without noise.
 fn exact(
     twin: &Twin,
     simulation: &Simulation<'_>,
@@ -189,9 +189,9 @@ fn noisy(times: &[f64], exact: &[Column], random: &mut fastrand::Rng) -> Experim
     Experiment::new("twin", Measured { times: times.to_vec(), columns })
 }
 
-/// One fit.
+/// Does one fit.
 fn draw(fit: &Fit<'_>, truths: &[f64], came: &mut Came) {
-    /// Farther than so many standard errors from the truth is another minimum.
+    /// Distance from the truth, in standard errors, beyond which a fit is another minimum.
     const FAR: f64 = 6.0;
     let plan = Plan { is_robust: false, starts: STARTS, steps: 200, interrupt: None };
     let begin = Instant::now();
@@ -238,7 +238,7 @@ fn tell(twin: &Twin, draws: usize, mut came: Came) {
     }
 }
 
-/// Numbers of mean 0 and variance 1, normally distributed.
+/// Returns a normally distributed number of mean 0 and variance 1.
 fn normal(random: &mut fastrand::Rng) -> f64 {
     let radius = (-2.0 * (1.0 - random.f64()).ln()).sqrt();
     radius * (std::f64::consts::TAU * random.f64()).cos()

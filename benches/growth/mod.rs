@@ -1,4 +1,5 @@
-//! What benchmarks of cost over size share: least times, bytes allocated, tables with exponents.
+//! Tools shared by benchmarks of cost over size: shortest times, allocated bytes, tables with
+//! exponents.
 
 pub mod bytes;
 
@@ -8,16 +9,18 @@ use std::time::Instant;
 use machinist::Simulation;
 use machinist::error::StopCause;
 
-/// Each call is repeated for so long \[s\], and the fastest counts: the machine may be busy.
+/// Duration of the repetitions of a call \[s\]. The fastest counts, because the machine may be
+/// busy.
 const PATIENCE: f64 = 0.5;
 
-/// What a machine of a size costs.
+/// Costs of a machine of one size.
 pub struct Row<const N: usize> {
     pub size: usize,
     pub costs: [f64; N],
 }
 
-/// Least seconds of one of what a call does several of.
+/// Returns the shortest time in seconds of one operation. `call` does several and returns their
+/// number.
 pub fn fastest(mut call: impl FnMut() -> f64) -> f64 {
     let start = Instant::now();
     let mut least = f64::INFINITY;
@@ -29,7 +32,7 @@ pub fn fastest(mut call: impl FnMut() -> f64) -> f64 {
     least
 }
 
-/// Least seconds from the end of one step to that of the next, of some steps of a run.
+/// Returns the shortest time in seconds between the ends of two steps, among some steps of a run.
 #[allow(dead_code, reason = "not every benchmark looks at steps")]
 pub fn fastest_step(run: &Simulation<'_>) -> f64 {
     const STEPS: usize = 12;
@@ -39,7 +42,7 @@ pub fn fastest_step(run: &Simulation<'_>) -> f64 {
         ends.push(Instant::now());
         (ends.len() > STEPS).then_some(StopCause::Interrupted)
     };
-    // Stopped, unless it has fewer steps.
+    // The run is stopped, unless it has fewer steps.
     let stopped = run.clone().until_told(&end).run();
     let ends = ends.borrow();
     assert!(ends.len() > 3, "{:?}", stopped.err());
@@ -47,8 +50,8 @@ pub fn fastest_step(run: &Simulation<'_>) -> f64 {
     steps.fold(f64::INFINITY, f64::min)
 }
 
-/// A table in Markdown, and below it the exponents of each column, over all sizes and over the
-/// upper half of them, where what is there for any size no longer shows.
+/// Prints a table in Markdown with the exponents of each column below, over all sizes and over the
+/// upper half of them, where fixed costs no longer matter.
 pub fn print<const N: usize>(name: &str, size: &str, what: &[&str; N], rows: &[Row<N>]) {
     println!("\n| {name}, {size} | {} |", what.join(" | "));
     println!("| {}--- |", "--- | ".repeat(N));
@@ -64,7 +67,7 @@ pub fn print<const N: usize>(name: &str, size: &str, what: &[&str; N], rows: &[R
     }
 }
 
-/// Slope of a straight line through the logarithms, by least squares.
+/// Returns the slope of a straight line through the logarithms, by least squares.
 fn exponent<const N: usize>(rows: &[Row<N>], place: usize) -> f64 {
     let points: Vec<[f64; 2]> =
         rows.iter().map(|row| [(row.size as f64).ln(), row.costs[place].ln()]).collect();

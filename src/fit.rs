@@ -1,9 +1,9 @@
-//! Parameters of a machine from measured runs, by least squares with exact derivatives.
+//! Estimation of parameters from measured runs, by least squares with exact derivatives.
 //!
-//! Residuals are what a run is off what was measured, output by output and sample by sample,
-//! each over the output's scale; their derivatives are the sensitivities of the run
-//! ([`Simulation::sensitivities`]). Unknowns are searched for on a logarithmic scale where
-//! their bounds are positive, else over their size.
+//! Residuals are the differences of a run and its measurement, output by output and sample by
+//! sample, divided by the output's scale. Their derivatives are the sensitivities of the run
+//! ([`Simulation::sensitivities`]). The search uses the logarithm of an unknown if its bounds are
+//! positive, otherwise its ratio to a typical size.
 
 mod experiment;
 mod findings;
@@ -30,19 +30,20 @@ pub use statistics::{Chance, Direction, Statistics, chance, statistics, students
 #[cfg(feature = "sweep")]
 pub use threads::Lender;
 
-/// A parameter, or the initial value of a state, to be found.
+/// A parameter or the initial value of a state to be estimated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unknown {
-    /// Its name.
+    /// Name of the parameter or state.
     pub name: String,
-    /// Where the search starts.
+    /// Start of the search.
     pub start: f64,
-    /// Least and greatest value; infinite where there is none.
+    /// Lower and upper bound; infinite where there is none.
     pub bounds: (f64, f64),
 }
 
 impl Unknown {
-    /// From a value; from the middle of the bounds where it lies beyond them.
+    /// Creates an unknown that starts at `value`, or at the middle of the bounds if `value` lies
+    /// beyond them.
     #[must_use]
     pub fn from(name: &str, value: f64, bounds: Option<(f64, f64)>) -> Self {
         let bounds = bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
@@ -53,13 +54,13 @@ impl Unknown {
         Self { name: name.to_owned(), start, bounds }
     }
 
-    /// Whether it is searched for by its logarithm.
+    /// Returns whether the search uses the logarithm of the unknown.
     #[must_use]
     pub fn is_logarithmic(&self) -> bool {
         self.bounds.0 > 0.0 && self.bounds.1 > 0.0
     }
 
-    /// What changes of it are measured by where it is not logarithmic.
+    /// Returns the unit of change of an unknown that is not logarithmic.
     fn size(&self) -> f64 {
         let (low, high) = self.bounds;
         let span = if (high - low).is_finite() { high - low } else { 0.0 };
@@ -70,12 +71,12 @@ impl Unknown {
         }
     }
 
-    /// Where a search starts, as it knows it.
+    /// Returns the start in the coordinate of the search.
     pub(crate) fn inner_start(&self) -> f64 {
         self.inner(self.start)
     }
 
-    /// Bounds, likewise.
+    /// Returns the bounds in the coordinate of the search.
     pub(crate) fn inner_bounds(&self) -> (f64, f64) {
         (self.inner(self.bounds.0), self.inner(self.bounds.1))
     }
@@ -84,35 +85,36 @@ impl Unknown {
         if self.is_logarithmic() { value.ln() } else { value / self.size() }
     }
 
-    /// The value that the search knows as `inner`.
+    /// Returns the value at the search coordinate `inner`.
     #[must_use]
     pub fn outer(&self, inner: f64) -> f64 {
         let value = if self.is_logarithmic() { inner.exp() } else { inner * self.size() };
         value.clamp(self.bounds.0, self.bounds.1)
     }
 
-    /// d outer/d inner.
+    /// Returns d outer/d inner.
     #[must_use]
     pub fn slope(&self, value: f64) -> f64 {
         if self.is_logarithmic() { value } else { self.size() }
     }
 }
 
-/// A fit to be made.
+/// A parameter estimation problem.
 #[derive(Clone, Copy)]
 pub struct Fit<'a> {
-    /// The run without what is fitted: parameters, start, method, tolerance.
+    /// The run with all settings that are not fitted: parameters, start, method, tolerance.
     pub simulation: &'a Simulation<'a>,
-    /// What is looked for.
+    /// Unknowns.
     pub unknowns: &'a [Unknown],
-    /// Measured runs, each with what differs from the simulation.
+    /// Measured runs, each with its differences from the simulation.
     pub experiments: &'a [Experiment],
     #[cfg(feature = "sweep")]
     lender: Option<threads::Lender<'a>>,
 }
 
-/// The given start, then others spread evenly within bounds, by multiples of powers of the root
-/// of x^(n+1) = x + 1 (the R sequence of M. Roberts); what has no bounds stays.
+/// Returns `first`, then other starts spread evenly within the bounds, by multiples of powers of
+/// the root of x^(n+1) = x + 1 (the R sequence of M. Roberts). Unknowns without bounds keep their
+/// first value.
 #[must_use]
 pub fn spread_starts(first: &[f64], bounds: &[(f64, f64)], count: usize) -> Vec<Vec<f64>> {
     let n = first.len();
@@ -129,7 +131,7 @@ pub fn spread_starts(first: &[f64], bounds: &[(f64, f64)], count: usize) -> Vec<
 }
 
 impl<'a> Fit<'a> {
-    /// A fit on this thread.
+    /// Creates a fit that runs on this thread.
     #[must_use]
     pub fn new(
         simulation: &'a Simulation<'a>,
@@ -145,7 +147,7 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// Names of what was measured, each once.
+    /// Returns the names of measured quantities, each once.
     #[must_use]
     pub fn outputs(&self) -> Vec<&'a str> {
         let mut names: Vec<&str> = Vec::new();
@@ -157,7 +159,7 @@ impl<'a> Fit<'a> {
         names
     }
 
-    /// Measured columns with their experiments.
+    /// Returns the measured columns with their experiments.
     fn columns(&self) -> impl Iterator<Item = (&'a Experiment, &'a str, &'a [f64])> + use<'a> {
         self.experiments.iter().flat_map(|experiment| {
             let columns = experiment.measured.columns.iter();
@@ -165,33 +167,33 @@ impl<'a> Fit<'a> {
         })
     }
 
-    /// Where the search starts, as it knows it.
+    /// Returns the start of the search, in its coordinates.
     #[must_use]
     pub fn start(&self) -> Vec<f64> {
         self.unknowns.iter().map(Unknown::inner_start).collect()
     }
 
-    /// Bounds, as the search knows them.
+    /// Returns the bounds in the coordinates of the search.
     #[must_use]
     pub fn bounds(&self) -> Vec<(f64, f64)> {
         self.unknowns.iter().map(Unknown::inner_bounds).collect()
     }
 
-    /// Values of the unknowns.
+    /// Returns the values of the unknowns at search coordinates.
     #[must_use]
     pub fn values(&self, inner: &[f64]) -> Vec<f64> {
         self.unknowns.iter().zip(inner).map(|(unknown, inner)| unknown.outer(*inner)).collect()
     }
 
-    /// The simulation with what an experiment gives otherwise.
+    /// Returns the simulation with the settings of an experiment.
     ///
     /// # Errors
-    /// A name that is no parameter and no state, with the nearest known one.
+    /// An unknown name of a parameter or state, with the nearest known one.
     pub fn simulation_of(&self, experiment: &Experiment) -> Result<Simulation<'a>, SimulateError> {
         let mut simulation = self.simulation.clone();
         for (name, value) in &experiment.given {
             simulation = match simulation.clone().given(name, *value) {
-                // A mode, by which nothing is differentiated.
+                // Modes can be set, although they cannot be differentiated by.
                 Err(SimulateError::NotDifferentiable { .. }) => {
                     simulation.initial_value(name, *value)?
                 }
@@ -201,11 +203,10 @@ impl<'a> Fit<'a> {
         Ok(experiment.from.into_iter().fold(simulation, Simulation::from))
     }
 
-    /// The run of one experiment at these values, sampled at these times, and at its start in
-    /// front of that.
+    /// Runs one experiment at these values, with output at its start and then at these times.
     ///
     /// # Errors
-    /// As [`Simulation::run`].
+    /// As for [`Simulation::run`].
     pub fn run(
         &self,
         experiment: &Experiment,
@@ -228,10 +229,11 @@ impl<'a> Fit<'a> {
         simulation.run()
     }
 
-    /// Residuals, over the scale of each output, and their derivatives by what the search knows.
+    /// Computes the residuals, over the scale of each output, and their derivatives by the search
+    /// coordinates.
     ///
     /// # Errors
-    /// Why a run stopped, or gave what is no number.
+    /// [`FitError`] if a run stopped or gave a value that is not finite.
     pub fn evaluate(
         &self,
         inner: &[f64],
@@ -253,7 +255,7 @@ impl<'a> Fit<'a> {
         })
     }
 
-    /// Residuals of one experiment, and their derivatives row by row.
+    /// Computes the residuals of one experiment, and their derivatives row by row.
     fn compared(
         &self,
         experiment: &Experiment,
@@ -287,7 +289,7 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// Says which of several experiments it was.
+    /// Adds the name of the experiment to an error if there are several experiments.
     fn of_experiment(&self, experiment: &Experiment, why: FitError) -> FitError {
         if self.experiments.len() < 2 {
             return why;
@@ -295,10 +297,10 @@ impl<'a> Fit<'a> {
         FitError::Experiment { name: experiment.name.clone(), why: Box::new(why) }
     }
 
-    /// Searches from a start, as the search knows it.
+    /// Searches from a start in search coordinates.
     ///
     /// # Errors
-    /// Why nothing could be evaluated at the start.
+    /// The reason why the start cannot be evaluated.
     pub fn search(
         &self,
         start: &[f64],
@@ -312,7 +314,7 @@ impl<'a> Fit<'a> {
         self.search_within(start, scale_of, &search, watch)
     }
 
-    /// Likewise, within these bounds.
+    /// Searches like [`Fit::search`], within the bounds of `search`.
     fn search_within(
         &self,
         start: &[f64],
@@ -328,8 +330,8 @@ impl<'a> Fit<'a> {
         least_squares(evaluate, start, search)
     }
 
-    /// Residuals of every measured column in the order of time, as they stand in an evaluation
-    /// with these scales.
+    /// Returns the residuals of every measured column in the order of time, from an evaluation with
+    /// these scales.
     #[must_use]
     pub fn residuals_by_column<'e>(
         &self,
@@ -355,7 +357,7 @@ impl<'a> Fit<'a> {
         all
     }
 
-    /// Steps that a variant may take before it is given up: many times those of the start.
+    /// Returns the number of steps after which a variant is given up: many times that of the start.
     #[must_use]
     pub fn step_limit(&self) -> usize {
         const TIMES: u64 = 50;
@@ -373,40 +375,40 @@ impl<'a> Fit<'a> {
     }
 }
 
-/// What is left of one measured column.
+/// Residuals of one measured column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColumnResiduals<'e> {
-    /// Name of its experiment.
+    /// Name of the experiment.
     pub experiment: &'e str,
-    /// Output or state.
+    /// Name of the output or state.
     pub output: &'e str,
-    /// By what they were weighed.
+    /// Residuals divided by `sizes`.
     pub residuals: &'e [f64],
-    /// What each was divided by, in the output's unit.
+    /// Divisor of each residual, in the unit of the output.
     pub sizes: Vec<f64>,
 }
 
-/// Why residuals could not be evaluated.
+/// Reason why residuals could not be evaluated.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FitError {
     /// The run was refused or stopped.
     #[error(transparent)]
     Simulate(#[from] SimulateError),
-    /// What is compared, or a derivative of it, is no number.
+    /// A compared output or one of its derivatives is not finite.
     #[error("an output that is compared, or its derivative, is not a finite number")]
     NotFinite,
-    /// Of one of several experiments.
+    /// Error in one of several experiments.
     #[error("{name}: {why}")]
     Experiment {
-        /// Its name.
+        /// Name of the experiment.
         name: String,
-        /// What happened.
+        /// The error.
         why: Box<FitError>,
     },
 }
 
 impl FitError {
-    /// Whether somebody has asked to stop.
+    /// Returns whether the run was interrupted.
     #[must_use]
     pub fn is_interrupted(&self) -> bool {
         match self {

@@ -1,28 +1,27 @@
-//! What was measured, and how.
+//! Measured data and the settings of experiments.
 
-/// What was measured in one run.
+/// Data measured in one run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measured {
-    /// When, ascending and not before the start of the run \[s\].
+    /// Times, ascending and not before the start of the run \[s\].
     pub times: Vec<f64>,
-    /// Outputs or states by name, with a value for each time; NaN where there is none.
+    /// Names of outputs or states, with a value for each time; NaN where there is none.
     pub columns: Vec<(String, Vec<f64>)>,
 }
 
-/// A measured run with what the machine was set to.
+/// A measured run with its settings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Experiment {
-    /// What it is called by.
+    /// Name of the experiment.
     pub name: String,
-    /// What was measured.
+    /// Measured data.
     pub measured: Measured,
-    /// Parameters and initial values of states that differ from those of the fit, by name and
-    /// in SI units.
+    /// Parameters and initial values that differ from those of the fit, by name and in SI units.
     pub given: Vec<(String, f64)>,
     /// Start of the run \[s\], if it is not that of the fit.
     pub from: Option<f64>,
-    /// Standard deviations of measured columns that are known. What is known of a column in one
-    /// experiment has to be so in all.
+    /// Known standard deviations of measured columns. A column whose noise is known in one
+    /// experiment must have known noise in all.
     pub noise: Vec<(String, Noise)>,
 }
 
@@ -41,14 +40,14 @@ pub enum Noise {
 }
 
 impl Experiment {
-    /// A measured run with the settings of the fit.
+    /// Creates an experiment with the settings of the fit.
     #[must_use]
     pub fn new(name: &str, measured: Measured) -> Self {
         let name = name.to_owned();
         Self { name, measured, given: Vec::new(), from: None, noise: Vec::new() }
     }
 
-    /// What is known of the noise of a column.
+    /// Returns the noise of a column, if it is known.
     #[must_use]
     pub fn noise_of(&self, column: &str) -> Option<&Noise> {
         self.noise.iter().find(|(name, _)| name == column).map(|(_, noise)| noise)
@@ -56,13 +55,13 @@ impl Experiment {
 }
 
 impl Noise {
-    /// The same for all values.
+    /// Returns a constant standard deviation.
     #[must_use]
     pub fn constant(absolute: f64) -> Self {
         Self::Of { absolute, share: 0.0 }
     }
 
-    /// The standard deviation of the value of a row.
+    /// Returns the standard deviation of the value in a row.
     #[must_use]
     pub fn at(&self, row: usize, value: f64) -> f64 {
         match self {

@@ -1,4 +1,4 @@
-//! What a fit has found, and what the data say of it.
+//! Results of a fit and their uncertainty.
 
 use machinist_contract::{Quantity, Simulator};
 use serde::Serialize;
@@ -7,87 +7,88 @@ use super::statistics::{Chance, Direction, Statistics, chance, statistics, stude
 use super::{ColumnResiduals, Fit, Fitted, Unknown};
 use crate::sorting::sort_descending;
 
-/// Unknowns that may go further than this share of themselves are not told.
+/// Relative error above which a parameter counts as not determined by the data.
 const FAR: f64 = 0.5;
-/// Shares of a combination below this are not named.
+/// Share of a combination below which a parameter is not named.
 const MINOR: f64 = 0.1;
-/// Residuals of this share of what was measured may be errors of the runs.
+/// Ratio of residuals to measured values below which residuals may be errors of the runs.
 const ROUNDING: f64 = 1e-6;
 
-/// All of it.
+/// Results of a fit.
 #[derive(Debug, Clone, Serialize)]
 pub struct Findings {
-    /// Values that were compared.
+    /// Number of compared values.
     pub values: usize,
-    /// What was looked for.
+    /// Estimated parameters and initial values.
     pub parameters: Vec<FoundParameter>,
-    /// Correlations of each two of them; null where one is not told.
+    /// Correlation of every two parameters; null if one of them is not determined.
     pub correlations: Vec<Vec<Option<f64>>>,
-    /// Ways along which the data say little.
+    /// Combinations of parameters that the data hardly determine.
     pub untold: Vec<Combination>,
-    /// What is left of each output.
+    /// Residuals of each output.
     pub outputs: Vec<OutputResidual>,
 }
 
-/// A parameter or initial value that was found.
+/// An estimated parameter or initial value.
 #[derive(Debug, Clone, Serialize)]
 pub struct FoundParameter {
-    /// Its name.
+    /// Name of the parameter or state.
     pub name: String,
     /// Its unit.
     pub unit: String,
-    /// Where the search started.
+    /// Start of the search.
     pub start: f64,
-    /// What was found.
+    /// Estimate.
     pub value: f64,
-    /// Null where the data do not tell it, or a bound holds it.
+    /// Standard error; null if the data do not determine the parameter, or it is at a bound.
     pub standard_error: Option<f64>,
-    /// Interval of confidence of 95 %.
+    /// Confidence interval of 95 %.
     pub confidence_95: Option<[f64; 2]>,
-    /// Whether a bound holds it.
+    /// Whether the estimate is at a bound.
     pub is_at_bound: bool,
 }
 
-/// A way of parameters along which the data say little.
+/// A combination of parameters that the data hardly determine.
 #[derive(Debug, Clone, Serialize)]
 pub struct Combination {
-    /// Relative changes of parameters, with their names.
+    /// Names of parameters and their relative changes.
     pub shares: Vec<(String, f64)>,
-    /// How far it may go within a standard error; null if the data say nothing.
+    /// Relative standard error along this combination; null if the data do not determine it.
     pub standard_error: Option<f64>,
 }
 
-/// What an output is off in the end.
+/// Residuals of one output.
 #[derive(Debug, Clone, Serialize)]
 pub struct OutputResidual {
     /// Name of the experiment.
     pub experiment: String,
-    /// Its name.
+    /// Name of the output.
     pub output: String,
     /// Its unit.
     pub unit: String,
-    /// Values compared.
+    /// Number of compared values.
     pub values: usize,
-    /// Root of the mean square of residuals, in its unit.
+    /// Root mean square of the residuals, in the unit of the output.
     pub rms: f64,
-    /// The largest of them.
+    /// Largest residual.
     pub largest: f64,
-    /// What residuals were weighed by: a standard deviation, or the root mean square of all.
+    /// Divisor of the residuals: a standard deviation, or the root mean square of all.
     pub scale: f64,
-    /// Whether they are as small as errors of the runs may be.
+    /// Whether the residuals are small enough to be errors of the runs.
     pub is_rounding: bool,
-    /// Of each residual with the next; null, as what follows, where they are too few.
+    /// Correlation of each residual with the next. This and the following are null if there are too
+    /// few residuals.
     pub autocorrelation: Option<f64>,
-    /// Runs of one sign.
+    /// Number of runs of one sign.
     pub runs: Option<usize>,
-    /// As many are expected of chance.
+    /// Number of runs expected by chance.
     pub expected_runs: Option<f64>,
-    /// Probability of a number as far from that.
+    /// Probability of a number of runs that deviates as much by chance.
     pub probability_of_runs: Option<f64>,
 }
 
 impl Fit<'_> {
-    /// Statistics about where a search has ended, and which unknowns a bound holds there.
+    /// Computes statistics at the end of a search, and which unknowns are at a bound there.
     pub(super) fn told(&self, fitted: &Fitted) -> (Statistics, Vec<bool>) {
         let Fitted { found, loss, .. } = fitted;
         let values = self.values(&found.at);
@@ -96,8 +97,8 @@ impl Fit<'_> {
             *value <= low || *value >= high
         };
         let held: Vec<bool> = values.iter().zip(self.unknowns).map(is_held).collect();
-        // One unit of what the search knows is a relative change, but of what starts at
-        // another size.
+        // One unit of a search coordinate is a relative change, except for unknowns whose size
+        // differs from their start.
         let sizes: Vec<f64> = self
             .unknowns
             .iter()
@@ -110,7 +111,7 @@ impl Fit<'_> {
         (told, held)
     }
 
-    /// What was found, and what the data say of it.
+    /// Returns the estimates and their uncertainty.
     #[must_use]
     pub fn findings(&self, fitted: &Fitted) -> Findings {
         let Fitted { found, scales, .. } = fitted;
@@ -187,14 +188,15 @@ impl Fit<'_> {
     }
 }
 
-/// The largest size of what was measured.
+/// Returns the largest absolute value measured for an output.
 fn largest_of(fit: &Fit<'_>, name: &str) -> f64 {
     let own = fit.columns().filter(|(_, other, _)| *other == name);
     let own = own.flat_map(|(_, _, values)| values);
     own.filter(|value| !value.is_nan()).fold(0.0_f64, |most, value| most.max(value.abs()))
 }
 
-/// The value of an unknown beyond its bounds too, as intervals may reach there.
+/// Returns the value of an unknown at a search coordinate, also beyond its bounds, where intervals
+/// may end.
 pub(super) fn unknown_value(unknown: &Unknown, inner: f64) -> f64 {
     let free = (f64::NEG_INFINITY, f64::INFINITY);
     if unknown.is_logarithmic() {
@@ -204,7 +206,7 @@ pub(super) fn unknown_value(unknown: &Unknown, inner: f64) -> f64 {
     }
 }
 
-/// The parameter, output or state of a name.
+/// Returns the parameter, output or state of this name.
 pub(super) fn quantity<'s>(simulator: &'s dyn Simulator<f64>, name: &str) -> Option<Quantity<'s>> {
     let shape = simulator.shape();
     let parameters = (0..shape.parameters).map(|index| simulator.parameter(index));

@@ -1,30 +1,29 @@
-//! Nonlinear least squares within bounds, by Levenberg's and Marquardt's method.
+//! Nonlinear least squares within bounds by the Levenberg-Marquardt method.
 //!
 //! ```text
 //! min 1/2 sum rho(r_i(u)),   lower <= u <= upper
 //! (J^T W J + lambda D^2) step = -J^T W r
 //! ```
 //!
-//! with D of the largest columns of J so far (J. J. Moré, The Levenberg-Marquardt algorithm,
-//! 1978), the step by a QR factorization of J over sqrt(lambda) D, unknowns at a bound that the
-//! gradient holds there left out, and lambda by how well the last step did what was foretold
-//! (H. B. Nielsen, 1999). A point at which nothing can be evaluated is a step that was too
-//! long.
+//! D contains the largest columns of J so far (J. J. Moré, The Levenberg-Marquardt algorithm,
+//! 1978). The step follows from a QR factorization of J over sqrt(lambda) D, without the unknowns
+//! that the gradient holds at a bound. lambda depends on how well the last step met its prediction
+//! (H. B. Nielsen, 1999). A point that cannot be evaluated counts as a step that was too long.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::{DMatrix, DVector};
 
-/// Residuals and their derivatives, one row a residual.
+/// Residuals and their derivatives, one row per residual.
 #[derive(Debug, Clone)]
 pub struct Evaluation {
-    /// r.
+    /// Residuals r.
     pub residuals: DVector<f64>,
-    /// dr/du.
+    /// Jacobian dr/du.
     pub jacobian: DMatrix<f64>,
 }
 
-/// How large residuals count.
+/// Loss as a function of a residual.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Loss {
     /// r^2.
@@ -34,7 +33,7 @@ pub enum Loss {
 }
 
 impl Loss {
-    /// 1/2 rho.
+    /// Returns 1/2 rho.
     fn cost(self, r: f64) -> f64 {
         match self {
             Self::Huber(size) if r.abs() > size => size * (r.abs() - 0.5 * size),
@@ -42,7 +41,7 @@ impl Loss {
         }
     }
 
-    /// The weight of a residual where squares are summed.
+    /// Returns the weight of a residual in a sum of squares.
     #[must_use]
     pub fn weight(self, r: f64) -> f64 {
         match self {
@@ -52,63 +51,63 @@ impl Loss {
     }
 }
 
-/// What is asked of a search.
+/// Settings of a search.
 #[derive(Debug, Clone, Copy)]
 pub struct Search<'a> {
-    /// Least and greatest value of each unknown; infinite where there is none.
+    /// Lower and upper bound of each unknown; infinite where there is none.
     pub bounds: &'a [(f64, f64)],
-    /// How large residuals count.
+    /// Loss as a function of a residual.
     pub loss: Loss,
-    /// Steps at most.
+    /// Maximum number of steps.
     pub most: usize,
-    /// Ends the search where it is, once set.
+    /// Flag that ends the search at its current point.
     pub interrupt: Option<&'a AtomicBool>,
 }
 
-/// Why a search ended.
+/// Reason for the end of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum End {
-    /// There is nothing better nearby.
+    /// The minimum is reached.
     Converged,
-    /// It took as many steps as it may.
+    /// The maximum number of steps is reached.
     Steps,
-    /// Somebody asked.
+    /// The search was interrupted.
     Interrupted,
-    /// No step leads to anything better although the gradient does not vanish: what is
-    /// evaluated is not smooth, or less exact than asked for.
+    /// No step improves the cost although the gradient does not vanish: the residuals are not
+    /// smooth, or less exact than requested.
     Stuck,
 }
 
-/// Where a search ended.
+/// End of a search.
 #[derive(Debug, Clone)]
 pub struct Found {
-    /// u.
+    /// Unknowns u.
     pub at: Vec<f64>,
-    /// What was evaluated there.
+    /// Evaluation at this point.
     pub evaluation: Evaluation,
-    /// 1/2 sum rho.
+    /// Cost, 1/2 sum rho.
     pub cost: f64,
-    /// Steps tried.
+    /// Number of steps tried.
     pub steps: usize,
-    /// Why it ended.
+    /// Reason for the end.
     pub end: End,
-    /// Points at which nothing could be evaluated, and why the first could not.
+    /// Number of points that could not be evaluated, and the reason for the first.
     pub failed: (usize, Option<String>),
 }
 
-/// A gradient whose angle with the residuals has a cosine below this is none.
+/// Cosine of the angle between gradient and residuals below which the gradient counts as zero.
 const GRADIENT: f64 = 1e-10;
-/// What would get better by this share of the cost is as good as it gets.
+/// Relative gain in cost below which the search has converged.
 const GAIN: f64 = 1e-13;
 
 /// A step that was to gain less than this share and does not: evaluations are not more exact,
 /// and unknowns are there to a small part of their errors.
 const FAINT: f64 = 1e-6;
 
-/// Searches from `start` for the least sum.
+/// Minimizes the sum of losses from `start`.
 ///
 /// # Errors
-/// Why the start itself could not be evaluated.
+/// The reason why the start cannot be evaluated.
 pub fn least_squares(
     mut evaluate: impl FnMut(&[f64]) -> Result<Evaluation, String>,
     start: &[f64],
@@ -160,12 +159,12 @@ pub fn least_squares(
             0.5 * (residuals.norm_squared() - (&residuals + &jacobian * &moved).norm_squared());
         let is_still = moved.iter().zip(&found.at).all(|(m, u)| m.abs() <= 1e-15 * u.abs());
         if is_still || foretold <= GAIN * found.cost && lambda <= 1.0 && !is_cut {
-            // What is left is less than evaluations are exact.
+            // The remaining gain is less than the accuracy of evaluations.
             found.end = if lambda <= 1.0 { End::Converged } else { End::Stuck };
             return Ok(found);
         }
         if foretold <= 0.0 {
-            // A step cut by bounds leads uphill, or a damped one nowhere.
+            // The step was cut by bounds and leads uphill, or is damped to nothing.
             lambda *= growth;
             growth *= 2.0;
             continue;
@@ -212,7 +211,7 @@ fn cost_of(evaluation: &Evaluation, loss: Loss) -> f64 {
     evaluation.residuals.iter().map(|r| loss.cost(*r)).sum()
 }
 
-/// J and r, each row by the root of its weight.
+/// Returns J and r, with each row multiplied by the root of its weight.
 pub(super) fn weighed(evaluation: &Evaluation, loss: Loss) -> (DMatrix<f64>, DVector<f64>) {
     let Evaluation { residuals, jacobian } = evaluation;
     let (mut jacobian, mut weighed) = (jacobian.clone(), residuals.clone());
@@ -226,7 +225,7 @@ pub(super) fn weighed(evaluation: &Evaluation, loss: Loss) -> (DMatrix<f64>, DVe
     (jacobian, weighed)
 }
 
-/// Unknowns that no bound holds against the gradient.
+/// Returns the unknowns that the gradient does not hold at a bound.
 fn free(at: &[f64], gradient: &DVector<f64>, bounds: &[(f64, f64)]) -> Vec<usize> {
     let is_held = |k: &usize| {
         let (low, high) = bounds[*k];
@@ -235,8 +234,8 @@ fn free(at: &[f64], gradient: &DVector<f64>, bounds: &[(f64, f64)]) -> Vec<usize
     (0..at.len()).filter(|k| !is_held(k)).collect()
 }
 
-/// The damped step of free unknowns within their room, and whether bounds cut it: what would
-/// leave its room goes to its end, and the rest makes the best of that.
+/// Computes the damped step of free unknowns within their bounds, and whether bounds cut it.
+/// Unknowns that would leave their bounds stop there, and the others minimize the rest.
 fn bounded_step(
     jacobian: &DMatrix<f64>,
     residuals: &DVector<f64>,
@@ -280,7 +279,7 @@ fn damped_step(
     right_side.rows_mut(0, rows).copy_from(residuals);
     for (column, &k) in free.iter().enumerate() {
         matrix.view_mut((0, column), (rows, 1)).copy_from(&jacobian.column(k));
-        // What has no effect stays where it is.
+        // An unknown without effect stays unchanged.
         let size = if sizes[k] > 0.0 { sizes[k] } else { 1.0 };
         matrix[(rows + column, column)] = lambda.sqrt() * size;
     }
@@ -304,7 +303,7 @@ mod tests {
         Search { bounds, loss: Loss::Squares, most: 200, interrupt: None }
     }
 
-    /// H. H. Rosenbrock's valley, from his start.
+    /// H. H. Rosenbrock's valley, with his start.
     #[allow(clippy::unnecessary_wraps, reason = "as what is searched")]
     fn valley(u: &[f64]) -> Result<Evaluation, String> {
         Ok(Evaluation {
@@ -329,7 +328,7 @@ mod tests {
         assert!((first - 0.5).abs() < 1e-15 && (second - 0.25).abs() < 1e-9, "{:?}", found.at);
     }
 
-    /// From a start from which the first steps go far out of bounds.
+    /// The first steps from this start lead far out of bounds.
     #[test]
     fn a_search_within_narrow_bounds_goes_on_to_the_bottom() {
         let bounds = [(0.0, 1.5), (0.9, 1.2)];
@@ -348,7 +347,7 @@ mod tests {
 
     #[test]
     fn an_outlier_counts_less_by_the_loss_of_huber() {
-        // A line through 20 points, of which one is wild: y = 2 + 3 x.
+        // A line through 20 points with one outlier: y = 2 + 3 x.
         let points: Vec<(f64, f64)> = (0..20)
             .map(|k| (f64::from(k), 2.0 + 3.0 * f64::from(k) + if k == 7 { 100.0 } else { 0.0 }))
             .collect();

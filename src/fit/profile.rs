@@ -1,19 +1,19 @@
-//! Profiles of the likelihood: how much worse the best fit becomes as one unknown is held away
-//! from where it was found.
+//! Profile likelihood: growth of the cost of the best fit as one unknown is held away from its
+//! estimate.
 //!
 //! ```text
 //! S(u_k) = min sum rho(r_i)  over all other unknowns
 //! tau    = sign(u_k - found) sqrt((S(u_k) - S)/s^2)      s^2 = sum r^2/(m - n)
 //! ```
 //!
-//! Values with |tau| <= t, Student's of 95 % with m - n degrees of freedom, are the interval of
-//! confidence; F(1, m - n) = t^2. Where the model is linear tau is, and the interval that of
+//! Values with |tau| <= t, Student's t of 95 % with m - n degrees of freedom, form the confidence
+//! interval; F(1, m - n) = t^2. For a linear model tau is linear too, and the interval is that of
 //! the standard error. (D. M. Bates, D. G. Watts, Nonlinear Regression Analysis and Its
 //! Applications, 1988, section 6.1.)
 //!
-//! A walk goes outwards by steps of a part of t, each from the best of the last along the tangent
-//! dS/du_others = 0, and when it has passed t back to it by Newton's method: dS/du_k is
-//! known from the derivatives of the residuals alone.
+//! A walk goes outwards by steps of a part of t, each from the last best point along the tangent
+//! dS/du_others = 0. When it has passed t, Newton's method leads back to t: dS/du_k follows from
+//! the derivatives of the residuals alone.
 
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
@@ -25,78 +25,78 @@ use super::statistics::students_t;
 use super::{End, Evaluation, Fit, Fitted, Found, Loss, Plan, Search, Unknown, scale_of};
 use crate::sorting::sort_ascending;
 
-/// Steps of a walk until t, if tau grows evenly.
+/// Number of steps of a walk to t if tau grows linearly.
 const STEPS: f64 = 4.0;
-/// Points of a side at most.
+/// Maximum number of points of one side.
 const MOST: usize = 60;
-/// A walk that has come so far, as a search knows the unknown, leads to no end: a thousandfold on
-/// a logarithmic scale.
+/// Length of a walk, in the search coordinate, beyond which the interval counts as open: a factor
+/// of a thousand on a logarithmic scale.
 const FAR: f64 = 7.0;
-/// The first step where the residuals do not say how far to go.
+/// First step if the residuals do not determine its length.
 const FIRST: f64 = 0.05;
-/// Shorter ones are tried so often where a run fails.
+/// Maximum number of halvings of a step whose run fails.
 const HALVINGS: usize = 6;
-/// A fit whose sum of squares is smaller by so many variances is another one.
+/// Decrease of the sum of squares, in variances, from which on another, better fit is reported.
 const BETTER: f64 = 0.01;
-/// An end of an interval is found where tau is t to this share.
+/// Relative accuracy of tau = t at an end of an interval.
 const EXACT: f64 = 1e-6;
 
-/// The profile of one unknown.
+/// Profile of one unknown.
 #[derive(Debug, Clone, Serialize)]
 pub struct Profile {
     /// Name of the parameter or state.
     pub parameter: String,
     /// Its unit.
     pub unit: String,
-    /// What was found.
+    /// Estimate.
     pub value: f64,
-    /// Ends of the interval of confidence of 95 %; null where there is none.
+    /// Ends of the confidence interval of 95 %; null where the interval is open.
     pub confidence_95: [Option<f64>; 2],
-    /// Why there is none.
+    /// Reason why the interval is open.
     pub open: [Option<String>; 2],
     /// Points of the profile, ascending.
     pub points: Vec<ProfilePoint>,
 }
 
-/// The best fit with one unknown held.
+/// The best fit with one unknown held at a value.
 #[derive(Debug, Clone, Serialize)]
 pub struct ProfilePoint {
-    /// The value held.
+    /// Value of the held unknown.
     pub value: f64,
-    /// Signed root of what the sum of squares has grown by, over the variance of residuals.
+    /// Signed root of the growth of the sum of squares, over the variance of residuals.
     pub tau: f64,
-    /// Its derivative by the value.
+    /// Derivative of tau by the value.
     pub slope: f64,
-    /// Best values of all unknowns, the one held too.
+    /// Best values of all unknowns, including the held one.
     pub parameters: Vec<f64>,
 }
 
-/// Where a walk stands, as the search knows it.
+/// Point of a walk, in search coordinates.
 #[derive(Clone)]
 struct Stand {
     at: Vec<f64>,
-    /// Size of tau.
+    /// Absolute value of tau.
     tau: f64,
     /// d tau/d u_k, outwards.
     slope: f64,
-    /// d u/d u_k, the others at their best.
+    /// d u/d u_k with the other unknowns at their best.
     tangent: Vec<f64>,
 }
 
 /// One side of a profile.
 struct Side {
-    /// Outwards.
+    /// Points in the outward direction.
     points: Vec<Stand>,
     end: Result<f64, String>,
 }
 
-/// What all walks go by.
+/// Data of a walk.
 struct Walk<'w> {
     fit: &'w Fit<'w>,
     fitted: &'w Fitted,
     plan: &'w Plan<'w>,
     tell: &'w (dyn Fn(&Evaluation) + Sync),
-    /// The unknown that is held, and whether the walk goes up.
+    /// Index of the held unknown.
     held: usize,
     outwards: f64,
     /// s^2.
@@ -105,8 +105,8 @@ struct Walk<'w> {
 }
 
 impl Fit<'_> {
-    /// Profiles of these unknowns about where a fit has ended, with its scales and its loss.
-    /// `watch` is told of every evaluation, as by [`Fit::solve`].
+    /// Computes profiles of these unknowns about the end of a fit, with its scales and its loss.
+    /// `watch` receives every evaluation, as in [`Fit::solve`].
     pub fn profiles(
         &self,
         fitted: &Fitted,
@@ -131,7 +131,7 @@ impl Fit<'_> {
         profiles
     }
 
-    /// Both sides of a profile as one.
+    /// Joins both sides of a profile.
     fn joined(&self, held: usize, [down, up]: [Side; 2]) -> Profile {
         let unknown = &self.unknowns[held];
         let point = |stand: &Stand, outwards: f64| {
@@ -182,13 +182,14 @@ impl Walk<'_> {
         &self.fit.unknowns[self.held]
     }
 
-    /// Where the walk has to end, as the search knows it.
+    /// Returns the bound of the walk, in the search coordinate.
     fn bound(&self) -> f64 {
         let (low, high) = self.unknown().inner_bounds();
         if self.outwards < 0.0 { low } else { high }
     }
 
-    /// Goes on until tau has passed t, and says where it is t, or why nowhere.
+    /// Walks until tau has passed t. Returns the value at which tau is t, or the reason why there
+    /// is none.
     fn outward(&self, points: &mut Vec<Stand>) -> Result<f64, String> {
         let (first, bound) = (points[0].at[self.held], self.bound());
         let by_slope = self.t / STEPS / points[0].slope;
@@ -229,7 +230,7 @@ impl Walk<'_> {
         Err(format!("the data do not tell it up to {}", number(last)))
     }
 
-    /// Where tau is t between two points of the walk; those on the way are added to it.
+    /// Finds where tau is t between two points of the walk, and adds the points on the way.
     fn crossing(
         &self,
         points: &mut Vec<Stand>,
@@ -252,7 +253,7 @@ impl Walk<'_> {
             let next = self.best_at(ahead, from).map_err(|halt| match halt {
                 Halt::Run(why) | Halt::For(why) => why,
             })?;
-            // In the order of the walk.
+            // Points stay in the order of the walk.
             points.insert(points.len() - 1, next.clone());
             sort_ascending(points, |point| self.outwards * point.at[self.held]);
             if next.tau < self.t {
@@ -264,7 +265,8 @@ impl Walk<'_> {
         Err("the sum of squares is too rough there to tell the end".to_owned())
     }
 
-    /// The best fit with the unknown held there, looked for from a point of the walk.
+    /// Returns the best fit with the unknown held at a value, searched for from a point of the
+    /// walk.
     fn best_at(&self, held: f64, from: &Stand) -> Result<Stand, Halt> {
         let Walk { fit, fitted, plan, .. } = self;
         let mut bounds = fit.bounds();
@@ -299,7 +301,7 @@ impl Walk<'_> {
         Ok(Stand { at: found.at, tau, slope, tangent })
     }
 
-    /// Which of the others no bound holds.
+    /// Returns which other unknowns are not at a bound.
     fn is_free(&self, at: &[f64]) -> Vec<bool> {
         let bounds = self.fit.bounds();
         let is_within = |(k, (u, (low, high))): (usize, (&f64, &(f64, f64)))| {
@@ -309,16 +311,16 @@ impl Walk<'_> {
     }
 }
 
-/// Why a walk does not go on.
+/// Reason why a walk ends.
 enum Halt {
-    /// Nothing can be simulated there.
+    /// The point cannot be simulated.
     Run(String),
-    /// For another reason.
+    /// Another reason.
     For(String),
 }
 
-/// How the others move with the one that is held, to first order, and the length of what of its
-/// column of the Jacobian they cannot make.
+/// Returns the first-order change of the other unknowns with the held one, and the norm of the part
+/// of its Jacobian column that they cannot reproduce.
 fn tangent(evaluation: &Evaluation, loss: Loss, held: usize, is_free: &[bool]) -> (Vec<f64>, f64) {
     const ROUNDING: f64 = 1e-9;
     let (jacobian, _) = weighed(evaluation, loss);
@@ -330,7 +332,7 @@ fn tangent(evaluation: &Evaluation, loss: Loss, held: usize, is_free: &[bool]) -
         return (tangent, own.norm());
     }
     let others = DMatrix::from_fn(jacobian.nrows(), free.len(), |row, k| jacobian[(row, free[k])]);
-    // By columns of length 1, since unknowns are of different sizes.
+    // Columns are scaled to length 1, since unknowns differ in size.
     let sizes: Vec<f64> =
         others.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
     let scaled = DMatrix::from_fn(others.nrows(), free.len(), |row, k| others[(row, k)] / sizes[k]);
@@ -342,7 +344,7 @@ fn tangent(evaluation: &Evaluation, loss: Loss, held: usize, is_free: &[bool]) -
     (tangent, (own - scaled * made).norm())
 }
 
-/// Six digits, for words.
+/// Returns the number with six digits, for messages.
 fn number(value: f64) -> String {
     format!("{value:.5e}")
         .parse::<f64>()

@@ -1,74 +1,74 @@
-//! A fit from start to end: searches from several starts, and scales that follow residuals.
+//! A complete fit: searches from several starts, with scales that follow the residuals.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use super::{End, Evaluation, Fit, Found, Loss, spread_starts};
 
-/// How often the scales of outputs follow the residuals.
+/// Maximum number of updates of the scales.
 const REWEIGHTINGS: usize = 4;
-/// Scales that change by no more than this share have settled.
+/// Relative change below which scales have settled.
 const SETTLED: f64 = 1e-2;
-/// Huber's size in standard deviations: 95 % as efficient as squares where nothing is wild.
+/// Size of Huber's loss in standard deviations: 95 % as efficient as squares without outliers.
 const HUBER: f64 = 1.345;
-/// A standard deviation for a median of sizes, of the normal distribution.
+/// Ratio of standard deviation and median absolute value of a normal distribution.
 const OF_MEDIAN: f64 = 1.4826;
 
-/// How a fit is made.
+/// Settings of a fit.
 #[derive(Debug, Clone, Copy)]
 pub struct Plan<'a> {
-    /// Whether outliers count less, by Huber's loss.
+    /// Whether to reduce the weight of outliers by Huber's loss.
     pub is_robust: bool,
-    /// Searches from so many starts, at least one.
+    /// Number of starts, at least one.
     pub starts: usize,
-    /// Steps of each at most.
+    /// Maximum number of steps of each search.
     pub steps: usize,
-    /// Ends the fit where it is, once set.
+    /// Flag that ends the fit at its current point.
     pub interrupt: Option<&'a AtomicBool>,
 }
 
 impl Plan<'_> {
-    /// Whether somebody has asked to stop.
+    /// Returns whether the fit is interrupted.
     pub(super) fn is_flagged(&self) -> bool {
         self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
 }
 
-/// Why nothing was found.
+/// Reason why nothing was found.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Unsolved {
-    /// Somebody asked, before anything was found.
+    /// The fit was interrupted before anything was found.
     #[error("the fit was interrupted at its start")]
     Interrupted,
-    /// No run gets through.
+    /// No start can be simulated.
     #[error("no start can be simulated: {why}")]
     NoStart {
-        /// Why the first does not.
+        /// Reason for the first start.
         why: String,
     },
 }
 
-/// A search that has ended, with what it went by.
+/// Result of a fit.
 #[derive(Debug, Clone)]
 pub struct Fitted {
-    /// Where it ended.
+    /// End of the search.
     pub found: Found,
-    /// How residuals counted at last.
+    /// Loss of the last search.
     pub loss: Loss,
-    /// Scale of each output.
+    /// Scales of the outputs.
     pub scales: Vec<(String, f64)>,
-    /// Starts that led nowhere, and why the first did not.
+    /// Number of starts that failed, and the reason for the first.
     pub lost: (usize, Option<String>),
-    /// Steps of all searches.
+    /// Number of steps of all searches.
     pub steps: usize,
-    /// Evaluations.
+    /// Number of evaluations.
     pub runs: usize,
 }
 
 impl Fit<'_> {
-    /// The whole fit: searches from all starts, then again with scales that follow the
-    /// residuals, or with Huber's loss. `watch` is told of every evaluation and how many there
-    /// have been.
+    /// Makes the complete fit: searches from all starts, then again with scales that follow the
+    /// residuals, or with Huber's loss. `watch` receives every evaluation and the number of
+    /// evaluations so far.
     ///
     /// # Errors
     /// [`Unsolved`] if nothing was found at all.
@@ -90,7 +90,7 @@ impl Fit<'_> {
         Ok(Fitted { runs: counter.count(), ..fitted })
     }
 
-    /// The best that searches from all starts find, by their first scales.
+    /// Returns the best result of searches from all starts, with the initial scales.
     fn best_of_starts(&self, plan: &Plan<'_>, counter: &Counter<'_>) -> Result<Fitted, Unsolved> {
         let scales = self.first_scales();
         let starts = spread_starts(&self.start(), &self.bounds(), plan.starts);
@@ -123,7 +123,7 @@ impl Fit<'_> {
         }
     }
 
-    /// Searches again, with scales by the residuals, or with a loss by their median.
+    /// Searches again, with scales from the residuals, or with a loss from their median.
     fn reweigh(&self, fitted: &mut Fitted, plan: &Plan<'_>, weighs: bool, counter: &Counter<'_>) {
         let is_same = |(a, b): (&(String, f64), &(String, f64))| (a.1 - b.1).abs() <= SETTLED * a.1;
         for _ in 0..REWEIGHTINGS {
@@ -162,13 +162,13 @@ impl Fit<'_> {
         }
     }
 
-    /// Whether the noise of an output is known.
+    /// Returns whether the noise of an output is known.
     fn is_known(&self, output: &str) -> bool {
         self.experiments.iter().any(|experiment| experiment.noise_of(output).is_some())
     }
 
-    /// What residuals are measured by at first: 1 where noise is known, else the standard
-    /// deviation of what was measured about its mean.
+    /// Returns the initial scales: 1 where noise is known, otherwise the standard deviation of the
+    /// measured values about their mean.
     fn first_scales(&self) -> Vec<(String, f64)> {
         let of = |name: &&str| {
             let own = self.columns().filter(|(_, other, _)| other == name);
@@ -179,8 +179,8 @@ impl Fit<'_> {
         self.outputs().iter().map(of).collect()
     }
 
-    /// Scales of outputs by their residuals, so that what is measured well counts for more; not
-    /// below a millionth of what they were at first.
+    /// Returns scales of outputs from their residuals, so that precise measurements weigh more.
+    /// Scales stay above a millionth of their initial values.
     fn renewed(
         &self,
         evaluation: &Evaluation,
@@ -207,10 +207,10 @@ impl Fit<'_> {
     }
 }
 
-/// Counts evaluations of all threads, and tells of them one after another.
+/// Counts evaluations of all threads, and reports them one after another.
 pub(super) struct Counter<'w>(Mutex<(usize, Watch<'w>)>);
 
-/// Told of every evaluation, and how many there have been.
+/// Callback that receives every evaluation and the number so far.
 type Watch<'w> = &'w mut (dyn FnMut(usize, &Evaluation) + Send);
 
 impl<'w> Counter<'w> {
@@ -230,13 +230,13 @@ impl<'w> Counter<'w> {
     }
 }
 
-/// The scale of an output; 1 of what has none.
+/// Returns the scale of an output, or 1 if it has none.
 #[must_use]
 pub fn scale_of(scales: &[(String, f64)], name: &str) -> f64 {
     scales.iter().find(|(other, _)| other == name).map_or(1.0, |(_, scale)| *scale)
 }
 
-/// Standard deviation about the mean; the size of what does not vary, and 1 of zeros.
+/// Returns the standard deviation about the mean; the size of constant values, and 1 for zeros.
 fn spread(values: &[f64]) -> f64 {
     let n = values.len().max(1) as f64;
     let mean = values.iter().sum::<f64>() / n;

@@ -1,4 +1,4 @@
-//! What residuals say of the unknowns and of the model.
+//! Statistics of unknowns and residuals.
 
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
@@ -6,24 +6,24 @@ use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 use super::least_squares::{Evaluation, Loss, weighed};
 use crate::sorting::sort_descending;
 
-/// What the data tell of the unknowns, to first order about where the search ended.
+/// Uncertainty of the unknowns, to first order about the end of the search.
 ///
 /// ```text
 /// s^2 = sum r^2 / (m - n)      C = s^2 (J^T J)^-1
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statistics {
-    /// Residuals, m.
+    /// Number of residuals, m.
     pub count: usize,
-    /// m - n, n being the unknowns that no bound holds.
+    /// Degrees of freedom, m - n; n is the number of unknowns that are not at a bound.
     pub freedom: usize,
-    /// s, the standard deviation of residuals; NaN with no freedom.
+    /// s, the standard deviation of residuals; NaN without degrees of freedom.
     pub deviation: f64,
-    /// Standard error of each unknown: infinite where the data do not tell it, 0 at a bound.
+    /// Standard error of each unknown: infinite if the data do not determine it, 0 at a bound.
     pub errors: Vec<f64>,
-    /// Correlation of each two unknowns; NaN where one of them is not told.
+    /// Correlation of every two unknowns; NaN where one of them is not determined.
     pub correlations: DMatrix<f64>,
-    /// Directions of unknowns that the data hardly tell, the worst first.
+    /// Directions of unknowns that the data hardly determine, the worst first.
     pub untold: Vec<Direction>,
 }
 
@@ -32,16 +32,16 @@ pub struct Statistics {
 pub struct Direction {
     /// Shares of the unknowns, of length 1.
     pub shares: Vec<f64>,
-    /// By how much the unknowns may go this way within a standard error; infinite if the data
-    /// say nothing.
+    /// Standard error along this direction, in units of the unknowns' sizes; infinite if the data
+    /// do not determine it.
     pub error: f64,
 }
 
-/// Singular values below this share of the largest are rounding.
+/// Ratio to the largest singular value below which others are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Statistics of a fit. `sizes` are what changes of unknowns are measured by; directions that
-/// may go further than `far` of them are untold. `held` are unknowns at a bound.
+/// Computes the statistics of a fit. `sizes` are the units of changes of the unknowns. Directions
+/// with errors above `far` of them count as not determined. `held` marks the unknowns at a bound.
 #[must_use]
 pub fn statistics(
     evaluation: &Evaluation,
@@ -57,7 +57,7 @@ pub fn statistics(
     let deviation = variance.sqrt();
     let relative =
         DMatrix::from_fn(m, free.len(), |row, k| jacobian[(row, free[k])] * sizes[free[k]]);
-    // Of nothing there is no decomposition.
+    // An empty matrix has no decomposition.
     let svd = (!free.is_empty()).then(|| relative.svd(false, true));
     let (values, turns) = svd
         .and_then(|svd| Some((svd.singular_values, svd.v_t?)))
@@ -99,26 +99,28 @@ pub fn statistics(
     Statistics { count: m, freedom, deviation, errors, correlations, untold }
 }
 
-/// Student's t that is exceeded, either way, with a probability of 5 %.
+/// Returns Student's t whose absolute value is exceeded with a probability of 5 %.
 #[must_use]
 pub fn students_t(freedom: usize) -> f64 {
     StudentsT::new(0.0, 1.0, freedom as f64).map_or(f64::NAN, |t| t.inverse_cdf(0.975))
 }
 
-/// Whether residuals look like chance.
+/// Test of residuals for randomness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Chance {
     /// Correlation of each residual with the next.
     pub autocorrelation: f64,
-    /// Runs of one sign.
+    /// Number of runs of one sign.
     pub runs: usize,
-    /// As many are expected of chance.
+    /// Number of runs expected by chance.
     pub expected: f64,
-    /// Probability of a number of runs as far from that (A. Wald, J. Wolfowitz, 1940).
+    /// Probability of a number of runs that deviates as much by chance (A. Wald, J. Wolfowitz,
+    /// 1940).
     pub probability: f64,
 }
 
-/// The runs test of residuals in the order of time; nothing of fewer than 10, or of one sign.
+/// Makes the runs test of residuals in the order of time; `None` for fewer than 10, or for one
+/// sign.
 #[must_use]
 pub fn chance(residuals: &[f64]) -> Option<Chance> {
     const FEWEST: usize = 10;
@@ -157,7 +159,7 @@ mod tests {
         }
     }
 
-    /// Where every unknown is at a bound, nothing is left to be told.
+    /// No unknown has an error if all are at a bound.
     #[test]
     fn what_bounds_hold_altogether_has_no_errors() {
         let evaluation = Evaluation {

@@ -1,19 +1,19 @@
-//! Work on a fit side by side: searches from several starts, runs of several experiments,
-//! profiles of several parameters.
+//! Parallel work on a fit: searches from several starts, runs of several experiments, profiles of
+//! several parameters.
 
 use super::Fit;
 #[cfg(feature = "sweep")]
 use crate::threads;
 
-/// Hands a simulator of the fit's machine to whoever is on the calling thread: one that all
-/// share, or one that is made for it.
+/// Calls its argument with a simulator of the fit's machine for the current thread: a shared one,
+/// or one made for it.
 #[cfg(feature = "sweep")]
 pub type Lender<'a> = &'a (dyn Fn(&mut dyn FnMut(&dyn machinist_contract::Simulator<f64>)) + Sync);
 
 #[cfg(feature = "sweep")]
 impl<'a> Fit<'a> {
-    /// The same on threads, each of which is lent a simulator. Results do not depend on how many
-    /// there are. Where the simulation is asked by [`Simulation::until_told`] it stays on one.
+    /// Returns the same fit on threads, each with a simulator from `lender`. Results do not depend
+    /// on the number of threads. If [`Simulation::until_told`] is set, the fit stays on one thread.
     ///
     /// [`Simulation::until_told`]: crate::Simulation::until_told
     #[must_use]
@@ -23,7 +23,7 @@ impl<'a> Fit<'a> {
 }
 
 impl Fit<'_> {
-    /// What `work` makes of each number below `count`.
+    /// Returns `work(i)` for each i below `count`.
     pub(super) fn each<T: Send>(
         &self,
         count: usize,
@@ -44,7 +44,7 @@ impl Fit<'_> {
                 });
                 found
             };
-            // Within work of another `each` it is the same pool.
+            // Work within another `each` uses the same pool.
             let found = threads::each(pool(), count, lent);
             let own =
                 |(number, found): (usize, Option<T>)| found.unwrap_or_else(|| work(self, number));
@@ -54,8 +54,8 @@ impl Fit<'_> {
     }
 }
 
-/// Threads of fits, made once. The pool that rayon makes by itself may be wanted by others, as
-/// algebras are, with a size of their own.
+/// Returns the thread pool of fits, made once. Others, such as algebras, may need rayon's global
+/// pool with another size.
 #[cfg(feature = "sweep")]
 fn pool() -> Option<&'static rayon::ThreadPool> {
     use std::sync::OnceLock;

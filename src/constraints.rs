@@ -1,10 +1,9 @@
-//! Constraints at run time: how far a state is off them, back onto them, and how many
-//! ways of moving they leave.
+//! Constraints at run time: residuals, projection and mobility.
 //!
-//! The emitted accelerations fulfil G q'' = gamma, so that an exact motion that starts
-//! on its constraints stays on them. A computed one drifts off by the error of its
-//! steps, and is put back after each: by the shortest way as the mass matrix measures
-//! it, first in position, then in velocity.
+//! The emitted accelerations fulfil G q'' = gamma, so an exact motion that starts on its
+//! constraints stays on them. A computed one drifts off by the error of its steps. It is projected
+//! back after each step: by the shortest move in the norm of the mass matrix, first in position,
+//! then in velocity.
 //!
 //! ```text
 //! M dq + G^T mu = 0,  G dq = -g      until g vanishes but for rounding
@@ -29,21 +28,21 @@ use saddle::Saddle;
 pub use start::start;
 pub(crate) use start::{consistent, free_moves, require_independent};
 
-/// Coordinates and constraints from which on the matrix of what puts a state back is factored
-/// as a sparse one.
+/// Number of coordinates and constraints from which on the matrix of a projection is factored as a
+/// sparse one.
 const MANY: usize = 48;
 
-/// How far the states of a run were off the constraints at most, each constraint
-/// measured by the move of typical size of its coordinates that it would take.
+/// Largest drift of a run. The residual of each constraint is measured by the typical size of its
+/// coordinates' motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Drift {
-    /// Before a state was put back: at the end of a step, or between two.
+    /// Drift before projection, at the end of a step or within one.
     pub before: f64,
-    /// After that.
+    /// Drift after projection.
     pub after: f64,
 }
 
-/// The constraints of a simulator at given parameters.
+/// Constraints of a simulator at given parameters.
 pub struct Constraints<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: &'a [f64],
@@ -53,19 +52,19 @@ pub struct Constraints<'a> {
     sparse: RefCell<Sparse>,
 }
 
-/// The sparse matrix of a projection.
+/// Sparse matrix of a projection.
 enum Sparse {
     NotYet,
     Here(Box<Saddle>),
-    /// There are few rows, some that hold in modes only, or rows had to be exchanged.
+    /// Not used: rows are few, some hold only in modes, or rows had to be exchanged.
     Never,
 }
 
-/// The first constraint that a state cannot be put back onto.
+/// Index of the first constraint onto which projection fails.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Lost(pub usize);
 
-/// Of positions or of velocities.
+/// Level of constraints: positions or velocities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {
     /// g(q, t) = 0.
@@ -75,7 +74,7 @@ pub enum Level {
 }
 
 impl<'a> Constraints<'a> {
-    /// Nothing if the simulator has no constraints.
+    /// Returns the constraints of a simulator; `None` if it has none.
     #[must_use]
     pub fn of(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64]) -> Option<Self> {
         let (count, coordinates) = (simulator.constraints(), simulator.shape().coordinates);
@@ -97,15 +96,15 @@ impl<'a> Constraints<'a> {
         Some(found)
     }
 
-    /// The largest drift so far.
+    /// Returns the largest drift so far.
     pub(crate) fn drift(&self) -> Drift {
         self.drift.get()
     }
 
-    /// Puts a state of a run back onto the constraints.
+    /// Projects a state of a run onto the constraints.
     ///
     /// # Errors
-    /// [`Lost`] if that does not succeed.
+    /// [`Lost`] if the projection fails.
     pub(crate) fn project(&self, time: f64, state: &mut [f64]) -> Result<(), Lost> {
         let states = self.simulator.shape().states();
         let state = &mut state[..states];
@@ -118,15 +117,16 @@ impl<'a> Constraints<'a> {
         Ok(())
     }
 
-    /// Newton's iteration along the shortest way, while it gets nearer.
+    /// Projects one level by Newton's iteration along the shortest way, as long as residuals
+    /// decrease.
     ///
     /// # Errors
-    /// [`Lost`] if that does not succeed.
+    /// [`Lost`] if the projection fails.
     pub fn put_back(&self, level: Level, time: f64, state: &mut [f64]) -> Result<(), Lost> {
         self.put_back_but(&[], level, time, state)
     }
 
-    /// As [`Constraints::put_back`], as if some rows did not hold.
+    /// Projects like [`Constraints::put_back`], ignoring some rows.
     fn put_back_but(
         &self,
         without: &[usize],
@@ -169,14 +169,14 @@ impl<'a> Constraints<'a> {
             }
             off = now;
         }
-        // What is left is rounding, or the state is lost.
+        // The remaining residual is either rounding or a failure.
         match off.iter().position(|off| off.is_nan() || *off > ROUNDING) {
             None => Ok(()),
             Some(constraint) => Err(Lost(constraint)),
         }
     }
 
-    /// dq of M dq + G^T mu = 0, G dq = r.
+    /// Returns dq of M dq + G^T mu = 0, G dq = r.
     fn shortest(
         &self,
         time: f64,
@@ -194,7 +194,7 @@ impl<'a> Constraints<'a> {
         solution.iter().all(|value| value.is_finite()).then_some(solution)
     }
 
-    /// The same by the sparse matrix, if that is worth it and sound.
+    /// Does the same with the sparse matrix, if that is worthwhile and stable.
     fn shortest_sparse(
         &self,
         time: f64,
@@ -219,8 +219,8 @@ impl<'a> Constraints<'a> {
         Some(saddle.solve(right_side))
     }
 
-    /// As [`Constraints::shortest`] at G of the state, n rows, one column for each of several
-    /// residuals; these row by row.
+    /// Does the same as [`Constraints::shortest`] for several residuals: with n rows and one column
+    /// for each of them. `residuals` contains them row by row.
     pub(crate) fn shortest_each(
         &self,
         time: f64,
@@ -241,8 +241,8 @@ impl<'a> Constraints<'a> {
         is_finite.then(|| solution.rows(0, n).into_owned())
     }
 
-    /// Of an impulse that moves velocities so, G^T nu = -M dv: how much of it each row has; nothing
-    /// where that cannot be told.
+    /// Returns the share of each constraint in the impulse that changes velocities by `moved`, G^T
+    /// nu = -M dv; zeros if the shares are not determined.
     pub(crate) fn shares_of_impulse(&self, time: f64, state: &[f64], moved: &[f64]) -> Vec<f64> {
         let (n, m) = (self.coordinates, self.count);
         let matrix = self.matrix(time, state);
@@ -256,7 +256,7 @@ impl<'a> Constraints<'a> {
         parts.iter().map(|part| if all > 0.0 { part / all } else { 0.0 }).collect()
     }
 
-    /// The matrix of \[M, G^T; G, 0\].
+    /// Returns the matrix \[M, G^T; G, 0\].
     pub(crate) fn saddle(&self, time: f64, state: &[f64], matrix: &DMatrix<f64>) -> DMatrix<f64> {
         let (n, m) = (self.coordinates, self.count);
         let pattern = self.simulator.mass_matrix_pattern();
@@ -268,8 +268,7 @@ impl<'a> Constraints<'a> {
         }
         system.view_mut((n, 0), (m, n)).copy_from(matrix);
         system.view_mut((0, n), (n, m)).copy_from(&matrix.transpose());
-        // A constraint that does not hold in these modes shifts nothing, and neither does one
-        // that repeats others.
+        // A constraint that does not hold in these modes, or that repeats others, has no effect.
         let is_empty = |row: &usize| matrix.row(*row).iter().all(|entry| *entry == 0.0);
         let mut idle: Vec<usize> = (0..m).filter(is_empty).collect();
         if m > idle.len() + 1 && self.holds_in_modes() {
@@ -283,19 +282,19 @@ impl<'a> Constraints<'a> {
         system
     }
 
-    /// G at a state, m by n.
+    /// Returns G at a state, m by n.
     pub(crate) fn matrix(&self, time: f64, state: &[f64]) -> DMatrix<f64> {
         self.filled(&self.slopes(time, state))
     }
 
-    /// G at a state, in the order of its pattern.
+    /// Returns the entries of G at a state, in the order of its pattern.
     pub(crate) fn slopes(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; self.simulator.constraint_matrix_pattern().entries.len()];
         self.simulator.constraint_matrix(time, state, self.parameters, &mut values);
         values
     }
 
-    /// G of its entries.
+    /// Returns G as a full matrix of its entries.
     fn filled(&self, slopes: &[f64]) -> DMatrix<f64> {
         let pattern = self.simulator.constraint_matrix_pattern();
         let mut matrix = DMatrix::zeros(self.count, self.coordinates);
@@ -305,7 +304,7 @@ impl<'a> Constraints<'a> {
         matrix
     }
 
-    /// g or g', m long.
+    /// Returns g or g', of length m.
     pub(crate) fn residual(&self, level: Level, time: f64, state: &[f64]) -> DVector<f64> {
         let mut values = vec![0.0; self.count];
         match level {
@@ -319,8 +318,8 @@ impl<'a> Constraints<'a> {
         DVector::from_vec(values)
     }
 
-    /// Each residual over the sum of what its coordinates make of it when they move by
-    /// their size: their typical one, or what they are if that is more.
+    /// Returns each residual divided by the sum of the effects of its coordinates, when each moves
+    /// by its typical size or, if larger, by its own value.
     pub(crate) fn relative(
         &self,
         level: Level,
@@ -342,17 +341,17 @@ impl<'a> Constraints<'a> {
         residual.iter().zip(sizes).map(off).collect()
     }
 
-    /// Whether some hold in modes only.
+    /// Returns whether some constraints hold only in modes.
     pub(crate) fn holds_in_modes(&self) -> bool {
         (0..self.count).any(|index| self.simulator.constraint(index).in_modes)
     }
 
-    /// Where the positions or the velocities begin in the state.
+    /// Returns the index of the first position or velocity in the state.
     fn first(&self, level: Level) -> usize {
         if level == Level::Positions { 0 } else { self.coordinates }
     }
 
-    /// How far a state is off in position.
+    /// Returns the largest relative residual in position.
     fn size(&self, time: f64, state: &[f64]) -> f64 {
         let slopes = self.slopes(time, state);
         let residual = self.residual(Level::Positions, time, state);
@@ -360,7 +359,7 @@ impl<'a> Constraints<'a> {
         largest_of(&off)
     }
 
-    /// How far a state is off in position and in velocity, whichever is more.
+    /// Returns the largest relative residual in position or velocity.
     pub(crate) fn off(&self, time: f64, state: &[f64]) -> f64 {
         let slopes = self.slopes(time, state);
         let of = |level: Level| {
@@ -370,19 +369,19 @@ impl<'a> Constraints<'a> {
         largest_of(&[of(Level::Positions), of(Level::Velocities)])
     }
 
-    /// Typical sizes of positions or velocities.
+    /// Returns the scales of positions or velocities.
     fn scales(&self, level: Level) -> Vec<f64> {
         let first = self.first(level);
         (0..self.coordinates).map(|index| self.simulator.state_scale(first + index)).collect()
     }
 
-    /// Name of a constraint.
+    /// Returns the name of a constraint.
     pub(crate) fn name(&self, constraint: usize) -> &'a str {
         self.simulator.constraint(constraint).name
     }
 }
 
-/// The largest; NaN if one is.
+/// Returns the largest value; NaN if one is NaN.
 fn largest_of(values: &[f64]) -> f64 {
     values.iter().fold(
         0.0,

@@ -1,4 +1,4 @@
-//! Constraints that follow from others wherever the machine goes, as those of a second hinge.
+//! Constraints that follow from others in all positions, such as those of a second hinge.
 
 use machinist_contract::Simulator;
 
@@ -6,27 +6,27 @@ use super::start::{consistent, start};
 use super::{Redundant, mobility};
 use crate::scales::beside;
 
-/// Places at which a constraint has to follow from others.
+/// Number of positions at which a constraint has to follow from others.
 const PLACES: usize = 4;
-/// Distance of these from the start, in scales of states.
+/// Distance of these positions from the start, in scales of states.
 const REACH: f64 = 0.2;
-/// Beside a parameter, a change that shows whether it matters.
+/// Relative change of a parameter that shows whether it matters.
 const CHANGE: f64 = 1e-3;
 
-/// A constraint that follows from others wherever the machine goes.
+/// A constraint that follows from others in all positions.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Lasting {
-    /// Its name.
+    /// Name of the constraint.
     pub constraint: String,
-    /// Names of those it follows from.
+    /// Names of the constraints from which it follows.
     pub repeats: Vec<String>,
-    /// Parameters that have to stay as they are for it.
+    /// Names of the parameters that must keep their values for this.
     pub needs: Vec<String>,
 }
 
-/// Constraints that always hold and follow from others that do, consistently: at the start and at
-/// places around it, all of which fulfil all constraints. Without them the machine moves in the same
-/// way; which of all carries how much of the force is not decided by anything.
+/// Returns the constraints that always hold and follow consistently from others that do, at the
+/// start and at positions around it that fulfil all constraints. The machine moves in the same way
+/// without them; how all of them share the force is not determined.
 #[must_use]
 pub fn lasting(simulator: &dyn Simulator<f64>, parameters: &[f64], time: f64) -> Vec<Lasting> {
     let Ok(state) = start(simulator, parameters, time) else { return Vec::new() };
@@ -55,7 +55,8 @@ pub fn lasting(simulator: &dyn Simulator<f64>, parameters: &[f64], time: f64) ->
     lasting
 }
 
-/// Those that follow from others at all places; nothing where constraints contradict each other.
+/// Returns the constraints that follow from others at all positions; none if constraints contradict
+/// each other.
 fn everywhere(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -79,7 +80,7 @@ fn everywhere(
     found
 }
 
-/// Those that always hold and follow from others that do, at a state.
+/// Returns the constraints that always hold and follow from others that do, at a state.
 fn followers(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],

@@ -1,18 +1,18 @@
-//! Constraints that hold in modes and repeat others, as these go on: what is held already may
-//! move on with what holds it, as a shaft does whose motion is imposed.
+//! Constraints that hold in modes and repeat others: a part that sticks may go on moving with the
+//! part that holds it, such as a shaft with prescribed motion.
 
 use super::mobility::repeated_rows;
 use super::{Constraints, Level, largest_of};
 
 impl Constraints<'_> {
-    /// Rows that hold in the modes of a state and repeat others.
+    /// Returns the rows that hold in the modes of a state and repeat others.
     pub(crate) fn led(&self, time: f64, state: &[f64]) -> Vec<usize> {
         let mut rows = repeated_rows(self, &self.matrix(time, state));
         rows.retain(|row| self.simulator.constraint(*row).in_modes);
         rows
     }
 
-    /// Puts a state onto all constraints but these rows, as well as it can be.
+    /// Projects a state onto all constraints except these rows, as far as possible.
     pub(crate) fn follow(&self, led: &[usize], time: f64, state: &mut [f64]) {
         let state = &mut state[..self.simulator.shape().states()];
         for level in [Level::Positions, Level::Velocities] {
@@ -23,7 +23,8 @@ impl Constraints<'_> {
         }
     }
 
-    /// By how much these rows are off in velocity, as [`Constraints::relative`] has it.
+    /// Returns the largest residual of these rows in velocity, as defined by
+    /// [`Constraints::relative`].
     pub(crate) fn left_behind(&self, led: &[usize], time: f64, state: &[f64]) -> f64 {
         let state = &state[..self.simulator.shape().states()];
         let slopes = self.slopes(time, state);
@@ -33,7 +34,8 @@ impl Constraints<'_> {
         largest_of(&off)
     }
 
-    /// Whether some hold always and some in modes, so that those may lead these.
+    /// Returns whether some constraints hold always and some in modes, so that the former may
+    /// prescribe the motion of the latter.
     pub(crate) fn may_lead(&self) -> bool {
         self.holds_in_modes() && (0..self.count).any(|row| !self.simulator.constraint(row).in_modes)
     }

@@ -1,20 +1,20 @@
-//! How many ways of moving constraints leave, and which of them are one too many.
+//! Mobility and redundant constraints.
 
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
 use super::{Constraints, Level};
 
-/// Ways of moving of a constrained machine.
+/// Mobility of a constrained machine.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Mobility {
-    /// Coordinates, n.
+    /// Number of coordinates, n.
     pub coordinates: usize,
-    /// Constraints, m, of those that hold in the modes of the state.
+    /// Number of constraints that hold in the modes of the state, m.
     pub constraints: usize,
-    /// How many of the constraints are independent: the rank of G.
+    /// Number of independent constraints: the rank of G.
     pub rank: usize,
-    /// The others.
+    /// Redundant constraints.
     pub redundant: Vec<Redundant>,
 }
 
@@ -22,29 +22,29 @@ pub struct Mobility {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "independent answers about one constraint")]
 pub struct Redundant {
-    /// Its name.
+    /// Name of the constraint.
     pub constraint: String,
-    /// Whether it holds in modes only.
+    /// Whether it holds only in modes.
     pub in_modes: bool,
-    /// Whether it holds in modes only, and what it follows from always.
+    /// Whether it holds only in modes, and the constraints it repeats hold always.
     pub is_led: bool,
-    /// Names of those it follows from; none if no coordinate can change it.
+    /// Names of the constraints it repeats; none if no coordinate can change it.
     pub repeats: Vec<String>,
-    /// True if it is at an extremum: no coordinate changes it at the state, but beside it.
+    /// Whether it is at an extremum: no coordinate changes it at the state, but one does nearby.
     pub is_level: bool,
-    /// Whether the motion is the same whoever carries the force: it holds in modes, and none of
-    /// them moves by itself. Its force is then 0, theirs is all of it.
+    /// Whether the motion does not depend on the distribution of forces: it holds in modes, and
+    /// none of them prescribes a motion. Its force is then 0, and the others carry all of it.
     pub is_shared: bool,
 }
 
 impl Mobility {
-    /// n less the rank.
+    /// Returns the mobility n minus the rank of G.
     #[must_use]
     pub fn by_rank(&self) -> usize {
         self.coordinates - self.rank
     }
 
-    /// Gruebler's count, n - m; below zero for a machine with more constraints than
+    /// Returns Gruebler's count, n - m; negative if a machine has more constraints than
     /// coordinates.
     #[must_use]
     pub fn by_count(&self) -> i64 {
@@ -53,7 +53,7 @@ impl Mobility {
 }
 
 impl Redundant {
-    /// What is wrong with it, for people.
+    /// Returns the reason for the redundancy, as a phrase for messages.
     #[must_use]
     pub fn why(&self) -> String {
         if self.is_level {
@@ -68,7 +68,7 @@ impl Redundant {
         format!("says nothing that is new beside {}", names.collect::<Vec<_>>().join(", "))
     }
 
-    /// Hint on how to mend it.
+    /// Returns a hint on how to mend it.
     #[must_use]
     pub fn hint(&self) -> &'static str {
         match self {
@@ -80,7 +80,8 @@ impl Redundant {
         }
     }
 
-    /// Who carries the force where the motion does not tell, for people.
+    /// Returns a sentence on which constraints carry the force where the motion does not determine
+    /// it.
     #[must_use]
     pub fn shares(&self) -> String {
         let names: Vec<String> = self.repeats.iter().map(|name| format!("`{name}`")).collect();
@@ -100,8 +101,7 @@ impl Redundant {
     }
 }
 
-/// The mobility of a simulator at a state, \[q, q', z\]; nothing if it has no
-/// constraints.
+/// Returns the mobility of a simulator at a state, \[q, q', z\]; `None` if it has no constraints.
 #[must_use]
 pub fn mobility(
     simulator: &dyn Simulator<f64>,
@@ -133,26 +133,27 @@ pub fn mobility(
     Some(Mobility { coordinates, constraints: all, rank, redundant })
 }
 
-/// Rows of G that repeat those of others.
+/// Returns the rows of G that repeat others.
 pub(super) fn repeated_rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Vec<usize> {
     let Rows { repeated, .. } = rows(constraints, matrix);
     repeated.into_iter().map(|(row, _)| row).collect()
 }
 
-/// Rows of G with their directions.
+/// Independent and redundant rows of G with their directions.
 struct Rows {
     kept: Vec<(usize, DVector<f64>)>,
     repeated: Vec<(usize, DVector<f64>)>,
 }
 
-/// The rank of G, by taking its rows one after another, each less its parts along those before
-/// it; and the rows of which nothing is left. First are those that always hold, then those that
+/// Orthogonalizes the rows of G one after another; the number of remaining rows is the rank, and
+/// rows without a remainder are redundant. Constraints that always hold come first, then those that
 /// hold in modes, both in the order of the spec.
 fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
-    /// What is left of a row of length 1 by rounding, and more.
+    /// Bound of the remainder of a row of length 1 that counts as rounding.
     const NOTHING: f64 = 1e-9;
-    /// Of one that holds in modes, by what the time of an event is told by: what is left then would
-    /// hold others by a huge force. The factors of forces take no less for nothing.
+    /// The same bound for a constraint that holds in modes, by the accuracy of event times: a
+    /// larger force would be needed to use a smaller remainder. The factorization for forces uses
+    /// the same bound.
     const NEARLY: f64 = 1e-6;
     let scales = constraints.scales(Level::Positions);
     let mut basis: Vec<DVector<f64>> = Vec::new();
@@ -169,7 +170,7 @@ fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
             line /= length;
         }
         let mut left = line.clone();
-        // Twice is enough (Kahan).
+        // Two passes are enough (Kahan).
         for _ in 0..2 {
             for direction in &basis {
                 left -= direction * direction.dot(&left);
@@ -186,7 +187,7 @@ fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
     found
 }
 
-/// True if coordinates change a constraint at places beside a state.
+/// Returns whether coordinates change a constraint in positions near a state.
 fn changes_beside(constraints: &Constraints<'_>, row: usize, time: f64, state: &[f64]) -> bool {
     let scales = constraints.scales(Level::Positions);
     [0.0137, -0.0071].into_iter().any(|shift| {
@@ -198,7 +199,7 @@ fn changes_beside(constraints: &Constraints<'_>, row: usize, time: f64, state: &
     })
 }
 
-/// Whether a constraint asks for no motion while nothing moves, now and at other times.
+/// Returns whether a constraint is fulfilled at rest, now and at other times.
 fn stands_still(constraints: &Constraints<'_>, row: usize, time: f64, state: &[f64]) -> bool {
     const PROBES: usize = 8;
     let simulator = constraints.simulator;
@@ -210,7 +211,7 @@ fn stands_still(constraints: &Constraints<'_>, row: usize, time: f64, state: &[f
     times.all(|time| constraints.residual(Level::Velocities, time, &at_rest)[row] == 0.0)
 }
 
-/// The rows of which a row is made.
+/// Returns the rows that a row depends on.
 fn sources(kept: &[(usize, DVector<f64>)], line: &DVector<f64>) -> Vec<usize> {
     const SHARE: f64 = 1e-6;
     if kept.is_empty() || line.norm() == 0.0 {

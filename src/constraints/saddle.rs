@@ -1,25 +1,26 @@
-//! The matrix of \[M, G^T; G, 0\] of a long mechanism, factored along its chains: work and room
-//! grow as the entries that come in, and not with the cube and square of its size.
+//! The matrix \[M, G^T; G, 0\] of a long mechanism, factored along its chains: time and memory grow
+//! with the number of nonzeros, not with the cube and square of the size.
 
 use std::collections::BTreeSet;
 
-/// A pivot may lose so many digits of what it is made of; where more are lost, constraints all
-/// but repeat each other, and rows have to be exchanged.
+/// Smallest ratio of a pivot to the sum of its terms. Below it, constraints nearly repeat each
+/// other, and rows have to be exchanged.
 const LEAST: f64 = 1e-9;
 
-/// L D L^T without exchanges, in an order chosen once from the places of nonzeros: of those with
-/// the fewest neighbours the first, a constraint only after all coordinates that it holds. What
-/// is eliminated at any time then is a saddle matrix by itself, so that pivots of coordinates are
-/// positive where M is positive definite, and those of constraints negative where they are
-/// independent (Vanderbei, "Symmetric quasidefinite matrices", SIAM J. Optim. 5, 1995; order by
-/// minimum degree, George, Liu, SIAM Review 31, 1989).
+/// L D L^T without exchanges. The order is chosen once from the pattern of nonzeros: rows with the
+/// fewest neighbours first, a constraint only after all of its coordinates. Every eliminated part
+/// is then a saddle matrix by itself, so pivots of coordinates are positive where M is positive
+/// definite, and those of constraints negative where they are independent (Vanderbei, "Symmetric
+/// quasidefinite matrices", SIAM J. Optim. 5, 1995; minimum degree order, George, Liu, SIAM Review
+/// 31, 1989).
 pub(super) struct Saddle {
     coordinates: usize,
     /// Rows in the order of elimination.
     order: Vec<u32>,
-    /// Of each row its place in `order`.
+    /// Place of each row in `order`.
     place: Vec<u32>,
-    /// First entry of each column of L, and one past the last; rows of entries, as places.
+    /// First entry of each column of L, and one past the last; `rows` contains the places of
+    /// entries.
     starts: Vec<usize>,
     rows: Vec<u32>,
     below: Vec<f64>,
@@ -27,7 +28,7 @@ pub(super) struct Saddle {
 }
 
 impl Saddle {
-    /// Room for a matrix with these nonzeros of M and of G.
+    /// Creates the structure for a matrix with these nonzeros of M and G.
     pub(super) fn new(sizes: [usize; 2], mass: &[(u32, u32)], matrix: &[(u32, u32)]) -> Self {
         let [coordinates, constraints] = sizes;
         let size = coordinates + constraints;
@@ -39,7 +40,7 @@ impl Saddle {
                 met[column as usize].insert(row);
             }
         }
-        // Coordinates that each constraint still waits for.
+        // Coordinates that have to be eliminated before each constraint.
         let mut awaited: Vec<BTreeSet<u32>> = vec![BTreeSet::new(); size];
         for (row, column) in matrix {
             awaited[coordinates + *row as usize].insert(*column);
@@ -79,7 +80,7 @@ impl Saddle {
         Self { coordinates, order, place, starts, rows, below, diagonal }
     }
 
-    /// Factors the matrix of these entries; false if rows would have to be exchanged.
+    /// Factors the matrix of these entries; returns false if rows would have to be exchanged.
     pub(super) fn factor<'a>(
         &mut self,
         mass: impl Iterator<Item = (&'a (u32, u32), &'a f64)>,
@@ -93,7 +94,7 @@ impl Saddle {
         for ((row, column), value) in matrix {
             self.add(self.coordinates + *row as usize, *column as usize, *value);
         }
-        // What each pivot is made of.
+        // Sum of the absolute terms of each pivot.
         let mut made_of: Vec<f64> = self.diagonal.iter().map(|value| value.abs()).collect();
         for at in 0..self.order.len() {
             let pivot = self.diagonal[at];
@@ -109,7 +110,7 @@ impl Saddle {
                 let taken = multiplier * self.below[first];
                 self.diagonal[row] -= taken;
                 made_of[row] += taken.abs();
-                // Places of later rows in this row's column, both ascending.
+                // Places of later rows in this row's column; both are ascending.
                 let mut target = self.starts[row];
                 for second in first + 1..column.end {
                     while self.rows[target] < self.rows[second] {
@@ -125,7 +126,7 @@ impl Saddle {
         true
     }
 
-    /// Adds to an entry and to the one across the diagonal.
+    /// Adds to an entry and to its mirror image.
     fn add(&mut self, row: usize, column: usize, value: f64) {
         let [a, b] = [self.place[row], self.place[column]];
         if a == b {
@@ -168,8 +169,8 @@ mod tests {
 
     type Entries = Vec<((u32, u32), f64)>;
 
-    /// A chain of bodies of 3 coordinates, M coupled along it by `coupling`, each held to
-    /// the one before by two constraints; some held to far ones too.
+    /// Returns a chain of bodies with 3 coordinates, M coupled along it by `coupling`, each joined
+    /// to the one before by two constraints; with `far`, some are joined to distant ones too.
     fn chain(bodies: u32, coupling: f64, far: bool, seed: u64) -> [Entries; 2] {
         let mut random = fastrand::Rng::with_seed(seed);
         let mut number = || random.f64() - 0.5;
@@ -261,7 +262,7 @@ mod tests {
         matrix.extend(last.into_iter().map(|((_, column), value)| ((6, column), 2.0 * value)));
         let mut saddle = Saddle::new([9, 7], &pattern(&mass), &pattern(&matrix));
         assert!(!factored(&mut saddle, &[mass.clone(), matrix]));
-        // One that holds nothing.
+        // A constraint without effect.
         let matrix: Entries = vec![((0, 0), 0.0)];
         let mut saddle = Saddle::new([9, 1], &pattern(&mass), &pattern(&matrix));
         assert!(!factored(&mut saddle, &[mass, matrix]));

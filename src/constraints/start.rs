@@ -1,4 +1,4 @@
-//! A state on the constraints, from guesses.
+//! Consistent initial states from guesses.
 
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
@@ -6,19 +6,19 @@ use nalgebra::{DMatrix, DVector, Dyn, SVD};
 use super::{Constraints, Level, largest_of, mobility};
 use crate::error::SimulateError;
 
-/// Singular values below this share of the largest are zero.
+/// Ratio to the largest singular value below which others count as zero.
 const SMALLEST: f64 = 1e-11;
 
-/// A state that fulfils the constraints: what is given stays, the rest is solved for
-/// from where it stands, by the shortest moves that the sizes of states measure. Where that does
-/// not do and the relative tolerance of the spec's run is more than what is given is off by, such as
-/// the last digit that it was written with, what is given is projected too.
+/// Returns a state that fulfils the constraints. Given entries stay unchanged; the others are
+/// solved for from their guesses, by the shortest moves relative to the scales of states. If that
+/// fails and given entries are off by less than the relative tolerance of the spec's run, such as
+/// by their last written digit, they are projected too.
 ///
-/// Gauss and Newton's iteration with halved steps; each by the least squares of an SVD,
-/// so that neither too few nor repeated constraints stop it.
+/// Uses the Gauss-Newton iteration with halved steps. Each step solves a least-squares problem by
+/// an SVD, so neither missing nor redundant constraints stop it.
 ///
 /// # Errors
-/// [`SimulateError::ImpossibleStart`] if that does not succeed.
+/// [`SimulateError::ImpossibleStart`] if there is no such state nearby.
 pub(crate) fn consistent(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -61,11 +61,11 @@ pub(crate) fn consistent(
     Ok(state)
 }
 
-/// The state at which a simulator's spec has it start at `time` \[s\]: what the spec
-/// gives stays, the rest fulfils the constraints.
+/// Returns the initial state of the spec at `time` \[s\]. Entries given in the spec stay unchanged,
+/// the others fulfil the constraints.
 ///
 /// # Errors
-/// [`SimulateError::ImpossibleStart`] if there is none near the spec's guesses.
+/// [`SimulateError::ImpossibleStart`] if there is no such state near the spec's guesses.
 pub fn start(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -76,18 +76,19 @@ pub fn start(
     consistent(simulator, parameters, time, state, |index| simulator.is_given(index))
 }
 
-/// Moves of what is not given at a start that make up for residuals, to first order.
+/// Linear map from residuals to moves of the entries that are not given at a start.
 pub(crate) struct FreeMoves {
-    /// Entries of the state that are moved.
+    /// Indices of the entries that move.
     pub(crate) entries: Vec<usize>,
-    /// Whether the residuals alone decide the moves.
+    /// Whether the residuals alone determine the moves.
     pub(crate) is_determined: bool,
     scales: Vec<f64>,
     weighed: SVD<f64, Dyn, Dyn>,
 }
 
 impl FreeMoves {
-    /// Moves, a row for each entry, a column for each of several residuals; these row by row.
+    /// Returns the moves, with one row for each entry and one column for each of several residuals.
+    /// `residuals` contains them row by row.
     pub(crate) fn solve(&self, residuals: &[Vec<f64>]) -> DMatrix<f64> {
         let columns = residuals.first().map_or(0, Vec::len);
         let right_side = DMatrix::from_fn(residuals.len(), columns, |i, k| residuals[i][k]);
@@ -103,7 +104,8 @@ impl FreeMoves {
     }
 }
 
-/// The moves of one level at a start; nothing if nothing is free or constrained.
+/// Returns the moves of one level at a start; `None` if there are no free entries or no
+/// constraints.
 pub(crate) fn free_moves(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -123,7 +125,7 @@ pub(crate) fn free_moves(
     }
     let of_velocities = |row: usize| !simulator.constraint(row).is_of_positions;
     let weighed = DMatrix::from_fn(constraints.count, free.len(), |row, column| {
-        // What is of velocities alone says nothing of positions.
+        // Constraints of velocities alone do not restrict positions.
         let is_silent = level == Level::Positions && of_velocities(row);
         if is_silent { 0.0 } else { matrix[(row, free[column])] * scales[column] }
     });
@@ -135,11 +137,11 @@ pub(crate) fn free_moves(
     Some(FreeMoves { entries, is_determined, scales, weighed })
 }
 
-/// Refuses constraints that repeat others at a state, or that nothing can move, unless the
-/// motion is the same whoever carries the force.
+/// Refuses constraints that are redundant at a state or without effect, unless the motion does not
+/// depend on the distribution of forces.
 ///
 /// # Errors
-/// [`SimulateError::RedundantConstraint`] names the first.
+/// [`SimulateError::RedundantConstraint`] for the first one.
 pub(crate) fn require_independent(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -159,8 +161,8 @@ pub(crate) fn require_independent(
 }
 
 impl Constraints<'_> {
-    /// The state nearest to `near` that fulfils one level, if that moves entries that are given from
-    /// there by no more than the tolerance of the spec's run.
+    /// Returns the state nearest to `near` that fulfils one level, if given entries move by no more
+    /// than the tolerance of the spec's run.
     fn projected(
         &self,
         level: Level,
@@ -182,7 +184,7 @@ impl Constraints<'_> {
         scales.iter().enumerate().all(is_near).then_some(state)
     }
 
-    /// Solves one level; gives the worst constraint if it cannot be.
+    /// Solves one level; returns the constraint with the largest residual if that fails.
     fn solve(
         &self,
         level: Level,
@@ -232,7 +234,7 @@ impl Constraints<'_> {
         self.worst(level, &slopes, &residual, state)
     }
 
-    /// The constraint that is farthest from fulfilled, beyond rounding.
+    /// Returns the constraint with the largest residual beyond rounding.
     fn worst(
         &self,
         level: Level,
@@ -250,7 +252,7 @@ impl Constraints<'_> {
     }
 }
 
-/// The shortest x of those that make A x nearest to b.
+/// Returns the shortest x that minimizes |A x - b|.
 fn least_squares(matrix: &DMatrix<f64>, right_side: &DVector<f64>) -> Option<DVector<f64>> {
     if matrix.ncols() == 0 || !matrix.iter().all(|value| value.is_finite()) {
         return None;

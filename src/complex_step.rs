@@ -1,4 +1,4 @@
-//! Derivatives to rounding error, by the complex step, to check emitted Jacobians.
+//! Derivatives to rounding error by the complex step, for checks of emitted Jacobians.
 //!
 //! For an analytic f of real coefficients, `f(x + i h) = f(x) + i h f'(x) + O(h^2)`,
 //! so `Im f(x + i h)/h` is f'(x) without any difference of close numbers, and h
@@ -170,19 +170,19 @@ impl Real for ComplexStep {
         self.chain(self.0.re.cosh(), self.0.re.sinh())
     }
 
-    /// With slope 1/cosh^2, where 1 - tanh^2 would cancel.
+    /// Uses the slope 1/cosh^2, because 1 - tanh^2 would cancel.
     fn tanh(self) -> Self {
         let cosh = self.0.re.cosh();
         self.chain(self.0.re.tanh(), (cosh * cosh).recip())
     }
 }
 
-/// Functions of a simulator whose derivatives the complex step takes. Every simulator has them, and
-/// who makes `&dyn Values` of one compiles no more than these on complex numbers.
+/// Functions of a simulator that the complex step differentiates. Every simulator has them. Making
+/// `&dyn Values` of a simulator compiles only these on complex numbers.
 pub trait Values: Describe {
-    /// As [`Simulator::initial_state`].
+    /// See [`Simulator::initial_state`].
     fn initial_state(&self, parameters: &[ComplexStep], state: &mut [ComplexStep]);
-    /// As [`Simulator::rate`].
+    /// See [`Simulator::rate`].
     fn rate(
         &self,
         time: ComplexStep,
@@ -190,7 +190,7 @@ pub trait Values: Describe {
         parameters: &[ComplexStep],
         rate: &mut [ComplexStep],
     );
-    /// As [`Simulator::outputs`].
+    /// See [`Simulator::outputs`].
     fn outputs(
         &self,
         time: ComplexStep,
@@ -198,7 +198,7 @@ pub trait Values: Describe {
         parameters: &[ComplexStep],
         outputs: &mut [ComplexStep],
     );
-    /// As [`Simulator::energy`].
+    /// See [`Simulator::energy`].
     fn energy(
         &self,
         time: ComplexStep,
@@ -239,10 +239,10 @@ impl<S: Simulator<ComplexStep> + ?Sized> Values for S {
     }
 }
 
-/// dy'/dy, `states` by `states`, at real `time`, `state` and `parameters`.
+/// Returns dy'/dy, `states` by `states`, at real `time`, `state` and `parameters`.
 ///
 /// # Panics
-/// If `state` or `parameters` has another length than the simulator's.
+/// If the length of `state` or `parameters` is not that of the simulator.
 #[must_use]
 pub fn rate_jacobian(
     simulator: &(impl Values + ?Sized),
@@ -256,10 +256,10 @@ pub fn rate_jacobian(
     })
 }
 
-/// dy'/dp, `states` by `parameters`, at real `time`, `state` and `parameters`.
+/// Returns dy'/dp, `states` by `parameters`, at real `time`, `state` and `parameters`.
 ///
 /// # Panics
-/// If `state` or `parameters` has another length than the simulator's.
+/// If the length of `state` or `parameters` is not that of the simulator.
 #[must_use]
 pub fn parameter_jacobian(
     simulator: &(impl Values + ?Sized),
@@ -273,10 +273,10 @@ pub fn parameter_jacobian(
     })
 }
 
-/// Partial derivative of y' with respect to time, `states` long.
+/// Returns the partial derivative of y' by time, of length `states`.
 ///
 /// # Panics
-/// If `state` or `parameters` has another length than the simulator's.
+/// If the length of `state` or `parameters` is not that of the simulator.
 #[must_use]
 pub fn time_derivative(
     simulator: &(impl Values + ?Sized),
@@ -291,7 +291,7 @@ pub fn time_derivative(
     jacobian.column(0).into_owned()
 }
 
-/// d function/d at, one column for each element of `at`.
+/// Returns d function/d at, with one column for each element of `at`.
 fn by_columns(
     rows: usize,
     at: &[f64],
@@ -326,7 +326,7 @@ fn lift(values: &[f64]) -> Vec<ComplexStep> {
 mod tests {
     use super::*;
 
-    /// Derivatives of every function against closed forms in f64.
+    /// Compares derivatives of every function with closed forms in f64.
     #[test]
     fn every_function_has_its_derivative_to_rounding() {
         type Case = (&'static str, fn(ComplexStep) -> ComplexStep, fn(f64) -> f64);

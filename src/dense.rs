@@ -1,12 +1,12 @@
-//! Full matrices: of a pattern and its values; balanced, rows and columns of like size, so that
-//! eigenvalues of small size are found beside large ones.
+//! Full matrices from sparsity patterns, and their balancing to rows and columns of similar size,
+//! so that small eigenvalues are found beside large ones.
 
 use machinist_contract::SparsityPattern;
 use nalgebra::DMatrix;
 #[cfg(any(feature = "implicit", feature = "linear"))]
 use nalgebra::{DVector, linalg::balancing::balance_parlett_reinsch};
 
-/// The full matrix of a pattern and its values.
+/// Returns the full matrix of a pattern and its values.
 ///
 /// # Panics
 /// If an entry lies outside the matrix.
@@ -19,9 +19,9 @@ pub fn dense(pattern: SparsityPattern<'_>, values: &[f64]) -> DMatrix<f64> {
     matrix
 }
 
-/// Scales D of D^-1 A D, which A becomes: by Parlett and Reinsch, in powers of 2.
+/// Replaces A by D^-1 A D and returns the scales D, powers of 2 after Parlett and Reinsch.
 ///
-/// Of a matrix with entries whose squares are not finite nothing is changed: nalgebra's loop over its
+/// Leaves a matrix unchanged if squares of its entries are not finite: nalgebra's loop over its
 /// rows would not end.
 #[cfg(any(feature = "implicit", feature = "linear"))]
 pub(crate) fn balance(matrix: &mut DMatrix<f64>) -> DVector<f64> {

@@ -1,86 +1,86 @@
-//! What can go wrong between a simulator and its trajectory.
+//! Errors of runs.
 
 use thiserror::Error;
 
 use crate::method::Method;
 use crate::trajectory::Trajectory;
 
-/// Why a run was refused or stopped.
+/// Reason why a run was refused or stopped.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SimulateError {
     /// No parameter has this name.
     #[error("scene `{scene}` has no parameter `{name}`{hint}")]
     UnknownParameter {
-        /// The scene asked.
+        /// Name of the scene.
         scene: String,
-        /// The name asked for.
+        /// Requested name.
         name: String,
-        /// The nearest known name, as a question, or nothing.
+        /// Nearest known name as a question, or empty.
         hint: String,
     },
-    /// Nothing depends on the parameter, so that the scene was derived without it.
+    /// Nothing depends on the parameter, so the scene was derived without it.
     #[error(
         "nothing in scene `{scene}` uses parameter `{name}`: another value of it would change \
          nothing. Hint: leave it out, or derive the scene with all that its spec has"
     )]
     UnusedParameter {
-        /// The scene asked.
+        /// Name of the scene.
         scene: String,
-        /// The parameter.
+        /// Name of the parameter.
         name: String,
     },
-    /// Values of parameters with which the spec would be refused.
+    /// The spec's checks refuse these parameter values.
     #[error("scene `{scene}`: {rule}, but it is {value}")]
     RefusedParameters {
-        /// The scene asked.
+        /// Name of the scene.
         scene: String,
-        /// The rule for the value.
+        /// Violated rule.
         rule: String,
-        /// The value.
+        /// Value that violates the rule.
         value: f64,
     },
     /// No parameter and no state has this name.
     #[error("scene `{scene}` has no parameter and no state `{name}`{hint}")]
     UnknownDirection {
-        /// The scene asked.
+        /// Name of the scene.
         scene: String,
-        /// The name asked for.
+        /// Requested name.
         name: String,
-        /// The nearest known name, as a question, or nothing.
+        /// Nearest known name as a question, or empty.
         hint: String,
     },
-    /// There are no derivatives by this.
+    /// The run cannot be differentiated by this parameter or state.
     #[error("there are no sensitivities by `{name}`: it {why}")]
     NotDifferentiable {
-        /// The parameter or the state.
+        /// Name of the parameter or state.
         name: String,
-        /// Why not.
+        /// Reason.
         why: String,
     },
-    /// A simulator without functions on dual numbers.
+    /// The simulator has no functions on dual numbers.
     #[error(
         "scene `{scene}` has no sensitivities: they take its functions on dual numbers, which \
          scenes with fields, their modes, and simulators written for one number type lack"
     )]
     NoDerivatives {
-        /// The scene run.
+        /// Name of the scene.
         scene: String,
     },
-    /// A method that does not carry sensitivities.
+    /// The method does not carry sensitivities.
     #[error("method `{method}` does not carry sensitivities; these do: {known}")]
     NoSensitivities {
-        /// The method's name.
+        /// Name of the method.
         method: &'static str,
-        /// The names of the methods that do.
+        /// Names of the methods that carry sensitivities.
         known: String,
     },
-    /// What cannot be gone back over.
+    /// The run has no gradient by the adjoint method.
     #[error("scene `{scene}` has no gradient in reverse: {why}")]
     NotReversible {
-        /// The scene's name.
+        /// Name of the scene.
         scene: String,
-        /// What is in the way.
+        /// Reason.
         why: &'static str,
     },
     /// No method has this name.
@@ -89,44 +89,44 @@ pub enum SimulateError {
     /// The method is of a family that this program was compiled without.
     #[error(transparent)]
     NotCompiledIn(#[from] NotCompiledIn),
-    /// A start in equilibrium was asked for, and there is none.
+    /// A start in equilibrium was requested, but no equilibrium was found.
     #[error("no start in equilibrium: {0}")]
     NoEquilibrium(String),
-    /// A list is as long as the scene does not ask for.
+    /// A list has the wrong length for the scene.
     #[error("scene `{scene}` has {expected} {what}, but {found} values were given")]
     WrongLength {
-        /// The scene asked.
+        /// Name of the scene.
         scene: String,
-        /// What was given: `states`, `parameters`.
+        /// Kind of values: `states`, `parameters`.
         what: &'static str,
-        /// How many there are.
+        /// Expected number of values.
         expected: usize,
-        /// How many were given.
+        /// Number of values given.
         found: usize,
     },
-    /// A parameter, an initial state or a time of a jump is NaN or infinite.
+    /// A parameter, an initial state or the time of a jump is NaN or infinite.
     #[error("{what} is {value}, but must be a finite number")]
     NotFinite {
-        /// Which value.
+        /// Name of the value.
         what: String,
-        /// What it is.
+        /// The value.
         value: f64,
     },
-    /// The relative tolerance cannot be met.
+    /// The relative tolerance is out of range.
     #[error("relative tolerance {0} must be a finite number above 0 and at most 1")]
     BadTolerance(f64),
-    /// The wanted accuracy cannot be met.
+    /// The requested accuracy is out of range.
     #[error("accuracy {0} must be a finite number above 0 and at most 1")]
     BadAccuracy(f64),
-    /// An absolute tolerance cannot be met.
+    /// An absolute tolerance is out of range.
     #[error("absolute tolerance {value} of `{state}` must be a finite number above 0")]
     BadAbsoluteTolerance {
-        /// The state's name.
+        /// Name of the state.
         state: String,
-        /// Its absolute tolerance, in the state's unit.
+        /// Its absolute tolerance, in the unit of the state.
         value: f64,
     },
-    /// The run does not go forward.
+    /// The end of the run is not after its start.
     #[error("the run goes from {from} s until {until} s, but must end after it starts")]
     BadSpan {
         /// Start time \[s\].
@@ -134,7 +134,7 @@ pub enum SimulateError {
         /// End time \[s\].
         until: f64,
     },
-    /// Too few or too many output times.
+    /// The number of output times is out of range.
     #[error(
         "{0} output points were asked for, but a run has 2 to {max} of them",
         max = crate::simulate::MAX_POINTS
@@ -146,7 +146,7 @@ pub enum SimulateError {
          and not before the one in front of it"
     )]
     BadTime {
-        /// Position in the list, from 0.
+        /// Index in the list, from 0.
         index: usize,
         /// The time \[s\].
         time: f64,
@@ -155,24 +155,24 @@ pub enum SimulateError {
         /// End time of the run \[s\].
         until: f64,
     },
-    /// No two unrelated methods get through a run whose truth they should tell.
+    /// No two unrelated methods complete the run that is to be the reference.
     #[error("{scene}: no two methods get through the run that is to be the reference")]
     NoReference {
-        /// The scene.
+        /// Name of the scene.
         scene: String,
     },
-    /// The method is not made for a machine with events or constraints.
+    /// The method does not support events or constraints, and the machine has some.
     #[error(transparent)]
     Unsuitable(#[from] Unsuitable),
-    /// A guard can never pass zero.
+    /// A guard is identically zero.
     #[error(
         "{scene}: the guard of event `{event}` is zero whatever the state, so that it never passes \
          zero. Hint: a difference of what is the same, or a parameter that is 0"
     )]
     GuardIsZero {
-        /// The scene run.
+        /// Name of the scene.
         scene: String,
-        /// The event.
+        /// Name of the event.
         event: String,
     },
     /// No start near the guesses fulfils the constraints.
@@ -182,46 +182,46 @@ pub enum SimulateError {
          parameters may leave no such place"
     )]
     ImpossibleStart {
-        /// The scene run.
+        /// Name of the scene.
         scene: String,
         /// `position` or `velocity`.
         what: &'static str,
-        /// The constraint that is farthest off.
+        /// Constraint with the largest residual.
         constraint: String,
-        /// What the constraints are where they are nearest to zero.
+        /// Residuals of the constraints at the best point found.
         residuals: String,
     },
-    /// A constraint says what others say, or nothing.
+    /// A constraint is redundant or empty.
     #[error("{scene}: constraint `{constraint}` {why}. Hint: {hint}")]
     RedundantConstraint {
-        /// The scene run.
+        /// Name of the scene.
         scene: String,
-        /// The constraint, the last of those that say the same.
+        /// Name of the constraint, the last of the redundant ones.
         constraint: String,
-        /// What is wrong with it.
+        /// Reason.
         why: String,
         /// Hint on how to mend it.
         hint: &'static str,
     },
-    /// The integration could not go on.
+    /// The integration stopped early.
     #[error("{scene}: method `{method}` stopped at t = {time} s: {cause}")]
     Stopped {
-        /// The scene run.
+        /// Name of the scene.
         scene: String,
-        /// The method's name.
+        /// Name of the method.
         method: &'static str,
         /// Time reached \[s\].
         time: f64,
-        /// Why, and what may help.
+        /// Reason, with a hint.
         cause: StopCause,
-        /// The run until there; nothing where nothing was kept, as in a sweep.
+        /// The run until then; `None` if nothing was kept, as in a sweep.
         kept: Option<Box<Trajectory>>,
     },
 }
 
 #[cfg(feature = "linear")]
 impl SimulateError {
-    /// Of a search that has failed.
+    /// Converts the error of a failed search for an equilibrium.
     pub(crate) fn no_equilibrium(error: crate::linear_analysis::LinearError) -> Self {
         match error {
             crate::linear_analysis::LinearError::Simulate(error) => error,
@@ -232,11 +232,11 @@ impl SimulateError {
     }
 }
 
-/// Why an integration could not go on.
+/// Reason why an integration stopped.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StopCause {
-    /// Steps shrank until they no longer advance time.
+    /// The step size fell below the resolution of time.
     #[error(
         "the step size fell below what time resolves. \
          Hint: a jump that is not written with `step` or `piecewise`, a solution that grows \
@@ -250,56 +250,56 @@ pub enum StopCause {
          that is singular, or a parameter out of its range"
     )]
     NotFinite {
-        /// What is not finite.
+        /// Name of the quantity that is not finite.
         what: String,
     },
-    /// A state has grown beyond what can be reckoned with.
+    /// A state has grown beyond the range of computation.
     #[error(
         "`{state}` has grown to {value:e}, beyond what can be reckoned with. \
          Hint: a solution that grows without bound; end the run before, or look for the sign \
          of a force that drives what it should hold"
     )]
     Overflow {
-        /// The state.
+        /// Name of the state.
         state: String,
         /// Its value, in its unit.
         value: f64,
     },
-    /// Modes contradict guards, and no event sets them right.
+    /// Modes contradict guards, and no event resolves the contradiction.
     #[error(
         "the modes contradict event `{event}`: its guard is beyond zero although it is still \
          watched for, and what it does would change more than modes, or leads to no end. \
          Hint: give other modes or another state in [initial]"
     )]
     Contradiction {
-        /// The event.
+        /// Name of the event.
         event: String,
     },
-    /// The tolerance is finer than numbers are.
+    /// Rounding errors exceed the tolerance.
     #[error("rounding alone exceeds the relative tolerance {rtol}. Hint: 1e-14 is about the least")]
     ToleranceBelowRounding {
-        /// The relative tolerance.
+        /// Relative tolerance.
         rtol: f64,
     },
-    /// Newton's iteration fails however small the step.
+    /// Newton's iteration fails at any step size.
     #[error(
         "Newton's iteration does not converge. \
          Hint: the right-hand side is not smooth there; write jumps with `step` or `piecewise`, \
          or try the method `dop853`"
     )]
     Newton,
-    /// The limit on steps is reached.
+    /// The maximum number of steps is reached.
     #[error(
         "the limit of {limit} steps is reached. \
          Hint: an explicit method on a stiff machine takes as many, and so does a rate that \
          jumps to and fro; else raise the limit"
     )]
     TooManySteps {
-        /// The limit.
+        /// Maximum number of steps.
         limit: usize,
     },
-    /// Steps so short that those that may be taken, and 100 000 times as many, lead nowhere near the
-    /// end; not of a run with a limit of time, or one that somebody looks at.
+    /// Steps are so short that even 100 000 times the maximum number of them would not reach the
+    /// end. Runs with a time limit and runs that somebody watches are exempt.
     #[error(
         "steps are {step:.1e} s on average: {steps:.0e} of them would be left to the end. \
          Hint: an explicit method on a stiff machine takes as many (`auto` and `radau` do not), \
@@ -307,40 +307,39 @@ pub enum StopCause {
          a speed of the wrong size"
     )]
     TooSlowPace {
-        /// Their mean \[s\].
+        /// Mean step size \[s\].
         step: f64,
-        /// How many are left to the end of the stretch.
+        /// Estimated number of steps to the end of the segment.
         steps: f64,
     },
     /// The flag of [`Simulation::until_flagged`](crate::Simulation::until_flagged) was set.
     #[error("the run was interrupted")]
     Interrupted,
-    /// It took longer than whoever asked for it allows.
+    /// The run took longer than its time limit.
     #[error("the limit of {seconds} s of computing is reached")]
     TooSlow {
-        /// The limit \[s\].
+        /// Time limit \[s\].
         seconds: f64,
     },
-    /// The kinetic energy jumps with time where sensitivities are carried.
+    /// The kinetic energy jumps in time while sensitivities are carried.
     #[error(
         "the kinetic energy jumps, so that velocities do, and sensitivities are not carried \
          through that. Hint: let the inertia change smoothly"
     )]
     InertiaJumps,
-    /// The rate of a state jumps to and fro across a value that it is driven to from
-    /// either side.
+    /// The rate of a state chatters across a value to which the state is driven from both sides.
     #[error(
         "`{state}` chatters at {value:e}: its rate jumps from one side of that to the other and \
          drives it back from both. Hint: dry friction by `sign`, most often; write it as \
          `[friction.NAME]`, which sticks, or smooth it, as the unit `friction_slider_smooth` does"
     )]
     Chattering {
-        /// The state.
+        /// Name of the state.
         state: String,
-        /// Where, in its unit.
+        /// Value at which it chatters, in its unit.
         value: f64,
     },
-    /// A state rests where its force jumps, and is pushed back to from both sides.
+    /// A state rests where its force jumps and pushes it back from both sides.
     #[error(
         "`{state}` rests at {value:e}, where the force on it jumps and pushes it back from both \
          sides: nothing but that jump holds it, and it goes to and fro across it without end. \
@@ -348,53 +347,54 @@ pub enum StopCause {
          jump a steep slope, as of `sqrt(x^2 + e^2)` for `abs(x)`"
     )]
     RestsOnKink {
-        /// The state.
+        /// Name of the state.
         state: String,
-        /// Where, in its unit.
+        /// Value at which it rests, in its unit.
         value: f64,
     },
-    /// Events follow on one another without end.
+    /// Events follow one another without end (Zeno).
     #[error(
         "event `{event}` happens over and over: {count} events within no time (Zeno). \
          Hint: let an event set a mode in which the machine rests or slides, below some speed"
     )]
     Zeno {
-        /// The last of them.
+        /// Name of the last event.
         event: String,
-        /// So many.
+        /// Number of events.
         count: usize,
     },
-    /// A guard that hardly passes zero: when it does is not decided.
+    /// A guard is grazed: it crosses zero so slowly that the time of the crossing is not
+    /// determined.
     #[error(
         "{name} is grazed: it passes zero so slowly that the tolerances decide when, and \
          whether, so that there are no sensitivities behind it. \
          Hint: a lower `rtol`, an earlier end, or parameters that pass it clearly"
     )]
     Grazing {
-        /// What is grazed.
+        /// Name of the grazed guard or switching surface.
         name: String,
     },
-    /// Several things happen at one time, which a parameter moves apart.
+    /// Several events or jumps coincide, and a parameter separates them.
     #[error(
         "several events or jumps happen at once here, and `{by}` moves them apart: which comes \
          first decides the derivative. Hint: leave `{by}` out of the sensitivities, or give it a \
          value that keeps them apart"
     )]
     AtOnce {
-        /// What moves them apart.
+        /// Name of the parameter or state that separates them.
         by: String,
     },
-    /// An event sets a position that constraints move on.
+    /// An event sets a position that violates constraints, and projection moves it.
     #[error(
         "an event sets `{state}` to what constraints do not allow, and sensitivities do not \
          follow how it is put back. Hint: let the event set positions that fulfil them"
     )]
     MovedPosition {
-        /// The state that is moved most.
+        /// Name of the state that projection moves most.
         state: String,
     },
-    /// Modes let a constraint hold that says what others say already, while these move by
-    /// themselves.
+    /// A constraint is redundant in the modes that events have set, and the constraints it repeats
+    /// prescribe a motion.
     #[error(
         "constraint `{constraint}` {why}, in the modes that events have set: its force could not \
          be told from theirs, and no event lets it go behind which the motion could go on. Hint: \
@@ -403,103 +403,104 @@ pub enum StopCause {
          near rest, such as `rotational/smooth_friction`"
     )]
     Overdetermined {
-        /// The constraint.
+        /// Name of the constraint.
         constraint: String,
-        /// What is wrong with it.
+        /// Reason.
         why: String,
     },
-    /// The machine cannot be put back onto its constraints.
+    /// Projection onto the constraints fails.
     #[error(
         "the machine comes off constraint `{constraint}` and cannot be put back onto it. \
          Hint: it may be at a dead point, where constraints lock it or leave it undecided, or \
          an event has set a position that breaks them"
     )]
     OffConstraint {
-        /// The constraint.
+        /// Name of the constraint.
         constraint: String,
     },
-    /// What holds in some modes only would have to pull along what jumps in speed.
+    /// A constraint that holds only in some modes would need an infinite force to follow a
+    /// prescribed speed that jumps.
     #[error(
         "a speed that is imposed jumps, and constraint `{constraint}`, which holds in some modes \
          only, as friction does that sticks, would have to pull along with a force without bound. \
          Hint: let the speed change within a short time, as by `min(max((t - t0)/1e-3, 0), 1)`"
     )]
     Jerked {
-        /// The constraint.
+        /// Name of the constraint.
         constraint: String,
     },
-    /// A method that works on full matrices, on a scene that is too large for them.
+    /// The scene is too large for a method that uses full matrices.
     #[error(
         "it works on full matrices, and {states} states are more than {most}. \
          Hint: `rodas5p`, `radau` and the explicit methods run large fields"
     )]
     TooLarge {
-        /// States of the scene.
+        /// Number of states of the scene.
         states: usize,
-        /// The most that full matrices are made for.
+        /// Maximum number of states.
         most: usize,
     },
-    /// The method is not made for a machine with events or constraints.
+    /// The method does not support events or constraints, and the machine has some.
     #[error(transparent)]
     Unsuitable(Box<Unsuitable>),
     /// The method's family is not compiled in.
     #[error(transparent)]
     NotCompiledIn(NotCompiledIn),
-    /// Taylor's method on a simulator without series.
+    /// Taylor's method was requested for a simulator without Taylor series.
     #[error(
         "this simulator has no Taylor series: it was written by hand, or is too large; \
          try the method `auto`"
     )]
     NoSeries,
-    /// The closed form of a machine that is not linear.
+    /// The method `exact` was requested for a machine that is not linear.
     #[error(
         "its equations are not linear with constant coefficients, or were written by hand; \
          try the method `auto`"
     )]
     NotLinear,
-    /// A closed form that rounding spoils.
+    /// Rounding spoils the closed form.
     #[error("{reason}")]
     ClosedForm {
-        /// What is wrong with it.
+        /// Explanation.
         reason: String,
     },
-    /// What diffsol reports beyond that.
+    /// Any other error of diffsol.
     #[error("{0}")]
     Diffsol(String),
 }
 
-/// A method's name that is not in the table of methods.
+/// Error for a name that is not in the table of methods.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("there is no method `{name}`{hint}; known are {known}")]
 pub struct UnknownMethod {
-    /// The name asked for.
+    /// Requested name.
     pub name: String,
-    /// The nearest known name, as a question, or nothing.
+    /// Nearest known name as a question, or empty.
     pub hint: String,
-    /// The names of all methods.
+    /// Names of all methods.
     pub known: String,
 }
 
-/// A method on a machine that it would run past what matters.
+/// Error for a method that would ignore events or constraints of the machine.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("scene `{scene}` has {lack}; these do: {known}", lack = .lack.told(.method))]
 pub struct Unsuitable {
-    /// The scene.
+    /// Name of the scene.
     pub scene: String,
-    /// The method's name.
+    /// Name of the method.
     pub method: &'static str,
-    /// What the method does not do.
+    /// What the method does not support.
     pub lack: Lack,
-    /// The names of the methods that do.
+    /// Names of the methods that support it.
     pub known: String,
 }
 
-/// What a method may not do.
+/// Feature of a machine that a method may not support.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lack {
-    /// Watch for events.
+    /// Events.
     Events,
-    /// Keep to constraints.
+    /// Constraints.
     Constraints,
 }
 
@@ -512,18 +513,18 @@ impl Lack {
     }
 }
 
-/// A method of a family that this program was compiled without.
+/// Error for a method whose family was not compiled in.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error(
     "method `{name}` is not compiled in. \
      Hint: build with the feature `{feature}`, or use one of {compiled_in}"
 )]
 pub struct NotCompiledIn {
-    /// The method's name.
+    /// Name of the method.
     pub name: &'static str,
-    /// The Cargo feature of its family.
+    /// Cargo feature of its family.
     pub feature: &'static str,
-    /// The names of the methods that are there.
+    /// Names of the methods that are compiled in.
     pub compiled_in: String,
 }
 
@@ -535,7 +536,7 @@ impl NotCompiledIn {
     }
 }
 
-/// The one of `known` that resembles `name` most, or ends in it after a dot, if any does.
+/// Returns the name in `known` that resembles `name` most, or ends in it after a dot.
 #[must_use]
 pub fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     const RESEMBLES: f64 = 0.6;
@@ -548,7 +549,7 @@ pub fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&
     likely.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, candidate)| candidate)
 }
 
-/// ` (did you mean ...?)` for the nearest of `known`, else nothing.
+/// Returns ` (did you mean ...?)` with the nearest name in `known`, or an empty string.
 #[must_use]
 pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
     nearest(name, known).map_or_else(String::new, |name| format!(" (did you mean `{name}`?)"))

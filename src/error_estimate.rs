@@ -8,9 +8,9 @@
 //! e = |y - z| r/(r - 1),    r = REFINEMENT
 //! ```
 //!
-//! and no less than the rounding of the largest value. A ratio above r overestimates it by at most a
-//! third. The estimate covers the integration in time alone: not the elements of a field, the digits
-//! of a parameter, or the spec itself.
+//! and no less than the rounding of the largest value. A ratio above r overestimates it by at most
+//! a third. The estimate covers the integration in time alone: not the elements of a field, the
+//! digits of a parameter, or the spec itself.
 
 use serde::Serialize;
 
@@ -25,17 +25,17 @@ use crate::trajectory::{Column, Switch, Trajectory};
 /// to a power of the tolerance between 0.8 and 1.2 is overestimated by a tenth at most.
 pub const REFINEMENT: f64 = 4.0;
 
-/// Maximum number of runs of [`Simulation::run_to_accuracy`]. Where the error falls only as the square
-/// root of the tolerance, each halves the decades that are missing: of sixteen, the digits of a
+/// Maximum number of runs of [`Simulation::run_to_accuracy`]. Where the error falls only as the
+/// square root of the tolerance, each run halves the missing decades: of sixteen, the digits of a
 /// number, eight runs leave a sixteenth of one.
 const ATTEMPTS: usize = 8;
 
-/// The part of an accuracy that the next attempt aims at, so that it is met at once although errors
-/// are proportional to tolerances only nearly.
+/// Fraction of the accuracy that the next attempt aims at. Errors are only nearly proportional to
+/// tolerances, and with this margin the attempt meets the accuracy at once.
 const AIM: f64 = 0.5;
 
-/// Part of the largest value in a unit that may be rounding in another column of that unit, after the
-/// sums of sixteen terms that outputs of a machine rarely exceed.
+/// Fraction of the largest value in a unit that may be rounding in another column of that unit,
+/// after the sums of up to sixteen terms that outputs of a machine rarely exceed.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Estimated error of every column of a run.
@@ -44,9 +44,9 @@ pub struct ErrorEstimate {
     /// Relative tolerance of the second run, if it reached its end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rtol: Option<f64>,
-    /// Errors of the columns, in the order of the trajectory; empty if both runs tell nothing.
+    /// Errors of the columns, in the order of the trajectory; empty if the runs give no estimate.
     pub columns: Vec<ColumnError>,
-    /// Reason why both runs tell nothing of the error.
+    /// Reason why the runs give no estimate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unknown: Option<String>,
 }
@@ -62,19 +62,19 @@ pub struct ColumnError {
     pub last: f64,
 }
 
-/// A run whose error is below a wanted one, as far as estimates tell.
+/// A run whose estimated error is below a requested accuracy.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AccurateRun {
     /// The run; its `rtol` is the tolerance that was needed.
     pub trajectory: Trajectory,
-    /// Its error.
+    /// Its estimated error.
     pub error: ErrorEstimate,
-    /// Why the accuracy is not met; nothing if it is.
+    /// Reason why the accuracy is not met, if it is not.
     pub shortfall: Option<String>,
 }
 
 impl ErrorEstimate {
-    /// Compares a run with the one at a tighter tolerance, as [`Simulation::refined`] asks for it.
+    /// Estimates the error of `run` from [`Simulation::refined`], a run at a tighter tolerance.
     #[must_use]
     pub fn of(run: &Trajectory, refined: &Result<Trajectory, SimulateError>) -> Self {
         let rtol = refined.as_ref().ok().map(|refined| refined.rtol);
@@ -88,7 +88,8 @@ impl ErrorEstimate {
         if let Some(reason) = other_events(&run.switches, &refined.switches) {
             return unknown(reason);
         }
-        // A closed form evaluates the rate once a segment, a step more often, and only steps err.
+        // A closed form evaluates the rate once per segment, a stepping method more often; only the
+        // latter has errors of steps.
         let has_steps = run.work.rate_evaluations > run.work.steps;
         let may_be_alike = has_steps && takes_tightest_steps(refined.rtol) && moves(run);
         if may_be_alike && run.columns == refined.columns {
@@ -98,7 +99,7 @@ impl ErrorEstimate {
         let columns = run.columns.iter().zip(&refined.columns).map(|(column, finer)| {
             let error = |(value, finer): (&f64, &f64)| {
                 let off = (value - finer).abs() * REFINEMENT / (REFINEMENT - 1.0);
-                // NaN beside NaN is no error.
+                // NaN beside NaN is not an error.
                 if value.is_nan() && finer.is_nan() { 0.0 } else { off }
             };
             let errors = || column.values.iter().zip(&finer.values).map(error);
@@ -111,7 +112,7 @@ impl ErrorEstimate {
         Self { rtol, columns: columns.collect(), unknown: None }
     }
 
-    /// The estimate of the column of this name.
+    /// Returns the estimate for the column of this name.
     #[must_use]
     pub fn column(&self, name: &str) -> Option<&ColumnError> {
         self.columns.iter().find(|column| column.name == name)
@@ -125,7 +126,7 @@ fn moves(run: &Trajectory) -> bool {
     !run.columns.iter().all(|column| is_constant(&column.values))
 }
 
-/// Why events of two runs cannot be compared, if they happen otherwise.
+/// Returns why the events of two runs cannot be compared, if they differ.
 fn other_events(run: &[Switch], refined: &[Switch]) -> Option<String> {
     let differ = run.iter().zip(refined).find(|(a, b)| a.event != b.event).map(|(a, _)| a);
     let differ = differ.or_else(|| run.get(refined.len())).or_else(|| refined.get(run.len()))?;
@@ -140,16 +141,16 @@ fn other_events(run: &[Switch], refined: &[Switch]) -> Option<String> {
 }
 
 impl Simulation<'_> {
-    /// The same run at tolerances [`REFINEMENT`] times as tight as those that its steps keep, for
-    /// [`ErrorEstimate::of`].
+    /// Returns the same run at tolerances tighter by [`REFINEMENT`] than those that its steps keep,
+    /// for [`ErrorEstimate::of`].
     pub fn refined(&self) -> Self {
-        // Where steps are many, they are no looser than this whatever is asked for.
+        // A run of many steps keeps at least this tolerance, even if a looser one is requested.
         let rtol = self.relative_tolerance().min(LOOSEST_OF_MANY);
         self.clone().at_tolerance(rtol / REFINEMENT)
     }
 
-    /// Estimates the error of a run by a second one. Two threads are faster: see
-    /// [`Simulation::refined`].
+    /// Estimates the error of a run by a second one. Both runs can be made on two threads by means
+    /// of [`Simulation::refined`].
     ///
     /// ```
     /// use machinist::{Method, Simulation};
@@ -168,12 +169,12 @@ impl Simulation<'_> {
         ErrorEstimate::of(run, &self.refined().run())
     }
 
-    /// Runs at ever tighter tolerances until the estimated error of every column is at most
+    /// Runs at increasingly tight tolerances until the estimated error of every column is at most
     /// `accuracy` times its largest value.
     ///
     /// # Errors
-    /// As [`Simulation::run`]; [`SimulateError::BadAccuracy`] of an accuracy that is not above 0 and
-    /// at most 1.
+    /// As for [`Simulation::run`]; [`SimulateError::BadAccuracy`] if the accuracy is not above 0
+    /// and at most 1.
     pub fn run_to_accuracy(&self, accuracy: f64) -> Result<AccurateRun, SimulateError> {
         self.run_to_accuracy_by(accuracy, |simulation| {
             let trajectory = simulation.run()?;
@@ -182,11 +183,11 @@ impl Simulation<'_> {
         })
     }
 
-    /// As [`Simulation::run_to_accuracy`], with runs and estimates made by the caller, on two threads
-    /// for example.
+    /// Does the same as [`Simulation::run_to_accuracy`], with runs and estimates made by the
+    /// caller, for example on two threads.
     ///
     /// # Errors
-    /// Likewise, and those of the caller.
+    /// As for [`Simulation::run_to_accuracy`], and those of the caller.
     pub fn run_to_accuracy_by<E: From<SimulateError>>(
         &self,
         accuracy: f64,
@@ -227,8 +228,8 @@ impl Simulation<'_> {
     }
 }
 
-/// The column whose error is the largest part of its largest value, and that part. A column that is
-/// nothing but rounding of others in its unit has none.
+/// Returns the name of the column with the largest relative error, and that error. Columns that
+/// consist only of rounding errors of others in their unit are ignored.
 fn worst(run: &Trajectory, error: &ErrorEstimate) -> (String, f64) {
     let part = |error: &ColumnError, column: &Column| {
         let alike = run.columns.iter().filter(|other| other.unit == column.unit);
@@ -241,15 +242,15 @@ fn worst(run: &Trajectory, error: &ErrorEstimate) -> (String, f64) {
     parts.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default()
 }
 
-/// The number of one decimal digit that is at most `value`.
+/// Returns the largest number of one decimal digit that is at most `value`.
 fn one_digit(value: f64) -> f64 {
     let exponent = value.log10().floor() as i32;
     let digit = (value / 10f64.powi(exponent)).floor().max(1.0);
-    // As the decimal reads, without the rounding of a product.
+    // Parsing the decimal avoids the rounding of a product.
     format!("{digit}e{exponent}").parse().unwrap_or(value)
 }
 
-/// The largest value of a column.
+/// Returns the largest absolute value of a column.
 fn size(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
 }

@@ -1,10 +1,9 @@
-//! Runs that somebody else steps, or cuts into pieces: hosts of model exchange and of
-//! co-simulation.
+//! Runs that a host steps or divides into pieces, for model exchange and co-simulation.
 //!
-//! Where such a run stands is a [`Standing`], plain data. A [`Hosted`] machine begins one,
-//! carries it to a later time by a method of ours, or, where the host steps by a method of its
-//! own, tells it what to look out for and lets events happen. What happens at events, at the
-//! start and on constraints is what happens in [a run](crate::Simulation).
+//! A [`Standing`] is the status of such a run, as plain data. A [`Hosted`] machine begins a run and
+//! carries it to a later time by a method of this crate. If the host integrates by its own method,
+//! the machine evaluates the event indicators and executes events. Events, starts and constraints
+//! are treated as in [a run](crate::Simulation).
 
 use std::cell::RefCell;
 
@@ -20,7 +19,7 @@ use crate::method::{
 use crate::scales::scales;
 use crate::simulate::{MAX_STEPS, Simulation, require_admitted};
 
-/// Jumps that are nearer than this many roundings of a time are at it.
+/// Jumps nearer than this many roundings of a time coincide with it.
 const AT_ONCE: f64 = 512.0;
 
 /// A machine that a host runs, at given parameters.
@@ -30,57 +29,57 @@ pub struct Hosted<'a> {
     parameters: &'a [f64],
 }
 
-/// Where a hosted run stands. Together with the parameters it decides all that follows, to the
-/// last bit.
+/// Status of a hosted run. Together with the parameters it determines all that follows, to the last
+/// bit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Standing {
     /// Time \[s\].
     pub time: f64,
     /// State \[q, q', z\].
     pub state: Vec<f64>,
-    /// Start of the run and the time by which its length is taken \[s\].
+    /// Start of the run, and the time from which its length is taken \[s\].
     span: (f64, f64),
-    /// The jumps of the rate between which it is.
+    /// Jumps of the rate before and after the current time.
     ends: (f64, f64),
     rtol: f64,
     atol: Vec<f64>,
-    /// Whether the host steps it.
+    /// Whether the host steps the run.
     is_stepped: bool,
     memory: Memory,
 }
 
-/// How a hosted run begins.
+/// Settings for the start of a hosted run.
 pub struct Beginning<'b> {
     /// Start time \[s\].
     pub from: f64,
-    /// The time by which the length of the run is taken, after the start \[s\].
+    /// Time from which the length of the run is taken, after the start \[s\].
     pub until: f64,
     /// Relative tolerance, above 0 and at most 1.
     pub rtol: f64,
-    /// Whether the host steps the run by a method of its own; else it is [carried](Hosted::carry).
+    /// Whether the host steps the run by its own method; otherwise it is [carried](Hosted::carry).
     pub is_stepped: bool,
-    /// State at the start; a guess where it is not given, or where an equilibrium is looked for.
+    /// State at the start; entries that are not given are guesses, and so are all entries if an
+    /// equilibrium is searched for.
     pub state: Vec<f64>,
-    /// Whether a state is given, so that constraints do not move it, and an equilibrium no
-    /// further than it must.
+    /// Returns whether a state is given. Constraints do not move such states, and an equilibrium
+    /// moves them no further than necessary.
     pub is_given: &'b dyn Fn(usize) -> bool,
-    /// Whether to begin in the equilibrium near the state, as
-    /// `Simulation::in_equilibrium`.
+    /// Whether to begin in the equilibrium near the state, as `Simulation::in_equilibrium` does.
     pub in_equilibrium: bool,
 }
 
-/// Why a hosted run does not go on.
+/// Reason why a hosted run cannot begin or continue.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum HostedError {
-    /// What it was to begin with makes no sense.
+    /// The start is invalid.
     #[error(transparent)]
     Refused(#[from] SimulateError),
-    /// It stopped.
+    /// The run stopped.
     #[error("stopped at t = {time} s: {cause}")]
     Stopped {
         /// Time reached \[s\].
         time: f64,
-        /// Why, and what may help.
+        /// Reason, with a hint.
         cause: StopCause,
     },
 }
@@ -91,19 +90,19 @@ impl From<Stopped> for HostedError {
     }
 }
 
-/// Where a piece of a run ended, and why there.
+/// Reason why a piece of a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reached {
-    /// At the time that was asked for.
+    /// The requested time is reached.
     End,
-    /// Where events were found that have not happened yet.
+    /// Events were found and are still to be executed.
     Event,
-    /// Where the host wanted to end it.
+    /// The host ended the piece.
     Left,
 }
 
 impl Standing {
-    /// Whether it is one of runs of a simulator, so that nothing of it is out of range.
+    /// Returns whether the status belongs to a run of this simulator, with all values in range.
     #[must_use]
     pub fn fits(&self, simulator: &dyn Simulator<f64>) -> bool {
         let states = simulator.shape().states();
@@ -117,31 +116,31 @@ impl Standing {
             && memory.fits(simulator)
     }
 
-    /// `time` moved to where the rate is that of the stretch between jumps that the run is on.
+    /// Returns `time` moved into the segment between jumps that the run is on.
     #[must_use]
     pub fn within(&self, time: f64) -> f64 {
         within(time, self.ends)
     }
 
-    /// The next time at which the rate jumps \[s\].
+    /// Returns the next time at which the rate jumps \[s\].
     #[must_use]
     pub fn next_jump(&self) -> Option<f64> {
         (self.ends.1 < f64::INFINITY).then_some(self.ends.1)
     }
 
-    /// Relative tolerance of the run.
+    /// Returns the relative tolerance of the run.
     #[must_use]
     pub fn rtol(&self) -> f64 {
         self.rtol
     }
 
-    /// Whether an indicator is its guard, whose event is watched for, or else a constant.
+    /// Returns whether an indicator is the guard of an active event; otherwise it is constant.
     #[must_use]
     pub fn is_watched(&self, indicator: usize) -> bool {
         self.memory.is_watched(indicator)
     }
 
-    /// Whether events have been found that have not happened yet.
+    /// Returns whether events were found that are still to be executed.
     #[must_use]
     pub fn is_at_event(&self) -> bool {
         self.memory.is_halted()
@@ -149,22 +148,22 @@ impl Standing {
 }
 
 impl<'a> Hosted<'a> {
-    /// A simulator at parameters, as many as it has, all finite.
+    /// Creates a machine from a simulator and all of its parameters, which are finite.
     #[must_use]
     pub fn new(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64]) -> Self {
         Self { simulator, parameters }
     }
 
-    /// Number of indicators: one for each event, then one for each kink.
+    /// Returns the number of indicators: one for each event, then one for each switching surface.
     #[must_use]
     pub fn indicators(&self) -> usize {
         self.simulator.events() + self.simulator.kinks()
     }
 
-    /// The start of a run: on the constraints, with modes that do not contradict their guards.
+    /// Begins a run on the constraints, with modes that agree with their guards.
     ///
     /// # Errors
-    /// [`HostedError`] for what [`Simulation::run`](crate::Simulation::run) refuses before its
+    /// [`HostedError`] where [`Simulation::run`](crate::Simulation::run) would fail before its
     /// first step.
     pub fn begin(&self, beginning: Beginning<'_>) -> Result<Standing, HostedError> {
         let Beginning { from, until, rtol, is_stepped, state, is_given, in_equilibrium } =
@@ -212,15 +211,15 @@ impl<'a> Hosted<'a> {
         Ok(standing)
     }
 
-    /// What changes its sign where the host has to stop for an event: one number for each event
-    /// and each kink.
+    /// Computes the indicators: one for each event and each switching surface. The host has to stop
+    /// where one changes its sign.
     pub fn indicate(&self, standing: &Standing, values: &mut [f64]) {
         let (time, state) = (standing.within(standing.time), &standing.state[..]);
         standing.memory.indicators((self.simulator, self.parameters), (time, state), values);
     }
 
-    /// Looks at the state after a step of the host's; whether events have to happen now, or the
-    /// state has to go back onto the constraints.
+    /// Examines the state after a step of the host. Returns whether events have to be executed now,
+    /// or the state has to be projected onto the constraints.
     pub fn step_is_complete(&self, standing: &mut Standing) -> bool {
         let system = System::new(self.simulator, self.parameters, false);
         let problem = self.problem(&system, standing, standing.span.1);
@@ -235,12 +234,12 @@ impl<'a> Hosted<'a> {
         asks || off > standing.rtol
     }
 
-    /// Lets happen what is to happen at the time the run stands at: a jump of the rate, events
-    /// that were found or whose guards have passed zero; and puts the state onto the
-    /// constraints. Gives the names of the events.
+    /// Executes what is due at the current time: a jump of the rate, and events that were found or
+    /// whose guards have crossed zero. Then projects the state onto the constraints. Returns the
+    /// names of the events.
     ///
     /// # Errors
-    /// [`HostedError`] as in any run; the standing is then as before.
+    /// [`HostedError`] as in any run; `standing` is then unchanged.
     pub fn happen(&self, standing: &mut Standing) -> Result<Vec<String>, HostedError> {
         let mut next = standing.clone();
         self.pass_jumps(&mut next);
@@ -268,12 +267,12 @@ impl<'a> Hosted<'a> {
         Ok(names)
     }
 
-    /// Carries a run to a later time by a method of ours, which begins anew there. It ends
-    /// earlier where `leaves`, which is shown time and state after steps, says so, and at events
-    /// if it is to halt there; these have then been found and not happened.
+    /// Integrates to a later time by a method of this crate, which restarts there. The piece ends
+    /// earlier if `leaves`, called with time and state after steps, says so. With `halts` it also
+    /// ends at events, which are then found but not executed.
     ///
     /// # Errors
-    /// [`HostedError`] where the method cannot go on; the standing is then as before.
+    /// [`HostedError`] if the method cannot continue; `standing` is then unchanged.
     pub fn carry(
         &self,
         standing: &mut Standing,
@@ -316,7 +315,7 @@ impl<'a> Hosted<'a> {
         Ok(reached)
     }
 
-    /// The same run elsewhere on its way.
+    /// Returns the same run at another time and state.
     #[must_use]
     pub fn at(&self, standing: &Standing, time: f64, state: &[f64]) -> Standing {
         let mut there = Standing { time, state: state.to_vec(), ..standing.clone() };
@@ -324,7 +323,7 @@ impl<'a> Hosted<'a> {
         there
     }
 
-    /// Takes the stretch between jumps that a time is on.
+    /// Selects the segment between jumps that contains the current time.
     fn pass_jumps(&self, standing: &mut Standing) {
         let mut jumps = vec![0.0; self.simulator.shape().discontinuities];
         self.simulator.discontinuities(self.parameters, &mut jumps);
@@ -353,7 +352,7 @@ impl<'a> Hosted<'a> {
         }
     }
 
-    /// Guards can pass zero.
+    /// Checks that no guard is identically zero.
     fn require_guards(&self, system: &System<'_>, span: (f64, f64)) -> Result<(), SimulateError> {
         if self.simulator.events() == 0 {
             return Ok(());

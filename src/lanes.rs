@@ -1,10 +1,10 @@
-//! Several numbers side by side, for simulators to run on: four or eight variants
-//! of a machine at the cost of little more than one.
+//! Vectors of numbers for simulators: four or eight variants of a machine at little more than the
+//! cost of one.
 //!
-//! Sums, products, quotients, roots, sines, cosines, exponentials and hyperbolic tangents
-//! are those of the processor's vectors, as wide as the target that the program is compiled
-//! for has them (`-C target-cpu=native`); other functions are computed lane by lane. Both round as
-//! `f64` does, so every lane holds, to the last bit, what a run on `f64` would hold.
+//! Sums, products, quotients, roots, sines, cosines, exponentials and hyperbolic tangents use the
+//! vector instructions of the compilation target (`-C target-cpu=native`). Other functions are
+//! computed lane by lane. Both round as `f64` does, so every lane equals a run on `f64` to the last
+//! bit.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -19,13 +19,14 @@ use crate::method::taylor::magnitude::{self, BEHIND, Magnitude};
 /// Digits of a number that is this number with those of a small whole one at the end.
 const WHOLE: u64 = SHIFT.to_bits();
 
-/// The lower half of a number's digits.
+/// Mask of the lower half of a number's digits.
 const LOWER: u64 = 0xffff_ffff;
 
 const SHIFT: f64 = (1_u64 << 52) as f64;
 
-/// Log2 by the halves of a number's digits behind [`WHOLE`]: all vectors have what it takes. The same
-/// as of one number, whose digits are taken at once, for all but the sum is exact.
+/// Computes log2 from the halves of a number's digits behind [`WHOLE`], by operations that every
+/// vector type has. The result equals that of a scalar, whose digits are used as a whole, because
+/// every operation but the sum is exact.
 #[inline(always)]
 fn log2_of_halves<R: Real>(upper: R, lower: R) -> R {
     const ONE: f64 = (1.0_f64.to_bits() >> 32) as f64;
@@ -35,20 +36,20 @@ fn log2_of_halves<R: Real>(upper: R, lower: R) -> R {
     R::literal(BEHIND) + (whole + part)
 }
 
-/// Numbers with lanes that can be taken apart.
+/// Numbers that consist of lanes.
 pub trait Lanes: Magnitude {
-    /// How many lanes.
+    /// Number of lanes.
     const COUNT: usize;
-    /// The same number in every lane.
+    /// Returns a vector with the same number in every lane.
     fn splat(value: f64) -> Self;
-    /// Number of a lane.
+    /// Returns the number in a lane.
     ///
     /// # Panics
-    /// If there is no such lane; likewise below.
+    /// If there is no such lane; likewise for `set_lane`.
     fn lane(&self, lane: usize) -> f64;
-    /// Puts a number into a lane.
+    /// Sets the number in a lane.
     fn set_lane(&mut self, lane: usize, value: f64);
-    /// The lanes in which `lhs` is less than `rhs`, as bits from the lowest on.
+    /// Returns the lanes in which `lhs` is less than `rhs`, as bits from the lowest on.
     fn less(lhs: Self, rhs: Self) -> u32;
 }
 
@@ -69,7 +70,7 @@ macro_rules! lanes {
                 (self.each(Real::sin), self.each(Real::cos))
             }
 
-            /// Whether every lane is near enough to zero for sines by arithmetic.
+            /// Returns whether every lane is near enough to zero for sines by arithmetic.
             #[inline]
             fn is_near(self) -> bool {
                 self.0.abs().simd_le(<$vector>::splat(FARTHEST)).all()
@@ -117,7 +118,7 @@ macro_rules! lanes {
                 let half = |bits: $bits| Self(cast(bits | <$bits>::splat(WHOLE)));
                 log2_of_halves(half(bits >> 32_u32), half(bits & <$bits>::splat(LOWER)))
             }
-            // The instruction gives its second number if one is NaN.
+            // The instruction returns its second operand if one is NaN.
             #[cfg(target_arch = "x86_64")]
             #[inline(always)]
             fn larger(self, value: Self) -> Self {
@@ -138,7 +139,7 @@ macro_rules! lanes {
             type Output = Self;
             #[inline(always)]
             fn neg(self) -> Self {
-                // Of zero too, as for `f64`.
+                // This negates zero too, as for `f64`.
                 Self(self.0 ^ <$vector>::splat(-0.0))
             }
         }
@@ -193,7 +194,8 @@ macro_rules! lanes {
             }
             #[inline(always)]
             fn sin_cos_each<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
-                // Written out: arrays that are moved around are slower than what they hold.
+                // The loop is written out because moving arrays is slower than computing their
+                // entries.
                 let zero = Self::literal(0.0);
                 let mut pairs = [(zero, zero); N];
                 for (pair, angle) in pairs.iter_mut().zip(&angles) {
@@ -256,15 +258,15 @@ macro_rules! lanes {
 }
 
 lanes! {
-    /// Four numbers.
+    /// Four numbers in lanes.
     F64x4, wide::f64x4, wide::u64x4, 4
 }
 lanes! {
-    /// Eight numbers.
+    /// Eight numbers in lanes.
     F64x8, wide::f64x8, wide::u64x8, 8
 }
 
-/// Two numbers, as models run that are compiled at once.
+/// Two numbers in lanes, for JIT-compiled models.
 impl Lanes for F64x2 {
     const COUNT: usize = 2;
     #[inline]

@@ -1,14 +1,12 @@
-//! Lagrangian specs of machines to fast, checked Rust simulators.
+//! Fast, checked Rust simulators of machines, from Lagrangian specs.
 //!
-//! Start with [`Simulation`], which runs any `Simulator` of
-//! [`machinist_contract`]: emitted code, a model file, one written by hand. The README
-//! shows the whole of it:
+//! Start with [`Simulation`], which runs any `Simulator` of [`machinist_contract`]: emitted code, a
+//! model file, or one written by hand. The README shows a complete example:
 #![cfg_attr(all(feature = "diffsol", feature = "sweep"), doc = include_str!("../README.md"))]
 //!
-//! Features leave out what a program does not need: methods by family (`diffsol`,
-//! `implicit`), linear analysis (`linear`), many variants at once (`sweep`), parameters from
-//! measured runs (`fit`).
-//! Without any of them, what remains runs any simulator by explicit methods.
+//! Features select what a program needs: families of methods (`diffsol`, `implicit`), linear
+//! analysis (`linear`), runs of many variants (`sweep`), estimation of parameters from measured
+//! runs (`fit`). Without any of them, the crate runs any simulator by explicit methods.
 
 #[cfg(feature = "linear")]
 pub mod complex_step;

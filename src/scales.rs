@@ -1,16 +1,16 @@
-//! Sizes at which absolute tolerances of states are taken.
+//! Scales of states for their absolute tolerances.
 
 use machinist_contract::{Simulator, StateKind};
 
-/// The scale of every state at a start: what the spec says. A first-order state for which it
-/// says nothing, so that its scale is 1, is taken as smaller where it acts strongly on a
-/// state that acts weakly on it, as bristles of a micrometre do on a block of metres:
+/// Returns the scale of every state at a start, as the spec gives it. A first-order state without a
+/// scale in the spec has scale 1. It gets a smaller one if it acts strongly on a state that acts
+/// weakly on it, as bristles of a micrometre do on a block of metres:
 ///
 /// ```text
 /// s_i = min(1, s_j sqrt(|J_ij / J_ji|))     for all j with which i is joined both ways
 /// ```
 ///
-/// so that errors of both do the same to each other (balancing of J).
+/// so that errors of both have equal effects on each other (balancing of J).
 pub(crate) fn scales(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -45,8 +45,8 @@ pub(crate) fn scales(
     scales
 }
 
-/// One of several states beside another, at most `reach` scales off in each entry; number 0 is that
-/// state itself. Modes stay.
+/// Returns one of several states beside another, at most `reach` scales off in each entry; number 0
+/// is that state itself. Modes are unchanged.
 pub(crate) fn beside(
     simulator: &dyn Simulator<f64>,
     state: &[f64],

@@ -1,5 +1,4 @@
-//! Runs a simulator: checks what is asked, integrates, and hands back a
-//! [`Trajectory`].
+//! Runs a simulator: checks the request, integrates, and returns a [`Trajectory`].
 
 mod differentiate;
 #[cfg(all(feature = "fit", feature = "sweep"))]
@@ -32,23 +31,23 @@ use crate::trajectory::{Column, ColumnKind, EnergyBalance, Stop, Trajectory};
 pub use differentiate::Differentiated;
 pub use gradient::{Gradient, Pull, Slope};
 
-/// Largest number of output times of a run.
+/// Maximum number of output times of a run.
 pub const MAX_POINTS: usize = 10_000_000;
 
-/// Largest number of steps of a run, unless told otherwise.
+/// Default maximum number of steps of a run.
 pub const MAX_STEPS: usize = 10_000_000;
 
-/// Steps times relative tolerance from which on a run is told that errors add up. A shaft of
-/// 96 nodes without damping (`reed_beat_up`) was off by 16 times its motion where this came to
-/// 0.9, and by a hundredth where it came to 0.006.
+/// Product of steps and relative tolerance above which a note warns that local errors add up. A
+/// shaft of 96 nodes without damping (`reed_beat_up`) was off by 16 times its motion at a product
+/// of 0.9, and by a hundredth at 0.006.
 const ADDS_UP: f64 = 0.1;
 
-/// Part of the size that a state's absolute tolerance is by, below which all of its motion is
-/// told of: it then has three digits less than were asked for.
+/// Fraction of a state's scale below which a note reports that all of its motion is small: it then
+/// has three digits less than requested.
 const SMALL: f64 = 1e-3;
 
-/// A run of one simulator, to be adjusted and started. What is not adjusted is
-/// as the scene's spec says.
+/// A run of one simulator, with settings to adjust. Settings that are not adjusted have the values
+/// of the scene's spec.
 ///
 /// ```
 /// use machinist::{Method, Simulation};
@@ -76,9 +75,9 @@ pub struct Simulation<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: Vec<f64>,
     initial_state: Option<Vec<f64>>,
-    /// Entries of the spec's initial state that are given otherwise.
+    /// Entries of the initial state that replace those of the spec.
     initial_values: Vec<(usize, f64)>,
-    /// Whether to look for an equilibrium from there; as the spec says, if not set.
+    /// Whether to search for an equilibrium near the start; `None` stands for the spec's setting.
     in_equilibrium: Option<bool>,
     from: f64,
     until: f64,
@@ -97,7 +96,7 @@ pub struct Simulation<'a> {
 enum Sampling {
     Points(usize),
     Times(Vec<f64>),
-    /// As the spec lists them, as far as they lie within the run, which they show to its ends.
+    /// Times listed by the spec, restricted to the run.
     Listed(Vec<f64>),
 }
 
@@ -111,7 +110,7 @@ impl Sampling {
 }
 
 impl<'a> Simulation<'a> {
-    /// A run as the scene's spec says.
+    /// Creates a run with the settings of the scene's spec.
     pub fn new(simulator: &'a dyn Simulator<f64>) -> Self {
         let defaults = simulator.run_defaults();
         let parameters =
@@ -146,7 +145,7 @@ impl<'a> Simulation<'a> {
         Ok(self)
     }
 
-    /// Where a parameter stands.
+    /// Returns the index of a parameter.
     pub(crate) fn parameter_index(&self, name: &str) -> Result<usize, SimulateError> {
         let names = || (0..self.parameters.len()).map(|index| self.simulator.parameter(index).name);
         names().position(|known| known == name).ok_or_else(|| {
@@ -165,7 +164,7 @@ impl<'a> Simulation<'a> {
         self
     }
 
-    /// Values of all parameters, in the order of the simulator.
+    /// Returns the values of all parameters, in the simulator's order.
     #[must_use]
     pub fn parameter_values(&self) -> &[f64] {
         &self.parameters
@@ -177,8 +176,8 @@ impl<'a> Simulation<'a> {
         self
     }
 
-    /// Starts with this value of one state, in its unit, and otherwise as the spec says or as
-    /// set by [`Simulation::initial_state`].
+    /// Starts with this value of one state, in its unit. Other states are those of the spec or of
+    /// [`Simulation::initial_state`].
     ///
     /// # Errors
     /// [`SimulateError::UnknownDirection`], with the nearest known name.
@@ -196,18 +195,18 @@ impl<'a> Simulation<'a> {
         Ok(self)
     }
 
-    /// Starts in equilibrium, or not, whatever the spec says: in the state near the start
-    /// otherwise given at which all rates vanish, with time held at the run's start. A machine
-    /// at rest or at constant speed, see [`linear_analysis::equilibrium`].
+    /// Sets whether to start in equilibrium, regardless of the spec: in a state near the given
+    /// start at which all rates vanish, with time held at the run's start. The machine is then at
+    /// rest or at constant speed; see [`linear_analysis::equilibrium`].
     ///
-    /// Values of the start are where the search begins. What an equilibrium leaves open, such as
-    /// the angle of a shaft that turns freely, stays as near to them as may be, what
-    /// `[initial]` or [`Simulation::initial_value`] names first of all. Modes of events are
-    /// those that no guard contradicts there. If there is no equilibrium near, the machine is
-    /// let creep to one downhill, as if all its motions were heavily damped.
+    /// The search begins at the initial values. An equilibrium may leave some of them open, such as
+    /// the angle of a freely turning shaft. These stay as near as possible to the initial values,
+    /// first of all to those that `[initial]` or [`Simulation::initial_value`] names. Modes are
+    /// chosen so that no guard contradicts them. If there is no equilibrium nearby, the machine
+    /// creeps downhill to one, as if all its motions were heavily damped.
     ///
-    /// An equilibrium may be unstable; the trajectory's notes then tell how fast deviations
-    /// grow.
+    /// An equilibrium may be unstable; a note of the trajectory then gives the growth rate of
+    /// deviations.
     ///
     /// [`linear_analysis::equilibrium`]: crate::linear_analysis::equilibrium()
     #[cfg(feature = "linear")]
@@ -216,7 +215,7 @@ impl<'a> Simulation<'a> {
         self
     }
 
-    /// Sets a parameter, or the initial value of a state if none has this name.
+    /// Sets a parameter, or the initial value of a state if no parameter has this name.
     #[cfg(feature = "fit")]
     pub(crate) fn given(self, name: &str, value: f64) -> Result<Self, SimulateError> {
         match By::named(self.simulator, name)? {
@@ -225,34 +224,34 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Starts at this time \[s\].
+    /// Sets the start time \[s\].
     pub fn from(mut self, time: f64) -> Self {
         self.from = time;
         self
     }
 
-    /// Ends at this time \[s\].
+    /// Sets the end time \[s\].
     pub fn until(mut self, time: f64) -> Self {
         self.until = time;
         self
     }
 
-    /// Asks for so many equally spaced times, both ends included.
+    /// Sets the number of output times, equally spaced and including both ends.
     pub fn points(mut self, points: usize) -> Self {
         self.sampling = Sampling::Points(points);
         self
     }
 
-    /// Asks for these times, sorted and within the run \[s\].
+    /// Sets the output times, sorted and within the run \[s\].
     pub fn times(mut self, times: &[f64]) -> Self {
         self.sampling = Sampling::Times(times.to_vec());
         self
     }
 
-    /// Asks for these times besides, as far as they lie within the run \[s\]. Times, start and
-    /// end that are set afterwards do not know of it.
+    /// Adds output times, as far as they lie within the run \[s\]. Changes of times, start or end
+    /// after this call do not take them into account.
     pub fn also_at(mut self, more: &[f64]) -> Self {
-        // What makes no sense is refused by the run.
+        // Invalid times are refused by the run.
         if !more.is_empty()
             && let Ok(mut times) = self.checked_times()
         {
@@ -265,28 +264,29 @@ impl<'a> Simulation<'a> {
         self
     }
 
-    /// Relative tolerance of every step. The absolute tolerance of a state is
-    /// this times the state's scale, unless [`Simulation::atol`] is set. The scale is that of
-    /// the spec; a first-order state without one gets one by what it does to others at the
-    /// start, of at most 1.
+    /// Sets the relative tolerance of every step. The absolute tolerance of a state is this times
+    /// the state's scale, unless [`Simulation::atol`] is set. The scale is that of the spec. A
+    /// first-order state without one gets a scale of at most 1 from its effect on other states at
+    /// the start.
     pub fn rtol(mut self, rtol: f64) -> Self {
         self.rtol = rtol;
         self
     }
 
-    /// The relative tolerance of the run.
+    /// Returns the relative tolerance of the run.
     #[must_use]
     pub fn relative_tolerance(&self) -> f64 {
         self.rtol
     }
 
-    /// Absolute tolerance of every state, each in its unit.
+    /// Sets the absolute tolerance of every state, each in its unit.
     pub fn atol(mut self, atol: &[f64]) -> Self {
         self.atol = Some(atol.to_vec());
         self
     }
 
-    /// The same run at another relative tolerance; absolute tolerances that are set change alike.
+    /// Returns the same run at another relative tolerance; absolute tolerances are scaled by the
+    /// same factor.
     pub(crate) fn at_tolerance(mut self, rtol: f64) -> Self {
         let factor = rtol / self.rtol;
         self.atol.iter_mut().flatten().for_each(|atol| *atol *= factor);
@@ -294,54 +294,54 @@ impl<'a> Simulation<'a> {
         self
     }
 
-    /// Integrates by this method.
+    /// Sets the method.
     pub fn method(mut self, method: Method) -> Self {
         self.method = Some(method);
         self
     }
 
-    /// Stops with an error after so many steps; [`MAX_STEPS`] unless set.
+    /// Sets the number of steps after which the run stops with an error; [`MAX_STEPS`] unless set.
     pub fn max_steps(mut self, steps: usize) -> Self {
         self.max_steps = steps;
         self
     }
 
-    /// Stops with [`StopCause::TooSlow`] soon after each run has computed for so long; there is
-    /// no limit unless set. Runs in the lanes of a sweep share the time that they take together.
+    /// Stops with [`StopCause::TooSlow`] soon after a run has computed for this time; there is no
+    /// limit unless set. Runs in the lanes of a sweep share the time that they take together.
     pub fn time_limit(mut self, limit: Duration) -> Self {
         self.patience.limit = Some(limit);
         self
     }
 
-    /// Stops with [`StopCause::Interrupted`] soon after
-    /// somebody sets this flag; what there is of the run is handed over with the error.
+    /// Stops with [`StopCause::Interrupted`] soon after this flag is set. The error contains the
+    /// run until then.
     pub fn until_flagged(mut self, flag: &'a AtomicBool) -> Self {
         self.patience.flag = Some(flag);
         self
     }
 
-    /// As [`Simulation::until_flagged`], once this says why, which is asked after every step: for
-    /// somebody who cannot set a flag meanwhile, or for a limit on several runs together.
+    /// Stops with the cause that `why` returns; it is called after every step. This serves callers
+    /// that cannot set a flag meanwhile, and limits on several runs together.
     pub fn until_told(mut self, why: &'a dyn Fn() -> Option<StopCause>) -> Self {
         self.patience.asked = Some(why);
         self
     }
 
-    /// Integrates the power balance alongside, for
-    /// [`Trajectory::energy_balance`]. It is under the same control of error as
-    /// the states, so the steps are not those of a run without it.
+    /// Integrates the power balance alongside the states, for [`Trajectory::energy_balance`]. Its
+    /// error is controlled like that of the states, so the steps differ from those of a run without
+    /// it.
     pub fn with_energy_balance(mut self, wanted: bool) -> Self {
         self.energy_balance = wanted;
         self
     }
 
-    /// Asks for the derivatives of all states and outputs by these parameters, or by the
-    /// initial values of these states: columns `d(output)/d(parameter)` of the trajectory, in
-    /// the unit of the one over that of the other.
+    /// Requests the derivatives of all states and outputs by these parameters, or by the initial
+    /// values of these states: columns `d(output)/d(parameter)` of the trajectory, in the unit of
+    /// the numerator over that of the denominator.
     ///
-    /// They are derivatives of what the method computes with the steps it takes, also through
-    /// events, whose times move. A method of the scene's that does not carry them gives way to one
-    /// that does.
+    /// They are derivatives of the computed solution with its steps, also through events, whose
+    /// times move. If the scene's method does not carry sensitivities, another one that does is
+    /// used.
     ///
     /// # Errors
     /// [`SimulateError::UnknownDirection`], with the nearest known name;
@@ -352,42 +352,43 @@ impl<'a> Simulation<'a> {
         Ok(self)
     }
 
-    /// Whether errors of sensitivities shorten steps, as those of states do; so it is unless
-    /// set. Without that they are the derivatives of a run that is as exact as without them, but
-    /// may themselves be far less so: where an event excites what decays fast, and the states
-    /// do not show it.
+    /// Sets whether errors of sensitivities shorten steps, as those of states do; true unless set.
+    /// If false, the steps are those of a run without sensitivities. The sensitivities may then be
+    /// far less accurate than the states: for example where an event excites a fast decaying motion
+    /// that the states do not show.
     pub fn with_controlled_sensitivities(mut self, wanted: bool) -> Self {
         self.controls_sensitivities = wanted;
         self
     }
 
-    /// The simulator.
+    /// Returns the simulator.
     #[must_use]
     pub fn simulator(&self) -> &'a dyn Simulator<f64> {
         self.simulator
     }
 
-    /// Where the run starts \[s\].
+    /// Returns the start time of the run \[s\].
     #[cfg(any(feature = "fit", feature = "linear"))]
     pub(crate) fn start_time(&self) -> f64 {
         self.from
     }
 
-    /// State at the start and parameters, found to make sense.
+    /// Returns the state at the start and the parameters, after checking them.
     #[cfg(feature = "linear")]
     pub(crate) fn checked_start(&self) -> Result<(Vec<f64>, Vec<f64>), SimulateError> {
         let parameters = self.checked_parameters()?.to_vec();
         let mut state = self.checked_initial_state()?;
         if self.simulator.events() > 0 {
-            // In modes that do not contradict their guards, as a run starts, and on what holds then.
+            // Modes must agree with their guards, as at the start of a run, and constraints must
+            // hold.
             self.settle(&mut state)?;
             state = consistent(self.simulator, &parameters, self.from, state, |_| false)?;
         }
         Ok((state, parameters))
     }
 
-    /// What a method in lanes, whose steps keep to a relative tolerance, needs of a run, which is
-    /// left if told so where its steps are too many.
+    /// Returns the data that a method in lanes needs for a run. Steps of such a method keep to a
+    /// relative tolerance; `is_left` tells it to give up where its steps are too many.
     ///
     /// # Errors
     /// As [`Simulation::run`].
@@ -412,19 +413,19 @@ impl<'a> Simulation<'a> {
         })
     }
 
-    /// How long the run may go on.
+    /// Returns the limits on the duration of the run.
     #[cfg(feature = "sweep")]
     pub(crate) fn patience(&self) -> Patience<'a> {
         self.patience
     }
 
-    /// The method of the run, and its relative tolerance.
+    /// Returns the method of the run and its relative tolerance.
     #[cfg(feature = "sweep")]
     pub(crate) fn method_and_rtol(&self) -> Result<(Method, f64), SimulateError> {
         Ok((self.chosen_method()?, self.rtol))
     }
 
-    /// Whether the run is of the states alone.
+    /// Returns whether the run has neither sensitivities nor an energy balance.
     #[cfg(all(feature = "implicit", feature = "sweep"))]
     pub(crate) fn is_of_states_alone(&self) -> bool {
         self.sensitivities.is_empty() && !self.energy_balance
@@ -440,8 +441,8 @@ impl<'a> Simulation<'a> {
     /// Integrates from start to end.
     ///
     /// # Errors
-    /// [`SimulateError`] if something asked for makes no sense, or if the
-    /// integration cannot go on; it then says where and why, and hands over the run until
+    /// [`SimulateError`] if a setting is invalid or the integration stops early. In the second case
+    /// the error gives time and cause, and contains the run until then.
     /// there.
     pub fn run(&self) -> Result<Trajectory, SimulateError> {
         let asked = self.chosen_method()?;
@@ -449,7 +450,7 @@ impl<'a> Simulation<'a> {
         self.run_by(method, asked, None)
     }
 
-    /// By a method instead of the one that was asked for, its steps kept if they are wanted.
+    /// Runs by `method` instead of the requested one, and logs its steps if `log` is given.
     pub(crate) fn run_by(
         &self,
         method: Method,
@@ -511,9 +512,9 @@ impl<'a> Simulation<'a> {
         })
     }
 
-    /// Tells of states that move, but far less than their absolute tolerance takes them for.
+    /// Adds a note on states that move far less than their absolute tolerance assumes.
     fn note_small(&self, system: &System<'_>, atol: &[f64], rows: &[f64]) {
-        /// What stands still moves by so much.
+        /// Apparent motion of a state at rest, due to rounding.
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
         const SHOWN: usize = 3;
         let width = system.len();
@@ -541,8 +542,8 @@ impl<'a> Simulation<'a> {
         ));
     }
 
-    /// The method, if it carries sensitivities or none are asked for; one that does, where it
-    /// was not chosen.
+    /// Returns the requested method if it carries sensitivities or none are requested. If no method
+    /// was chosen, returns one that carries them.
     fn method_for_sensitivities(&self, asked: Method) -> Result<Method, SimulateError> {
         let is_left_open = self.method.is_none();
         if self.sensitivities.is_empty() || asked.carries_sensitivities() {
@@ -556,7 +557,7 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Sensitivities at the start; nothing if none are asked for.
+    /// Returns the sensitivities at the start; `None` if none are requested.
     fn tangents(&self, initial: &[f64]) -> Result<Option<Tangents<'_>>, SimulateError> {
         if self.sensitivities.is_empty() {
             return Ok(None);
@@ -620,7 +621,7 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Guards can pass zero.
+    /// Checks that no guard is identically zero.
     fn check_guards(&self, system: &System<'_>) -> Result<(), SimulateError> {
         if self.simulator.events() == 0 {
             return Ok(());
@@ -723,9 +724,9 @@ impl<'a> Simulation<'a> {
         self.simulator.energy(self.from, initial, &self.parameters).total()
     }
 
-    /// A typical energy of the machine \[J\], for the absolute tolerance of the
-    /// quadratures: the energy at the start, or with every state at its scale,
-    /// whichever is larger; 1 J where both are zero.
+    /// Returns a typical energy of the machine \[J\], for the absolute tolerance of the
+    /// quadratures: the energy at the start, or with every state at its scale, whichever is larger;
+    /// 1 J if both are zero.
     fn energy_scale(&self, initial: &[f64]) -> f64 {
         let scales: Vec<f64> =
             (0..initial.len()).map(|index| self.simulator.state_scale(index)).collect();
@@ -738,7 +739,7 @@ impl<'a> Simulation<'a> {
     }
 }
 
-/// Refuses values of parameters with which the spec would be refused.
+/// Refuses parameter values that the spec's checks refuse.
 pub(crate) fn require_admitted(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -749,8 +750,8 @@ pub(crate) fn require_admitted(
     })
 }
 
-/// Those of some times that lie within a run; an end of the run that cuts them off, or that they
-/// do not reach, is one of them then.
+/// Returns the times that lie within a run, with the end of the run added. The start is added if it
+/// cuts off earlier times, or if the end would be alone.
 fn within(times: &[f64], from: f64, until: f64) -> Vec<f64> {
     let mut kept: Vec<f64> =
         times.iter().copied().filter(|time| from <= *time && *time <= until).collect();
@@ -766,7 +767,7 @@ fn within(times: &[f64], from: f64, until: f64) -> Vec<f64> {
     kept
 }
 
-/// `points` times from `from` to `until`, both met exactly.
+/// Returns `points` times from `from` to `until`, both met exactly.
 fn equally_spaced(from: f64, until: f64, points: usize) -> Vec<f64> {
     let last = points - 1;
     let time = |index: usize| {
@@ -776,7 +777,7 @@ fn equally_spaced(from: f64, until: f64, points: usize) -> Vec<f64> {
     (0..points).map(time).collect()
 }
 
-/// The columns of a trajectory as they fill.
+/// Columns of a trajectory while they are filled.
 struct Table<'a> {
     simulator: &'a dyn Simulator<f64>,
     states: Vec<Vec<f64>>,
@@ -815,8 +816,8 @@ impl<'a> Table<'a> {
         self.largest_active = self.largest_active.max(active);
     }
 
-    /// Tells of outputs and energies that are no numbers where the states are, as a logarithm of
-    /// what is negative.
+    /// Adds a note on outputs and energies that are NaN or infinite while the states are finite,
+    /// such as the logarithm of a negative number.
     fn note_not_finite(&self, system: &System<'_>, times: &[f64]) {
         let outputs = self.outputs.iter().enumerate();
         let outputs = outputs.map(|(index, values)| {
@@ -834,7 +835,8 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The account, from rows of `width` whose last three are the quadratures.
+    /// Computes the energy balance from rows of `width` whose last three entries are the
+    /// quadratures.
     fn energy_balance(&self, rows: &[f64], width: usize, energy_at_start: f64) -> EnergyBalance {
         let states = self.states.len();
         let quadrature = |flow: usize| {

@@ -1,8 +1,7 @@
-//! Sorting by a number of each item. What sorts is compiled here, once for all: the standard library's
-//! sort is some two thousand lines of LLVM's code for each closure that it is called with.
+//! Sorting by a key. The sort is compiled once here: the standard library's sort is some two
+//! thousand lines of LLVM code for each closure type.
 
-/// Puts items in ascending order of their numbers, as [`f64::total_cmp`] has it; those of equal numbers
-/// stay as they stand.
+/// Sorts items by ascending numbers in the order of [`f64::total_cmp`]. The sort is stable.
 pub(crate) fn sort_ascending<T>(items: &mut [T], number: impl Fn(&T) -> f64) {
     let numbers = items.iter().map(number).zip(0..).collect();
     for (place, from) in sources(numbers).into_iter().enumerate() {
@@ -10,17 +9,18 @@ pub(crate) fn sort_ascending<T>(items: &mut [T], number: impl Fn(&T) -> f64) {
     }
 }
 
-/// As [`sort_ascending`], in descending order.
+/// Sorts like [`sort_ascending`], in descending order.
 pub(crate) fn sort_descending<T>(items: &mut [T], number: impl Fn(&T) -> f64) {
     sort_ascending(items, |item| -number(item));
 }
 
-/// Where what belongs at each place stands, once all places before are settled by exchanges.
+/// Returns for each place the index of its item, given that all places before it were filled by
+/// exchanges.
 fn sources(mut numbers: Vec<(f64, usize)>) -> Vec<usize> {
     numbers.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut sources: Vec<usize> = numbers.into_iter().map(|(_, place)| place).collect();
     for place in 0..sources.len() {
-        // What stood before this place has been exchanged for what came from there.
+        // The item that stood here earlier was exchanged with the one from that place.
         while sources[place] < place {
             sources[place] = sources[sources[place]];
         }

@@ -1,10 +1,10 @@
-//! Many variants of one machine: in lanes, on threads.
+//! Runs of many variants of one machine, in lanes and on threads.
 //!
-//! Taylor's method runs variants side by side, each with its own parameters, steps and jumps:
-//! eight of emitted code, two of a model that is compiled at once. So does `auto` for as long as
-//! it stays with Taylor's method. Other methods run one variant after another. Threads share the
-//! variants out. None of this changes a result: every variant is, to the last bit,
-//! what a run of its own gives, whatever the number of threads.
+//! Taylor's method runs variants side by side, each with its own parameters, steps and jumps: eight
+//! with emitted code, two with a JIT-compiled model. `auto` does the same as long as it stays with
+//! Taylor's method. Other methods run one variant after another. Threads share the variants. None
+//! of this changes a result: to the last bit, every variant equals a run of its own, for any number
+//! of threads.
 
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{F64x2, SideBySide, Simulator};
@@ -20,27 +20,27 @@ use crate::simulate::Simulation;
 use crate::threads;
 use crate::trajectory::ColumnKind;
 
-/// Variants that a thread takes at a time.
+/// Number of variants that a thread takes at a time.
 const CHUNK: usize = 64;
 
-/// A machine that threads may share.
+/// A machine that threads can share.
 pub trait Sweepable: Sync {
-    /// The machine, one at a time.
+    /// Returns the simulator for single runs.
     fn single(&self) -> &dyn Simulator<f64>;
-    /// The machine, several at a time, if it runs so.
+    /// Returns the simulator for runs in lanes, if there is one.
     fn in_lanes(&self) -> Option<InLanes<'_>>;
 }
 
-/// A machine that runs several variants at a time.
+/// A simulator that runs several variants at a time.
 #[derive(Clone, Copy)]
 pub enum InLanes<'a> {
-    /// Two.
+    /// Two lanes.
     Two(&'a dyn SideBySide<F64x2>),
-    /// Eight.
+    /// Eight lanes.
     Eight(&'a dyn SideBySide<F64x8>),
 }
 
-/// Every emitted machine.
+/// Implements the trait for every emitted machine.
 impl<S: Simulator<f64> + Simulator<F64x8> + Sync> Sweepable for S {
     fn single(&self) -> &dyn Simulator<f64> {
         self
@@ -76,28 +76,29 @@ pub struct Sweep<'a> {
     threads: usize,
 }
 
-/// One variant's run.
+/// Results of one variant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VariantRun {
-    /// State at every wanted time.
+    /// State at every output time.
     pub states: Vec<Vec<f64>>,
-    /// Outputs at every wanted time.
+    /// Outputs at every output time.
     pub outputs: Vec<Vec<f64>>,
-    /// Steps accepted.
+    /// Number of accepted steps.
     pub steps: u64,
 }
 
-/// What is kept of a variant's run.
+/// Selection of results that are kept for each variant.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wanted {
-    /// Places among outputs, and behind them among states.
+    /// Indices of outputs; indices beyond the outputs stand for states.
     pub places: Vec<usize>,
-    /// Whether the least and the greatest value over the output times are, instead of the last.
+    /// Whether to keep the least and the greatest value over the output times instead of the last
+    /// value.
     pub extremes: bool,
 }
 
 impl Wanted {
-    /// The values, one a place, or two of extremes.
+    /// Returns the selected values, one for each place, or two with `extremes`.
     #[must_use]
     pub fn values(&self, run: &VariantRun) -> Vec<f64> {
         let outputs = run.outputs.first().map_or(0, Vec::len);
@@ -123,7 +124,7 @@ impl Wanted {
 }
 
 impl<'a> Sweep<'a> {
-    /// A sweep of the machine as its spec says, with one variant.
+    /// Creates a sweep with one variant, which has the settings of the spec.
     pub fn new(machine: &'a dyn Sweepable) -> Self {
         let single = machine.single();
         let parameters = 0..single.shape().parameters;
@@ -136,14 +137,14 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// Adjusts every run: its end, tolerance, method, output times.
+    /// Adjusts the settings of every run: end, tolerance, method, output times.
     pub fn each(mut self, adjust: impl Fn(Simulation<'a>) -> Simulation<'a> + Sync + 'a) -> Self {
         self.each = Box::new(adjust);
         self
     }
 
-    /// Takes every variant there is with each of these values of a parameter, in its
-    /// SI unit: called twice, it makes a grid, the last parameter fastest.
+    /// Combines every present variant with each of these values of a parameter, in its SI unit. Two
+    /// calls make a grid in which the last parameter varies fastest.
     ///
     /// # Errors
     /// [`SimulateError::UnknownParameter`], with the nearest known name.
@@ -160,23 +161,23 @@ impl<'a> Sweep<'a> {
         Ok(self)
     }
 
-    /// Runs these variants, each a full list of parameters.
+    /// Sets the variants, each a full list of parameters.
     pub fn variants(mut self, variants: Vec<Vec<f64>>) -> Self {
         self.variants = variants;
         self
     }
 
-    /// Uses so many threads; as many as the machine has unless set, or if 0.
+    /// Sets the number of threads; 0, the default, stands for the number of processors.
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = threads;
         self
     }
 
-    /// Runs all variants; results are in their order.
+    /// Runs all variants and returns results in their order.
     #[must_use]
     pub fn run(&self) -> Vec<Result<VariantRun, SimulateError>> {
         let chunks: Vec<_> = self.variants.chunks(CHUNK).collect();
-        // Without threads of its own, a sweep still runs.
+        // A sweep runs even if threads cannot be created.
         let pool = threads::pool(self.threads);
         let runs = threads::each(pool.as_ref(), chunks.len(), |at| self.run_chunk(chunks[at]));
         runs.into_iter().flatten().collect()
@@ -197,11 +198,11 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// The method and the relative tolerance, if variants may go side by side.
+    /// Returns the method and the relative tolerance if variants can run in lanes.
     fn of_lanes(&self, simulation: &Simulation<'a>) -> Option<(Method, f64)> {
         let single = self.machine.single();
         match simulation.method_and_rtol().ok()? {
-            // Lanes do not watch for events, nor for corners.
+            // Lanes do not monitor events or switching surfaces.
             (Method::Taylor, rtol) => {
                 let is_smooth = single.events() + single.kinks() == 0
                     && single.taylor()?.bends() != Bends::Corners;
@@ -219,7 +220,7 @@ impl<'a> Sweep<'a> {
         (self.each)(Simulation::new(self.machine.single())).parameters(parameters)
     }
 
-    /// Nothing if the machine has no series.
+    /// Runs a chunk in lanes; returns `None` if the machine has no Taylor series.
     fn run_in_lanes<R: Lanes>(
         &self,
         chunk: &[Vec<f64>],
@@ -227,10 +228,10 @@ impl<'a> Sweep<'a> {
         machine: &dyn SideBySide<R>,
     ) -> Option<Vec<Result<VariantRun, SimulateError>>> {
         let series = machine.taylor()?;
-        // As `auto` does of a run of its own.
+        // The same is done by `auto` in a single run.
         let looks_within = method == Method::Auto && series.bends() == Bends::Saturates;
         let mut results: Vec<Option<Result<VariantRun, SimulateError>>> = vec![None; chunk.len()];
-        // Those that are still to be run, and what each of them has taken in vain.
+        // Variants that are still to be run, and the work that each has spent in vain.
         let mut left: Vec<(usize, Spent)> =
             (0..chunk.len()).map(|index| (index, Spent::default())).collect();
         for (rtol, is_left) in method.paces(rtol) {
@@ -244,7 +245,7 @@ impl<'a> Sweep<'a> {
         Some(results.into_iter().flatten().collect())
     }
 
-    /// Runs variants of a chunk; `done` gets what came of each, or what it has taken in vain.
+    /// Runs variants of a chunk; `done` receives the result of each, or the work spent in vain.
     fn run_at_pace<R: Lanes>(
         &self,
         chunk: &[Vec<f64>],
@@ -257,7 +258,7 @@ impl<'a> Sweep<'a> {
         let mut ready = Vec::with_capacity(variants.len());
         variants.retain(|(index, spent)| {
             match self.simulation(&chunk[*index]).variant_for(pace) {
-                // None of its steps may be loose.
+                // No step of this variant may be loose.
                 Ok(variant) if variant.few == 0.0 => done(*index, Err(*spent)),
                 Ok(mut variant) => {
                     variant.max_steps = variant.max_steps.saturating_sub(spent.steps as usize);
@@ -290,7 +291,7 @@ impl<'a> Sweep<'a> {
                     let run = self.finished(parameters, &times[number], &outcome);
                     Ok(VariantRun { steps: spent.steps + run.steps, ..run })
                 }
-                // What `auto` would not do by Taylor's method; and it says more of what stops it.
+                // Here `auto` would change the method, and its message says more on the cause.
                 Ended::Stopped(stopped)
                     if method == Method::Auto
                         && !matches!(stopped.cause, StopCause::TooSlow { .. }) =>
@@ -325,10 +326,10 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// One run, as a variant.
+/// Runs one simulation and returns its results as those of a variant.
 ///
 /// # Errors
-/// As [`Simulation::run`].
+/// As for [`Simulation::run`].
 pub fn one(simulation: &Simulation<'_>) -> Result<VariantRun, SimulateError> {
     let run = simulation.run()?;
     let rows = |kind: ColumnKind| {
@@ -343,18 +344,18 @@ pub fn one(simulation: &Simulation<'_>) -> Result<VariantRun, SimulateError> {
     })
 }
 
-/// Every variant's run, where threads cannot share a machine, as with fields: each makes its own
-/// of it.
+/// Runs all variants of a machine that threads cannot share, as with fields: each chunk makes its
+/// own machine.
 ///
 /// # Errors
-/// The first that `make` gives.
+/// The first error of `make`.
 pub fn each_on_its_own<S, E: Send>(
     variants: &[Vec<f64>],
     threads: usize,
     make: impl Fn() -> Result<S, E> + Sync,
     run: impl Fn(&S, &[f64]) -> Result<VariantRun, SimulateError> + Sync,
 ) -> Result<Vec<Result<VariantRun, SimulateError>>, E> {
-    /// Making one takes some of the time of a run.
+    /// Small chunks, because making a machine takes part of the time of a run.
     const CHUNK: usize = 16;
     let of_chunk = |chunk: &[Vec<f64>]| {
         let machine = make()?;

@@ -1,17 +1,18 @@
-//! Work on threads: what hands it out is compiled here, once for all that is handed out.
+//! Distribution of work over threads, compiled once for all kinds of work.
 
 use std::sync::{Mutex, PoisonError};
 
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
-/// So many threads, or as many as the machine has if 0; none where threads cannot be had.
+/// Creates a pool of this many threads, or one per processor if 0; `None` if threads are not
+/// available.
 pub(crate) fn pool(threads: usize) -> Option<ThreadPool> {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok()
 }
 
-/// What `work` makes of each number below `count`, in their order: on the pool, or on rayon's own without
-/// one.
+/// Returns `work(i)` for each i below `count`, in order; without a pool, rayon's global one is
+/// used.
 pub(crate) fn each<T: Send>(
     pool: Option<&ThreadPool>,
     count: usize,

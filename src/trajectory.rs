@@ -1,5 +1,4 @@
-//! What a run leaves: times, columns of numbers with names and units, and the
-//! work it took.
+//! Results of a run: times, columns of numbers with names and units, and the work spent.
 
 use std::io;
 
@@ -9,109 +8,107 @@ use crate::constraints::Drift;
 use crate::error_estimate::ErrorEstimate;
 use crate::method::{Method, Work};
 
-/// The result of a run. All columns are as long as `times`.
+/// Results of a run. All columns have the length of `times`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Trajectory {
-    /// The scene's name.
+    /// Name of the scene.
     pub scene: String,
-    /// The scene in one line.
+    /// Description of the scene in one line.
     pub title: String,
-    /// The method used.
+    /// Method used.
     pub method: Method,
     /// Relative tolerance used.
     pub rtol: f64,
-    /// What the run cost.
+    /// Work spent on the run.
     pub work: Work,
-    /// What the method has to say of the run, such as which one `auto` chose and
-    /// why; mostly nothing.
+    /// Notes of the method on the run, such as which method `auto` chose and why; mostly empty.
     pub notes: Vec<String>,
-    /// Where and why the run ended before its end; nothing if it did not.
+    /// Time and cause of an early end of the run, if it ended early.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped: Option<Stop>,
-    /// Events that happened, in order; those at one time in the order of the spec. A
-    /// column at just that time has its value from before.
+    /// Events in their order; simultaneous ones are in the order of the spec. A column at the time
+    /// of an event has its value from before.
     pub switches: Vec<Switch>,
-    /// How far the machine came off its constraints, if it has any.
+    /// Largest drift from the constraints, if the machine has any.
     pub drift: Option<Drift>,
     /// Output times \[s\].
     pub times: Vec<f64>,
     /// States, then outputs, then energies, then sensitivities.
     pub columns: Vec<Column>,
-    /// Power supplied and lost against energy stored, if the run was asked for it.
+    /// Energy balance, if it was requested.
     pub energy_balance: Option<EnergyBalance>,
-    /// Estimated error of the columns, where somebody has estimated it.
+    /// Estimated errors of the columns, if they were estimated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<ErrorEstimate>,
 }
 
-/// The name of the column of a derivative.
+/// Returns the name of the column of a derivative.
 #[must_use]
 pub fn sensitivity_name(of: &str, by: &str) -> String {
     ["d(", of, ")/d(", by, ")"].concat()
 }
 
-/// Why a run ended before its end.
+/// Time and cause of an early end of a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stop {
     /// Time reached \[s\].
     pub time: f64,
-    /// Why, and what may help.
+    /// Cause, with a hint.
     pub cause: String,
 }
 
-/// An event that happened.
+/// An event of a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Switch {
-    /// When \[s\].
+    /// Time \[s\].
     pub time: f64,
-    /// The spec's name of the event.
+    /// Name of the event in the spec.
     pub event: String,
 }
 
-/// One quantity over time.
+/// A quantity over time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Column {
-    /// The spec's name, `motor.omega`; energies are called `energy.total` and so on.
+    /// Name in the spec, such as `motor.omega`; energies are called `energy.total` and so on.
     pub name: String,
-    /// SI unit; `1` for a pure number.
+    /// SI unit; `1` for a dimensionless quantity.
     pub unit: String,
-    /// What the column is.
+    /// Kind of the quantity.
     pub kind: ColumnKind,
-    /// One sentence of meaning.
+    /// Description in one sentence.
     pub doc: String,
-    /// Values at the trajectory's times.
+    /// Values at the times of the trajectory.
     pub values: Vec<f64>,
 }
 
-/// What a column is.
+/// Kind of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ColumnKind {
     /// A coordinate, a velocity or a first-order state.
     State,
-    /// A wanted output. At a jump it has its value from the right.
+    /// An output. At a jump it has its value from the right.
     Output,
     /// An energy of the whole machine.
     Energy,
     /// Derivative of a state or an output by a parameter or an initial value,
     /// `d(coupling.twist)/d(coupling.stiffness)`.
     Sensitivity,
-    /// What was measured.
+    /// Measured data.
     Measured,
 }
 
-/// The energy account of a run: what a machine stores must be what it was
-/// supplied with, less what it lost,
+/// The energy balance of a run: the energy stored must be the energy supplied, less the energy
+/// dissipated,
 ///
 /// ```text
 /// residual(t) = E(t) - E(from) - W_supplied(t) + W_dissipated(t)
 /// ```
 ///
-/// with E = T + V + stored, and W the integrals over time of the power supplied
-/// and dissipated, integrated alongside the states. The residual of an exact
-/// run is zero; what remains measures equations and integration together. It
-/// takes E to be continuous: a spring whose stiffness jumps while it is bent
-/// shows up as a residual. All in J.
+/// with E = T + V + stored, and W the integrals over time of the power supplied and dissipated,
+/// integrated alongside the states. The residual of an exact run is zero, so it measures the error
+/// of equations and integration together. The balance assumes a continuous E: a spring whose
+/// stiffness jumps while it is bent causes a residual. All values are in J.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EnergyBalance {
     /// W_supplied at the trajectory's times.
@@ -127,10 +124,9 @@ pub struct EnergyBalance {
 }
 
 impl EnergyBalance {
-    /// max over t of |residual(t)|, divided by the energy passed until the end of
-    /// the run; by `largest_active` where that is larger, so that a machine that
-    /// is closed, or nearly, is measured by the energy it tosses to and fro.
-    /// 0 for a machine at rest.
+    /// Returns max |`residual`(t)| divided by the energy passed until the end of the run, or by
+    /// `largest_active` if that is larger. A closed or nearly closed machine is thus measured by
+    /// the energy that it exchanges internally. The result is 0 for a machine at rest.
     #[must_use]
     pub fn max_residual_relative(&self) -> f64 {
         let passed = self.passed.last().copied().unwrap_or(0.0);
@@ -141,38 +137,38 @@ impl EnergyBalance {
 }
 
 impl Trajectory {
-    /// The values of the column of this name. If a scene has a state and an
-    /// output of one name, the state's.
+    /// Returns the values of the column of this name. If a state and an output have the same name,
+    /// returns those of the state.
     #[must_use]
     pub fn column(&self, name: &str) -> Option<&[f64]> {
         self.find(name).map(|column| column.values.as_slice())
     }
 
-    /// The column of this name, with unit and meaning.
+    /// Returns the column of this name.
     #[must_use]
     pub fn find(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|column| column.name == name)
     }
 
-    /// The columns of one kind, in order.
+    /// Returns the columns of one kind, in order.
     pub fn of_kind(&self, kind: ColumnKind) -> impl Iterator<Item = &Column> {
         self.columns.iter().filter(move |column| column.kind == kind)
     }
 
-    /// d(of)/d(by) of a state or an output, if the run was asked for it.
+    /// Returns d(of)/d(by) of a state or an output, if it was requested.
     #[must_use]
     pub fn sensitivity(&self, of: &str, by: &str) -> Option<&[f64]> {
         self.column(&sensitivity_name(of, by))
     }
 
-    /// The value at the end of the run of the column of this name.
+    /// Returns the value of a column at the end of the run.
     #[must_use]
     pub fn last(&self, name: &str) -> Option<f64> {
         self.column(name)?.last().copied()
     }
 
-    /// Writes a table: a header `time [s],motor.omega [rad/s],...`, then one line
-    /// a time, each number in the shortest form that reads back the same.
+    /// Writes a table: a header `time [s],motor.omega [rad/s],...`, then one line per time, with
+    /// each number in the shortest form that reads back the same.
     ///
     /// # Errors
     /// Whatever `writer` reports.
@@ -190,8 +186,8 @@ impl Trajectory {
         csv.flush()
     }
 
-    /// Writes one JSON object: scene, method, work, times, columns. JSON has no
-    /// NaN and no infinity; an output that is one becomes `null`.
+    /// Writes one JSON object: scene, method, work, times, columns. JSON has neither NaN nor
+    /// infinity; such values of outputs become `null`.
     ///
     /// # Errors
     /// Whatever `writer` reports.

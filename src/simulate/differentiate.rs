@@ -1,4 +1,4 @@
-//! Sensitivities by as much as there are any by.
+//! Sensitivities by all parameters and initial values that allow them.
 
 use super::Simulation;
 use crate::error::SimulateError;
@@ -9,18 +9,18 @@ use crate::trajectory::Trajectory;
 pub struct Differentiated {
     /// The run.
     pub run: Trajectory,
-    /// What it has sensitivities by.
+    /// Names of the parameters and states that it has sensitivities by.
     pub by: Vec<String>,
-    /// What it has none by, and why.
+    /// Names of those it has none by, and the reasons.
     pub left_out: Vec<(String, String)>,
 }
 
 impl Simulation<'_> {
-    /// The run with sensitivities by those of these parameters and initial values that it can be
+    /// Runs with sensitivities by those of these parameters and initial values that the run can be
     /// differentiated by.
     ///
     /// # Errors
-    /// As [`Simulation::sensitivities`] and [`Simulation::run`].
+    /// As for [`Simulation::sensitivities`] and [`Simulation::run`].
     pub fn differentiate(&self, mut by: Vec<String>) -> Result<Differentiated, SimulateError> {
         let mut left_out = Vec::new();
         loop {

@@ -1,4 +1,4 @@
-//! Settings of a run apart from its simulator, for threads that have a simulator of their own.
+//! Settings of a run without its simulator, for threads that have their own simulator.
 
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
@@ -10,8 +10,8 @@ use crate::method::Method;
 use crate::method::patience::Patience;
 use crate::method::sensitivity::By;
 
-/// A [`Simulation`] without its simulator, which threads may share; and without
-/// [`Simulation::until_told`], whose question is one thread's.
+/// A [`Simulation`] without its simulator, which threads may share. [`Simulation::until_told`] is
+/// left out, since its function belongs to one thread.
 #[derive(Clone)]
 pub(crate) struct Settings<'a> {
     parameters: Vec<f64>,
@@ -33,7 +33,7 @@ pub(crate) struct Settings<'a> {
 }
 
 impl<'a> Simulation<'a> {
-    /// They, if nobody asks by [`Simulation::until_told`].
+    /// Returns the settings, unless [`Simulation::until_told`] is set.
     pub(crate) fn settings(&self) -> Option<Settings<'a>> {
         let own = self.clone();
         own.patience.asked.is_none().then_some(Settings {
@@ -58,7 +58,7 @@ impl<'a> Simulation<'a> {
 }
 
 impl<'a> Settings<'a> {
-    /// The run of a simulator of the same machine.
+    /// Returns the run of a simulator of the same machine.
     pub(crate) fn of(self, simulator: &'a dyn Simulator<f64>) -> Simulation<'a> {
         Simulation {
             simulator,

@@ -1,4 +1,4 @@
-//! The gradient of one number of a run by all parameters and initial values, in reverse.
+//! Gradient of one number of a run by all parameters and initial values, by the adjoint method.
 
 use super::Simulation;
 use crate::error::SimulateError;
@@ -7,53 +7,54 @@ use crate::method::sensitivity::{By, Tangents};
 use crate::method::{Method, System};
 use crate::trajectory::Trajectory;
 
-/// How a number depends on a column of a run: its derivative by every value of it.
+/// Derivatives of a number by the values of one column of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pull {
-    /// A state or an output.
+    /// Name of a state or an output.
     pub column: String,
-    /// d(number)/d(value), one for each sampled time.
+    /// d(number)/d(value), one for each output time.
     pub slopes: Vec<f64>,
 }
 
-/// A number's derivative by a parameter or by the initial value of a state.
+/// Derivative of a number by a parameter or by the initial value of a state.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slope {
     /// Name of the parameter or state.
     pub name: String,
     /// Its unit.
     pub unit: String,
-    /// Whether it is a parameter.
+    /// Whether it belongs to a parameter.
     pub is_parameter: bool,
-    /// What it is in the run, in its unit.
+    /// Value of the parameter or state in the run, in its unit.
     pub at: f64,
-    /// d(number)/d(it).
+    /// d(number)/d(parameter or initial value).
     pub value: f64,
 }
 
-/// The derivatives of a number of a run by everything it is given.
+/// Derivatives of a number of a run by all parameters and initial values.
 #[derive(Debug, Clone)]
 pub struct Gradient {
     /// The run.
     pub run: Trajectory,
-    /// By every parameter, then by every initial value, in the order of the simulator.
+    /// Derivatives by every parameter, then by every initial value, in the simulator's order.
     pub slopes: Vec<Slope>,
 }
 
 impl Simulation<'_> {
-    /// Runs, and gives the derivatives of one number of the run by all parameters and initial
-    /// values at once: in reverse, for what a few runs cost, however many there are.
+    /// Runs, and returns the derivatives of one number of the run by all parameters and initial
+    /// values. The adjoint method costs as much as a few runs, however many parameters there are.
     ///
-    /// `of` is given the run and says how the number depends on its columns; those it names
-    /// several times add up. Derivatives are those of what the method computes with the steps it
-    /// takes, as [`Simulation::sensitivities`] without control of their errors gives them.
+    /// `of` receives the run and returns the dependence of the number on its columns; entries for
+    /// the same column add up. The derivatives are those of the computed solution with its steps,
+    /// like those of [`Simulation::sensitivities`] without control of their errors.
     ///
-    /// By `tsit5` or `dop853`, which takes the place of a method that is left to the scene.
+    /// The method is `tsit5` or `dop853`, which also replaces a method that is left to the scene.
     ///
     /// # Errors
-    /// [`SimulateError::NotReversible`] of a machine with events, kinks or constraints, which
-    /// [`Simulation::sensitivities`] are there for; of a pull of another length than the run, or
-    /// by a column that is none of its states and outputs. Else as [`Simulation::run`].
+    /// [`SimulateError::NotReversible`] for a machine with events, switching surfaces or
+    /// constraints, for which [`Simulation::sensitivities`] can be used; for a pull whose length
+    /// differs from that of the run, or whose column is not a state or output. Otherwise as for
+    /// [`Simulation::run`].
     pub fn gradient(
         &self,
         of: impl FnOnce(&Trajectory) -> Vec<Pull>,
@@ -119,7 +120,7 @@ impl Simulation<'_> {
         Ok(Gradient { slopes: slopes.collect(), run })
     }
 
-    /// Whether steps can be gone back over.
+    /// Returns whether the steps of the run can be reversed.
     #[must_use]
     pub fn is_reversible(&self) -> bool {
         self.require_smooth().is_ok()
@@ -139,8 +140,8 @@ impl Simulation<'_> {
         Err(SimulateError::NotReversible { scene: simulator.name().to_owned(), why })
     }
 
-    /// What pulls are of the states at the sampled times, and by parameters and initial values
-    /// where outputs read them, all other things being equal.
+    /// Converts pulls to derivatives by the states at output times, and to direct derivatives by
+    /// parameters and initial values that outputs contain.
     fn pulls(
         &self,
         run: &Trajectory,
@@ -170,7 +171,7 @@ impl Simulation<'_> {
                 into[row * width + place] += slope;
             }
         }
-        // S of what is differentiated by itself: every initial value stands for its state.
+        // S of the parameters themselves: every initial value stands for its state.
         let count = tangents.by().len();
         let mut unit = vec![0.0; states * count];
         (0..states).for_each(|state| unit[state * count + shape.parameters + state] = 1.0);

@@ -1,4 +1,4 @@
-//! Where a run starts: as the spec says, as the caller does, or in the equilibrium near that.
+//! Initial state of a run: from the spec, from the caller, or in a nearby equilibrium.
 
 #[cfg(feature = "linear")]
 use super::Problem;
@@ -22,7 +22,7 @@ impl Simulation<'_> {
         if self.starts_in_equilibrium() {
             return self.balanced(state, &self.named());
         }
-        // A state of the caller's is near enough to the constraints, or a guess.
+        // A state from the caller fulfils the constraints nearly, or is a guess.
         let is_spec = self.initial_state.is_none();
         let is_given = |index| is_spec && self.simulator.is_given(index);
         let state = consistent(self.simulator, &self.parameters, self.from, state, is_given)?;
@@ -30,7 +30,7 @@ impl Simulation<'_> {
         Ok(state)
     }
 
-    /// The state at the start as it is given.
+    /// Returns the initial state as given.
     fn guess(&self) -> Vec<f64> {
         let mut state = self.initial_state.clone().unwrap_or_else(|| {
             let mut state = vec![0.0; self.simulator.shape().states()];
@@ -45,7 +45,7 @@ impl Simulation<'_> {
         state
     }
 
-    /// Entries of the state that the spec or the caller names.
+    /// Returns the indices of the states that the spec or the caller names.
     pub(super) fn named(&self) -> Vec<usize> {
         let is_spec = self.initial_state.is_none();
         let is_set = |index: usize| self.initial_values.iter().any(|(set, _)| *set == index);
@@ -53,13 +53,14 @@ impl Simulation<'_> {
         (0..self.simulator.shape().states()).filter(is_named).collect()
     }
 
-    /// A state of the caller's is where a run starts, unless an equilibrium is asked for.
+    /// Returns whether to start in equilibrium; a state from the caller prevents it unless
+    /// requested.
     pub(super) fn starts_in_equilibrium(&self) -> bool {
         let is_of_spec = self.initial_state.is_none();
         self.in_equilibrium.unwrap_or(is_of_spec && self.simulator.starts_in_equilibrium())
     }
 
-    /// The equilibrium near a state, of which these entries move only as far as they must.
+    /// Returns the equilibrium near a state. The `named` entries move only as far as necessary.
     #[cfg(feature = "linear")]
     pub(crate) fn balanced(
         &self,
@@ -67,7 +68,7 @@ impl Simulation<'_> {
         named: &[usize],
     ) -> Result<Vec<f64>, SimulateError> {
         let parameters = self.checked_parameters()?;
-        // Constraints are fulfilled as for any start where they can be, else by whatever moves.
+        // Constraints are fulfilled as for any start if possible, otherwise by moving any entry.
         let given = |index| named.contains(&index);
         let state = consistent(self.simulator, parameters, self.from, guess.clone(), given);
         let state = state
@@ -88,7 +89,7 @@ impl Simulation<'_> {
         )))
     }
 
-    /// Sets the modes of a start right.
+    /// Sets the modes of a start so that they agree with their guards.
     #[cfg(feature = "linear")]
     pub(super) fn settle(&self, state: &mut [f64]) -> Result<(), SimulateError> {
         let system = System::new(self.simulator, &self.parameters, false);
@@ -108,8 +109,8 @@ impl Simulation<'_> {
         })
     }
 
-    /// Tells of given entries of the start that were off the constraints by less than the tolerance,
-    /// and were moved onto them.
+    /// Adds a note on given entries of the start that violated the constraints by less than the
+    /// tolerance, and were moved onto them.
     pub(super) fn note_projected(&self, system: &System<'_>, initial: &[f64]) {
         const SHOWN: usize = 3;
         if self.starts_in_equilibrium() || self.initial_state.is_some() {
@@ -132,7 +133,7 @@ impl Simulation<'_> {
         }
     }
 
-    /// Tells if the equilibrium in which the run starts is unstable.
+    /// Adds a note if the run starts in an unstable equilibrium.
     #[cfg(feature = "linear")]
     pub(super) fn note_unstable(&self, system: &System<'_>, state: &[f64]) {
         if !self.starts_in_equilibrium() {
@@ -148,9 +149,10 @@ impl Simulation<'_> {
         }
     }
 
-    /// What a run says of a motion that has less kinetic energy the faster it is, as by a mass of
-    /// the wrong sign: every force then moves it the other way. Where the start is searched for,
-    /// it is looked for where the search begins. Nothing of what a run would refuse.
+    /// Returns a note on a motion whose kinetic energy decreases with speed, for example because a
+    /// mass has the wrong sign: every force then accelerates it in the opposite direction. The mass
+    /// matrix is evaluated at the start as given, before any search for an equilibrium. Returns
+    /// `None` for a run that would be refused.
     #[must_use]
     pub fn negative_inertia(&self) -> Option<String> {
         self.checked_parameters().ok()?;
@@ -159,8 +161,8 @@ impl Simulation<'_> {
         is_whole.then(|| self.negative_inertia_at(&state)).flatten()
     }
 
-    /// How many of some variants, each with all its parameters, have such a motion, which is the
-    /// first and what is said of it; nothing if none has.
+    /// Returns how many variants, each with all its parameters, have such a motion, the index of
+    /// the first, and its note; `None` if there are none.
     #[must_use]
     pub fn negative_inertias(&self, variants: &[Vec<f64>]) -> Option<(usize, usize, String)> {
         let told = |all: &Vec<f64>| self.clone().parameters(all).negative_inertia();
@@ -171,7 +173,8 @@ impl Simulation<'_> {
     }
 
     pub(super) fn negative_inertia_at(&self, state: &[f64]) -> Option<String> {
-        /// Coordinates up to which a mass matrix is looked at as a whole; of more, the diagonal.
+        /// Number of coordinates up to which the whole mass matrix is examined; beyond, only the
+        /// diagonal.
         const WHOLE: usize = 64;
         const ROUNDING: f64 = 1e-9;
         let pattern = self.simulator.mass_matrix_pattern();
@@ -201,7 +204,7 @@ impl Simulation<'_> {
         })
     }
 
-    /// Compares how an equilibrium moves, where its equations leave some of it open, with
+    /// Compares the first-order motion of an equilibrium that its equations leave partly open with
     /// differences of the search.
     pub(super) fn check_tangents(
         &self,

@@ -1,5 +1,4 @@
-//! Linear analysis of any scene: where it runs steadily, how it vibrates there,
-//! and how it answers to harmonic disturbances.
+//! Linear analysis of scenes: operating points, eigenmodes and frequency responses.
 //!
 //! At a [`Point`] (t, y, p), small deviations follow
 //!
@@ -8,16 +7,15 @@
 //! do  = C dy + d dp          C = do/dy, d = do/dp of the scene's outputs o
 //! ```
 //!
-//! [`operating_point`] finds such a point, [`Linearization`] holds A and answers
-//! with [`Linearization::modes`], [`Linearization::second_order`] and
-//! [`Linearization::response`]. Modes and matrices M, D, K are those of all
-//! generalized coordinates \[q, q', z\], of the positions left out of y too, see
-//! [`Linearization::motion_names`]. Time is held still: a force that depends on t
-//! counts with its value at the point's time.
+//! [`operating_point`] finds such a point. [`Linearization`] holds A and provides
+//! [`Linearization::modes`], [`Linearization::second_order`] and [`Linearization::response`].
+//! Eigenmodes and the matrices M, D, K refer to all generalized coordinates \[q, q', z\], including
+//! positions that y leaves out; see [`Linearization::motion_names`]. Time is held: a force that
+//! depends on t has its value at the point's time.
 //!
-//! All is dense algebra, for scenes of up to [`MAX_STATES`] states, but modes and equilibria of
-//! machines whose coordinates each meet but a few others, such as chains: these are for scenes of
-//! up to [`MAX_STATES_OF_CHAINS`].
+//! The algebra is dense, for scenes of up to [`MAX_STATES`] states. Eigenmodes and equilibria of
+//! machines whose coordinates are each coupled to few others, such as chains, are possible for up
+//! to [`MAX_STATES_OF_CHAINS`] states.
 
 mod banded;
 mod bends;
@@ -60,40 +58,39 @@ pub use response::{Response, logarithmic_range};
 pub use slopes::{ModeSlope, NoSlope, PointSlopes};
 pub(crate) use steady::{growth, steady_start, steady_tangents};
 
-/// Largest number of states of dense matrices; beyond, they take too much time.
+/// Maximum number of states for dense matrices; beyond, they take too much time.
 pub const MAX_STATES: usize = 2000;
 
-/// Largest number of states; beyond, shapes of all modes, as many numbers as the square of them,
-/// take too much memory.
+/// Maximum number of states; beyond, the shapes of all eigenmodes take too much memory.
 pub const MAX_STATES_OF_CHAINS: usize = 10_000;
 
-/// Time \[s\], state y and parameters at which a scene is looked at.
+/// Time \[s\], state y and parameters of an analysis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     /// Time \[s\].
     pub time: f64,
-    /// State, `states` long.
+    /// State, of length `states`.
     pub state: Vec<f64>,
     /// Parameters.
     pub parameters: Vec<f64>,
 }
 
-/// dy' = A dy about one point.
+/// The linear equations dy' = A dy about a point.
 #[derive(Clone)]
 pub struct Linearization<'a> {
     simulator: &'a dyn Simulator<f64>,
     point: Point,
     matrix: SparseRows,
-    /// The same with its zeros, once somebody asks.
+    /// A as a dense matrix, made on demand.
     full: OnceLock<DMatrix<f64>>,
 }
 
-/// The mechanical part, M dq'' + D dq' + K dq = df, in the units of the scene's
-/// coordinates. It leaves out what first-order states feed back.
+/// The mechanical part, M dq'' + D dq' + K dq = df, in the units of the scene's coordinates. It
+/// neglects the feedback of first-order states.
 ///
-/// Of a machine with constraints, of the motions dq = E dr that these allow, with columns of
-/// E of length 1 as the scales of q' measure: E^T M E, E^T D E, E^T K E. K holds the geometric
-/// stiffness of the constraints' forces.
+/// For a machine with constraints, the matrices are those of the allowed motions dq = E dr, with
+/// columns of E of length 1 relative to the scales of q': E^T M E, E^T D E, E^T K E. K contains the
+/// geometric stiffness of the constraint forces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SecondOrder {
     /// M, as emitted.
@@ -105,42 +102,42 @@ pub struct SecondOrder {
 }
 
 impl<'a> Linearization<'a> {
-    /// Linearizes a scene about a point, by its emitted Jacobian.
+    /// Linearizes a scene about a point by its emitted Jacobian.
     ///
     /// # Errors
-    /// [`LinearError`] if the scene has more than [`MAX_STATES_OF_CHAINS`] states, if the
-    /// point has other lengths than the scene, or if something is not finite.
+    /// [`LinearError`] if the scene has more than [`MAX_STATES_OF_CHAINS`] states, if lengths in
+    /// the point differ from those of the scene, or if a value is not finite.
     pub fn at(simulator: &'a dyn Simulator<f64>, point: Point) -> Result<Self, LinearError> {
         let matrix = jacobian(simulator, &point)?;
         Ok(Self { simulator, point, matrix, full: OnceLock::new() })
     }
 
-    /// Where it was linearized.
+    /// Returns the point of the linearization.
     #[must_use]
     pub fn point(&self) -> &Point {
         &self.point
     }
 
-    /// A = dy'/dy, `states` by `states`.
+    /// Returns A = dy'/dy, `states` by `states`.
     ///
     /// # Errors
-    /// [`LinearError::TooLarge`] of more than [`MAX_STATES`] states.
+    /// [`LinearError::TooLarge`] for more than [`MAX_STATES`] states.
     pub fn matrix(&self) -> Result<&DMatrix<f64>, LinearError> {
         require_small(self.simulator)?;
         Ok(self.full.get_or_init(|| self.matrix.full()))
     }
 
-    /// The simulator.
+    /// Returns the simulator.
     #[must_use]
     pub fn simulator(&self) -> &'a dyn Simulator<f64> {
         self.simulator
     }
 
-    /// M, D and K. Exact as derivatives of f where accelerations are zero;
-    /// elsewhere K holds the change of M times acceleration too.
+    /// Returns M, D and K. They are exact derivatives of f where accelerations are zero; elsewhere
+    /// K also contains the change of M times acceleration.
     ///
     /// # Errors
-    /// [`LinearError::TooLarge`] of more than [`MAX_STATES`] states.
+    /// [`LinearError::TooLarge`] for more than [`MAX_STATES`] states.
     pub fn second_order(&self) -> Result<SecondOrder, LinearError> {
         let motions = Motions::new(self.simulator, &self.matrix);
         let (n, mass) = (motions.coordinates, self.mass_matrix());
@@ -162,14 +159,14 @@ impl<'a> Linearization<'a> {
         })
     }
 
-    /// Names of \[q, q', z\]: what shapes of modes are made of. All generalized
-    /// coordinates are among them, whether or not the state holds their positions.
+    /// Returns the names of \[q, q', z\], the components of mode shapes. They include all
+    /// generalized coordinates, even those whose positions are not in the state.
     #[must_use]
     pub fn motion_names(&self) -> Vec<String> {
         motions::names(self.simulator)
     }
 
-    /// M at the point.
+    /// Returns M at the point.
     fn mass_matrix(&self) -> DMatrix<f64> {
         let pattern = self.simulator.mass_matrix_pattern();
         let mut values = vec![0.0; pattern.entries.len()];
@@ -179,14 +176,14 @@ impl<'a> Linearization<'a> {
     }
 }
 
-/// y' at a point.
+/// Returns y' at a point.
 fn rate(simulator: &dyn Simulator<f64>, point: &Point) -> DVector<f64> {
     let mut rate = DVector::zeros(point.state.len());
     simulator.rate(point.time, &point.state, &point.parameters, rate.as_mut_slice());
     rate
 }
 
-/// The emitted dy'/dy at a point, once the point is found to fit the scene.
+/// Returns the emitted dy'/dy at a point, after checking the point.
 fn jacobian(simulator: &dyn Simulator<f64>, point: &Point) -> Result<SparseRows, LinearError> {
     check_point(simulator, point)?;
     let pattern = simulator.rate_jacobian_pattern();
@@ -204,7 +201,7 @@ fn jacobian(simulator: &dyn Simulator<f64>, point: &Point) -> Result<SparseRows,
     }
 }
 
-/// A matrix with its zeros, if that is not too large.
+/// Returns a matrix as a dense one if it is not too large.
 fn full(simulator: &dyn Simulator<f64>, rows: &SparseRows) -> Result<DMatrix<f64>, LinearError> {
     require_small(simulator)?;
     Ok(rows.full())
@@ -239,7 +236,7 @@ fn check_point(simulator: &dyn Simulator<f64>, point: &Point) -> Result<(), Line
     Ok(())
 }
 
-/// Typical sizes of all states; 1 for a scale that is no positive number.
+/// Returns the scales of all states; 1 for a scale that is not a positive number.
 fn scales(simulator: &dyn Simulator<f64>) -> DVector<f64> {
     let scale = |index: usize| {
         let scale = simulator.state_scale(index);
@@ -248,7 +245,7 @@ fn scales(simulator: &dyn Simulator<f64>) -> DVector<f64> {
     DVector::from_fn(simulator.shape().states(), |index, _| scale(index))
 }
 
-/// Position of a name among `count` quantities.
+/// Returns the index of a name among `count` quantities.
 fn position<'q>(
     name: &str,
     count: usize,

@@ -1,14 +1,14 @@
-//! Modes of machines whose coordinates each meet but a few others, such as chains: what grows as
-//! the square of their number, of which all shapes take as much, instead of its cube.
+//! Eigenmodes of machines whose coordinates are each coupled to few others, such as chains. The
+//! cost grows with the square of their number, like the size of all shapes, instead of the cube.
 //!
-//! Coordinates and first-order states that depend on each other are a graph; each part of it that
-//! hangs together is by itself, in an order that keeps neighbours near. Its motions e^(s t) x are
-//! those of a banded matrix T(s), see [`pencil`]; eigenvalues are the zeros of its determinant
-//! ([`roots`]), shapes come by inverse iteration.
+//! Coordinates and first-order states that depend on each other form a graph. Each connected part
+//! of it is treated by itself, in an order that keeps neighbours near. Its motions e^(s t) x belong
+//! to a banded matrix T(s), see [`pencil`]; eigenvalues are the zeros of its determinant
+//! ([`roots`]), and shapes follow by inverse iteration.
 //!
-//! Nothing is given that is not checked: eigenvalues have the sum and the sum of squares that they
-//! must have, each but for those of drift has a left and a right vector that are not across each
-//! other, and all shapes fulfil the equations. Else full matrices answer.
+//! All results are checked. Eigenvalues must have the correct sum and sum of squares; left and
+//! right vectors of each eigenvalue, except those of drift, must not be orthogonal; all shapes must
+//! fulfil the equations. Otherwise dense matrices are used.
 
 mod least;
 mod null_space;
@@ -28,37 +28,39 @@ pub(super) use least::LeastSquares;
 use null_space::NullSpace;
 use pencil::{Factors, Pencil};
 
-/// Coordinates and first-order states below which full matrices are as fast.
+/// Number of coordinates and first-order states below which dense matrices are as fast.
 const FEW: usize = 48;
-/// A part has so many times its bandwidth at least.
+/// Minimum ratio of the size of a part to its bandwidth.
 const SLENDER: usize = 8;
-/// Beside the size of a row, what is not below it is not zero, and in between nobody can say.
+/// Limit, relative to the size of a row, above which a value is not zero; values between this and
+/// `DRIFT` are undecidable.
 const DOUBTFUL: f64 = 100.0 * DRIFT;
-/// Beside the largest, an eigenvalue below this may be zero.
+/// Ratio to the largest eigenvalue below which an eigenvalue may be zero.
 const NEARLY_ZERO: f64 = 1e-10;
-/// Sums of eigenvalues differ from traces by less, beside the sum of their sizes.
+/// Tolerance for sums of eigenvalues against traces, relative to the sum of their absolute values.
 const SUMS: f64 = 1e-9;
-/// Beside its terms, w T' x of left and right vectors is larger: else the eigenvalue is double.
+/// Lower limit of w T' x of left and right vectors, relative to its terms; below it the eigenvalue
+/// is double.
 const ACROSS: f64 = 1e-7;
-/// Beside its terms, T x of a shape is less.
+/// Upper limit of T x for a shape, relative to its terms.
 const RESIDUAL: f64 = 1e-11;
-/// Solutions of inverse iteration.
+/// Number of solutions of inverse iteration.
 const ITERATIONS: usize = 3;
 /// Maximum number of improved eigenvalues.
 const ROUNDS: usize = 12;
-/// Two eigenvalues that differ by less, beside their size, are one if their shapes are.
+/// Relative difference below which two eigenvalues count as one if their shapes are equal.
 const SAME: f64 = 1e-7;
 
-/// An eigenvalue, with imaginary part not negative, and its vectors of \[q, q', z\] over the
-/// scales of these. Of eigenvalue zero the left one is the right one.
+/// An eigenvalue with nonnegative imaginary part, and its vectors of \[q, q', z\] over their
+/// scales. For eigenvalue zero the left vector is the right one.
 pub(super) struct Found {
     pub value: Complex64,
     pub right: DVector<Complex64>,
     pub left: DVector<Complex64>,
 }
 
-/// All eigenvalues with their vectors, of drift and other zeros first, or nothing where full
-/// matrices are better.
+/// Returns all eigenvalues with their vectors, those of drift and other zeros first; `None` where
+/// dense matrices are better.
 pub(super) fn spectrum(motions: &Motions) -> Option<Vec<Found>> {
     let (n, nodes) = (motions.coordinates, motions.coordinates + motions.first_order);
     if nodes < FEW {
@@ -83,7 +85,8 @@ pub(super) fn spectrum(motions: &Motions) -> Option<Vec<Found>> {
     Some(found)
 }
 
-/// The null space of a matrix with short rows, as columns; nothing where it has not.
+/// Returns the null space of a matrix with short rows, as columns; `None` if the matrix is not of
+/// this kind.
 pub(super) fn drift(matrix: &SparseRows) -> Option<DMatrix<f64>> {
     let columns = matrix.columns();
     if columns < FEW {
@@ -94,21 +97,21 @@ pub(super) fn drift(matrix: &SparseRows) -> Option<DMatrix<f64>> {
     Some(DMatrix::from_fn(columns, vectors.len(), |row, column| vectors[column][row]))
 }
 
-/// Which coordinate, or n and which first-order state, an entry of \[q, q', z\] is of. The rate
-/// of its velocity or of itself is the row n further.
+/// Returns the node of an entry of \[q, q', z\]: the index of a coordinate, or n plus that of a
+/// first-order state. The rate of its velocity, or of itself, is the row n further.
 fn node(n: usize, entry: usize) -> usize {
     if entry < n { entry } else { entry - n }
 }
 
-/// Coordinates and first-order states that hang together.
+/// A connected part of coordinates and first-order states.
 struct Part<'m> {
     motions: &'m Motions,
-    /// Their rates in turn: (place of what is moved, whether its velocity is, entry). Velocities
-    /// are measured by the scales of their coordinates here.
+    /// Rates in order: (place of the variable, whether it is a velocity, entry). Velocities are
+    /// measured by the scales of their coordinates here.
     rates: Vec<Vec<(usize, bool, f64)>>,
-    /// Nodes in turn.
+    /// Nodes in order.
     order: Vec<usize>,
-    /// Where inverse iteration begins: across no motion.
+    /// Start vector of inverse iteration, not orthogonal to any motion.
     start: Vec<Complex64>,
     pencil: Pencil,
 }
@@ -165,7 +168,7 @@ impl<'m> Part<'m> {
         Some(still.chain(found).collect())
     }
 
-    /// Directions of coordinates on which no rate depends, in turn.
+    /// Returns the directions of coordinates on which no rate depends, in order.
     fn drift(&self) -> Option<Vec<Vec<Complex64>>> {
         let coordinates: Vec<usize> =
             (0..self.order.len()).filter(|place| self.is_coordinate(*place)).collect();
@@ -189,8 +192,8 @@ impl<'m> Part<'m> {
         Some(found.iter().map(spread).collect())
     }
 
-    /// Whether rates do not depend on velocities along drift either, so that each of its
-    /// directions is an eigenvalue zero twice; nothing where that is so of some.
+    /// Returns whether rates do not depend on velocities along drift either, so that each of its
+    /// directions is a double eigenvalue zero; `None` if this holds for some directions only.
     fn is_free(&self, drift: &[Vec<Complex64>]) -> Option<bool> {
         let changes = |row: usize, along: &[Complex64]| {
             let of_velocities = self.rates[row].iter().filter(|(_, is_velocity, _)| *is_velocity);
@@ -207,7 +210,8 @@ impl<'m> Part<'m> {
         (is_none || is_one_that_slows).then_some(is_none)
     }
 
-    /// What a rate changes by when all coordinates, velocities and states move by their scales.
+    /// Returns the change of a rate when all coordinates, velocities and states change by their
+    /// scales.
     fn row_size(&self, row: usize) -> f64 {
         let entries = self.rates[row].iter().map(|(at, is_velocity, entry)| {
             if *is_velocity { entry * self.speed_scale(*at) } else { *entry }
@@ -220,14 +224,14 @@ impl<'m> Part<'m> {
         self.order[place] < self.motions.coordinates
     }
 
-    /// The scale of a velocity beside that of its coordinate.
+    /// Returns the ratio of the scales of a velocity and its coordinate.
     fn speed_scale(&self, place: usize) -> f64 {
         let (index, n) = (self.order[place], self.motions.coordinates);
         self.motions.scales[n + index] / self.motions.scales[index]
     }
 
-    /// An eigenvalue with its vectors: until it changes no more, for beside the largest terms of
-    /// T x a residual says nothing of a small eigenvalue.
+    /// Returns an eigenvalue with its vectors, iterated until it settles: relative to the largest
+    /// terms of T x, the residual is no measure of a small eigenvalue.
     fn found(&self, value: Complex64) -> Option<Found> {
         let mut value = value;
         let mut change = f64::INFINITY;
@@ -246,7 +250,7 @@ impl<'m> Part<'m> {
             let better = if value.im == 0.0 { Complex64::from(better.re) } else { better };
             let before = std::mem::replace(&mut change, (better - value).norm());
             value = better;
-            // Newton's steps shrink until they are rounding.
+            // Newton's steps decrease until they are rounding.
             let is_settled = change <= 4.0 * f64::EPSILON * value.norm() || change >= 0.5 * before;
             let [residual, size] = self.pencil.times(value, &right);
             if is_settled && largest(&residual) <= RESIDUAL * largest(&size) {
@@ -263,7 +267,8 @@ impl<'m> Part<'m> {
         None
     }
 
-    /// Right and left vectors of T by inverse iteration, whose largest entries are of size 1.
+    /// Returns right and left vectors of T by inverse iteration, with largest entries of absolute
+    /// value 1.
     fn vectors(&self, value: Complex64) -> [Vec<Complex64>; 2] {
         let factors = self.pencil.factors(value);
         [Factors::solve, Factors::solve_transposed].map(|solve| {
@@ -279,7 +284,7 @@ impl<'m> Part<'m> {
         })
     }
 
-    /// Whether eigenvalues have the sum and the sum of squares of the whole part.
+    /// Returns whether eigenvalues have the sum and the sum of squares of the whole part.
     fn is_all(&self, found: &[Found]) -> bool {
         let [mut sums, mut sizes] = [[0.0; 2]; 2];
         for Found { value, .. } in found {
@@ -293,8 +298,8 @@ impl<'m> Part<'m> {
         (0..2).all(|power| (sums[power] - traces[power]).abs() <= SUMS * sizes[power])
     }
 
-    /// What is of coordinates and of velocities and states, in turn, as of \[q, q', z\] over their
-    /// scales: of a motion, or of a left vector.
+    /// Expands a motion or a left vector, given as coordinates and as velocities and states in
+    /// order, to \[q, q', z\] over their scales.
     fn unfolded(
         &self,
         coordinates: &[Complex64],
@@ -314,7 +319,7 @@ impl<'m> Part<'m> {
     }
 }
 
-/// True if two of them are one: near eigenvalues with one shape.
+/// Returns whether two entries are the same one: close eigenvalues with equal shapes.
 fn has_one_twice(found: &[Found]) -> bool {
     let mut order: Vec<&Found> = found.iter().collect();
     order.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
@@ -325,8 +330,8 @@ fn has_one_twice(found: &[Found]) -> bool {
     })
 }
 
-/// The size of the largest entry.
+/// Returns the absolute value of the largest entry.
 fn largest(vector: &[Complex64]) -> f64 {
-    // Of a size that has a square, as all vectors here; `norm` is some ten times slower.
+    // Squares of entries are in range for all vectors here; `norm` is some ten times slower.
     vector.iter().map(Complex64::norm_sqr).fold(0.0, f64::max).sqrt()
 }

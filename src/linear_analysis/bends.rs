@@ -1,29 +1,29 @@
-//! How A = dy'/dy changes along directions.
+//! Derivatives of A = dy'/dy along directions.
 //!
-//! A itself is exact; its change is what central differences of it tend to, extrapolated step by
-//! step (Ridders, Advances in Engineering Software 4, 1982), each entry to where it agrees
-//! with itself best. Numbers that carry derivatives would do without steps, but would have
-//! every emitted scene compile its Jacobian once more: eight times the time of that crate.
+//! A itself is exact. Its derivative is the limit of central differences, extrapolated step by step
+//! (Ridders, Advances in Engineering Software 4, 1982); each entry is taken where it is most
+//! consistent. Dual numbers would need no steps, but every emitted scene would have to compile its
+//! Jacobian once more: eight times the time of that crate.
 
 use machinist_contract::Simulator;
 
 use super::{LinearError, Point, scales};
 
-/// Steps, each half of the one before.
+/// Number of steps, each half of the one before.
 const STEPS: usize = 12;
-/// The first step, relative to the sizes of what moves.
+/// First step, relative to the sizes of the moving variables.
 const FIRST: f64 = 0.02;
-/// By how much an entry may disagree with itself, relative to the largest change of A or to A
-/// over the size of what moves.
+/// Maximum inconsistency of an entry, relative to the largest derivative of A, or to A over the
+/// size of the moving variables.
 const SETTLED: f64 = 1e-7;
 
-/// A parameter, if there is one, and moves of the state.
+/// Index of a parameter, if any, and a change of the state.
 pub(super) type Direction = (Option<usize>, Vec<f64>);
 
-/// dA along each direction, in the order of the pattern.
+/// Returns dA along each direction, in the order of the pattern.
 ///
 /// # Errors
-/// [`LinearError::Unsettled`] where differences do not tend to anything, as at a kink.
+/// [`LinearError::Unsettled`] where differences do not converge, as at a switching surface.
 pub(super) fn changes(
     simulator: &dyn Simulator<f64>,
     point: &Point,
@@ -37,7 +37,7 @@ fn change(
     point: &Point,
     (parameter, moves): &Direction,
 ) -> Result<Vec<f64>, LinearError> {
-    // Moves of the state by their scales, of the parameter by itself.
+    // Changes of the state are measured by their scales, those of the parameter by its value.
     let scales = scales(simulator);
     let by_state = moves.iter().zip(scales.iter()).map(|(by, scale)| by.abs() / scale);
     let by_parameter = parameter.map(|index| match point.parameters[index].abs() {
@@ -89,7 +89,7 @@ fn change(
     let largest = best.iter().fold(0.0, |most: f64, (value, _)| most.max(value.abs()));
     let size = at(0.0).iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let allowed = SETTLED * largest.max(size * reach);
-    // Also what is no number, which agrees with nothing.
+    // This includes NaN, which is never consistent.
     if best.iter().any(|(_, off)| *off > allowed) {
         return Err(LinearError::Unsettled {
             scene: simulator.name().to_owned(),

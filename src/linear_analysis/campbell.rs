@@ -1,4 +1,4 @@
-//! Frequencies over a parameter: Campbell's diagram.
+//! Campbell diagram: natural frequencies over a parameter.
 
 use machinist_contract::Simulator;
 use num_complex::Complex64;
@@ -10,79 +10,80 @@ use crate::error::did_you_mean;
 use crate::simulate::Simulation;
 use crate::sorting::sort_ascending;
 
-/// Natural frequencies of a machine over a parameter, each followed from value to value, and
-/// where orders of a speed meet them.
+/// Natural frequencies of a machine over a parameter, each followed from value to value, and their
+/// intersections with orders of a speed.
 ///
 /// W. Campbell, The protection of steam-turbine disk wheels from axial vibration, Trans. ASME 46,
 /// 1924.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Campbell {
-    /// The parameter, or `speed`.
+    /// Name of the parameter, or `speed`.
     pub parameter: String,
-    /// True for a speed on which the machine does not depend, instead of a parameter.
+    /// Whether the diagram is over a speed on which the machine does not depend, instead of a
+    /// parameter.
     pub is_over_speed: bool,
-    /// Its unit.
+    /// Unit of the parameter.
     pub unit: String,
-    /// Its values.
+    /// Values of the parameter.
     pub values: Vec<f64>,
-    /// The speed that orders are of \[rad/s\], at each value; none if there is none.
+    /// Speed to which orders refer \[rad/s\], at each value, if there is one.
     pub speeds: Option<Vec<f64>>,
-    /// Oscillations, the slowest first.
+    /// Oscillations, in ascending order of frequency.
     pub branches: Vec<Branch>,
-    /// Where orders meet them, by the parameter.
+    /// Intersections with orders, in ascending order of the parameter.
     pub critical: Vec<Critical>,
-    /// Where motions grow by themselves, oscillations or not, by the parameter.
+    /// Intervals in which motions grow, oscillations or not, in ascending order of the parameter.
     pub growing: Vec<Growing>,
 }
 
-/// An oscillation, followed over the values of the parameter by its shape and its frequency.
+/// An oscillation, followed over the parameter by its shape and its frequency.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Branch {
-    /// What moves most where it is first met: a coordinate or a first-order state.
+    /// Name of the coordinate or first-order state that moves most at the first value.
     pub moves: String,
-    /// Frequencies of the damped motion \[rad/s\]; NaN where it is none.
+    /// Frequencies of the damped motion \[rad/s\]; NaN where there is no oscillation.
     pub frequencies: Vec<f64>,
-    /// Damping ratios, likewise.
+    /// Damping ratios; NaN where there is no oscillation.
     pub damping_ratios: Vec<f64>,
 }
 
-/// An order of the speed at a natural frequency.
+/// An intersection of an order of the speed with a natural frequency.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Critical {
-    /// Frequency over speed.
+    /// Ratio of frequency to speed.
     pub order: f64,
-    /// Which of the branches.
+    /// Index of the branch.
     pub branch: usize,
-    /// The parameter's value there.
+    /// Value of the parameter.
     pub value: f64,
-    /// The frequency there \[rad/s\].
+    /// Frequency \[rad/s\].
     pub frequency: f64,
-    /// The damping ratio there.
+    /// Damping ratio.
     pub damping_ratio: f64,
 }
 
-/// A stretch of the parameter in which motions grow that are not disturbed.
+/// An interval of the parameter in which undisturbed motions grow.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Growing {
-    /// Where it begins: the first value, or found between two of them.
+    /// Start of the interval: the first value, or found between two values.
     pub from: f64,
-    /// Where it ends, likewise.
+    /// End of the interval, likewise.
     pub to: f64,
-    /// What moves most in these motions: coordinates or first-order states.
+    /// Names of the coordinates or first-order states that move most in these motions.
     pub moves: Vec<String>,
-    /// The fastest growth at any of the values, real part of the eigenvalue \[1/s\].
+    /// Largest growth rate at any of the values, the real part of the eigenvalue \[1/s\].
     pub fastest: f64,
-    /// The value at which that is.
+    /// Value of the parameter with the largest growth rate.
     pub at: f64,
 }
 
 impl Growing {
-    /// A stretch that begins at or before a value, with no motion in it yet.
+    /// Creates an interval that begins at or before a value, without motions yet.
     fn new(from: f64, value: f64) -> Self {
         Self { from, to: value, moves: Vec::new(), fastest: 0.0, at: value }
     }
 
-    /// Adds the motions that grow at a value: their growths, and the coordinates that move most.
+    /// Adds the growing motions at a value: growth rates, and the coordinates that move most.
     fn include(&mut self, value: f64, growing: &[(f64, String)]) {
         for (growth, moves) in growing {
             if *growth > self.fastest {
@@ -95,25 +96,27 @@ impl Growing {
     }
 }
 
-/// What is varied, and what orders are of.
+/// Settings of a Campbell diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variation<'a> {
-    /// The parameter.
+    /// Name of the parameter.
     pub parameter: &'a str,
-    /// Its values, increasing.
+    /// Values of the parameter, increasing.
     pub values: &'a [f64],
-    /// Where the machine is linearized at each.
+    /// Operating point at each value.
     pub place: Place,
-    /// A parameter or a state in rad/s; the parameter itself if that is in rad/s.
+    /// Name of a parameter or state in rad/s; `None` stands for the parameter itself if it is in
+    /// rad/s.
     pub speed: Option<&'a str>,
-    /// Orders of it.
+    /// Orders of the speed.
     pub orders: &'a [f64],
 }
 
-/// Frequencies over a parameter.
+/// Computes natural frequencies over a parameter.
 ///
 /// # Errors
-/// [`LinearError`] if a name is not known, or if there is no point or no modes at a value.
+/// [`LinearError`] if a name is unknown, or if the operating point or the eigenmodes at a value are
+/// not found.
 pub fn campbell(run: &Simulation<'_>, variation: &Variation<'_>) -> Result<Campbell, LinearError> {
     let simulator = run.simulator();
     let varied = run.parameter_index(variation.parameter)?;
@@ -142,11 +145,12 @@ pub fn campbell(run: &Simulation<'_>, variation: &Variation<'_>) -> Result<Campb
     })
 }
 
-/// Frequencies over a speed on which the machine does not depend: linearized once, each frequency is
-/// the same at all speeds, and an order meets it at the speed of frequency over order.
+/// Computes natural frequencies over a speed on which the machine does not depend. It is linearized
+/// once: each frequency is the same at all speeds and intersects an order at the speed of frequency
+/// over order.
 ///
 /// # Errors
-/// As [`campbell`].
+/// As for [`campbell`].
 pub fn campbell_over_speeds(
     run: &Simulation<'_>,
     place: Place,
@@ -191,7 +195,7 @@ pub fn campbell_over_speeds(
     })
 }
 
-/// Where a speed is to be found.
+/// Source of a speed.
 #[derive(Debug, Clone, Copy)]
 enum Speed {
     Parameter(usize),
@@ -230,7 +234,8 @@ fn speed(
     }
 }
 
-/// The oscillations at a value, and what grows: how fast, and what moves most.
+/// Oscillations at a value, and growing motions with growth rate and the coordinate that moves
+/// most.
 struct Found {
     speed: Option<f64>,
     growing: Vec<(f64, String)>,
@@ -254,7 +259,7 @@ impl Found {
     }
 }
 
-/// An oscillation with its shape by shares, so that units have no say: |x_i|^2 is the share of
+/// An oscillation with its shape in shares, which do not depend on units: |x_i|^2 is the share of
 /// each coordinate and first-order state.
 #[derive(Debug, Clone)]
 struct Oscillation {
@@ -281,7 +286,7 @@ impl Machine<'_> {
         Found::at(self.run.simulator(), point, speed)
     }
 
-    /// Stretches of neighbouring values at each of which something grows.
+    /// Returns the intervals of neighbouring values at each of which motions grow.
     fn growing(&self, growths: &[Vec<(f64, String)>]) -> Vec<Growing> {
         let values = self.variation.values;
         let mut stretches: Vec<Growing> = Vec::new();
@@ -303,7 +308,7 @@ impl Machine<'_> {
         stretches
     }
 
-    /// Between a value at which nothing grows and one at which something does, where that begins.
+    /// Bisects between a value without growth and one with growth.
     fn onset(&self, mut still: f64, mut growing: f64) -> f64 {
         const ROUNDS: usize = 30;
         for _ in 0..ROUNDS {
@@ -317,7 +322,7 @@ impl Machine<'_> {
         growing
     }
 
-    /// Where orders of the speed meet branches, found between two values to rounding.
+    /// Finds the intersections of branches with orders of the speed, to rounding.
     fn critical(
         &self,
         branches: &[Followed],
@@ -335,7 +340,7 @@ impl Machine<'_> {
                         of.frequency - order * speeds[*place].abs()
                     };
                     let ends = [beyond(from, before), beyond(to, after)];
-                    // A branch that begins on an order belongs to the next stretch.
+                    // A branch that begins on an order belongs to the next interval.
                     if *to == from + 1 && (ends[0] < 0.0) != (ends[1] < 0.0) {
                         let bounds = [self.variation.values[*from], self.variation.values[*to]];
                         let (value, there) = self.meeting(*order, bounds, ends, before)?;
@@ -354,7 +359,8 @@ impl Machine<'_> {
         Ok(critical)
     }
 
-    /// Between two values where an oscillation is slower than an order, and where it is not.
+    /// Finds the intersection between two values where an oscillation is slower than an order and
+    /// where it is faster.
     fn meeting(
         &self,
         order: f64,
@@ -366,7 +372,7 @@ impl Machine<'_> {
         let mut there = like.clone();
         let mut value = low;
         for round in 0..ROUNDS {
-            // Secants, and halves now and then, so that no end stays for ever.
+            // Secant steps with occasional bisections prevent a fixed end.
             let share = if round % 3 == 2 { 0.5 } else { at_low / (at_low - at_high) };
             let next = low + share * (high - low);
             let found = self.at(next)?;
@@ -390,7 +396,7 @@ impl Machine<'_> {
     }
 }
 
-/// At critical damping an eigenvalue is double, which rounding takes for a slow oscillation.
+/// Excludes double eigenvalues at critical damping, which rounding turns into slow oscillations.
 fn is_seen(mode: &Mode) -> bool {
     const ROUNDING: f64 = 1e-6;
     mode.kind == ModeKind::Oscillation && mode.imaginary > ROUNDING * mode.natural_frequency()
@@ -412,7 +418,7 @@ fn oscillation(mode: &Mode, coordinates: usize, names: &[String]) -> Oscillation
     }
 }
 
-/// What moves most.
+/// Returns the name of the coordinate or state with the largest share.
 fn leading(mode: &Mode, coordinates: usize, names: &[String]) -> String {
     let places = (0..coordinates).chain(2 * coordinates..names.len());
     let most = places.zip(&mode.shares).max_by(|a, b| a.1.total_cmp(b.1));
@@ -420,8 +426,8 @@ fn leading(mode: &Mode, coordinates: usize, names: &[String]) -> String {
 }
 
 impl Oscillation {
-    /// How unlike another one is, which is expected to have a frequency: by shape (the modal
-    /// assurance criterion, 1 of the same) and by frequency.
+    /// Returns the distance to another oscillation, given the expected frequency: by shape (modal
+    /// assurance criterion, 1 for equal shapes) and by frequency.
     fn distance(&self, other: &Oscillation, expected: f64) -> f64 {
         let products = self.shape.iter().zip(&other.shape).map(|(a, b)| a.conj() * b);
         let alike = products.sum::<Complex64>().norm_sqr();
@@ -430,7 +436,7 @@ impl Oscillation {
     }
 }
 
-/// A branch so far: indices of values with what was found there.
+/// Part of a branch: indices of values with the oscillations there.
 struct Followed {
     places: Vec<(usize, Oscillation)>,
 }
@@ -440,7 +446,7 @@ impl Followed {
         self.places.first().map_or(f64::NAN, |(_, oscillation)| oscillation.frequency)
     }
 
-    /// The frequency to be expected next, along a line.
+    /// Returns the frequency expected next, by linear extrapolation.
     fn expected(&self) -> f64 {
         match &self.places[..] {
             [.., (i, a), (j, b)] if *j == i + 1 => 2.0 * b.frequency - a.frequency,
@@ -463,9 +469,9 @@ impl Followed {
     }
 }
 
-/// Adds what was found at a value to the branches it goes on with, the most alike first.
+/// Continues branches with the oscillations at a value, the most similar pairs first.
 fn follow(branches: &mut Vec<Followed>, index: usize, found: Found) {
-    /// Beyond it is another motion.
+    /// Distance above which an oscillation is another one.
     const UNLIKE: f64 = 0.8;
     let mut left: Vec<Option<Oscillation>> = found.oscillations.into_iter().map(Some).collect();
     let mut pairs = Vec::new();

@@ -1,25 +1,25 @@
-//! Derivatives of what has none emitted, by extrapolated differences.
+//! Derivatives of functions without emitted derivatives, by extrapolated differences.
 
-/// Levels of extrapolation; the steps shrink by two from one to the next.
+/// Levels of extrapolation; each step is half the previous one.
 const LEVELS: usize = 10;
-/// The largest step, beside the size of the argument.
+/// Largest step, relative to the size of the argument.
 pub const LARGEST: f64 = 0.05;
-/// An error this much above the least one found ends the search.
+/// Ratio of an error to the smallest one found at which the search ends.
 const WORSE: f64 = 4.0;
 
-/// Derivatives at 0 of all components of `f`, whose argument is of the given size.
+/// Returns the derivatives at 0 of all components of `f`, whose argument has the given size.
 ///
-/// Central differences of ever smaller steps h, extrapolated to h = 0 (C. J. F.
-/// Ridders, Accurate computation of F'(x), Advances in Engineering Software 4,
-/// 1982): each component takes the entry of the table with the least change from
-/// its neighbours. Linear functions come out to rounding, smooth ones to about
-/// 1e-12; at a kink the mean of both slopes.
+/// Uses central differences with decreasing steps h, extrapolated to h = 0 (C. J. F. Ridders,
+/// Accurate computation of F'(x), Advances in Engineering Software 4, 1982). Each component takes
+/// the entry of the table with the least difference to its neighbours. Linear functions are
+/// differentiated to rounding, smooth ones to about 1e-12; at a kink the result is the mean of both
+/// slopes.
 pub(super) fn derivative(size: f64, count: usize, f: impl FnMut(f64) -> Vec<f64>) -> Vec<f64> {
     changes(size, count, f).into_iter().map(|(value, _)| value).collect()
 }
 
-/// The same, each with the change from its neighbours in the table, which tells about how
-/// far it may be trusted: without bound where the function does not settle.
+/// Does the same, and returns with each derivative the difference to its neighbours in the table as
+/// an error estimate: unbounded where the differences do not converge.
 pub fn changes(size: f64, count: usize, mut f: impl FnMut(f64) -> Vec<f64>) -> Vec<(f64, f64)> {
     let steps: Vec<f64> =
         (0..LEVELS).map(|level| LARGEST * size * 0.5f64.powi(level as i32)).collect();
@@ -35,8 +35,8 @@ pub fn changes(size: f64, count: usize, mut f: impl FnMut(f64) -> Vec<f64>) -> V
         .collect()
 }
 
-/// The best entry of the table of extrapolations of differences whose error is a
-/// series in h^2, and how far its neighbours are from it.
+/// Returns the best entry of the table of extrapolated differences, whose error is a series in h^2,
+/// and the distance to its neighbours.
 fn extrapolated(differences: &[f64]) -> (f64, f64) {
     let mut best = differences.first().copied().unwrap_or(f64::NAN);
     let mut least = f64::INFINITY;

@@ -1,4 +1,4 @@
-//! Rest, and running at constant speed.
+//! Equilibrium: rest, or motion at constant speed.
 
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
@@ -10,32 +10,31 @@ use super::sparse_rows::SparseRows;
 use super::{LinearError, Point, Residual, full, jacobian, rate};
 use crate::sorting::sort_descending;
 
-/// Directions in which rates change by less than that, over the sizes of their rows, are of
-/// drift: what rounding makes of nothing, and no soft spring beside stiff ones.
+/// Change of rates, relative to the sizes of their rows, below which a direction counts as drift.
+/// The limit is at rounding, so that a soft spring beside stiff ones is not neglected.
 pub(super) const DRIFT: f64 = 1e-13;
 
-/// The equilibrium near a guess, by Newton's method on the emitted rates and
-/// their emitted Jacobian; time and parameters are those of the guess.
+/// Finds the equilibrium near a guess by Newton's method, with emitted rates and Jacobian. Time and
+/// parameters are those of the guess.
 ///
-/// An equilibrium is a state in which accelerations q'' and first-order rates z'
-/// are zero, and stay so:
+/// An equilibrium is a state in which accelerations q'' and first-order rates z' are zero and
+/// remain so:
 ///
 /// ```text
 /// q''(q, q', z) = 0      z'(q, q', z) = 0      [dq''/dq; dz'/dq] q' = 0
 /// ```
 ///
-/// The last equation lets coordinates drift along directions in which nothing
-/// depends on them, such as the common rotation of a shaft: a machine at constant
-/// speed is in equilibrium. All other velocities are zero. Along drift directions
-/// coordinates are not determined by the equations and stay those of the guess:
-/// each step is the least one that solves the linearized equations, with states
-/// measured by their scales. A step is halved until the rates shrink.
+/// The last equation allows drift of coordinates along directions on which nothing depends, such as
+/// the common rotation of a shaft: a machine at constant speed is in equilibrium. All other
+/// velocities are zero. Along drift directions the equations do not determine coordinates, which
+/// stay those of the guess: each step is the smallest one that solves the linearized equations,
+/// with states measured by their scales. A step is halved until the rates decrease.
 ///
-/// A machine with constraints moves as they allow, and is put back onto them after each
-/// step; one that a moving constraint drives is in no equilibrium.
+/// A machine with constraints moves as they allow, and is projected onto them after each step. A
+/// machine driven by a moving constraint has no equilibrium.
 ///
 /// # Errors
-/// [`LinearError::NoEquilibrium`] with the rates that remain, and the errors of
+/// [`LinearError::NoEquilibrium`] with the remaining rates, and the errors of
 /// [`super::Linearization::at`].
 pub fn equilibrium(simulator: &dyn Simulator<f64>, guess: &Point) -> Result<Point, LinearError> {
     if simulator.constraints() > 0 {
@@ -46,31 +45,31 @@ pub fn equilibrium(simulator: &dyn Simulator<f64>, guess: &Point) -> Result<Poin
     newton(&balance, point)
 }
 
-/// A machine without constraints.
+/// Search for a machine without constraints.
 pub(super) struct Solver<'a> {
     simulator: &'a dyn Simulator<f64>,
-    /// Entries of the state that are to move least.
+    /// Indices of the states that are to move least.
     named: &'a [usize],
-    /// Where the state holds positions.
+    /// Indices of positions in the state.
     positions: Vec<usize>,
-    /// n and m.
+    /// Number of coordinates n and of first-order states m.
     coordinates: usize,
     first_order: usize,
-    /// Where the state holds q', and where \[q', z\].
+    /// Indices of q' and of \[q', z\] in the state.
     velocities: Vec<usize>,
     dynamic: Vec<usize>,
-    /// Directions of drift, n by k, orthonormal once q is divided by its scales.
+    /// Drift directions, n by k, orthonormal in q divided by its scales.
     drift: DMatrix<f64>,
 }
 
-/// What moves at a point, and the sizes of the rows of [q'', z'].
+/// Motions at a point, and the sizes of the rows of [q'', z'].
 pub(super) struct Frame {
     motions: Motions,
     row_sizes: DVector<f64>,
 }
 
 impl<'a> Solver<'a> {
-    /// A search, and where it begins: the guess without velocities that are no drift.
+    /// Returns a search and its start: the guess without velocities across drift.
     pub(super) fn new(
         simulator: &'a dyn Simulator<f64>,
         guess: &Point,
@@ -93,8 +92,8 @@ impl<'a> Solver<'a> {
         Ok((solver, point))
     }
 
-    /// Directions in which no rate depends on the coordinates: at the guess, and at
-    /// two places nearby, so that a slope that happens to be level is not one.
+    /// Returns the directions in which no rate depends on the coordinates: at the guess and at two
+    /// points nearby, so that a slope that happens to be zero does not count.
     fn drift_directions(&self, guess: &Point) -> Result<DMatrix<f64>, LinearError> {
         let (n, rows) = (self.coordinates, self.coordinates + self.first_order);
         let at_guess = self.motions(guess)?;
@@ -124,13 +123,13 @@ impl<'a> Solver<'a> {
         Ok(Motions::new(self.simulator, &jacobian(self.simulator, point)?))
     }
 
-    /// q' divided by the scales of q.
+    /// Returns q' divided by the scales of q.
     fn velocity(&self, point: &Point, motions: &Motions) -> DVector<f64> {
         let scaled = |i: usize| point.state[self.velocities[i]] / motions.scales[i];
         DVector::from_fn(self.coordinates, |i, _| scaled(i))
     }
 
-    /// The guess without velocities that are no drift.
+    /// Returns the guess without velocities across drift.
     fn with_drift_only(&self, guess: &Point) -> Result<Point, LinearError> {
         let motions = self.motions(guess)?;
         let mut point = guess.clone();
@@ -168,7 +167,7 @@ impl Balance for Solver<'_> {
         let mut jacobian = SparseRows::new(n + k + m);
         for row in slopes(&motions).iter() {
             let of_coordinates = row.iter().copied().filter(|(column, _)| *column < n);
-            // Velocities move along the drift only: q' = scale * drift * s.
+            // Velocities move along drift only: q' = scale * drift * s.
             let of_velocities = row.iter().filter(|(column, _)| (n..2 * n).contains(column));
             let mut of_drift = vec![0.0; k];
             for (column, slope) in of_velocities {
@@ -289,13 +288,13 @@ impl Balance for Solver<'_> {
     }
 }
 
-/// Whether what nothing depends on here may be depended on elsewhere: where it hits a stop.
+/// Returns whether directions of drift may end elsewhere, as at a stop.
 pub(super) fn may_meet_something(simulator: &dyn Simulator<f64>) -> bool {
     simulator.events() + simulator.kinks() > 0
 }
 
-/// Sizes of the rows of [q'', z']: what the rate changes by when every state moves
-/// by its scale; where nothing moves it, the scale of its state a second.
+/// Returns the sizes of the rows of [q'', z']: the change of the rate when every state moves by its
+/// scale. If nothing changes the rate, it is the scale of the state per second.
 pub(super) fn row_sizes(motions: &Motions) -> DVector<f64> {
     let Motions { matrix, scales, coordinates: from, .. } = motions;
     let size = |row: usize| {
@@ -307,7 +306,7 @@ pub(super) fn row_sizes(motions: &Motions) -> DVector<f64> {
     DVector::from_fn(matrix.rows() - from, |row, _| size(from + row))
 }
 
-/// Rows of [q'', z'] of A with motions measured by scales and rows by sizes.
+/// Returns the rows of [q'', z'] of A, with motions measured by scales and rows by sizes.
 pub(super) fn slopes(motions: &Motions) -> SparseRows {
     let Motions { matrix, scales, coordinates: from, .. } = motions;
     let sizes = row_sizes(motions);
@@ -319,14 +318,14 @@ pub(super) fn slopes(motions: &Motions) -> SparseRows {
     slopes
 }
 
-/// Drift directions at one point, and those across, both orthonormal in q divided
-/// by its scales.
+/// Returns drift directions at one point and their complement, both orthonormal in q divided by its
+/// scales.
 pub(super) fn drift_and_rest(motions: &Motions) -> (DMatrix<f64>, DMatrix<f64>) {
     split(by_positions(motions))
 }
 
-/// How [q', q'', z'] change with q, measured as by [`slopes`]: q' do within constraints of
-/// velocities, such as those of wheels that steer.
+/// Returns the derivatives of [q', q'', z'] by q, measured as by [`slopes`]: q' depends on q with
+/// constraints of velocities, such as those of wheels that steer.
 pub(super) fn by_positions(motions: &Motions) -> DMatrix<f64> {
     let n = motions.coordinates;
     let mut all = slopes(motions).full().columns(0, n).into_owned().insert_rows(0, n, 0.0);
@@ -342,13 +341,13 @@ pub(super) fn by_positions(motions: &Motions) -> DMatrix<f64> {
     all
 }
 
-/// The null space of a matrix and its orthogonal complement, as columns.
+/// Returns the null space of a matrix and its orthogonal complement, as columns.
 pub(super) fn split(matrix: DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
     let columns = matrix.ncols();
     if columns == 0 {
         return (DMatrix::zeros(0, 0), DMatrix::zeros(0, 0));
     }
-    // Rows of zeros so that there are as many singular values as columns.
+    // Rows of zeros make as many singular values as columns.
     let rows = matrix.nrows().max(columns);
     let svd = matrix.resize(rows, columns, 0.0).svd(false, true);
     let Some(directions) = svd.v_t else {

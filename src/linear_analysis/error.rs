@@ -1,4 +1,4 @@
-//! What can go wrong in a linear analysis.
+//! Errors of linear analysis.
 
 use std::fmt;
 
@@ -6,153 +6,154 @@ use thiserror::Error;
 
 use crate::error::SimulateError;
 
-/// Why there is no linear analysis.
+/// Error of a linear analysis.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum LinearError {
-    /// The run that leads to the point was refused or stopped.
+    /// The run to the operating point was refused or stopped.
     #[error(transparent)]
     Simulate(#[from] SimulateError),
-    /// The scene is too large: for full matrices, or for all shapes of a chain.
+    /// The scene is too large for dense matrices, or for all shapes of a chain.
     #[error(
         "scene `{scene}` has {states} states, but what a linear analysis needs here takes at most \
          {most}"
     )]
     TooLarge {
-        /// The scene.
+        /// Name of the scene.
         scene: String,
-        /// Its number of states.
+        /// Number of its states.
         states: usize,
-        /// How many would do.
+        /// Maximum number of states.
         most: usize,
     },
-    /// An output has accelerations or forces of constraints in it, which a force changes at once.
+    /// An output contains accelerations or constraint forces, so it has a direct feedthrough of
+    /// forces.
     #[error(
         "how `{output}` answers a force on `{coordinate}` is not analysed: it has accelerations or \
          forces of constraints in it, which answer at once. \
          Hint: make the force a parameter of the scene, 0 if need be, and name that"
     )]
     AnswersAtOnce {
-        /// The output.
+        /// Name of the output.
         output: String,
-        /// The coordinate.
+        /// Name of the coordinate.
         coordinate: String,
     },
-    /// A constraint would have to move with what varies.
+    /// A constraint depends on the varied parameter.
     #[error(
         "what varies with `{parameter}` is not analysed: constraint `{constraint}` depends on it, \
          and what it holds would have to move with it. \
          Hint: take a parameter of a force, or a coordinate on which a force acts"
     )]
     MovesConstraint {
-        /// The parameter.
+        /// Name of the parameter.
         parameter: String,
-        /// The constraint.
+        /// Name of the constraint.
         constraint: String,
     },
-    /// Orders are of something else than a speed.
+    /// Orders refer to a quantity that is not a speed.
     #[error("orders are of a parameter or a state in rad/s, but `{name}` {why}")]
     NoSpeed {
-        /// What was given.
+        /// Name given.
         name: String,
-        /// What it is.
+        /// Reason.
         why: String,
     },
-    /// A list is as long as the scene does not ask for.
+    /// A list has the wrong length for the scene.
     #[error("scene `{scene}` has {expected} {what}, but {found} values were given")]
     WrongLength {
-        /// The scene.
+        /// Name of the scene.
         scene: String,
-        /// What was given: `states`, `parameters`.
+        /// Kind of values: `states`, `parameters`.
         what: &'static str,
-        /// How many there are.
+        /// Expected number of values.
         expected: usize,
-        /// How many were given.
+        /// Number of values given.
         found: usize,
     },
     /// A rate or a derivative is NaN or infinite.
     #[error("{what} is {value}, but must be a finite number")]
     NotFinite {
-        /// Which number.
+        /// Name of the number.
         what: String,
-        /// What it is.
+        /// The value.
         value: f64,
     },
-    /// It does not come back onto its constraints.
+    /// Projection onto the constraints fails.
     #[error("scene `{scene}` does not come back onto its constraint `{constraint}`")]
     Lost {
-        /// The scene.
+        /// Name of the scene.
         scene: String,
-        /// The constraint.
+        /// Name of the constraint.
         constraint: String,
     },
-    /// No state at constant speed was found.
+    /// No equilibrium was found.
     #[error(
         "scene `{scene}` has no equilibrium near the guess, with time held at {time} s; what \
          remains nearest to one: {}",
         listed(residuals)
     )]
     NoEquilibrium {
-        /// The scene.
+        /// Name of the scene.
         scene: String,
-        /// Time that was held \[s\].
+        /// Time \[s\].
         time: f64,
-        /// Rates that should be zero, the worst first.
+        /// Rates that should be zero, the largest first.
         residuals: Vec<Residual>,
     },
-    /// An equilibrium that a parameter leaves nothing of.
+    /// The equilibrium exists only at this value of a parameter.
     #[error(
         "scene `{scene}` is in equilibrium only at this value of `{parameter}`: beside it, nothing \
          could make up for what it changes, so that no derivative by it is told"
     )]
     LosesEquilibrium {
-        /// The scene.
+        /// Name of the scene.
         scene: String,
-        /// The parameter.
+        /// Name of the parameter.
         parameter: String,
     },
-    /// Whatever modes are tried, the equilibrium in them is one that an event contradicts.
+    /// No equilibrium has modes that agree with their guards.
     #[error(
         "scene `{scene}` has no equilibrium whose modes agree with their guards; last tried: {modes}"
     )]
     NoModes {
-        /// The scene.
+        /// Name of the scene.
         scene: String,
-        /// The last modes that were tried.
+        /// Modes tried last.
         modes: String,
     },
-    /// Differences of the Jacobian that tend to nothing, as at a kink.
+    /// Differences of the Jacobian do not converge, as at a switching surface.
     #[error(
         "scene `{scene}`: how its Jacobian changes{} could not be told; it may have a kink there",
         parameter.as_ref().map_or_else(String::new, |name| format!(" with `{name}`"))
     )]
     Unsettled {
-        /// The scene.
+        /// Name of the scene.
         scene: String,
-        /// The parameter, if it was by one.
+        /// Name of the parameter, if there is one.
         parameter: Option<String>,
     },
     /// A matrix has no inverse.
     #[error("{what} is singular")]
     Singular {
-        /// Which matrix.
+        /// Name of the matrix.
         what: &'static str,
     },
-    /// The eigenvalues were not found.
+    /// The eigenvalue iteration does not converge.
     #[error("the eigenvalues of dy'/dy were not found: the iteration does not converge")]
     Eigenvalues,
-    /// No such quantity.
+    /// No quantity has this name.
     #[error("scene `{scene}` has no {kind} `{name}`{hint}")]
     Unknown {
-        /// The scene.
+        /// Name of the scene.
         scene: String,
-        /// What was looked for.
+        /// Kind of quantity.
         kind: &'static str,
-        /// The name asked for.
+        /// Requested name.
         name: String,
-        /// The nearest known name, as a question, or nothing.
+        /// Nearest known name as a question, or empty.
         hint: String,
     },
-    /// A range of frequencies makes no sense.
+    /// A range of frequencies is invalid.
     #[error(
         "{points} frequencies from {from} to {until} rad/s were asked for; a range goes from a \
          finite number above 0 up to a larger one and has 2 to {max} points",
@@ -161,21 +162,21 @@ pub enum LinearError {
     BadRange {
         /// Lowest frequency \[rad/s\].
         from: f64,
-        /// Highest \[rad/s\].
+        /// Highest frequency \[rad/s\].
         until: f64,
-        /// How many.
+        /// Number of points.
         points: usize,
     },
 }
 
-/// A rate that is zero in equilibrium and is not zero.
+/// A rate that should be zero in equilibrium but is not.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Residual {
-    /// The state.
+    /// Name of the state.
     pub state: String,
     /// Its unit.
     pub unit: String,
-    /// Its rate, in that unit per second.
+    /// Its rate, in this unit per second.
     pub rate: f64,
 }
 

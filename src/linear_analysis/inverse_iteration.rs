@@ -1,15 +1,15 @@
-//! Eigenvectors by inverse iteration on the Hessenberg form A = Q H Q^T (Golub and Van Loan,
-//! Matrix Computations, section 7.6.1): H - s I has its factors in n^2 operations, where
-//! A - s I would take n^3 for each eigenvalue.
+//! Eigenvectors by inverse iteration on the Hessenberg form A = Q H Q^T (Golub and Van Loan, Matrix
+//! Computations, section 7.6.1): factoring H - s I takes n^2 operations, A - s I would take n^3 for
+//! each eigenvalue.
 
 use nalgebra::linalg::Hessenberg;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
-/// Solves with one eigenvalue; the second is the last that changes digits.
+/// Number of solutions per eigenvalue; the second is the last that changes digits.
 const ITERATIONS: usize = 4;
 
-/// A matrix, ready for inverse iteration.
+/// A matrix prepared for inverse iteration.
 pub(super) struct InverseIteration {
     norm: f64,
     /// Q, orthogonal.
@@ -21,7 +21,7 @@ pub(super) struct InverseIteration {
 impl InverseIteration {
     pub(super) fn new(matrix: &DMatrix<f64>) -> Self {
         let norm = matrix.norm();
-        // No form is made of a matrix without rows.
+        // The Hessenberg form needs at least two rows.
         let (basis, hessenberg) = if matrix.nrows() < 2 {
             (DMatrix::identity(matrix.nrows(), matrix.nrows()), matrix.clone())
         } else {
@@ -30,15 +30,16 @@ impl InverseIteration {
         Self { norm, basis, hessenberg }
     }
 
-    /// Right and left vectors of length 1, A x = value x and A^T w = value w, the right one
-    /// across those already `found` for the same value. `number` decides where they start.
+    /// Returns right and left vectors of length 1, A x = value x and A^T w = value w, the right one
+    /// orthogonal to those already `found` for the same value. `number` determines the start
+    /// vector.
     pub(super) fn vectors(
         &self,
         value: Complex64,
         number: usize,
         found: &[&DVector<Complex64>],
     ) -> [DVector<Complex64>; 2] {
-        // Slightly off the eigenvalue, so that the matrix can be inverted.
+        // A small shift off the eigenvalue makes the matrix invertible.
         let shift = value + Complex64::from(8.0 * f64::EPSILON * self.norm);
         let factors = Factors::new(&self.hessenberg, shift, f64::EPSILON * self.norm);
         let across: Vec<_> = found.iter().map(|vector| self.turned(vector, true)).collect();
@@ -47,7 +48,7 @@ impl InverseIteration {
         [right, left].map(|vector| self.turned(&vector, false))
     }
 
-    /// Q x, or Q^T x.
+    /// Returns Q x, or Q^T x.
     fn turned(&self, vector: &DVector<Complex64>, back: bool) -> DVector<Complex64> {
         let turn = |part: DVector<f64>| {
             if back { self.basis.tr_mul(&part) } else { &self.basis * part }
@@ -82,16 +83,16 @@ impl InverseIteration {
     }
 }
 
-/// H - s I = P_0 L_0 P_1 L_1 ... U, each P_k a swap of neighbours or none.
+/// H - s I = P_0 L_0 P_1 L_1 ... U, where each P_k swaps neighbours or does nothing.
 struct Factors {
     /// U.
     upper: DMatrix<Complex64>,
-    /// Whether rows k and k + 1 are swapped, and what of row k is then taken off the next.
+    /// Whether rows k and k + 1 are swapped, and the multiple of row k subtracted from the next.
     steps: Vec<(bool, Complex64)>,
 }
 
 impl Factors {
-    /// Pivots smaller than `least` are that.
+    /// Factors the matrix; pivots smaller than `least` are replaced by it.
     fn new(hessenberg: &DMatrix<f64>, shift: Complex64, least: f64) -> Self {
         let size = hessenberg.nrows();
         let mut upper = DMatrix::zeros(size, size);
@@ -170,7 +171,7 @@ mod tests {
 
     #[test]
     fn factors_solve_with_the_matrix_and_with_its_transpose() {
-        // Rows that are swapped and rows that are not.
+        // This matrix has both swapped and unswapped rows.
         let size = 7;
         let hessenberg = DMatrix::from_fn(size, size, |row, column| {
             if row > column + 1 { 0.0 } else { (1.3 * row as f64 + 2.1 * column as f64).sin() }

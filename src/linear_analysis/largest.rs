@@ -1,5 +1,5 @@
-//! The largest answer within a range: that of a resonance, which may lie between any two
-//! frequencies of a table.
+//! Largest frequency response within a range: a resonance may lie between two frequencies of a
+//! table.
 
 use std::f64::consts::TAU;
 
@@ -10,30 +10,30 @@ use super::response::Transfer;
 use super::{LinearError, Linearization, Mode, ModeKind, Response};
 use crate::sorting::sort_ascending;
 
-/// Below this damping ratio nothing damps a resonance: what there is, is rounding.
+/// Damping ratio below which damping is rounding.
 const UNDAMPED: f64 = 1e-9;
 
-/// Where an output answers most.
+/// Maximum of a frequency response.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Largest {
-    /// The frequency \[rad/s\].
+    /// Frequency \[rad/s\].
     pub frequency: f64,
-    /// |H| there; infinite at a resonance that nothing damps.
+    /// |H|; infinite at an undamped resonance.
     pub amplitude: f64,
-    /// arg H \[rad\], continuous with that of the response; NaN where |H| is infinite.
+    /// arg H \[rad\], continuous with the phase of the response; NaN where |H| is infinite.
     pub phase: f64,
 }
 
 impl Linearization<'_> {
-    /// The largest |H| between the lowest and the highest frequency of a response, which may be
-    /// greater than at any of its frequencies.
+    /// Returns the largest |H| between the lowest and the highest frequency of a response. It may
+    /// be greater than at any of its frequencies.
     ///
-    /// Besides these, H is looked at where resonances are by the eigenvalues -d +- j w: at w and,
-    /// of a single oscillator, at sqrt(w^2 - d^2). Between the neighbours of the largest ones the
-    /// maximum is found by golden sections.
+    /// H is also evaluated at the resonances of eigenvalues -d +- j w: at w, and at sqrt(w^2 - d^2)
+    /// for a single oscillator. Between the neighbours of the largest points the maximum is found
+    /// by golden section search.
     ///
     /// # Errors
-    /// As [`Linearization::response`] and [`Linearization::modes`].
+    /// As for [`Linearization::response`] and [`Linearization::modes`].
     pub fn largest(
         &self,
         from: &str,
@@ -56,7 +56,7 @@ impl Linearization<'_> {
                     let (amplitude, phase) = (f64::INFINITY, f64::NAN);
                     return Ok(Some(Largest { frequency, amplitude, phase }));
                 }
-                // Of a resonance that is not damped but not answered to, nothing may be there.
+                // H may not exist at an undamped resonance that is not excited.
                 if let Ok(answer) = transfer.at(frequency) {
                     points.push((frequency, answer.norm()));
                 }
@@ -71,8 +71,7 @@ impl Linearization<'_> {
 }
 
 impl Response {
-    /// Takes in the largest answer of its range, in the order of frequencies, as for a plot;
-    /// not an infinite one.
+    /// Inserts a maximum into the table of frequencies, unless it is infinite.
     pub fn add(&mut self, largest: &Largest) {
         let place = self.frequencies.partition_point(|at| *at < largest.frequency);
         let is_known = self.frequencies.get(place) == Some(&largest.frequency);
@@ -84,25 +83,25 @@ impl Response {
     }
 }
 
-/// Where an oscillation may resound: at the frequency of its damped motion, and where a single
-/// oscillator does under a force.
+/// Returns the frequencies at which an oscillation may resonate: that of its damped motion, and
+/// that of a single oscillator under a harmonic force.
 fn resonances(mode: &Mode) -> impl Iterator<Item = f64> {
     let of_force = (mode.imaginary.powi(2) - mode.real.powi(2)).sqrt();
     [mode.imaginary, of_force].into_iter().filter(|at| at.is_finite() && *at > 0.0)
 }
 
-/// Whether an answer grows as one over the distance from a resonance that nothing damps.
+/// Returns whether the response grows with the inverse distance from an undamped resonance.
 fn grows_without_bound(transfer: &Transfer, frequency: f64) -> bool {
     let [near, nearer] = [1e-5, 1e-6]
         .map(|share| transfer.at(frequency * (1.0 + share)).map_or(f64::NAN, Complex64::norm));
     nearer > 5.0 * near
 }
 
-/// The frequency of the largest answer, by points in the order of frequency.
+/// Returns the frequency of the largest response, given points in the order of frequency.
 fn greatest(transfer: &Transfer, points: &[(f64, f64)]) -> f64 {
-    /// Beside the largest point, others that may be below a greater maximum.
+    /// Ratio to the largest point above which other points may be near a greater maximum.
     const NEARLY: f64 = 0.7;
-    /// So many are looked at.
+    /// Maximum number of such points.
     const MOST: usize = 6;
     let size = |place: usize| points.get(place).map_or(0.0, |(_, size)| *size);
     let largest = points.iter().fold(0.0_f64, |most, (_, size)| most.max(*size));
@@ -123,10 +122,10 @@ fn greatest(transfer: &Transfer, points: &[(f64, f64)]) -> f64 {
     best.0
 }
 
-/// The maximum of an answer between two frequencies, by golden sections.
+/// Finds the maximum of the response between two frequencies by golden section search.
 fn maximum(transfer: &Transfer, mut low: f64, mut high: f64) -> (f64, f64) {
     const SHARE: f64 = 0.618_033_988_749_894_9;
-    /// Closer, amplitudes differ by rounding only.
+    /// Relative distance below which amplitudes differ only by rounding.
     const CLOSE: f64 = 1e-9;
     let at = |frequency: f64| (frequency, transfer.at(frequency).map_or(0.0, Complex64::norm));
     let mut inner = [at(high - SHARE * (high - low)), at(low + SHARE * (high - low))];
@@ -142,7 +141,8 @@ fn maximum(transfer: &Transfer, mut low: f64, mut high: f64) -> (f64, f64) {
     if inner[0].1 >= inner[1].1 { inner[0] } else { inner[1] }
 }
 
-/// arg H as near as whole turns allow to that at the nearest frequency of a response.
+/// Returns arg H, shifted by whole turns to be closest to that at the nearest frequency of a
+/// response.
 fn continued(answer: Complex64, frequency: f64, response: &Response) -> f64 {
     let known = response.frequencies.iter().zip(&response.phases);
     let apart = |at: f64| (at - frequency).abs();

@@ -1,4 +1,4 @@
-//! Eigenvalues of dy'/dy and how the machine moves at each.
+//! Eigenvalues of dy'/dy and mode shapes.
 
 use nalgebra::linalg::Schur;
 use nalgebra::{DMatrix, DVector};
@@ -16,45 +16,45 @@ use super::{LinearError, Linearization, require_small};
 use crate::dense::balance;
 use crate::sorting::sort_ascending;
 
-/// Beside the norm of the matrix, an eigenvalue below this is zero.
+/// Ratio to the norm of the matrix below which an eigenvalue is zero.
 const ZERO: f64 = 1e-11;
-/// Likewise about a steady rotation, where turning further and turning faster are a double zero: the
-/// square root of what a symmetry is known to.
+/// The same limit about a steady rotation, where turning further and turning faster are a double
+/// zero: the square root of the accuracy of a symmetry.
 const DOUBLE_ZERO: f64 = 1e-5;
-/// Eigenvalues closer than this, likewise, share a space of shapes.
+/// Relative distance, likewise, below which eigenvalues share a space of shapes.
 const CLUSTER: f64 = 1e-7;
-/// Iterations for each eigenvalue, of which two or three do.
+/// Maximum number of iterations for each eigenvalue; two or three are usual.
 const ITERATIONS: usize = 100;
-/// Matrices of the same eigenvalues on which that is tried.
+/// Number of similar matrices that are tried.
 const ATTEMPTS: usize = 4;
 
-/// One natural motion: dy = Re(shape e^(eigenvalue t)).
+/// An eigenmode: dy = Re(shape e^(eigenvalue t)).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mode {
-    /// What kind of motion it is.
+    /// Kind of motion.
     pub kind: ModeKind,
-    /// Real part, \[1/s\].
+    /// Real part \[1/s\].
     pub real: f64,
     /// Imaginary part \[rad/s\], not negative: the frequency of the damped motion.
     pub imaginary: f64,
-    /// Values of \[q, q', z\] in SI units, in the order of
-    /// [`Linearization::motion_names`], as real and imaginary part. The coordinate or first-order state with the largest share is
-    /// 1; if it stands still, the largest state.
+    /// Components for \[q, q', z\] in SI units, in the order of [`Linearization::motion_names`], as
+    /// real and imaginary part. The coordinate or first-order state with the largest share has 1;
+    /// if it is at rest, the largest component has.
     pub shape: Vec<[f64; 2]>,
-    /// What share of the motion each coordinate, with its velocity, and then each
-    /// first-order state has: participation factors |w_i x_i| of right and left
-    /// eigenvectors, which do not depend on units; together 1.
+    /// Shares of each coordinate, with its velocity, and of each first-order state in the motion:
+    /// participation factors |w_i x_i| of right and left eigenvectors. They do not depend on units
+    /// and have the sum 1.
     pub shares: Vec<f64>,
-    /// |A x - eigenvalue x|/(|A| |x|) with states measured by their scales: how far
-    /// the shape is from being one. Far above 1e-10, the matrix is defective.
+    /// |A x - eigenvalue x|/(|A| |x|) with states measured by their scales: the error of the shape.
+    /// Far above 1e-10, the matrix is defective.
     pub residual: f64,
 }
 
-/// Kinds of natural motion.
+/// Kind of an eigenmode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ModeKind {
-    /// Eigenvalue zero: nothing restores this motion, such as common rotation.
+    /// Eigenvalue zero: a motion without restoring forces, such as common rotation.
     Free,
     /// A real eigenvalue: decay, or growth, without oscillation.
     Aperiodic,
@@ -63,35 +63,34 @@ pub enum ModeKind {
 }
 
 impl Mode {
-    /// The eigenvalue with imaginary part not negative \[1/s\].
+    /// Returns the eigenvalue with nonnegative imaginary part \[1/s\].
     #[must_use]
     pub fn eigenvalue(&self) -> Complex64 {
         Complex64::new(self.real, self.imaginary)
     }
 
-    /// |eigenvalue| \[rad/s\]: of a single oscillator, the frequency it has without
-    /// damping.
+    /// Returns |eigenvalue| \[rad/s\]; for a single oscillator this is the undamped frequency.
     #[must_use]
     pub fn natural_frequency(&self) -> f64 {
         self.eigenvalue().norm()
     }
 
-    /// -Re/|eigenvalue|: 0 undamped, 1 and -1 aperiodic, negative if it grows; NaN
-    /// for a free motion.
+    /// Returns -Re/|eigenvalue|: 0 for undamped, 1 or -1 for aperiodic, negative for growing
+    /// motions; NaN for a free motion.
     #[must_use]
     pub fn damping_ratio(&self) -> f64 {
         -self.real / self.natural_frequency()
     }
 
-    /// Whether it grows by more than rounding.
+    /// Returns whether the motion grows by more than rounding.
     #[must_use]
     pub fn grows(&self) -> bool {
-        /// Of the frequency of a motion that nothing damps, so much is rounding.
+        /// Growth, relative to the frequency of an undamped motion, that counts as rounding.
         const ROUNDING: f64 = 1e-9;
         self.real > ROUNDING * self.natural_frequency()
     }
 
-    /// -1/Re \[s\]: the time in which it fades to 1/e; negative if it grows.
+    /// Returns -1/Re \[s\]: the time in which the motion decays to 1/e; negative if it grows.
     #[must_use]
     pub fn decay_time(&self) -> f64 {
         -1.0 / self.real
@@ -99,30 +98,29 @@ impl Mode {
 }
 
 impl Linearization<'_> {
-    /// All natural motions, free ones first, then by |eigenvalue|; of each conjugate
-    /// pair the one with positive imaginary part.
+    /// Returns all eigenmodes: free ones first, then by |eigenvalue|. Each conjugate pair is
+    /// represented by the eigenvalue with positive imaginary part.
     ///
-    /// States are measured by their scales. Directions of drift, in which nothing
-    /// depends on the coordinates, are eigenvectors to eigenvalue zero and are
-    /// split off first; left in, they would form a defective double zero with the
-    /// velocity along them, which rounding turns into eigenvalues of size 1e-8. The
-    /// rest is balanced and brought to Schur form. Shapes come by inverse iteration
-    /// with the Hessenberg form of the whole matrix, and eigenvalues are improved by the quotient of left
-    /// and right eigenvector, w A x/(w x).
+    /// States are measured by their scales. Directions of drift, in which nothing depends on the
+    /// coordinates, are eigenvectors to eigenvalue zero and are separated first. Otherwise they
+    /// would form a defective double zero with the velocity along them, which rounding turns into
+    /// eigenvalues of size 1e-8. The rest is balanced and brought to Schur form. Shapes follow by
+    /// inverse iteration with the Hessenberg form of the whole matrix. Eigenvalues are improved by
+    /// the quotient of left and right eigenvector, w A x/(w x).
     ///
-    /// Of a large machine whose coordinates each depend on but a few others, such as a chain, the
-    /// same is found by banded matrices.
+    /// For a large machine whose coordinates each depend on few others, such as a chain, banded
+    /// matrices are used instead.
     ///
-    /// Of a machine with constraints, all this is done with the motions that these
-    /// allow, in coordinates of their own; shapes are those of all coordinates again.
+    /// For a machine with constraints, the matrix is that of the allowed motions in coordinates of
+    /// their own; shapes are converted to all coordinates.
     ///
-    /// About a steady rotation in coordinates that turn with it, such as the quaternion of a top, they
-    /// are those seen from a frame that turns along; of several such frames, from one that outputs see
-    /// least of.
+    /// About a steady rotation in coordinates that turn with it, such as the quaternion of a top,
+    /// eigenmodes are those seen from a frame that turns with the machine. If several such frames
+    /// exist, the one with the least effect on outputs is used.
     ///
     /// # Errors
     /// [`LinearError::Eigenvalues`] if the iteration does not converge, [`LinearError::TooLarge`]
-    /// of more states than full matrices take if the machine needs them.
+    /// if the machine needs dense matrices and has too many states for them.
     pub fn modes(&self) -> Result<Vec<Mode>, LinearError> {
         if self.simulator.constraints() > 0 {
             require_small(self.simulator)?;
@@ -144,7 +142,7 @@ impl Linearization<'_> {
     }
 }
 
-/// By full matrices.
+/// Computes eigenmodes by dense matrices.
 pub(super) fn of_full_matrices(
     within: Option<Within>,
     motions: Motions,
@@ -156,7 +154,8 @@ pub(super) fn of_full_matrices(
     Ok(with_modes_of(&problem, modes, values))
 }
 
-/// Seen from a frame that turns along: no direction of coordinates alone is a motion.
+/// Computes eigenmodes in a frame that turns with the machine, where no direction of coordinates
+/// alone is a motion.
 fn of_steady_rotation(within: Option<Within>, motions: Motions) -> Result<Vec<Mode>, LinearError> {
     let mut problem = Problem::new(within, motions);
     problem.shapes.has_double_zeros = true;
@@ -165,7 +164,7 @@ fn of_steady_rotation(within: Option<Within>, motions: Motions) -> Result<Vec<Mo
     Ok(with_modes_of(&problem, Vec::new(), values))
 }
 
-/// Adds the modes of eigenvalues.
+/// Adds the eigenmodes of some eigenvalues.
 fn with_modes_of(problem: &Problem, mut modes: Vec<Mode>, mut values: Vec<Complex64>) -> Vec<Mode> {
     values.retain(|value| value.im >= 0.0);
     sort_values(&mut values, |value| *value);
@@ -178,7 +177,7 @@ fn with_modes_of(problem: &Problem, mut modes: Vec<Mode>, mut values: Vec<Comple
     modes
 }
 
-/// H A H of a reflection H.
+/// Returns H A H with a reflection H.
 fn mirrored(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let size = matrix.nrows();
     let normal = DVector::from_fn(size, |index, _| (1.0 + index as f64).sqrt().cos()).normalize();
@@ -186,7 +185,7 @@ fn mirrored(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     &mirror * matrix * &mirror
 }
 
-/// By banded matrices, where these do.
+/// Computes eigenmodes by banded matrices, if possible.
 pub(super) fn of_bands(motions: &Motions) -> Option<Vec<Mode>> {
     let mut found = banded::spectrum(motions)?;
     sort_values(&mut found, |found| found.value);
@@ -198,26 +197,26 @@ pub(super) fn of_bands(motions: &Motions) -> Option<Vec<Mode>> {
     Some(found.into_iter().map(mode).collect())
 }
 
-/// Slow motions first.
+/// Sorts by absolute value, then by real part.
 fn sort_values<T>(items: &mut [T], value: impl Fn(&T) -> Complex64) {
     sort_ascending(items, |item| value(item).re);
     sort_ascending(items, |item| value(item).norm());
 }
 
-/// A with states measured by their scales, and balanced: as its norm is that of the fastest motion
-/// then, and not of its square, slow motions are found beside fast ones.
+/// A with states measured by their scales, and balanced. Its norm is then that of the fastest
+/// motion, and not of its square, so slow motions are found beside fast ones.
 struct Problem {
     shapes: Shapes,
     within: Option<Within>,
-    /// Of those whose modes are looked for: all, or those within constraints.
+    /// Motions whose eigenmodes are searched for: all, or those within constraints.
     solved: Motions,
     matrix: DMatrix<f64>,
-    /// D of D^-1 A D.
+    /// Scales D of D^-1 A D.
     balance: DVector<f64>,
-    /// D^-1 A D.
+    /// Balanced matrix D^-1 A D.
     balanced: DMatrix<Complex64>,
     iteration: InverseIteration,
-    /// Of D^-1 A D.
+    /// Norm of D^-1 A D.
     norm: f64,
 }
 
@@ -243,17 +242,17 @@ impl Problem {
         }
     }
 
-    /// A right eigenvector of D^-1 A D as one of A, in motions of all coordinates.
+    /// Converts a right eigenvector of D^-1 A D to one of A, in motions of all coordinates.
     fn right_of_balanced(&self, vector: &DVector<Complex64>) -> DVector<Complex64> {
         self.right(&vector.zip_map(&self.balance, |entry, scale| entry * scale))
     }
 
-    /// A left one likewise.
+    /// Converts a left eigenvector likewise.
     fn left_of_balanced(&self, vector: &DVector<Complex64>) -> DVector<Complex64> {
         self.left(&vector.zip_map(&self.balance, |entry, scale| entry / scale))
     }
 
-    /// A right eigenvector as motions of all coordinates.
+    /// Converts a right eigenvector to motions of all coordinates.
     fn right(&self, vector: &DVector<Complex64>) -> DVector<Complex64> {
         match &self.within {
             Some(within) => within.basis().map(Complex64::from) * vector,
@@ -261,7 +260,7 @@ impl Problem {
         }
     }
 
-    /// A left one likewise.
+    /// Converts a left eigenvector likewise.
     fn left(&self, vector: &DVector<Complex64>) -> DVector<Complex64> {
         match &self.within {
             Some(within) => within.dual().transpose().map(Complex64::from) * vector,
@@ -269,9 +268,8 @@ impl Problem {
         }
     }
 
-    /// Eigenvalues but those of drift: A between the states whose coordinates lie
-    /// across the drift, `rest` being orthonormal columns.
-    /// Those below `zero` beside the norm are zero.
+    /// Returns the eigenvalues except those of drift: of A restricted to the complement of drift,
+    /// with orthonormal columns `rest`. Eigenvalues below `zero` times the norm are zero.
     fn eigenvalues(&self, rest: &DMatrix<f64>, zero: f64) -> Result<Vec<Complex64>, LinearError> {
         let (n, size) = (self.solved.coordinates, self.matrix.nrows());
         let kept = rest.ncols();
@@ -284,7 +282,7 @@ impl Problem {
         }
         balance(&mut reduced);
         let norm = reduced.norm();
-        // Where the iteration goes round, it does not on another matrix of the same eigenvalues.
+        // If the iteration cycles, it does not on a similar matrix.
         let iterations = ITERATIONS * reduced.nrows();
         let mirrored = std::iter::successors(Some(reduced), |matrix| Some(mirrored(matrix)));
         let schur = mirrored
@@ -307,7 +305,8 @@ impl Problem {
         self.shapes.described(Complex64::ZERO, &vector, shares)
     }
 
-    /// The mode of an eigenvalue, and its vector of D^-1 A D; `found` are those before it.
+    /// Returns the eigenmode of an eigenvalue and its vector of D^-1 A D; `found` contains the
+    /// previous ones.
     fn mode(
         &self,
         value: Complex64,
@@ -330,7 +329,7 @@ impl Problem {
             let shares = self.shapes.shares(&moved, &self.left_of_balanced(&left));
             return (self.shapes.described(value, &moved, shares), right);
         }
-        // Of several motions with one eigenvalue, left vectors do not pair up.
+        // Left vectors of a repeated eigenvalue do not pair with right ones.
         let moved = self.right_of_balanced(&right);
         let shares = self.shapes.shares(&moved, &moved.conjugate());
         (self.shapes.described(value, &moved, shares), right)
@@ -338,8 +337,8 @@ impl Problem {
 }
 
 impl Problem {
-    /// Of eigenvalue zero: by A itself, whose large entries keep what begins a motion, and so
-    /// belongs to a double zero, out of its vector.
+    /// Returns an eigenmode of eigenvalue zero. It uses A itself: its large entries exclude vectors
+    /// of motions that belong to a double zero.
     fn mode_of_zero(
         &self,
         number: usize,
@@ -364,7 +363,7 @@ impl Problem {
     }
 }
 
-/// How motions are told.
+/// Data for the description of motions.
 struct Shapes {
     coordinates: usize,
     first_order: usize,
@@ -372,7 +371,7 @@ struct Shapes {
     /// A with states measured by their scales.
     matrix: SparseRows,
     norm: f64,
-    /// True if eigenvalue zero may be double, so that A A x is zero instead of A x.
+    /// Whether eigenvalue zero may be double, so that A A x is zero instead of A x.
     has_double_zeros: bool,
 }
 
@@ -389,7 +388,7 @@ impl Shapes {
         }
     }
 
-    /// |w_i x_i| of coordinates with their velocities, then of first-order states.
+    /// Returns |w_i x_i| of coordinates with their velocities, then of first-order states.
     fn shares(&self, right: &DVector<Complex64>, left: &DVector<Complex64>) -> Vec<f64> {
         let n = self.coordinates;
         let part = |index: usize| (left[index] * right[index]).norm_sqr().sqrt();
@@ -416,7 +415,7 @@ impl Shapes {
         let residual = if size > 0.0 { distance.norm() / size } else { 0.0 };
         let in_units =
             DVector::from_fn(vector.len(), |index, _| vector[index] * self.scales[index]);
-        // A constant speed has none of its own in the coordinates.
+        // A motion at constant speed has no own part in the coordinates.
         let leading = self.leading(&shares);
         let is_still =
             in_units[leading].norm() <= f64::EPSILON * in_units[in_units.icamax()].norm();
@@ -428,7 +427,7 @@ impl Shapes {
         Mode { kind, real: value.re, imaginary: value.im, shape: shape.collect(), shares, residual }
     }
 
-    /// The coordinate or first-order state with the largest share.
+    /// Returns the index of the coordinate or first-order state with the largest share.
     fn leading(&self, shares: &[f64]) -> usize {
         let largest = (0..shares.len()).rev().max_by(|a, b| shares[*a].total_cmp(&shares[*b]));
         let index = largest.unwrap_or(0);

@@ -1,31 +1,31 @@
-//! Small motions of all coordinates, of the positions left out of the state too.
+//! Small motions of all coordinates, including positions that the state leaves out.
 
 use machinist_contract::{Simulator, StateKind};
 use nalgebra::{DMatrix, DVector};
 
 use super::sparse_rows::SparseRows;
 
-/// dx' = A dx of x = \[q, q', z\], all n coordinates, all velocities and all
-/// first-order states but modes, from dy' = A_y dy of the state y.
+/// The equations dx' = A dx of x = \[q, q', z\], with all n coordinates, all velocities and all
+/// first-order states except modes, derived from dy' = A_y dy of the state y.
 ///
-/// The state holds positions s that are coordinates, differences of some, or fewer
-/// than there are: s' = S q', where S are rows of A_y. What depends on q does so
-/// through s alone, so that its derivative by q is that by s times S.
+/// The state contains positions s that are coordinates, differences of coordinates, or fewer than
+/// there are coordinates: s' = S q', where S consists of rows of A_y. All dependence on q is
+/// through s, so the derivative by q is that by s times S.
 pub(super) struct Motions {
-    /// n.
+    /// Number of coordinates, n.
     pub coordinates: usize,
-    /// m.
+    /// Number of first-order states, m.
     pub first_order: usize,
     /// A, 2 n + m square.
     pub matrix: SparseRows,
-    /// Typical sizes of x.
+    /// Scales of x.
     pub scales: DVector<f64>,
-    /// S, as many rows as there are positions.
+    /// S, with one row for each position.
     positions_by_coordinates: SparseRows,
     places: Places,
 }
 
-/// Where the state holds what.
+/// Indices of positions, velocities and first-order states in the state.
 pub(super) struct Places {
     pub positions: Vec<usize>,
     pub velocities: Vec<usize>,
@@ -36,7 +36,7 @@ impl Places {
     pub fn of(simulator: &dyn Simulator<f64>) -> Self {
         let of_kind = |kind: StateKind| {
             let states = 0..simulator.shape().states();
-            // Modes do not move; the motions are those within the modes as they are.
+            // Modes do not move; the motions are those within the present modes.
             let moves = |index: &usize| !simulator.is_mode(*index);
             states.filter(|i| simulator.state_kind(*i) == kind).filter(moves).collect()
         };
@@ -47,7 +47,7 @@ impl Places {
         }
     }
 
-    /// Places of \[q', z\].
+    /// Returns the indices of \[q', z\].
     pub fn dynamic(&self) -> Vec<usize> {
         [&self.velocities[..], &self.first_order[..]].concat()
     }
@@ -87,7 +87,8 @@ impl Motions {
         Self { coordinates: n, first_order: m, matrix, scales, positions_by_coordinates, places }
     }
 
-    /// dx' = A dx that belongs to no state, of scales 1: of motions within constraints.
+    /// Creates equations dx' = A dx that belong to no state, with scales of 1, for motions within
+    /// constraints.
     pub fn alone(matrix: &DMatrix<f64>, coordinates: usize, first_order: usize) -> Self {
         let scales = DVector::from_element(matrix.nrows(), 1.0);
         let none = || Vec::new();
@@ -97,7 +98,8 @@ impl Motions {
         Self { coordinates, first_order, matrix, scales, positions_by_coordinates, places }
     }
 
-    /// A less S for positions and velocities: of motions seen from a frame that turns along.
+    /// Subtracts S for positions and velocities, for motions seen from a frame that turns with the
+    /// machine.
     pub fn seen_turning(mut self, turns: &DMatrix<f64>) -> Self {
         let n = self.coordinates;
         let mut matrix = self.matrix.full();
@@ -109,13 +111,13 @@ impl Motions {
         self
     }
 
-    /// A with x measured by its scales.
+    /// Returns A with x measured by its scales.
     pub fn scaled(&self) -> SparseRows {
         let scales = &self.scales;
         self.matrix.clone().scaled(|row, column, entry| entry * scales[column] / scales[row])
     }
 
-    /// S: positions of the state by coordinates.
+    /// Returns S, the derivative of the state's positions by coordinates.
     pub fn positions_by_coordinates(&self) -> &SparseRows {
         &self.positions_by_coordinates
     }
@@ -133,9 +135,9 @@ impl Motions {
     }
 }
 
-/// Sums of one row of a product of matrices that are mostly zeros.
+/// Sums of one row of a product of sparse matrices.
 struct Sums {
-    /// Of each column: the sum of its terms, and of their sizes.
+    /// Sum of the terms and of their absolute values, for each column.
     sums: Vec<(f64, f64)>,
 }
 
@@ -144,8 +146,8 @@ impl Sums {
         Self { sums: vec![(0.0, 0.0); columns] }
     }
 
-    /// A row times B, as (column, entry) in any order. What cancels but for rounding is nothing: a
-    /// rate that depends on differences does not depend on what these are taken to.
+    /// Returns a row times B, as (column, entry) in any order. Sums that cancel except for rounding
+    /// are zero, so that a rate that depends on differences does not depend on a common motion.
     fn product(
         &mut self,
         row: impl Iterator<Item = (usize, f64)>,
@@ -162,7 +164,7 @@ impl Sums {
                 touched.push(*column);
             }
         }
-        // Emptied as it is read: a column that comes twice is zero the second time.
+        // Sums are cleared as they are read, so a repeated column is zero the second time.
         let emptied =
             touched.into_iter().map(|column| (column, std::mem::take(&mut self.sums[column])));
         let left = emptied.filter(|(_, (sum, terms))| sum.abs() > ROUNDING * terms);
@@ -170,7 +172,7 @@ impl Sums {
     }
 }
 
-/// Names of x.
+/// Returns the names of x.
 pub(super) fn names(simulator: &dyn Simulator<f64>) -> Vec<String> {
     let places = Places::of(simulator);
     let coordinates = (0..places.velocities.len()).map(|index| simulator.coordinate(index));
@@ -178,8 +180,8 @@ pub(super) fn names(simulator: &dyn Simulator<f64>) -> Vec<String> {
     coordinates.chain(dynamic).map(|quantity| quantity.name.to_owned()).collect()
 }
 
-/// Typical sizes of x. A coordinate is measured by the least position that it
-/// moves; one that moves none, by what its velocity covers in a second.
+/// Returns the scales of x. The scale of a coordinate is that of the smallest position that it
+/// moves; if it moves none, that of its velocity times one second.
 fn scales(
     of_state: &DVector<f64>,
     places: &Places,

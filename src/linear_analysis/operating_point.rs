@@ -1,4 +1,4 @@
-//! Where a scene is looked at.
+//! Operating points of a scene.
 
 use std::str::FromStr;
 
@@ -7,7 +7,7 @@ use super::{LinearError, Point, equilibrium};
 use crate::simulate::Simulation;
 use crate::trajectory::ColumnKind;
 
-/// Which point of a scene's run.
+/// Choice of an operating point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
     /// The equilibrium near the end of the run, with time held there.
@@ -21,7 +21,7 @@ pub enum Place {
 impl FromStr for Place {
     type Err = String;
 
-    /// `equilibrium`, `initial` or `t=SECONDS`.
+    /// Parses `equilibrium`, `initial` or `t=SECONDS`.
     fn from_str(text: &str) -> Result<Self, String> {
         match text {
             "equilibrium" => return Ok(Self::Equilibrium),
@@ -36,16 +36,14 @@ impl FromStr for Place {
     }
 }
 
-/// The point of a run at which to linearize, with the run's parameters.
+/// Returns the operating point of a run, with the parameters of the run.
 ///
-/// The equilibrium is looked for from the state in which the run ends, so that a
-/// machine which runs up is found running. At the start and at a given time the
-/// state need not be steady; what is linearized there holds for times that are
-/// short beside those in which the state changes.
+/// The search for an equilibrium begins at the end of the run, so that a machine that runs up is
+/// found running. At the start and at a given time the state need not be steady; the linearization
+/// then holds for times that are short compared with changes of the state.
 ///
 /// # Errors
-/// [`LinearError`] if the run makes no sense or stops, or if there is no
-/// equilibrium.
+/// [`LinearError`] if the run is refused or stops, or if there is no equilibrium.
 pub fn operating_point(run: &Simulation<'_>, place: Place) -> Result<Point, LinearError> {
     match place {
         Place::Initial => Ok(start(run)?),

@@ -1,4 +1,4 @@
-//! Answers to harmonic disturbances.
+//! Frequency responses.
 
 use std::io;
 
@@ -14,24 +14,24 @@ use super::{LinearError, Linearization, ModeKind, Point, full, position, scales}
 use crate::constraints::Constraints;
 use crate::error::did_you_mean;
 
-/// Largest number of frequencies.
+/// Maximum number of frequencies.
 pub const MAX_POINTS: usize = 1_000_000;
-/// How far beyond the slowest and the fastest motion frequencies are looked at.
+/// Factor by which the range of frequencies extends beyond the slowest and the fastest motion.
 const BEYOND: f64 = 10.0;
-/// What a force is called, before its coordinate.
+/// Prefix of the name of a force, before its coordinate.
 const FORCE_ON: &str = "force on ";
 
-/// An output's answer to a harmonic input, by frequency.
+/// Frequency response of an output to a harmonic input.
 ///
-/// An input p + a Re(e^(j w t)) makes, once transients have faded, an output
-/// o + a Re(H(w) e^(j w t)).
+/// After transients have decayed, an input p + a Re(e^(j w t)) causes an output o + a Re(H(w) e^(j
+/// w t)).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Response {
-    /// The parameter that varies, or the coordinate on which a force acts.
+    /// Name of the varied parameter, or of the coordinate on which a force acts.
     pub from: String,
     /// Its unit.
     pub from_unit: String,
-    /// The output or state that answers.
+    /// Name of the output or state.
     pub to: String,
     /// Its unit.
     pub to_unit: String,
@@ -39,12 +39,12 @@ pub struct Response {
     pub frequencies: Vec<f64>,
     /// |H| \[unit of `to` over unit of `from`\].
     pub amplitudes: Vec<f64>,
-    /// arg H \[rad\], continuous over frequency; negative lags.
+    /// arg H \[rad\], continuous over frequency; negative for a lag.
     pub phases: Vec<f64>,
 }
 
 impl Response {
-    /// Unit of the amplitudes: of the output over that of the input.
+    /// Returns the unit of the amplitudes: the unit of the output over that of the input.
     #[must_use]
     pub fn amplitude_unit(&self) -> String {
         match self.from_unit.as_str() {
@@ -54,18 +54,18 @@ impl Response {
         }
     }
 
-    /// Frequency \[rad/s\] and size of the largest amplitude of these frequencies; what lies
-    /// between them is in [`Linearization::largest`].
+    /// Returns frequency \[rad/s\] and value of the largest amplitude in the table;
+    /// [`Linearization::largest`] also finds maxima between its frequencies.
     #[must_use]
     pub fn peak(&self) -> Option<(f64, f64)> {
         let points = self.frequencies.iter().copied().zip(self.amplitudes.iter().copied());
         points.max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Writes a table: a header with units, then one line a frequency.
+    /// Writes a table: a header with units, then one line per frequency.
     ///
     /// # Errors
-    /// Whatever `writer` reports.
+    /// Errors of `writer`.
     pub fn write_csv(&self, writer: impl io::Write) -> io::Result<()> {
         let mut csv = csv::Writer::from_writer(writer);
         let amplitude = format!("amplitude [{}]", self.amplitude_unit());
@@ -78,17 +78,17 @@ impl Response {
     }
 }
 
-/// The input of a response.
+/// Input of a response.
 struct Input {
     name: String,
     unit: String,
-    /// Change of y' with the input.
+    /// Derivative of y' by the input.
     rate: DVector<f64>,
-    /// The parameter that it is; none for a force.
+    /// Index of the parameter; `None` for a force.
     parameter: Option<usize>,
 }
 
-/// The output of a response: its change with the states and with the input.
+/// Output of a response, with its derivatives by states and input.
 struct Output {
     name: String,
     unit: String,
@@ -96,7 +96,7 @@ struct Output {
     by_input: f64,
 }
 
-/// A, b and C of all that moves, measured by its scales.
+/// A, b and C, with motions measured by their scales.
 struct Scaled {
     matrix: DMatrix<f64>,
     rate: DVector<f64>,
@@ -104,22 +104,21 @@ struct Scaled {
 }
 
 impl Linearization<'_> {
-    /// H(w) = C (j w - A)^-1 b + d at given frequencies w.
+    /// Returns H(w) = C (j w - A)^-1 b + d at given frequencies w.
     ///
-    /// `from` names a parameter, b = dy'/dp, or a coordinate, for a generalized force
-    /// on it, b = M^-1 e in the rows of q'. `to` names an output or a state. Derivatives C and
-    /// d of outputs are extrapolated differences, good to about 1e-12. Of a force d = 0: an
-    /// output that has accelerations or forces of constraints in it, which answer at once, is
-    /// refused.
+    /// `from` names a parameter, b = dy'/dp, or a coordinate, for a generalized force on it, b =
+    /// M^-1 e in the rows of q'. `to` names an output or a state. Derivatives C and d of outputs
+    /// are extrapolated differences, accurate to about 1e-12. For a force d = 0: an output that
+    /// contains accelerations or constraint forces, and so has feedthrough, is refused.
     ///
-    /// A machine with constraints answers as these allow: b of a force is M^-1 (e + G^T lambda),
-    /// with G b = 0, and A, b and C are those of the allowed motions.
+    /// For a machine with constraints, b of a force is M^-1 (e + G^T lambda) with G b = 0, and A, b
+    /// and C are those of the allowed motions.
     ///
     /// # Errors
     /// [`LinearError::Unknown`] for names, [`LinearError::NotFinite`] for derivatives,
-    /// [`LinearError::Singular`] at an undamped resonance, [`LinearError::MovesConstraint`] for
-    /// a parameter that a constraint depends on, [`LinearError::AnswersAtOnce`] for a force to an
-    /// output that has accelerations or forces of constraints in it.
+    /// [`LinearError::Singular`] at an undamped resonance, [`LinearError::MovesConstraint`] for a
+    /// parameter that a constraint depends on, [`LinearError::AnswersAtOnce`] for a force with
+    /// feedthrough to the output.
     pub fn response(
         &self,
         from: &str,
@@ -142,11 +141,11 @@ impl Linearization<'_> {
         })
     }
 
-    /// Frequencies \[rad/s\] from a tenth of the slowest to ten times the fastest
-    /// motion of the machine; 0.1 to 10 if it has none.
+    /// Returns a range of frequencies \[rad/s\], from a tenth of the slowest to ten times the
+    /// fastest motion of the machine; 0.1 to 10 if it has none.
     ///
     /// # Errors
-    /// As [`Linearization::modes`].
+    /// As for [`Linearization::modes`].
     pub fn range_of_interest(&self) -> Result<(f64, f64), LinearError> {
         let modes = self.modes()?;
         let sizes = modes.iter().filter(|mode| mode.kind != ModeKind::Free);
@@ -156,11 +155,11 @@ impl Linearization<'_> {
         Ok(if high > 0.0 { (low / BEYOND, high * BEYOND) } else { (1.0 / BEYOND, BEYOND) })
     }
 
-    /// How fast the fastest motion grows that is not disturbed \[1/s\], by its modes; nothing if none
-    /// grows: then, and only then, a harmonic disturbance has an answer that motions settle to.
+    /// Returns the largest growth rate of an eigenmode \[1/s\], or `None` if none grows. Only in
+    /// the latter case does the machine settle to a harmonic response.
     ///
     /// # Errors
-    /// As [`Linearization::modes`].
+    /// As for [`Linearization::modes`].
     pub fn growth(&self) -> Result<Option<f64>, LinearError> {
         let modes = self.modes()?;
         let growing = modes.iter().filter(|mode| mode.grows());
@@ -191,7 +190,7 @@ impl Linearization<'_> {
         })
     }
 
-    /// dy'/dp of one parameter.
+    /// Returns dy'/dp of one parameter.
     fn parameter_column(&self, index: usize) -> Result<DVector<f64>, LinearError> {
         let pattern = self.simulator.parameter_jacobian_pattern();
         let mut values = vec![0.0; pattern.entries.len()];
@@ -208,14 +207,14 @@ impl Linearization<'_> {
         Ok(column)
     }
 
-    /// y' of a unit force on one coordinate.
+    /// Returns y' due to a unit force on one coordinate.
     fn force_column(&self, index: usize) -> Result<DVector<f64>, LinearError> {
         let n = self.simulator.shape().coordinates;
         let Point { time, state, parameters } = &self.point;
         let constraints = Constraints::of(self.simulator, parameters);
         let matrix = constraints.map(|constraints| constraints.matrix(*time, state));
         let matrix = matrix.unwrap_or_else(|| DMatrix::zeros(0, n));
-        // What holds in other modes only has a row of zeros, and no force.
+        // Constraints that hold only in other modes have a row of zeros and no force.
         let holds = (0..matrix.nrows()).filter(|row| matrix.row(*row).amax() > 0.0);
         let matrix = matrix.select_rows(&holds.collect::<Vec<_>>());
         let m = matrix.nrows();
@@ -268,7 +267,7 @@ impl Linearization<'_> {
         })
     }
 
-    /// C of one output: its derivatives with respect to the states, `states` long.
+    /// Returns C of one output: its derivatives by the states, of length `states`.
     ///
     /// # Panics
     /// If there is no such output.
@@ -302,8 +301,8 @@ impl Linearization<'_> {
         found[0]
     }
 
-    /// Refuses a parameter that constraints depend on: what they hold would have to move with it,
-    /// at speeds and accelerations of its own.
+    /// Refuses a parameter on which constraints depend: constrained parts would have to move with
+    /// it, at its velocity and acceleration.
     fn require_still_constraints(&self, parameter: usize) -> Result<(), LinearError> {
         const ROUNDING: f64 = 1e-9;
         let count = self.simulator.constraints();
@@ -323,7 +322,7 @@ impl Linearization<'_> {
         let matrix = constraints.matrix(*time, state);
         let scales = scales(self.simulator);
         let moves = |index: &usize| {
-            // Beside what a move of typical size of all coordinates changes.
+            // The limit is relative to the change due to a typical move of all coordinates.
             let row = matrix.row(index % count);
             let first = if *index < count { 0 } else { row.len() };
             let usual = row.iter().enumerate().map(|(k, slope)| (slope * scales[first + k]).abs());
@@ -338,8 +337,8 @@ impl Linearization<'_> {
         }
     }
 
-    /// A, b and C with all that moves measured by its scale; of a machine with constraints, of
-    /// the motions that these allow.
+    /// Returns A, b and C with motions measured by their scales; for a machine with constraints,
+    /// those of the allowed motions.
     fn scaled(&self, input: &Input, output: &Output) -> Result<Scaled, LinearError> {
         let scales = scales(self.simulator);
         let by_scales =
@@ -371,7 +370,7 @@ impl Linearization<'_> {
         })
     }
 
-    /// H of an input and an output, by their names.
+    /// Returns H of an input and an output, by their names.
     pub(super) fn transfer_of(&self, from: &str, to: &str) -> Result<Transfer, LinearError> {
         let input = self.input(from)?;
         let output = self.output(to, &input)?;
@@ -389,7 +388,7 @@ pub(super) struct Transfer {
 }
 
 impl Transfer {
-    /// H at a frequency \[rad/s\].
+    /// Returns H at a frequency \[rad/s\].
     pub fn at(&self, frequency: f64) -> Result<Complex64, LinearError> {
         let mut matrix = self.negative.clone();
         for index in 0..matrix.nrows() {
@@ -399,12 +398,12 @@ impl Transfer {
         let state = matrix.lu().solve(&self.rate).ok_or(LinearError::Singular { what })?;
         let parts = state.iter().zip(&self.by_state).map(|(state, by_state)| state * *by_state);
         let answer = parts.sum::<Complex64>() + self.by_input;
-        // A number next to nothing divides as nothing does.
+        // A division by a number close to zero acts like a division by zero.
         if answer.is_finite() { Ok(answer) } else { Err(LinearError::Singular { what }) }
     }
 }
 
-/// Angular frequencies spaced evenly in their logarithm, both ends included.
+/// Returns angular frequencies equally spaced in their logarithm, including both ends.
 ///
 /// # Errors
 /// [`LinearError::BadRange`] unless 0 < from < until, finite, and 2 to
@@ -442,7 +441,7 @@ fn finite(what: &str, values: &[f64]) -> Result<(), LinearError> {
     }
 }
 
-/// The unit of a generalized force on a coordinate: work over coordinate.
+/// Returns the unit of a generalized force on a coordinate: work over coordinate.
 fn force_unit(coordinate: &str) -> String {
     match coordinate {
         "rad" | "1" => "N m".to_owned(),
@@ -452,7 +451,7 @@ fn force_unit(coordinate: &str) -> String {
     }
 }
 
-/// Angles without jumps of a whole turn; the first lies above -pi and up to pi.
+/// Returns angles without jumps of a whole turn; the first lies above -pi and up to pi.
 fn continuous(angles: impl Iterator<Item = f64>) -> Vec<f64> {
     use std::f64::consts::TAU;
     let mut before = f64::NAN;

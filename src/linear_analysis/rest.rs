@@ -1,4 +1,4 @@
-//! Rest, and running at constant speed, within constraints.
+//! Equilibrium within constraints.
 
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
@@ -12,26 +12,26 @@ use super::{LinearError, Point, Residual, jacobian, rate, require_small};
 use crate::constraints::{Constraints, Level, Lost};
 use crate::sorting::sort_descending;
 
-/// A machine with constraints.
+/// Search for a machine with constraints.
 pub(super) struct Solver<'a> {
     simulator: &'a dyn Simulator<f64>,
-    /// Entries of the state that are to move least.
+    /// Indices of the states that are to move least.
     named: &'a [usize],
     places: Places,
-    /// Directions in which nothing depends on the coordinates, n by k, of q over its scales.
+    /// Drift directions, n by k, in q over its scales.
     drift: DMatrix<f64>,
 }
 
-/// What moves at a point, and how.
+/// Motions at a point.
 pub(super) struct Frame {
     whole: Motions,
     within: Within,
-    /// Of [s, u, z].
+    /// Equations of [s, u, z].
     free: Motions,
 }
 
 impl<'a> Solver<'a> {
-    /// A search, and where it begins: the guess without velocities that are no drift.
+    /// Returns a search and its start: the guess without velocities across drift.
     pub(super) fn new(
         simulator: &'a dyn Simulator<f64>,
         guess: &Point,
@@ -54,9 +54,9 @@ impl<'a> Solver<'a> {
         Ok(Frame { whole, within, free })
     }
 
-    /// Directions that are allowed, as moves and as speeds, and in which no rate depends on the
-    /// coordinates: at the guess, and at two places nearby, so that a slope that happens to be
-    /// level is not one.
+    /// Returns the directions that constraints allow, as moves and as velocities, and in which no
+    /// rate depends on the coordinates: at the guess and at two points nearby, so that a slope that
+    /// happens to be zero does not count.
     fn drift_directions(&self, guess: &Point) -> Result<DMatrix<f64>, LinearError> {
         let frame = self.frame(guess)?;
         let (n, free) = (frame.whole.coordinates, frame.free.coordinates);
@@ -84,7 +84,7 @@ impl<'a> Solver<'a> {
         Ok(split(stacked).0)
     }
 
-    /// The guess without velocities that are no drift.
+    /// Returns the guess without velocities across drift.
     fn with_drift_only(&self, guess: &Point) -> Result<Point, LinearError> {
         let mut point = guess.clone();
         let n = self.places.velocities.len();
@@ -98,7 +98,7 @@ impl<'a> Solver<'a> {
         Ok(point)
     }
 
-    /// Refuses constraints that move by themselves.
+    /// Refuses constraints that prescribe a motion.
     fn require_still(&self, point: &Point) -> Result<(), LinearError> {
         let Some(constraints) = Constraints::of(self.simulator, &point.parameters) else {
             return Ok(());
@@ -121,7 +121,7 @@ impl<'a> Solver<'a> {
         self.measured(frame, &rate(self.simulator, point))
     }
 
-    /// The point with s and [speeds of drift, z] changed, back on the constraints.
+    /// Returns the point with s and [speeds of drift, z] changed, projected onto the constraints.
     fn moved_by(
         &self,
         point: &Point,

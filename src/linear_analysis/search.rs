@@ -1,5 +1,5 @@
-//! How an equilibrium is looked for: by Newton's method, and where that finds none, along the
-//! way on which the machine would creep to rest.
+//! Search for an equilibrium: by Newton's method or, if that fails, along the way on which the
+//! machine would creep to rest.
 
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
@@ -10,23 +10,23 @@ use super::{LinearError, Point, full};
 
 const MAX_ITERATIONS: usize = 100;
 const MAX_HALVINGS: usize = 40;
-/// Relative to the size of its row, a rate below this is zero.
+/// Rate, relative to the size of its row, below which it is zero.
 pub(super) const ACCEPTED: f64 = 1e-9;
-/// Below this nothing is left to gain.
+/// Size of residuals below which nothing can be gained.
 const ROUNDING: f64 = 1e-15;
-/// Singular values below this, of matrices with rows of length 1, count as zero.
+/// Singular values below this, for matrices with rows of length 1, count as zero.
 pub(super) const RANK: f64 = 1e-10;
-/// Steps of a creep.
+/// Maximum number of steps of a creep.
 const MAX_CREEPS: usize = 400;
-/// How far the first of them goes at most, in scales of what moves.
+/// Maximum length of the first step, in scales of the unknowns.
 const FIRST_REACH: f64 = 0.1;
-/// Below this a creep is near enough for Newton's method.
+/// Size of residuals below which Newton's method takes over from a creep.
 const NEAR: f64 = 1e-6;
-/// Changes of what is named above this share of its scale count.
+/// Fraction of the scale above which changes of named entries count.
 const SEEN: f64 = 1e-9;
 
-/// Rates at a point that are zero in equilibrium, each divided by the size of its row, and how
-/// they change with what a search may move: positions, speeds of drift, first-order states.
+/// Rates at a point that are zero in equilibrium, each divided by the size of its row, and their
+/// derivatives by the unknowns of the search: positions, speeds of drift, first-order states.
 pub(super) struct Equations<F> {
     pub frame: F,
     pub residual: DVector<f64>,
@@ -39,42 +39,42 @@ impl<F> Equations<F> {
     }
 }
 
-/// A machine in the unknowns of its equilibrium.
+/// A machine with the unknowns of its equilibrium.
 pub(super) trait Balance {
-    /// What moves at a point, and how.
+    /// Motions at a point.
     type Frame;
 
-    /// What is looked at.
+    /// Returns the simulator.
     fn simulator(&self) -> &dyn Simulator<f64>;
 
     fn equations(&self, point: &Point) -> Result<Equations<Self::Frame>, LinearError>;
-    /// Length of the residuals at another point, as far as they can be compared with those of
-    /// the frame.
+    /// Returns the norm of the residuals at another point, as far as they are comparable with those
+    /// of the frame.
     fn length_at(&self, point: &Point, frame: &Self::Frame) -> Result<f64, LinearError>;
-    /// What a small change of the unknowns does to the state.
+    /// Converts a small change of the unknowns to one of the state.
     fn unfolded(&self, frame: &Self::Frame, step: &DVector<f64>) -> DVector<f64>;
-    /// Rates y' as residuals.
+    /// Converts rates y' to residuals.
     fn measured(&self, frame: &Self::Frame, rates: &DVector<f64>) -> DVector<f64>;
-    /// Takes velocities that are no drift from a change of the state.
+    /// Removes velocities across drift from a change of the state.
     fn keep_drift(&self, frame: &Self::Frame, change: &mut DVector<f64>);
-    /// The point with its unknowns changed.
+    /// Returns the point after a change of its unknowns.
     fn moved(
         &self,
         point: &Point,
         frame: &Self::Frame,
         step: &DVector<f64>,
     ) -> Result<Point, LinearError>;
-    /// How named entries of the state follow the unknowns, over their scales.
+    /// Returns the derivatives of named entries of the state by the unknowns, over their scales.
     fn named(&self, frame: &Self::Frame) -> DMatrix<f64>;
-    /// B and the number of its columns that are positions: B x'' of positions, B x' of the
-    /// others, is the residual that would move the unknowns so, without damping or inertia of
-    /// anything else.
+    /// Returns B and the number of its columns that are positions. B x'' for positions, and B x'
+    /// for the others, is the residual that would move the unknowns by x without damping and
+    /// without other inertia.
     fn creep(&self, frame: &Self::Frame) -> (DMatrix<f64>, usize);
-    /// The point, if rates are zero there.
+    /// Returns the point if its rates are zero.
     fn accepted(&self, point: Point) -> Result<Point, LinearError>;
 }
 
-/// Newton's method, with steps halved until the rates shrink.
+/// Solves by Newton's method, with steps halved until the rates decrease.
 pub(super) fn newton(balance: &impl Balance, guess: Point) -> Result<Point, LinearError> {
     let mut point = guess;
     for _ in 0..MAX_ITERATIONS {
@@ -90,8 +90,8 @@ pub(super) fn newton(balance: &impl Balance, guess: Point) -> Result<Point, Line
     balance.accepted(point)
 }
 
-/// The point after the longest of the steps 1, 1/2, 1/4, ... that shrinks the rates; nothing
-/// if none does.
+/// Returns the point after the longest of the steps 1, 1/2, 1/4, ... that decreases the rates;
+/// `None` if none does.
 fn shrinking_step<B: Balance>(
     balance: &B,
     point: &Point,
@@ -102,7 +102,7 @@ fn shrinking_step<B: Balance>(
     let length = equations.residual.norm();
     let mut share = 1.0;
     for _ in 0..MAX_HALVINGS {
-        // NaN is no less, and what does not come back is too far.
+        // NaN is not smaller; a failed projection means that the step is too long.
         if let Ok(next) = balance.moved(point, &equations.frame, &(&step * share))
             && balance.length_at(&next, &equations.frame)? < length
         {
@@ -113,12 +113,12 @@ fn shrinking_step<B: Balance>(
     Ok(None)
 }
 
-/// Steps x that solve J x = r, or come nearest to it. Of those that do, one that moves what is
-/// named least, and of these the least.
+/// Least-squares steps x of J x = r. If they are not unique, the step moves named entries least,
+/// and is the shortest of these.
 pub(super) enum LeastSteps {
-    /// By singular values.
+    /// Singular value decomposition.
     Full { svd: SVD<f64, Dyn, Dyn>, named: DMatrix<f64>, rank: usize },
-    /// Where nothing is named and rates depend on few unknowns each.
+    /// Sparse solution if nothing is named and rates depend on few unknowns each.
     Sparse(LeastSquares),
 }
 
@@ -139,7 +139,7 @@ impl LeastSteps {
         Ok(Self::Full { svd, named, rank })
     }
 
-    /// Whether the equations leave no choice.
+    /// Returns whether the step is unique.
     pub(super) fn is_determined(&self) -> bool {
         match self {
             Self::Full { named, rank, .. } => named.ncols() == *rank,
@@ -158,7 +158,7 @@ impl LeastSteps {
         let Some(rows) = svd.v_t.as_ref().filter(|_| is_seen && !self.is_determined()) else {
             return Ok(step);
         };
-        // What the equations leave open may make up for moves of what is named.
+        // Directions that the equations leave open may compensate moves of named entries.
         let decided = rows.rows(0, rank);
         let size = step.len();
         let left_open = DMatrix::identity(size, size) - decided.transpose() * decided;
@@ -170,12 +170,12 @@ impl LeastSteps {
 
 const SINGULAR: LinearError = LinearError::Singular { what: "the Jacobian of the equilibrium" };
 
-/// Follows the way to rest: pseudo-transient continuation. Positions move with what would
-/// accelerate them, speeds of drift and first-order states with their rates, by implicit Euler
-/// steps that grow into Newton's. `settle` sets modes right after each step and says whether it
-/// changed any: then the search has to begin anew from there, with what has become of the point.
+/// Follows the way to rest by pseudo-transient continuation. Positions follow their accelerating
+/// forces, speeds of drift and first-order states their rates, by implicit Euler steps that grow to
+/// Newton's steps. `settle` corrects modes after each step and returns whether it changed any; the
+/// search then has to begin anew from `point`.
 ///
-/// An equilibrium that it finds is stable in this sense, and lies downhill of the guess.
+/// An equilibrium found in this way is stable in this sense, and lies downhill of the guess.
 pub(super) fn creep<B: Balance>(
     balance: &B,
     point: &mut Point,
@@ -189,7 +189,7 @@ pub(super) fn creep<B: Balance>(
             return Ok(Crept::Near);
         }
         let found = creeping_step(balance, &equations, (pace, reach));
-        // Where rates feed themselves, long steps would go back.
+        // With positive feedback of rates, long steps would lead back.
         let found = found.filter(|(_, follows)| *follows || pace <= slowest);
         let Some((step, _)) = found else {
             pace /= 4.0;
@@ -213,18 +213,18 @@ pub(super) fn creep<B: Balance>(
     Ok(Crept::Nowhere)
 }
 
-/// What a creep has come to.
+/// Result of a creep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Crept {
     /// Rates are small.
     Near,
     /// Modes have changed on the way.
     Switched,
-    /// It goes on and on.
+    /// The creep does not end.
     Nowhere,
 }
 
-/// A part of the time in which the fastest of what moves would move by its scale \[s\].
+/// Returns a part of the time in which the fastest unknown would move by its scale \[s\].
 fn first_pace<B: Balance>(balance: &B, equations: &Equations<B::Frame>) -> f64 {
     const PART: f64 = 0.5;
     let (matrix, positions) = balance.creep(&equations.frame);
@@ -238,8 +238,8 @@ fn first_pace<B: Balance>(balance: &B, equations: &Equations<B::Frame>) -> f64 {
     if least.is_finite() { PART * least } else { 1.0 }
 }
 
-/// (B/pace^2 - J) x = r, the least x where it leaves some open, and whether it goes where the
-/// rates point; nothing where it has none.
+/// Returns the smallest solution of (B/pace^2 - J) x = r, and whether it follows the rates; `None`
+/// if there is no solution.
 fn creeping_step<B: Balance>(
     balance: &B,
     equations: &Equations<B::Frame>,

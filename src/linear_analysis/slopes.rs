@@ -1,13 +1,13 @@
-//! How modes move with parameters.
+//! Derivatives of eigenmodes by parameters.
 //!
-//! Of an eigenvalue that no other one equals, with right and left eigenvectors x and w of
-//! A = dy'/dy,
+//! For a simple eigenvalue with right and left eigenvectors x and w of A = dy'/dy,
 //!
 //! ```text
 //! d lambda/dp = w^T (dA/dp) x/(w^T x),   dA/dp = A_p + A_y dy/dp
 //! ```
 //!
-//! where y is the point, which moves with p: both at once, see [`bends`](super::bends). dy/dp of a start and of a state along the run are those of the run's
+//! where y is the point, which moves with p. Both terms are computed together, see
+//! [`bends`](super::bends). dy/dp of a start, and of a state along the run, are the run's
 //! sensitivities; that of an equilibrium follows from its equations, see [`PointSlopes::of`].
 
 use std::ops::AddAssign;
@@ -25,64 +25,64 @@ use crate::error::did_you_mean;
 use crate::simulate::Simulation;
 use crate::trajectory::sensitivity_name;
 
-/// Beside what a parameter changes, what no move of the state makes up for.
+/// Part of a change by a parameter that no move of the state compensates, relative to that change.
 const LEFT: f64 = 1e-8;
-/// Eigenvalues that differ by less, relative to their size, are one.
+/// Relative difference below which eigenvalues are equal.
 const SAME: f64 = 1e-9;
 
-/// How a point moves with parameters: dy/dp.
+/// Derivatives dy/dp of an operating point by parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointSlopes {
-    /// The parameters, by their places.
+    /// Indices of the parameters.
     parameters: Vec<usize>,
-    /// dy/dp, `states` by as many.
+    /// dy/dp, `states` by the number of parameters.
     state: DMatrix<f64>,
 }
 
-/// How a mode moves with one parameter, in SI units each by the parameter's.
+/// Derivatives of an eigenmode by one parameter, in SI units over the parameter's unit.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct ModeSlope {
-    /// Of the real part of the eigenvalue.
+    /// Derivative of the real part of the eigenvalue.
     pub real: f64,
-    /// Of its imaginary part, the frequency of the damped motion.
+    /// Derivative of the imaginary part, the frequency of the damped motion.
     pub imaginary: f64,
-    /// Of [`Mode::natural_frequency`].
+    /// Derivative of [`Mode::natural_frequency`].
     pub natural_frequency: f64,
-    /// Of [`Mode::damping_ratio`].
+    /// Derivative of [`Mode::damping_ratio`].
     pub damping_ratio: f64,
 }
 
-/// Why a mode has no derivatives.
+/// Reason why an eigenmode has no derivatives.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NoSlope {
-    /// Nothing restores it, whatever the parameters.
+    /// The motion is free for all parameters.
     Free,
-    /// These modes, by their places, have the same eigenvalue: how they part depends on the
-    /// direction in which parameters move.
+    /// The eigenmodes with these indices have the same eigenvalue: how they separate depends on the
+    /// direction in parameter space.
     Repeated(Vec<usize>),
-    /// It is where an oscillation becomes two decays, or has but one shape for several
-    /// eigenvalues: there it moves as a root of the parameter.
+    /// The matrix is defective: an oscillation turns into two decays, or several eigenvalues share
+    /// one shape. The eigenvalue changes with the root of the parameter.
     Defective,
 }
 
 impl PointSlopes {
-    /// How the point moves at which a run is linearized, by parameters.
+    /// Computes the derivatives of the operating point of a run by parameters.
     ///
-    /// That of an equilibrium follows from what is zero there,
+    /// The derivative of an equilibrium follows from the equations
     ///
     /// ```text
     /// q''(y, p) = 0    z'(y, p) = 0    H s'(y, p) = 0,  H = d[q'', z']/ds
     /// g(y, p) = 0      dg/dt(y, p) = 0      of constraints
     /// ```
     ///
-    /// s being the positions in y: the shortest dy that keeps all of it zero, states measured
-    /// by their scales. What an equilibrium leaves open, such as an angle that nothing depends
-    /// on, stays.
+    /// where s are the positions in y: it is the shortest dy that keeps them zero, with states
+    /// measured by their scales. States that an equilibrium leaves open, such as an angle that
+    /// nothing depends on, stay unchanged.
     ///
     /// # Errors
-    /// [`LinearError::Unknown`] for a name that is no parameter,
-    /// [`LinearError::LosesEquilibrium`] if no equilibrium is left when a parameter moves, and
-    /// those of [`Simulation::run`] with sensitivities.
+    /// [`LinearError::Unknown`] if a name is not a parameter, [`LinearError::LosesEquilibrium`] if
+    /// no equilibrium remains when a parameter changes, and the errors of [`Simulation::run`] with
+    /// sensitivities.
     pub fn of<N: AsRef<str>>(
         run: &Simulation<'_>,
         place: Place,
@@ -113,12 +113,12 @@ impl PointSlopes {
         Ok(Self { parameters, state })
     }
 
-    /// The parameters, names and units.
+    /// Returns the parameters with names and units.
     pub fn by<'s>(&self, simulator: &'s dyn Simulator<f64>) -> Vec<Quantity<'s>> {
         self.parameters.iter().map(|index| simulator.parameter(*index)).collect()
     }
 
-    /// dy/dp, `states` by as many as there are parameters.
+    /// Returns dy/dp, `states` by the number of parameters.
     #[must_use]
     pub fn state(&self) -> &DMatrix<f64> {
         &self.state
@@ -126,11 +126,11 @@ impl PointSlopes {
 }
 
 impl Linearization<'_> {
-    /// How modes move with parameters, each by each; `modes` are those of
-    /// [`Linearization::modes`] and `point` says how its point moves.
+    /// Computes the derivatives of every eigenmode by every parameter. `modes` are those of
+    /// [`Linearization::modes`], and `point` contains the derivatives of the operating point.
     ///
     /// # Errors
-    /// [`crate::SimulateError::NoDerivatives`] of a scene that cannot be run on dual numbers.
+    /// [`crate::SimulateError::NoDerivatives`] for a scene without functions on dual numbers.
     pub fn mode_slopes(
         &self,
         modes: &[Mode],
@@ -161,7 +161,8 @@ impl Linearization<'_> {
         Ok((0..modes.len()).map(slopes).collect())
     }
 
-    /// dA/dp along the moves of the point, in the order of the pattern, for each parameter.
+    /// Returns dA/dp including the motion of the point, in the order of the pattern, for each
+    /// parameter.
     fn matrix_slopes(&self, point: &PointSlopes) -> Result<Vec<Vec<f64>>, LinearError> {
         let directions: Vec<_> = (0..point.parameters.len())
             .map(|k| (Some(point.parameters[k]), point.state.column(k).iter().copied().collect()))
@@ -171,7 +172,7 @@ impl Linearization<'_> {
 }
 
 impl ModeSlope {
-    /// From an eigenvalue and its derivative.
+    /// Converts the derivative of an eigenvalue.
     fn of(value: Complex64, slope: Complex64) -> Self {
         let size = value.norm();
         let natural_frequency = (value.conj() * slope).re / size;
@@ -190,7 +191,7 @@ struct Solver {
 }
 
 impl Solver {
-    /// Right and left eigenvectors of a mode with product 1, in units.
+    /// Returns right and left eigenvectors with product 1, in units.
     fn vectors(
         &self,
         modes: &[Mode],
@@ -225,7 +226,7 @@ impl Solver {
     }
 }
 
-/// dy/dp at a time of the run, by its sensitivities.
+/// Returns dy/dp at a time of the run, from its sensitivities.
 fn of_run(
     run: &Simulation<'_>,
     point: &Point,
@@ -236,7 +237,7 @@ fn of_run(
         parameters.iter().map(|index| simulator.parameter(*index).name).collect();
     let states = simulator.shape().states();
     let from = run.start_time();
-    // Of a start, that of any run.
+    // The start is the same for a run of any length.
     let is_start = point.time.to_bits() == from.to_bits();
     let until = if is_start { from + 1e-6 * from.abs().max(1.0) } else { point.time };
     let run = run.clone().until(until).points(2).sensitivities(&names)?.run()?;
@@ -248,11 +249,11 @@ fn of_run(
     Ok(DMatrix::from_fn(states, names.len(), slope))
 }
 
-/// What is zero in an equilibrium, as linear equations of its moves.
+/// Conditions of an equilibrium as linear equations of its moves.
 struct Equations {
-    /// By the state, states measured by their scales, rows of length 1.
+    /// Derivatives by the state, with states measured by their scales and rows of length 1.
     by_state: DMatrix<f64>,
-    /// By the parameters.
+    /// Derivatives by the parameters.
     by_parameters: DMatrix<f64>,
 }
 
@@ -334,8 +335,8 @@ fn equations(
 }
 
 impl Equations {
-    /// Adds rows, measured by the scales of rows and columns; `size` is that of what they are
-    /// made of, beside which a row may be rounding.
+    /// Adds rows, measured by the scales of rows and columns. `size` is the size of their terms,
+    /// compared with which a row may be rounding.
     fn add(
         &mut self,
         (by_state, mut by_parameters): (DMatrix<f64>, DMatrix<f64>),
@@ -360,14 +361,14 @@ impl Equations {
     }
 }
 
-/// A matrix whose columns are multiplied and whose rows are divided by scales.
+/// Returns a matrix with columns multiplied and rows divided by scales.
 fn scaled(matrix: &DMatrix<f64>, rows: &DVector<f64>, columns: &DVector<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |row, column| {
         matrix[(row, column)] * columns[column] / rows[row]
     })
 }
 
-/// Derivatives of constraints by state and parameters.
+/// Returns derivatives of constraints by state and parameters.
 fn constraint_slopes(
     simulator: &dyn Simulator<f64>,
     function: DualFunction,
@@ -394,7 +395,7 @@ fn unit(size: usize, index: usize) -> Vec<f64> {
     unit
 }
 
-/// dy'/dp of some parameters.
+/// Returns dy'/dp for some parameters.
 fn parameter_jacobian(
     simulator: &dyn Simulator<f64>,
     point: &Point,
@@ -406,8 +407,8 @@ fn parameter_jacobian(
     crate::dense::dense(pattern, &values).select_columns(parameters)
 }
 
-/// Slopes of so many values of a function, along each of some directions: a parameter, if there
-/// is one, and moves of the state.
+/// Returns slopes of `count` values of a function along each direction: a parameter, if there is
+/// one, and a change of the state.
 fn along(
     simulator: &dyn Simulator<f64>,
     function: DualFunction,

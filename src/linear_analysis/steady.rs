@@ -1,4 +1,4 @@
-//! A start in equilibrium, in modes that agree with their guards.
+//! Start in equilibrium, with modes that agree with their guards.
 
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
@@ -8,24 +8,24 @@ use super::{LinearError, Linearization, Point, equilibrium, full, jacobian, rest
 use crate::constraints::consistent;
 use crate::error::SimulateError;
 
-/// Growth of deviations that a start tells of: by e over the run, at least.
+/// Minimum growth of deviations over the run, as an exponent of e, that a note reports.
 const GROWS: f64 = 1.0;
-/// Beside the fastest motion, growth below this is rounding of eigenvalues that repeat.
+/// Growth, relative to the fastest motion, below which it is rounding of repeated eigenvalues.
 const ROUNDING: f64 = 1e-6;
-/// States up to which that is looked at: eigenvalues take the cube of them.
+/// Number of states up to which stability is examined: the cost of eigenvalues grows with its cube.
 const MOST_STATES: usize = 300;
 
-/// Sets modes right, and nothing else.
+/// Callback that corrects modes only.
 pub(crate) type Settle<'s> = dyn Fn(&mut Vec<f64>) -> Result<(), SimulateError> + 's;
 
-/// The equilibrium near a guess, as [`equilibrium()`], or downhill of it if there is none near, in
-/// modes that no event contradicts.
+/// Returns the equilibrium near a guess, as [`equilibrium()`], or downhill of it if there is none
+/// nearby, in modes that no event contradicts.
 ///
-/// Entries of the state that are `named` move only as far as the equations ask for. Where they
-/// leave no choice but to move, or decide everything, that makes no difference.
+/// Entries of the state that are `named` move only as far as the equations require. They make no
+/// difference if the equations force them to move, or determine everything.
 ///
 /// # Errors
-/// [`LinearError::NoEquilibrium`], [`LinearError::NoModes`], and those of `settle`.
+/// [`LinearError::NoEquilibrium`], [`LinearError::NoModes`], and the errors of `settle`.
 pub(crate) fn steady_start(
     simulator: &dyn Simulator<f64>,
     guess: Point,
@@ -40,7 +40,7 @@ pub(crate) fn steady_start(
     loop {
         let found = match search.near(&point) {
             Err(none @ LinearError::NoEquilibrium { .. }) => {
-                // A way on which something else than modes would have to change leads nowhere.
+                // A creep fails if anything besides modes would have to change.
                 if has_crept || search.creep(&mut point).is_err() {
                     return Err(none);
                 }
@@ -55,10 +55,10 @@ pub(crate) fn steady_start(
         }
         let modes = search.modes(&settled);
         point = settled;
-        // As many as may follow on one another at any start.
+        // Maximum number of changes in succession at any start.
         let most = 2 * simulator.events() + 8;
         if tried.contains(&modes) || tried.len() > most {
-            // Modes come back that have no equilibrium which agrees with them: go there slowly.
+            // Modes recur whose equilibrium contradicts them; the creep approaches it slowly.
             let none = search.no_modes(&point);
             if has_crept || search.creep(&mut point).is_err() {
                 return Err(none);
@@ -87,7 +87,7 @@ impl Search<'_> {
         }
     }
 
-    /// Lets the point creep to rest, through whatever modes it passes.
+    /// Lets the point creep to rest, through any modes on the way.
     fn creep(&self, point: &mut Point) -> Result<(), LinearError> {
         for _ in 0..=self.simulator.events() * 4 {
             let crept = if self.simulator.constraints() > 0 {
@@ -114,8 +114,8 @@ impl Search<'_> {
         creep(balance, point, &|point| self.settled(point))
     }
 
-    /// Sets the modes of a point right, and puts it onto what holds in them; whether they were
-    /// others.
+    /// Corrects the modes of a point and projects it onto the constraints that hold in them.
+    /// Returns whether any mode changed.
     fn settled(&self, point: &mut Point) -> Result<bool, LinearError> {
         if self.simulator.events() == 0 {
             return Ok(false);
@@ -147,25 +147,25 @@ impl Search<'_> {
     }
 }
 
-/// How an equilibrium moves with parameters and with the guess it was found from.
+/// Derivatives of an equilibrium by parameters and by its guess.
 pub(crate) struct SteadyTangents {
-    /// A column for each direction.
+    /// One column for each direction.
     pub(crate) state: DMatrix<f64>,
-    /// Whether the equations leave nothing open, so that the guess does not matter.
+    /// Whether the equations determine the state, so that the guess does not matter.
     pub(crate) is_determined: bool,
 }
 
-/// Moves of an equilibrium: of columns dy of `guess`, by which it would move if it moved with the
-/// guess, and rates df/dp,
+/// Computes moves of an equilibrium: from columns dy of `guess`, the moves with the guess, and from
+/// rates df/dp,
 ///
 /// ```text
 /// F (df/dp + A (dy + T x)) = 0        F: rates as residuals, T x: moves that are allowed
 /// ```
 ///
-/// with the least x, as a search takes it. `onto` makes up for what constraints ask for.
+/// with the least x, as in a search. `onto` restores the constraints.
 ///
 /// # Errors
-/// As [`equilibrium()`], and those of `onto`.
+/// As for [`equilibrium()`], and those of `onto`.
 pub(crate) fn steady_tangents(
     simulator: &dyn Simulator<f64>,
     point: &Point,
@@ -206,8 +206,8 @@ fn moves(
     Ok(SteadyTangents { state, is_determined: least.is_determined() })
 }
 
-/// How fast deviations from an equilibrium grow \[1/s\], if that shows within so many seconds;
-/// nothing of an equilibrium that is stable, or too large to tell.
+/// Returns the growth rate of deviations from an equilibrium \[1/s\], if it matters within a time
+/// `span` \[s\]; `None` for a stable equilibrium, and for too many states.
 pub(crate) fn growth(simulator: &dyn Simulator<f64>, point: Point, span: f64) -> Option<f64> {
     if point.state.len() > MOST_STATES {
         return None;

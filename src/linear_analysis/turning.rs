@@ -1,13 +1,13 @@
 //! Steady rotation in coordinates that turn with it: relative equilibria.
 //!
-//! A sleeping top by its quaternion moves all the time, and yet looks the same from a frame that
-//! turns along. Where the machine has a symmetry q -> q + e (S q + b), under which energies stay and
-//! rates turn along, a motion q' = S q + b is steady, and deviations from it, seen from there, have
-//! constant coefficients: A less S for positions and velocities (Marsden and Ratiu, Introduction to
-//! Mechanics and Symmetry, section 1.7 and chapter 9).
+//! A sleeping top, described by its quaternion, moves all the time, but looks the same from a frame
+//! that turns with it. If the machine has a symmetry q -> q + e (S q + b), under which energies are
+//! unchanged and rates turn, then a motion q' = S q + b is steady. Deviations from it, seen from
+//! that frame, have constant coefficients: A minus S for positions and velocities (Marsden and
+//! Ratiu, Introduction to Mechanics and Symmetry, section 1.7 and chapter 9).
 //!
-//! Symmetries are not in the model. They are found by what they do: S and b are what linear
-//! equations at places around a state leave open,
+//! Symmetries are not part of the model. They are found from their effects: S and b solve linear
+//! equations at points around a state,
 //!
 //! ```text
 //! df(y)/dy (S q + b, S q') = (S q', S q'', 0)     dT, dV along (S q + b, S q') = 0
@@ -21,16 +21,16 @@ use super::{Point, jacobian, rate};
 use crate::constraints::{Constraints, Level};
 use crate::scales::beside;
 
-/// Coordinates up to which symmetries are looked for: n^2 + n unknowns.
+/// Maximum number of coordinates for the search for symmetries, with n^2 + n unknowns.
 const MOST: usize = 16;
-/// Beside the largest, singular values below this are zero: gradients of energies have twelve
-/// digits.
+/// Ratio to the largest singular value below which others are zero: gradients of energies have
+/// twelve digits.
 const NOTHING: f64 = 1e-9;
-/// Beside what moves, a rate off the symmetry by less is steady.
+/// Deviation of rates from the symmetry, relative to the motion, below which the motion is steady.
 const STEADY: f64 = 1e-8;
-/// Distance of places around a state from it, in scales of states.
+/// Distance of points around a state, in scales of states.
 const REACH: f64 = 0.3;
-/// Steps of Newton's method.
+/// Maximum number of steps of Newton's method.
 const ROUNDS: usize = 50;
 /// Maximum change of coordinates in these, in their scales.
 const NEAR: f64 = 0.5;
@@ -39,21 +39,21 @@ const NEAR: f64 = 0.5;
 struct Symmetries<'a> {
     simulator: &'a dyn Simulator<f64>,
     coordinates: usize,
-    /// (S, b) of each.
+    /// (S, b) of each symmetry.
     all: Vec<(DMatrix<f64>, DVector<f64>)>,
-    /// Derivatives of outputs along each, at some places.
+    /// Derivatives of outputs along each symmetry, at some points.
     seen: DMatrix<f64>,
 }
 
-/// A motion along a symmetry, by its shares of all.
+/// A motion along a symmetry, by its coefficients.
 struct Steady {
     shares: DVector<f64>,
-    /// Rates off it, beside what moves.
+    /// Deviation of rates, relative to the motion.
     off: f64,
 }
 
-/// S of the steady rotation that a state is on, n by n; nothing if it is on none, if nothing of it
-/// turns, or if the machine is too large.
+/// Returns S of the steady rotation at a state, n by n; `None` if the motion is not steady, if
+/// nothing turns, or if the machine is too large.
 pub(super) fn turning(simulator: &dyn Simulator<f64>, point: &Point) -> Option<DMatrix<f64>> {
     let symmetries = Symmetries::around(simulator, point)?;
     let steady = symmetries.fitted(point);
@@ -64,16 +64,16 @@ pub(super) fn turning(simulator: &dyn Simulator<f64>, point: &Point) -> Option<D
     Some(turns)
 }
 
-/// The steady rotation near a state that turns: at the rate at which that turns, or if there is none,
-/// near that rate.
+/// Returns the steady rotation near a turning state: at its rate of turning, or else near that
+/// rate.
 pub(super) fn steady_rotation(simulator: &dyn Simulator<f64>, guess: &Point) -> Option<Point> {
     let symmetries = Symmetries::around(simulator, guess)?;
     symmetries.steady_near(guess, false).or_else(|| symmetries.steady_near(guess, true))
 }
 
 impl<'a> Symmetries<'a> {
-    /// Those of a machine whose state has accelerations, so that it is no equilibrium by itself;
-    /// nothing if none of them turns.
+    /// Finds the symmetries of a machine whose state has accelerations, so that it is not an
+    /// equilibrium; `None` if no symmetry turns.
     fn around(simulator: &'a dyn Simulator<f64>, point: &Point) -> Option<Self> {
         let shape = simulator.shape();
         let n = shape.coordinates;
@@ -118,7 +118,7 @@ impl<'a> Symmetries<'a> {
         Some(found)
     }
 
-    /// By Newton's method, which changes the rate of turning or not.
+    /// Searches by Newton's method, which may change the rate of turning or not.
     fn steady_near(&self, guess: &Point, changes_rate: bool) -> Option<Point> {
         let fitted = self.fitted(guess).shares;
         let (mut point, mut shares) = (guess.clone(), fitted.clone());
@@ -140,7 +140,7 @@ impl<'a> Symmetries<'a> {
         (is_near && is_turning && steady.off <= STEADY).then_some(point)
     }
 
-    /// S and b of a sum.
+    /// Returns S and b of a linear combination.
     fn together(&self, shares: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
         let n = self.coordinates;
         let none = (DMatrix::zeros(n, n), DVector::zeros(n));
@@ -171,8 +171,8 @@ impl<'a> Symmetries<'a> {
         seen
     }
 
-    /// The motion along a symmetry that is nearest to that of a state; of several that are, the one
-    /// that outputs see least of, so that deviations are as these see them.
+    /// Returns the motion along a symmetry that is nearest to that of a state. If it is not unique,
+    /// outputs change least along it, so that deviations agree with what they show.
     fn fitted(&self, point: &Point) -> Steady {
         let n = self.coordinates;
         let rate = rate(self.simulator, point);
@@ -220,8 +220,8 @@ impl<'a> Symmetries<'a> {
         back.map_or(nearest.clone(), |back| &nearest - open * back)
     }
 
-    /// Newton's step of [q, z, shares] to f(q, S q + b, z) = (.., S q', 0) on the constraints, the
-    /// least one by the scales of states.
+    /// Returns Newton's step of [q, z, shares] for f(q, S q + b, z) = (.., S q', 0) on the
+    /// constraints, the least one in the scales of states.
     fn step(
         &self,
         point: &Point,
@@ -308,7 +308,7 @@ impl<'a> Symmetries<'a> {
     }
 }
 
-/// True if constraints depend on time.
+/// Returns whether constraints depend on time.
 fn is_driven(simulator: &dyn Simulator<f64>, point: &Point) -> bool {
     let n = simulator.shape().coordinates;
     let mut still = point.state.clone();
@@ -318,7 +318,7 @@ fn is_driven(simulator: &dyn Simulator<f64>, point: &Point) -> bool {
     })
 }
 
-/// (S q + b, S q', 0).
+/// Returns (S q + b, S q', 0).
 fn along(n: usize, point: &Point, turns: &DMatrix<f64>, shifts: &DVector<f64>) -> Vec<f64> {
     let of = |first: usize| turns * DVector::from_column_slice(&point.state[first..first + n]);
     let mut along = vec![0.0; point.state.len()];
@@ -327,7 +327,7 @@ fn along(n: usize, point: &Point, turns: &DMatrix<f64>, shifts: &DVector<f64>) -
     along
 }
 
-/// The state and others around it, of as many equations as there are unknowns and more.
+/// Returns the state and enough others around it for more equations than unknowns.
 fn places(simulator: &dyn Simulator<f64>, point: &Point) -> Vec<Point> {
     let n = simulator.shape().coordinates;
     let around = |number: usize| {
@@ -337,15 +337,15 @@ fn places(simulator: &dyn Simulator<f64>, point: &Point) -> Vec<Point> {
     (0..n + 6).map(around).collect()
 }
 
-/// Coefficients of the unknowns, S row by row and b, in the scales of positions; one for each
-/// equation at a place.
+/// Returns the coefficients of the unknowns, S row by row and b, in the scales of positions, for
+/// each equation at a point.
 fn equations(simulator: &dyn Simulator<f64>, place: &Point) -> Option<Vec<DVector<f64>>> {
     let shape = simulator.shape();
     let (n, states) = (shape.coordinates, shape.states());
     let matrix = jacobian(simulator, place).ok()?.full();
     let rates = rate(simulator, place);
     let scale = |index: usize| simulator.state_scale(index);
-    // Of what multiplies S q + b and S q'.
+    // Coefficients of S q + b and S q'.
     let row = |of_q: &dyn Fn(usize) -> f64, of_v: &dyn Fn(usize) -> f64| {
         DVector::from_fn(n * n + n, |at, _| {
             if at >= n * n {

@@ -1,23 +1,23 @@
-//! Frequencies without damping, slow ones as exactly as fast ones.
+//! Undamped frequencies, slow ones as accurate as fast ones.
 
 use nalgebra::DMatrix;
 
 use super::{LinearError, SecondOrder};
 
-/// Squares of frequencies below this share of the largest are found anew among themselves: beside it
-/// they have lost so many digits.
+/// Ratio to the largest squared frequency below which others have lost too many digits and are
+/// computed again among themselves.
 const SLOW: f64 = 1e-2;
-/// K x of a free motion has no more than so many roundings of its terms.
+/// Maximum of K x for a free motion, in roundings of its terms.
 const ROUNDINGS: f64 = 16.0;
 
 impl SecondOrder {
-    /// Natural frequencies without damping, ascending \[rad/s\]: w of
-    /// (K - w^2 M) x = 0, with the symmetric part of K. A free motion has 0, and a
-    /// direction in which the machine is unstable, w^2 < 0, has NaN.
+    /// Returns natural frequencies without damping, ascending \[rad/s\]: w of (K - w^2 M) x = 0,
+    /// with the symmetric part of K. A free motion has 0, and an unstable direction, w^2 < 0, has
+    /// NaN.
     ///
-    /// Eigenvalues of a symmetric matrix are found to rounding of the largest. So those of slow
-    /// motions are found once more of K and M between these motions alone, by sums that keep the
-    /// digits which cancel, and so on: each frequency is that of K and M as they are, to rounding.
+    /// Eigenvalues of a symmetric matrix have the rounding error of the largest. Those of slow
+    /// motions are therefore computed again from K and M restricted to these motions, by sums
+    /// without cancellation error, and so on: each frequency is accurate to rounding.
     ///
     /// # Errors
     /// [`LinearError::Singular`] if M is not positive definite.
@@ -33,8 +33,8 @@ impl SecondOrder {
         Ok(found)
     }
 
-    /// Adds frequencies of the faster motions among the columns of `motions`, and gives the slower
-    /// ones, which are fewer.
+    /// Adds frequencies of the faster motions among the columns of `motions`, and returns the
+    /// slower motions, which are fewer.
     fn fast_ones(
         &self,
         stiffness: &Stiffness,
@@ -66,7 +66,7 @@ impl SecondOrder {
     }
 }
 
-/// K, row by row without its zeros.
+/// K by rows, without zeros.
 struct Stiffness(Vec<Vec<(usize, f64)>>);
 
 impl Stiffness {
@@ -84,7 +84,7 @@ impl Stiffness {
         })
     }
 
-    /// True if nothing restores a motion: each of its forces is rounding of what it is summed from.
+    /// Returns whether a motion is free: each of its forces is a rounding error of its terms.
     fn is_rounding(&self, shape: &[f64]) -> bool {
         self.0.iter().all(|row| {
             let parts = row.iter().map(|(at, entry)| (*entry, shape[*at]));
@@ -94,7 +94,7 @@ impl Stiffness {
     }
 }
 
-/// The sum of products as if in twice as many digits, then rounded (Ogita, Rump and Oishi, Accurate
+/// Returns a sum of products with twice the digits, then rounded (Ogita, Rump and Oishi, Accurate
 /// sum and dot product, SIAM J. Sci. Comput. 26, 2005, algorithm 5.3).
 fn dot(parts: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (mut sum, mut rest) = (0.0, 0.0);
@@ -124,7 +124,7 @@ mod tests {
     /// det [[k + s - w^2, -k], [-k, k - w^2]] = w^4 - (2 k + s) w^2 + k s.
     #[test]
     fn a_slow_motion_beside_a_fast_one_has_all_its_digits() {
-        // Beyond, forces of the soft spring are below 16 roundings of the stiff one's.
+        // Beyond this, forces of the soft spring are below 16 roundings of the stiff one's.
         for exponent in 0..48 {
             let (k, s) = (f64::from(2_u32).powi(exponent), 3.0);
             let half = k + s / 2.0;

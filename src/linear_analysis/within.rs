@@ -1,20 +1,19 @@
 //! Small motions within constraints.
 //!
-//! The emitted accelerations fulfil g'' = 0, so that dy' = A dy leaves the deviations that
-//! the constraints allow among themselves. These are a space of their own, with coordinates
-//! s of positions and u of velocities:
+//! The emitted accelerations fulfil g'' = 0, so deviations that the constraints allow remain
+//! allowed under dy' = A dy. They form a space with coordinates s of positions and u of velocities:
 //!
 //! ```text
 //! dq = N s               N: null space of dg/dq, and of dg'/dv of what holds in modes
 //! dv = W s + U u         U: null space of dg'/dv, (dg'/dv) W = -(dg'/dq) N
 //! ```
 //!
-//! A restricted to it has the eigenvalues of the machine, and none that only say that
-//! constraints stay fulfilled. W tells that s' depends on s, too, where constraints of velocities
-//! do: a wheel that rolls steers, and rolling on a turntable carries along. What a constraint of
-//! velocities holds in some modes only, as dry friction that sticks, stays where it is: it is no way of
-//! moving. Nothing else is needed: A holds how multipliers change, and so the geometric stiffness sum lambda d2g/dq2, which projecting M, D and K of the machine
-//! without constraints would have to add.
+//! A restricted to it has the eigenvalues of the machine, without those that belong to the
+//! constraints themselves. Constraints of velocities make s' depend on s through W: a rolling wheel
+//! steers, and rolling on a turntable carries along. A constraint of velocities that holds in some
+//! modes only, such as sticking friction, fixes its position: that is no direction of motion. A
+//! contains the changes of multipliers, and so the geometric stiffness sum lambda d2g/dq2, which a
+//! projection of M, D and K of the unconstrained machine would have to add.
 
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
@@ -25,16 +24,16 @@ use super::equilibrium::split;
 use super::motions::Motions;
 use crate::constraints::{Constraints, Level};
 
-/// Beside the terms that make it up, an entry below this is rounding.
+/// Size of an entry, relative to its terms, below which it is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// The space of deviations that constraints allow; q, q' and z divided by their scales.
+/// Space of deviations that constraints allow; q, q' and z are divided by their scales.
 pub(super) struct Within {
-    /// N, n by as many positions as are free.
+    /// N, n by the number of free positions.
     pub positions: DMatrix<f64>,
-    /// U, n by as many velocities as are free.
+    /// U, n by the number of free velocities.
     pub velocities: DMatrix<f64>,
-    /// T: of \[s, u, z\], deviations of \[q, q', z\].
+    /// T, from \[s, u, z\] to deviations of \[q, q', z\].
     basis: DMatrix<f64>,
     /// L, with L T = 1.
     dual: DMatrix<f64>,
@@ -43,7 +42,7 @@ pub(super) struct Within {
 }
 
 impl Within {
-    /// At a point; nothing if the machine has no constraints.
+    /// Computes the space at a point; `None` if the machine has no constraints.
     pub fn of(simulator: &dyn Simulator<f64>, point: &Point, motions: &Motions) -> Option<Self> {
         let constraints = Constraints::of(simulator, &point.parameters)?;
         let (n, m) = (motions.coordinates, motions.first_order);
@@ -62,7 +61,7 @@ impl Within {
         for (mut row, size) in bent.row_iter_mut().zip(&sizes) {
             row /= -size;
         }
-        // The shortest W; it has nothing of U.
+        // The shortest W has no component along U.
         let along = rows.svd(true, true).solve(&bent, 1e-10).ok()?;
 
         let (d, e) = (positions.ncols(), velocities.ncols());
@@ -79,16 +78,17 @@ impl Within {
         Some(Self { positions, velocities, basis, dual, steers })
     }
 
-    /// Seen from a frame that turns along, in which N stays: s' depends on s as W says.
+    /// Converts to a frame that turns with the machine, in which N is constant: s' then depends on
+    /// s through W.
     pub fn seen_turning(self) -> Self {
         Self { steers: true, ..self }
     }
 
-    /// The motions of \[s, u, z\].
+    /// Returns the equations of \[s, u, z\].
     pub fn motions(&self, whole: &Motions) -> Motions {
         let scaled = whole.scaled().full();
         let mut matrix = &self.dual * &scaled * &self.basis;
-        // What cancels but for rounding is nothing: rates that no allowed motion changes.
+        // Terms that cancel except for rounding are zero: no allowed motion changes these rates.
         let terms = self.dual.abs() * scaled.abs() * self.basis.abs();
         let least = f64::EPSILON * scaled.norm();
         matrix.zip_apply(&terms, |value, terms| {
@@ -98,32 +98,32 @@ impl Within {
         });
         let d = self.positions.ncols();
         if !self.steers {
-            // N turns with the positions then, N' = W but for what is along N, and s' = N^T U u.
+            // N turns with the positions then, N' = W except along N, and s' = N^T U u.
             matrix.view_mut((0, 0), (d, d)).fill(0.0);
         }
         Motions::alone(&matrix, d, whole.first_order)
     }
 
-    /// \[q, q', z\] over their scales, of \[s, u, z\].
+    /// Returns the map from \[s, u, z\] to \[q, q', z\] over their scales.
     pub fn basis(&self) -> &DMatrix<f64> {
         &self.basis
     }
 
-    /// \[s, u, z\] of \[q, q', z\] over their scales.
+    /// Returns the map from \[q, q', z\] over their scales to \[s, u, z\].
     pub fn dual(&self) -> &DMatrix<f64> {
         &self.dual
     }
 }
 
-/// dg'/dq N: how the matrix of a moving machine's constraints changes, and what a constraint of
-/// velocities has of positions, which it has at rest, too.
+/// Returns dg'/dq N: the change of the constraint matrix along the motion, and the dependence of
+/// constraints of velocities on positions, which exists at rest too.
 fn bent(
     constraints: &Constraints<'_>,
     point: &Point,
     positions: &DMatrix<f64>,
     scales: &DVector<f64>,
 ) -> DMatrix<f64> {
-    /// Beside the terms of g', differences leave this much of nothing.
+    /// Size of differences, relative to the terms of g', that counts as zero.
     const LEFT: f64 = 1e-11;
     let (n, free) = (positions.nrows(), positions.ncols());
     let rates = |state: &[f64]| constraints.residual(Level::Velocities, point.time, state);
@@ -147,7 +147,8 @@ fn bent(
     bent
 }
 
-/// Columns times scales, and then rows divided by their lengths, which come with it.
+/// Returns a matrix with columns multiplied by scales and rows then normalized, and the lengths of
+/// these rows.
 fn unit_rows(matrix: &DMatrix<f64>, scales: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
     let mut rows = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |row, column| {
         matrix[(row, column)] * scales[column]

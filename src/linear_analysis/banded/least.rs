@@ -1,29 +1,30 @@
-//! Least solutions of equations of which each has but a few unknowns, and all perhaps a few more.
+//! Least-norm solutions of equations with few unknowns each, apart from a few unknowns that occur
+//! in many.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::super::sparse_rows::SparseRows;
 use super::null_space::NullSpace;
 
-/// Unknowns that may be in many equations.
+/// Maximum number of unknowns that occur in many equations.
 const MANY: usize = 8;
-/// Times that what is left over is solved for once more.
+/// Number of iterative refinements.
 const REFINEMENTS: usize = 3;
 
-/// J x = r with the least x of those that come nearest, J being \[P V\] with short rows of P and a
-/// few columns of V:
+/// Least-norm least-squares solution x of J x = r, where J = \[P V\] with short rows of P and a few
+/// columns of V:
 ///
 /// ```text
 /// x_P = P^+ (r - V s)       L^T V s = L^T r       L: what P^T takes to nothing
 /// ```
 ///
-/// and of the s that do, one that makes x least.
+/// and, of all such s, the one that minimizes x.
 pub(in crate::linear_analysis) struct LeastSquares {
     columns: usize,
-    /// P by rows, with columns as in `short`, and where these are in J.
+    /// P by rows, with columns numbered as in `short`, which contains their indices in J.
     rows: Vec<Vec<(usize, f64)>>,
     short: Vec<usize>,
-    /// V, and where its columns are in J. Others are zero.
+    /// V, and the indices of its columns in J. Other columns are zero.
     long: DMatrix<f64>,
     places: Vec<usize>,
     right: NullSpace,
@@ -32,7 +33,8 @@ pub(in crate::linear_analysis) struct LeastSquares {
 }
 
 impl LeastSquares {
-    /// Of a matrix, or nothing where it has no such form. Singular values below `limit` are zero.
+    /// Prepares a matrix; `None` if it does not have this form. Singular values below `limit` count
+    /// as zero.
     pub(in crate::linear_analysis) fn new(jacobian: &SparseRows, limit: f64) -> Option<Self> {
         let (count, columns) = (jacobian.rows(), jacobian.columns());
         if count < super::FEW {
@@ -71,13 +73,13 @@ impl LeastSquares {
         Some(Self { columns, rows, short, long, places, right, left, limit })
     }
 
-    /// Whether only one x comes nearest.
+    /// Returns whether the least-squares solution is unique.
     pub(in crate::linear_analysis) fn is_determined(&self) -> bool {
         let rank = self.long_across().map_or(0, |across| across.rank(self.limit));
         self.right.vectors.is_empty() && self.short.len() + rank == self.columns
     }
 
-    /// The least x.
+    /// Returns the solution of least norm.
     pub(in crate::linear_analysis) fn solve(
         &self,
         right_side: &DVector<f64>,
@@ -96,7 +98,7 @@ impl LeastSquares {
                 self.left.vectors.iter().map(|vector| vector.dot(right_side)),
             );
             let count = self.places.len();
-            // Rows of zeros, so that all directions of s are among the singular vectors.
+            // Rows of zeros ensure that all directions of s are among the singular vectors.
             let size = across.nrows().max(count);
             let svd = across.resize(size, count, 0.0).svd(true, true);
             let decided = svd.solve(&wanted.resize_vertically(size, 0.0), self.limit).ok()?;
@@ -115,7 +117,7 @@ impl LeastSquares {
         whole.iter().all(|value| value.is_finite()).then_some(whole)
     }
 
-    /// L^T V; nothing if there is no V.
+    /// Returns L^T V; `None` if there is no V.
     fn long_across(&self) -> Option<DMatrix<f64>> {
         let left = &self.left.vectors;
         (!self.places.is_empty()).then(|| {
@@ -125,7 +127,8 @@ impl LeastSquares {
         })
     }
 
-    /// P^+ b by the corrected seminormal equations (Bjorck, Linear Algebra Appl. 88/89, 1987).
+    /// Returns P^+ b by the corrected seminormal equations (Bjorck, Linear Algebra Appl. 88/89,
+    /// 1987).
     fn of_short(&self, b: &DVector<f64>) -> DVector<f64> {
         let b = self.left.across(b.clone());
         let mut x = DVector::zeros(self.short.len());
@@ -147,7 +150,8 @@ impl LeastSquares {
 mod tests {
     use super::*;
 
-    /// Chains of so many on each other, that the ground may hold, and unknowns in every equation.
+    /// Returns `parts` chains, joined to the ground if `is_held`, and `long` unknowns in every
+    /// equation.
     fn matrix(size: usize, is_held: bool, long: usize, parts: usize) -> DMatrix<f64> {
         DMatrix::from_fn(size, size + long, |row, column| {
             let part = |index: usize| index * parts / size;
@@ -160,7 +164,7 @@ mod tests {
                     others as f64 + if is_held && row == 3 { 0.7 } else { 0.0 }
                 }
                 None if b == a + 1 && part(a) == part(b) => -1.0,
-                // The last of the long ones is in no equation.
+                // The last of the long unknowns is in no equation.
                 _ => 0.0,
             }
         })

@@ -1,25 +1,26 @@
-//! Null spaces of matrices whose rows are short and near each other.
+//! Null spaces of matrices with short rows whose entries are near each other.
 
 use nalgebra::DVector;
 
 use super::order::parts;
 use crate::sorting::sort_ascending;
 
-/// Solutions of inverse iteration; the third changes but the last digits.
+/// Number of solutions of inverse iteration; the third already changes only the last digits.
 const ITERATIONS: usize = 5;
 
-/// Beside it, what is longer than the limit of what is nothing is something for sure.
+/// Factor above the zero limit from which on a length is certainly not zero.
 const DOUBTFUL: f64 = 100.0;
-/// Columns are so many times the band of R at least.
+/// Minimum ratio of columns to the band of R.
 const SLENDER: usize = 8;
 
-/// What a matrix with short rows takes to nothing.
+/// Null space of a matrix with short rows.
 pub(super) struct NullSpace {
-    /// An orthonormal basis.
+    /// Orthonormal basis.
     pub(super) vectors: Vec<DVector<f64>>,
     /// Columns in the order of R.
     order: Vec<usize>,
-    /// R of the matrix and of a row of 1 for an entry of each vector, so that it is regular.
+    /// R of the matrix, extended by a row with a 1 for an entry of each vector so that it is
+    /// regular.
     triangle: Triangle,
 }
 
@@ -31,12 +32,13 @@ struct Triangle {
 }
 
 impl NullSpace {
-    /// What a matrix, by its rows as (column, entry), takes to less than `limit`; nothing where it
-    /// takes a vector to little more, so that rounding would decide, or where its band is broad.
+    /// Returns the vectors that a matrix, given by its rows as (column, entry), maps to less than
+    /// `limit`. Returns `None` if a vector is mapped to little more, so that rounding would decide,
+    /// or if the band is wide.
     ///
-    /// Givens rotations, row by row, as George and Heath (Linear Algebra Appl. 34, 1980), and
-    /// inverse iteration with R^T R. Of what is found, the largest entry is held by one more row,
-    /// and the rest looked for.
+    /// Uses Givens rotations, row by row, as George and Heath (Linear Algebra Appl. 34, 1980), and
+    /// inverse iteration with R^T R. The largest entry of each vector found is fixed by one more
+    /// row before the search for the next.
     pub(super) fn of(columns: usize, rows: &[Vec<(usize, f64)>], limit: f64) -> Option<Self> {
         let mut neighbours = vec![Vec::new(); columns];
         for row in rows {
@@ -77,7 +79,7 @@ impl NullSpace {
         Some(Self { vectors, order, triangle })
     }
 
-    /// (R^T R)^-1 b, with R as above.
+    /// Returns (R^T R)^-1 b.
     pub(super) fn solve(&self, b: &DVector<f64>) -> DVector<f64> {
         let mut solution = b.select_rows(&self.order);
         self.triangle.solve(&mut solution);
@@ -88,7 +90,7 @@ impl NullSpace {
         back
     }
 
-    /// A vector without what it has of the null space.
+    /// Returns a vector without its components in the null space.
     pub(super) fn across(&self, mut vector: DVector<f64>) -> DVector<f64> {
         take_from(&mut vector, &self.vectors);
         vector
@@ -104,7 +106,7 @@ impl Triangle {
         let reach = rows.iter().filter_map(ends).map(|(last, first)| last - first);
         let width = reach.max().unwrap_or(0);
         let mut triangle = Self { columns, width, entries: vec![0.0; columns * (width + 1)] };
-        // From the first column on: so each meets no more rows of R than the band has.
+        // Sorted by their first columns, rows meet no more rows of R than the band has.
         let mut order: Vec<_> =
             rows.iter().filter_map(|row| ends(row).map(|(_, first)| (first, row))).collect();
         sort_ascending(&mut order, |(first, _)| *first as f64);
@@ -119,7 +121,7 @@ impl Triangle {
         triangle
     }
 
-    /// Rotates a row, which begins in some column, into R.
+    /// Rotates a row that begins at column `first` into R.
     fn take(&mut self, first: usize, row: &mut [f64]) {
         for column in first..self.columns {
             if row.iter().all(|entry| *entry == 0.0) {
@@ -138,7 +140,7 @@ impl Triangle {
         }
     }
 
-    /// The vector of length 1 whose product is shortest, and how long that is.
+    /// Returns the unit vector with the shortest product, and the length of that product.
     fn least(&self) -> (DVector<f64>, f64) {
         let start = |index: usize| 1.0 + (1.7 * index as f64).cos() / 2.0;
         let mut vector = DVector::from_fn(self.columns, |index, _| start(index)).normalize();
@@ -163,7 +165,7 @@ impl Triangle {
         DVector::from_fn(self.columns, |index, _| row(index))
     }
 
-    /// R^T R x = b; b becomes x. Pivots below rounding are that.
+    /// Solves R^T R x = b in place. Pivots below rounding are replaced by rounding.
     fn solve(&self, b: &mut DVector<f64>) {
         let largest = self.entries.iter().fold(f64::MIN_POSITIVE, |most, r| most.max(r.abs()));
         let least = f64::EPSILON * largest;
@@ -186,10 +188,10 @@ impl Triangle {
     }
 }
 
-/// A vector without what it has along others, of length 1.
+/// Returns a unit vector without components along others.
 fn across(mut vector: DVector<f64>, others: &[DVector<f64>]) -> DVector<f64> {
     take_from(&mut vector, others);
-    // Once more for what rounding leaves.
+    // A second pass removes what rounding leaves.
     take_from(&mut vector, others);
     vector.normalize()
 }
@@ -205,7 +207,7 @@ fn take_from(vector: &mut DVector<f64>, others: &[DVector<f64>]) {
 mod tests {
     use super::*;
 
-    /// Differences of neighbours, of so many, but for some.
+    /// Returns differences of neighbours in a chain, with some joints missing.
     fn chain(count: usize, without: &[usize]) -> Vec<Vec<(usize, f64)>> {
         let joined = (1..count).filter(|index| !without.contains(index));
         joined.map(|index| vec![(index - 1, -1.0), (index, 1.0)]).collect()

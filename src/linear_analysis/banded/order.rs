@@ -1,9 +1,9 @@
-//! Parts of a machine that nothing couples, each in an order that keeps what is coupled near.
+//! Decoupled parts of a machine, each in an order that keeps coupled nodes near.
 
 use std::collections::VecDeque;
 
-/// The connected parts of a graph, each in reverse Cuthill-McKee order: by distance from an end
-/// of it, so that neighbours get numbers near each other.
+/// Returns the connected parts of a graph, each in reverse Cuthill-McKee order: by distance from
+/// one end of it, so that neighbours get close numbers.
 ///
 /// Source: Cuthill, McKee, "Reducing the bandwidth of sparse symmetric matrices", ACM '69;
 /// ends as George, Liu, "An implementation of a pseudoperipheral node finder", ACM TOMS 5 (1979).
@@ -24,13 +24,14 @@ pub(super) fn parts(neighbours: &[Vec<usize>]) -> Vec<Vec<usize>> {
     parts
 }
 
-/// A node far from others of its part.
+/// Returns a node far from others of its part.
 fn end(neighbours: &[Vec<usize>], node: usize) -> usize {
     const WALKS: usize = 3;
     (0..WALKS).fold(node, |node, _| walk(neighbours, node).last().copied().unwrap_or(node))
 }
 
-/// All nodes that can be reached, nearest first, of those at once the ones with few neighbours.
+/// Returns all reachable nodes, nearest first; nodes at the same distance are ordered by their
+/// number of neighbours.
 fn walk(neighbours: &[Vec<usize>], start: usize) -> Vec<usize> {
     let mut is_reached = vec![false; neighbours.len()];
     let mut waiting = VecDeque::from([start]);

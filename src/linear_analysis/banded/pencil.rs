@@ -1,18 +1,19 @@
-//! T(s) = s^2 + s A_1 + A_0 of one part, in an order in which its nonzeros are near the diagonal.
+//! T(s) = s^2 + s A_1 + A_0 of one part, in an order with its nonzeros near the diagonal.
 
 use std::ops::Range;
 
 use nalgebra::DMatrix;
 use num_complex::Complex64;
 
-/// A motion e^(s t) x of coordinates and first-order states has T(s) x = 0: velocities are s
-/// times their coordinates. On the diagonal stand s^2 for coordinates, s for first-order states.
+/// Banded matrix T(s) with T(s) x = 0 for a motion e^(s t) x of coordinates and first-order states;
+/// velocities are s times their coordinates. The diagonal has s^2 for coordinates and s for
+/// first-order states.
 pub(super) struct Pencil {
-    /// Entries of T beside the diagonal reach so far.
+    /// Half-bandwidth of T.
     width: usize,
-    /// Which rows are of coordinates; the others are of first-order states.
+    /// Whether each row belongs to a coordinate; the others belong to first-order states.
     is_coordinate: Vec<bool>,
-    /// A_0 and A_1, 2 width + 1 columns around the diagonal a row.
+    /// A_0 and A_1, with 2 width + 1 columns around the diagonal in each row.
     constant: Vec<f64>,
     linear: Vec<f64>,
 }
@@ -27,31 +28,31 @@ struct Dual {
 const NOTHING: Dual = Dual { value: Complex64::ZERO, slope: Complex64::ZERO };
 
 impl Pencil {
-    /// Without entries.
+    /// Creates a matrix without entries.
     pub(super) fn new(is_coordinate: Vec<bool>, width: usize) -> Self {
         let places = is_coordinate.len() * (2 * width + 1);
         let [constant, linear] = [vec![0.0; places], vec![0.0; places]];
         Self { width, is_coordinate, constant, linear }
     }
 
-    /// Takes what a rate has of a coordinate or state, or of a velocity.
+    /// Subtracts the dependence of a rate on a coordinate or state, or on a velocity.
     pub(super) fn subtract(&mut self, row: usize, column: usize, of_velocity: bool, rate: f64) {
         let place = self.place(row, column);
         let entries = if of_velocity { &mut self.linear } else { &mut self.constant };
         entries[place] -= rate;
     }
 
-    /// Rows.
+    /// Returns the number of rows.
     pub(super) fn size(&self) -> usize {
         self.is_coordinate.len()
     }
 
-    /// Eigenvalues of so many rows, without what couples them to others.
+    /// Returns the number of eigenvalues of some rows, decoupled from others.
     pub(super) fn degree(&self, rows: Range<usize>) -> usize {
         rows.clone().count() + rows.filter(|row| self.is_coordinate[*row]).count()
     }
 
-    /// Where an entry is.
+    /// Returns the index of an entry.
     fn place(&self, row: usize, column: usize) -> usize {
         row * (2 * self.width + 1) + column + self.width - row
     }
@@ -69,7 +70,7 @@ impl Pencil {
         Dual { value, slope }
     }
 
-    /// A row from the column at which elimination meets it, of what is coupled within `rows`.
+    /// Reads a row from the column at which elimination meets it, without couplings outside `rows`.
     #[inline(always)]
     fn read(&self, row: usize, rows: &Range<usize>, s: Complex64, into: &mut [Dual]) {
         if row >= rows.end {
@@ -92,10 +93,11 @@ impl Pencil {
         into[length - beyond..].fill(NOTHING);
     }
 
-    /// (det T)'/det T of the rows and columns, by elimination with derivatives; nothing where the
-    /// determinant is zero.
+    /// Returns (det T)'/det T of some rows and columns, by elimination with derivatives; `None`
+    /// where the determinant is zero.
     pub(super) fn logarithmic_slope(&self, rows: Range<usize>, s: Complex64) -> Option<Complex64> {
-        // Of few diagonals as many are known when this is compiled: so nearly all of them are.
+        // Narrow bands, which are by far the most frequent, have their width as a compile-time
+        // constant.
         match self.width {
             1 => self.slope_within(1, &mut [NOTHING; 6], &rows, s),
             2 => self.slope_within(2, &mut [NOTHING; 15], &rows, s),
@@ -108,7 +110,7 @@ impl Pencil {
         }
     }
 
-    /// Likewise, with the width of all rows and room for those that wait.
+    /// Does the same, with the width of all rows and memory for waiting rows.
     #[inline(always)]
     fn slope_within(
         &self,
@@ -146,7 +148,7 @@ impl Pencil {
         sum.is_finite().then_some(sum)
     }
 
-    /// The rows that elimination begins with, each from its first column on.
+    /// Reads the rows with which elimination begins, each from its first column.
     #[inline(always)]
     fn read_first(&self, rows: &Range<usize>, s: Complex64, waiting: &mut [Dual]) {
         let (width, length) = (self.width, 2 * self.width + 1);
@@ -157,8 +159,8 @@ impl Pencil {
         }
     }
 
-    /// P T(s) = L U of all rows, ready for inverse iteration: pivots smaller than rounding of
-    /// the largest are that.
+    /// Returns P T(s) = L U of all rows for inverse iteration. Pivots smaller than rounding of the
+    /// largest are replaced by that.
     pub(super) fn factors(&self, s: Complex64) -> Factors {
         let (width, length, size) = (self.width, 2 * self.width + 1, self.size());
         let rows = 0..size;
@@ -175,7 +177,7 @@ impl Pencil {
             exchanged: Vec::with_capacity(size),
         };
         let mut next = vec![NOTHING; length];
-        // Rows beyond the last are no pivots, not even where all others are zero.
+        // Rows beyond the last one are never pivots, even if all others are zero.
         let mut number: Vec<usize> = (0..=width).collect();
         for step in rows.clone() {
             let largest = exchange(&mut waiting, length, |place, entry| {
@@ -205,12 +207,12 @@ impl Pencil {
         factors
     }
 
-    /// T(s) x, and the sizes of its terms.
+    /// Returns T(s) x and the sizes of its terms.
     pub(super) fn times(&self, s: Complex64, vector: &[Complex64]) -> [Vec<Complex64>; 2] {
         self.products(vector, |row, column| self.entry(row, column, s).value)
     }
 
-    /// T'(s) x, likewise.
+    /// Returns T'(s) x and the sizes of its terms.
     pub(super) fn slope_times(&self, s: Complex64, vector: &[Complex64]) -> [Vec<Complex64>; 2] {
         self.products(vector, |row, column| self.entry(row, column, s).slope)
     }
@@ -226,7 +228,7 @@ impl Pencil {
             for column in self.columns(row) {
                 let term = entry(row, column) * vector[column];
                 sum += term;
-                // Tiny terms may vanish: sizes are of the largest.
+                // Tiny terms may vanish, since sizes are compared with the largest.
                 size += term.norm_sqr().sqrt();
             }
             products[0].push(sum);
@@ -235,7 +237,8 @@ impl Pencil {
         products
     }
 
-    /// What a left vector u of T has for coordinates, where it has u for rates: s u + A_1^T u.
+    /// Returns the components s u + A_1^T u of a left vector for coordinates, given its components
+    /// u for rates.
     pub(super) fn momenta(&self, s: Complex64, left: &[Complex64]) -> Vec<Complex64> {
         let mut momenta: Vec<Complex64> = left.iter().map(|u| u * s).collect();
         for (row, u) in left.iter().enumerate() {
@@ -246,7 +249,7 @@ impl Pencil {
         momenta
     }
 
-    /// A bound of all frequencies without damping, by rows of A_0.
+    /// Returns an upper bound of all undamped frequencies, from the rows of A_0.
     pub(super) fn fastest(&self) -> f64 {
         let row = |row: usize| -> f64 {
             self.columns(row).map(|column| self.constant[self.place(row, column)].abs()).sum()
@@ -254,12 +257,12 @@ impl Pencil {
         (0..self.size()).map(row).fold(0.0, f64::max).sqrt()
     }
 
-    /// Columns of a row.
+    /// Returns the columns of a row.
     fn columns(&self, row: usize) -> Range<usize> {
         row.saturating_sub(self.width)..self.size().min(row + self.width + 1)
     }
 
-    /// A of x' = A x of the rows with their velocities, as a full matrix.
+    /// Returns the dense A of x' = A x for some rows and their velocities.
     pub(super) fn companion(&self, rows: Range<usize>) -> DMatrix<f64> {
         let size = rows.len();
         let moving: Vec<usize> = rows.clone().filter(|row| self.is_coordinate[*row]).collect();
@@ -282,12 +285,13 @@ impl Pencil {
         matrix
     }
 
-    /// Sums of all eigenvalues and of their squares: traces of A and of A A.
+    /// Returns the sums of all eigenvalues and of their squares: the traces of A and of A A.
     pub(super) fn traces(&self) -> [f64; 2] {
         let [mut first, mut second] = [0.0, 0.0];
         for row in 0..self.size() {
             let rate = |row: usize, column: usize| {
-                // What first-order states change by is constant, what velocities do linear.
+                // The dependence on first-order states is in the constant part, that on velocities
+                // in the linear one.
                 let place = self.place(row, column);
                 if self.is_coordinate[column] { self.linear[place] } else { self.constant[place] }
             };
@@ -302,7 +306,7 @@ impl Pencil {
     }
 }
 
-/// Brings the row whose first entry is largest to the front, and says where it was.
+/// Moves the row with the largest first entry to the front, and returns its former place.
 #[inline(always)]
 fn exchange<T: Copy>(waiting: &mut [T], length: usize, size: impl Fn(usize, &T) -> f64) -> usize {
     let first = |row: usize| size(row, &waiting[row * length]);
@@ -317,15 +321,15 @@ fn exchange<T: Copy>(waiting: &mut [T], length: usize, size: impl Fn(usize, &T) 
 
 /// A factored T(s).
 ///
-/// Rows wait for their elimination in `width + 1` places; at each step the pivot's is the first,
-/// is done with, and taken by the next row.
+/// Rows wait for their elimination in `width + 1` places. At each step the pivot row is the first;
+/// the next row takes its place.
 pub(super) struct Factors {
     width: usize,
-    /// The inverse of each pivot and what is right of it.
+    /// Inverse of each pivot, followed by the entries right of it.
     upper: Vec<Complex64>,
-    /// Shares of the pivot's row that others were less, place after place.
+    /// Multiples of the pivot row subtracted from others, place after place.
     lower: Vec<Complex64>,
-    /// The place whose row became the pivot's.
+    /// Place of the row that became the pivot row.
     exchanged: Vec<usize>,
 }
 
@@ -338,7 +342,7 @@ impl Factors {
         &self.lower[step * self.width..(step + 1) * self.width]
     }
 
-    /// Solves T x = b; b becomes x.
+    /// Solves T x = b in place.
     pub(super) fn solve(&self, b: &mut [Complex64]) {
         let at = |b: &[Complex64], index: usize| b.get(index).copied().unwrap_or_default();
         let mut waiting: Vec<Complex64> = (0..=self.width).map(|index| at(b, index)).collect();
@@ -359,7 +363,7 @@ impl Factors {
         }
     }
 
-    /// Solves T^T x = b; b becomes x.
+    /// Solves T^T x = b in place.
     pub(super) fn solve_transposed(&self, b: &mut [Complex64]) {
         let size = b.len();
         for step in 0..size {
@@ -387,8 +391,8 @@ impl Factors {
 mod tests {
     use super::*;
 
-    /// Coordinates and states by turns, of entries that are the same every time; every third
-    /// diagonal is none, so that rows are exchanged.
+    /// Returns a reproducible matrix with coordinates and states in alternation; every third
+    /// diagonal entry is zero, so that rows are exchanged.
     fn pencil(size: usize, width: usize) -> Pencil {
         let mut pencil = Pencil::new((0..size).map(|row| row % 3 != 1).collect(), width);
         for row in 0..size {

@@ -1,9 +1,9 @@
-//! All eigenvalues of a part: zeros of det T(s), looked for at once.
+//! All eigenvalues of a part: zeros of det T(s), found simultaneously.
 //!
-//! The Ehrlich-Aberth iteration, Newton's on det T over what the other zeros contribute to it,
-//! from the eigenvalues of both halves, where what couples them is left out; likewise these, down
-//! to halves small enough for a full matrix. An evaluation costs what the band costs, so that all
-//! eigenvalues of n bodies take n^2 operations, and memory as the band.
+//! Uses the Ehrlich-Aberth iteration: Newton's method on det T divided by the contributions of the
+//! other zeros. It starts from the eigenvalues of both halves without their coupling, and these
+//! likewise, down to halves small enough for a dense matrix. An evaluation costs as much as the
+//! band has entries, so all eigenvalues of n bodies take n^2 operations and the memory of the band.
 //!
 //! Source: Bini, Gemignani, Tisseur, "The Ehrlich-Aberth method for the nonsymmetric tridiagonal
 //! eigenvalue problem", SIAM J. Matrix Anal. Appl. 27 (2005).
@@ -17,31 +17,33 @@ use super::pencil::Pencil;
 use crate::dense::balance;
 use crate::sorting::{sort_ascending, sort_descending};
 
-/// Rows up to which a full matrix is as good.
+/// Number of rows up to which a dense matrix is as good.
 const SMALL: usize = 16;
-/// Iterations before zeros that do not come to rest are taken for ones of the other kind, and how
-/// often that is done.
+/// Number of iterations after which zeros that do not settle are exchanged for ones of the other
+/// kind, and maximum number of such exchanges.
 const PATIENCE: usize = 20;
 const EXCHANGES: usize = 4;
-/// Relative corrections at which a zero is as it is, of the whole and of halves, which only say
-/// where to begin.
+/// Relative corrections at which a zero has settled, for the whole and for halves, which only
+/// provide start values.
 const SETTLED: f64 = 1e-15;
 const NEARLY: f64 = 1e-5;
-/// Corrections that shrink no more are rounding if they are below this, beside the square of the
-/// fastest over that of the zero: T(s) is a difference of numbers of that size.
+/// Limit of corrections that no longer decrease and count as rounding, relative to the squared
+/// ratio of the fastest zero to this one: T(s) is a difference of numbers of that size.
 const ROUNDING: f64 = 1e-13;
-/// Beside its distance, how near to 0 a step takes a zero: it may pass by, and would not come back.
+/// Minimum distance from 0 after a step, relative to that before: a zero that passes 0 would not
+/// return.
 const NEAREST: f64 = 0.1;
-/// Beside the distance to the next, a zero so near the one before is moved away from it.
+/// Distance from the previous zero, relative to that from the next, below which a zero is moved
+/// away.
 const TOGETHER: f64 = 0.1;
 
-/// A zero, or with a positive imaginary part two of them, conjugate to each other.
+/// A zero, or a conjugate pair if the imaginary part is positive.
 #[derive(Clone, Copy)]
 struct Root {
     value: Complex64,
     is_pair: bool,
     is_settled: bool,
-    /// Size of its last correction.
+    /// Absolute value of the last correction.
     correction: f64,
 }
 
@@ -54,8 +56,8 @@ impl Root {
         1 + usize::from(self.is_pair)
     }
 
-    /// The sum of 1/(s - zero): of a pair a + b i, 2 d/(d^2 + b^2) with d = s - a, formed so that
-    /// nothing cancels near it.
+    /// Returns the sum of 1/(s - zero); for a pair a + b i this is 2 d/(d^2 + b^2) with d = s - a,
+    /// in a form without cancellation near it.
     #[inline]
     fn contribution(&self, s: Complex64) -> Complex64 {
         let distance = s - self.value;
@@ -69,8 +71,8 @@ impl Root {
     }
 }
 
-/// Eigenvalues with imaginary part not negative, but for so many that are zero; nothing if they
-/// are not found one by one, as where some are double.
+/// Returns eigenvalues with nonnegative imaginary part, except `zeros` ones that are zero. Returns
+/// `None` if they are not found one by one, for example if some are double.
 pub(super) fn eigenvalues(pencil: &Pencil, zeros: usize) -> Option<Vec<Complex64>> {
     let fastest = pencil.fastest();
     let search = Search { pencil, rows: 0..pencil.size(), zeros, tolerance: SETTLED, fastest };
@@ -84,19 +86,19 @@ pub(super) fn eigenvalues(pencil: &Pencil, zeros: usize) -> Option<Vec<Complex64
     None
 }
 
-/// Zeros of some rows, without what couples these to others.
+/// Search for the zeros of some rows, decoupled from others.
 struct Search<'p> {
     pencil: &'p Pencil,
     rows: Range<usize>,
-    /// How many zeros are at 0, and are none of those looked for.
+    /// Number of zeros at 0, which are not searched for.
     zeros: usize,
     tolerance: f64,
-    /// About the largest of them.
+    /// Approximate absolute value of the largest zero.
     fastest: f64,
 }
 
 impl Search<'_> {
-    /// Where to begin: at the zeros of both halves, but as many as there are.
+    /// Returns start values: the zeros of both halves, corrected to the number of zeros.
     fn starts(&self) -> Option<Vec<Root>> {
         let middle = usize::midpoint(self.rows.start, self.rows.end);
         let mut roots = if self.rows.len() <= SMALL {
@@ -123,7 +125,7 @@ impl Search<'_> {
         (count == degree).then_some(roots)
     }
 
-    /// Zeros, as far as they come.
+    /// Returns the zeros as far as they converge.
     fn nearly(&self) -> Option<Vec<Root>> {
         if self.rows.len() <= SMALL {
             return self.of_full_matrix();
@@ -141,7 +143,7 @@ impl Search<'_> {
         Some(upper.map(|value| Root::at(*value, value.im > 0.0)).collect())
     }
 
-    /// Moves zeros to rest, and says whether all are.
+    /// Iterates until zeros settle; returns whether all of them do.
     fn settle(&self, roots: &mut [Root]) -> bool {
         (0..PATIENCE).any(|_| {
             for index in 0..roots.len() {
@@ -153,7 +155,7 @@ impl Search<'_> {
         })
     }
 
-    /// A step of one zero: 1/(p'/p - sum of 1/(s - others)).
+    /// Makes a step of one zero: 1/(p'/p - sum of 1/(s - others)).
     fn improve(&self, roots: &mut [Root], index: usize) {
         let Root { value: s, is_pair, correction: before, .. } = roots[index];
         let Some(slope) = self.pencil.logarithmic_slope(self.rows.clone(), s) else {
@@ -191,7 +193,7 @@ impl Search<'_> {
     }
 }
 
-/// Moves zeros away from each other where halves that are alike have the same.
+/// Separates zeros that coincide because both halves are alike.
 fn part(roots: &mut [Root]) {
     let distance = |a: &Root, b: &Root| (a.value - b.value).norm();
     for index in 1..roots.len() {
@@ -209,8 +211,8 @@ fn part(roots: &mut [Root]) {
     }
 }
 
-/// Takes pairs that do not come to rest for two real zeros beside each other, and two such real
-/// ones for a pair.
+/// Replaces pairs that do not settle by two neighbouring real zeros, and two such real zeros by a
+/// pair.
 fn exchange_kinds(roots: &mut Vec<Root>) {
     let (mut changed, mut reals) = (Vec::new(), Vec::new());
     roots.retain(|root| {

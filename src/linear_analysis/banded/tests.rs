@@ -1,4 +1,4 @@
-//! Chains against closed forms and against full matrices.
+//! Comparison of chains with closed forms and dense matrices.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use super::super::modes::{Mode, ModeKind, of_bands, of_full_matrices};
 use super::super::motions::Motions;
 use super::{Found, spectrum};
 
-/// M^-1 K or M^-1 D of a chain: so stiff between neighbours, and from each to the ground.
+/// Returns M^-1 K or M^-1 D of a chain with couplings between neighbours and to the ground.
 fn chain(masses: &[f64], between: &[f64], ground: &[f64]) -> DMatrix<f64> {
     let n = masses.len();
     let mut matrix = DMatrix::<f64>::zeros(n, n);
@@ -24,7 +24,7 @@ fn chain(masses: &[f64], between: &[f64], ground: &[f64]) -> DMatrix<f64> {
     DMatrix::from_fn(n, n, |row, column| matrix[(row, column)] / masses[row])
 }
 
-/// q'' = -stiffness q - damping q' and z' = so much of velocities and z.
+/// Returns the motions q'' = -stiffness q - damping q'.
 fn motions(stiffness: &DMatrix<f64>, damping: &DMatrix<f64>) -> Motions {
     let n = stiffness.nrows();
     let mut matrix = DMatrix::zeros(2 * n, 2 * n);
@@ -34,12 +34,12 @@ fn motions(stiffness: &DMatrix<f64>, damping: &DMatrix<f64>) -> Motions {
     Motions::alone(&matrix, n, 0)
 }
 
-/// Random numbers from 0.5 to 1.5, the same ones every time.
+/// Returns reproducible random numbers from 0.5 to 1.5.
 fn some(count: usize, seed: f64) -> Vec<f64> {
     (0..count).map(|k| 1.0 + 0.5 * (1e4 * (k as f64 * 0.917 + seed).sin()).sin()).collect()
 }
 
-/// Eigenvalues of a frequency and proportional damping, with imaginary part not negative.
+/// Returns eigenvalues with nonnegative imaginary part for a frequency and proportional damping.
 fn damped(frequency: f64, [by_mass, by_stiffness]: [f64; 2]) -> Vec<Complex64> {
     let half = f64::midpoint(by_mass, by_stiffness * frequency * frequency);
     let root = Complex64::from(half * half - frequency * frequency).sqrt();
@@ -50,7 +50,7 @@ fn damped(frequency: f64, [by_mass, by_stiffness]: [f64; 2]) -> Vec<Complex64> {
     vec![faster, faster.inv() * frequency * frequency]
 }
 
-/// The largest distance of an expected eigenvalue from the nearest that was found, over its size.
+/// Returns the largest relative distance of an expected eigenvalue from the nearest one found.
 fn worst(modes: &[Mode], expected: impl IntoIterator<Item = Complex64>) -> f64 {
     let distance = |value: Complex64| {
         let nearest = modes.iter().map(|mode| (mode.eigenvalue() - value).norm());
@@ -70,7 +70,7 @@ fn uniform_chains_have_the_frequencies_of_the_closed_form() {
             let modes = of_bands(&motions(&held, &slow)).expect("a chain");
             let frequency = |j: usize| 200.0 * (j as f64 * PI / (2.0 * (n + 1) as f64)).sin();
             let off = worst(&modes, (1..=n).flat_map(|j| damped(frequency(j), *damping)));
-            // Frequencies far below the highest have the rounding of its square.
+            // Frequencies far below the highest have the rounding error of its square.
             assert!(off < 1e-15 * (n * n) as f64, "{n} {damping:?}: {off:e}");
             let count = |mode: &Mode| if mode.kind == ModeKind::Oscillation { 2 } else { 1 };
             assert_eq!(modes.iter().map(count).sum::<usize>(), 2 * n);
@@ -101,7 +101,7 @@ fn chains_that_nothing_holds_turn_freely_and_have_the_frequencies_of_the_closed_
     }
 }
 
-/// Frequencies, damping, shares and shapes as those of full matrices.
+/// Compares frequencies, damping, shares and shapes with those of dense matrices.
 fn assert_alike(of_bands: &[Mode], full: &[Mode], limit: f64) {
     assert_eq!(of_bands.len(), full.len());
     let largest = full.iter().fold(0.0_f64, |most, mode| most.max(mode.natural_frequency()));
@@ -114,11 +114,11 @@ fn assert_alike(of_bands: &[Mode], full: &[Mode], limit: f64) {
         let others = full.iter().filter(|other| distance(other) > 0.0);
         let room = others.map(|other| distance(&other)).fold(f64::INFINITY, f64::min) / largest;
         if mode.kind == ModeKind::Free || room < 2e-4 {
-            // Full matrices take these for double.
+            // Dense matrices cannot distinguish these.
             continue;
         }
         for (a, b) in nearest.shares.iter().zip(&mode.shares) {
-            // Rounding of full matrices is that of their norm.
+            // The rounding error of dense matrices is relative to their norm.
             assert!((a - b).abs() < 1e-10 / room, "{:?}: {a} {b}", mode.eigenvalue());
         }
         assert!(nearest.residual < 1e-13, "{:e}", nearest.residual);
@@ -128,7 +128,8 @@ fn assert_alike(of_bands: &[Mode], full: &[Mode], limit: f64) {
 #[test]
 fn chains_of_any_masses_and_dampers_have_the_modes_of_full_matrices() {
     for (seed, n) in [(0.1, 50), (0.2, 77)] {
-        // Hardly damped, damped, and so much that many motions are no oscillations.
+        // Almost no damping, moderate damping, and strong damping that turns many oscillations into
+        // decays.
         for size in [0.0, 0.3, 40.0, 400.0] {
             let masses = some(n, seed);
             let springs: Vec<f64> = some(n - 1, seed + 0.5).iter().map(|x| 1e4 * x).collect();
@@ -150,7 +151,7 @@ fn first_order_states_along_a_chain_are_part_of_its_modes() {
     let stiffness = chain(&some(n, 0.4), &vec![1e4; n - 1], &[50.0]);
     let damping = chain(&some(n, 0.4), &vec![0.5; n - 1], &[]);
     let plain = motions(&stiffness, &damping);
-    // Each tenth is braked by a state that follows its speed.
+    // Every tenth coordinate is braked by a state that follows its velocity.
     let states = n / 10;
     let mut matrix = plain.matrix.full().resize(2 * n + states, 2 * n + states, 0.0);
     for state in 0..states {
@@ -163,7 +164,7 @@ fn first_order_states_along_a_chain_are_part_of_its_modes() {
     let found = of_bands(&of()).expect("a chain");
     let full = of_full_matrices(None, of()).expect("modes");
     assert_alike(&found, &full, 1e-11);
-    // Vectors are those of the whole matrix, entry by entry beside the terms of each.
+    // Vectors must be those of the whole matrix, entry by entry relative to the terms of each.
     let complex = matrix.map(Complex64::from);
     let sizes = matrix.abs();
     for Found { value, right, left } in spectrum(&of()).expect("a chain") {
@@ -206,7 +207,7 @@ fn what_is_no_chain_or_has_the_same_mode_twice_is_left_to_full_matrices() {
         if row == column { 100.0 } else { (row * column + row + column) as f64 * 1e-4 }
     });
     assert!(of_bands(&motions(&full, &none)).is_none());
-    // Three equal arms from one mass: their motions against each other are twice the same.
+    // Three equal arms are joined to one mass, so eigenvalues of their relative motions are double.
     let arm = 30;
     let mut star = DMatrix::identity(3 * arm + 1, 3 * arm + 1) * 2e4;
     star[(0, 0)] = 3e4;

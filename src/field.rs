@@ -1,4 +1,4 @@
-//! Scenes with fields, cut into elements: a [`FieldSimulator`] runs like any other.
+//! Scenes with fields, divided into elements: a [`FieldSimulator`] runs like any other simulator.
 //!
 //! ```text
 //! y = [q, u, q', u', z]     q, z of the machine; u at the nodes that are the field's own
@@ -6,9 +6,8 @@
 //! M_i u_i''   = F_i(u, u', t)
 //! ```
 //!
-//! The number of elements and their order are chosen when the simulator is made. What
-//! is computed a node costs the same for any number of them: rate, Jacobian and an
-//! implicit step are linear in the number of nodes.
+//! The number of elements and their order are chosen when the simulator is made. The cost per node
+//! does not depend on the number of nodes: rate, Jacobian and implicit steps have linear cost.
 
 mod chain;
 mod constants;
@@ -38,13 +37,13 @@ use mesh::{Mesh, Owner};
 pub use modal::{ModalError, ModalSimulator};
 use section::Section;
 
-/// Elements that all fields of a scene may have together.
+/// Maximum number of elements of all fields of a scene together.
 pub const MAX_ELEMENTS: usize = 1_000_000;
 
-/// No place in a pattern.
+/// Marks an entry that is not in a pattern.
 const NOWHERE: u32 = u32::MAX;
 
-/// How fields are cut into elements; what is not given is as the scene's spec says.
+/// Division of fields into elements; `None` stands for the setting of the scene's spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Discretisation {
     /// Number of elements of each field.
@@ -53,57 +52,57 @@ pub struct Discretisation {
     pub order: Option<usize>,
 }
 
-/// Why a field cannot be cut into elements.
+/// Reason why a field cannot be divided into elements.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FieldError {
-    /// Too few or too many elements.
+    /// The number of elements is out of range.
     #[error(
         "field `{field}` is cut into at least {least} and at most {most} elements, not {found}"
     )]
     Elements {
-        /// The field.
+        /// Name of the field.
         field: String,
-        /// One a stretch between ports.
+        /// Minimum number, one per segment between ports.
         least: usize,
-        /// [`MAX_ELEMENTS`].
+        /// Maximum number, [`MAX_ELEMENTS`].
         most: usize,
-        /// What was asked for.
+        /// Requested number.
         found: usize,
     },
-    /// Order 0, or too high.
+    /// The order is 0 or too high.
     #[error("elements have an order from 1 to {MAX_ORDER}, not {0}")]
     Order(usize),
 }
 
-/// A scene with fields, cut into elements. Not for several threads at once: room for
-/// the values at nodes is kept between calls, so that no call allocates.
+/// A scene with fields that are divided into elements. Calls do not allocate, because memory for
+/// values at nodes is kept between them; only one thread can use it at a time.
 pub struct FieldSimulator<'a, R> {
     scene: Scene<'a, R>,
     discretisation: Discretisation,
     machine: Shape,
-    /// Parameters without those that fields hand over.
+    /// Number of parameters without those that fields provide.
     parameters: usize,
     meshes: Vec<Mesh>,
-    /// Nodes that are fields' own, over all fields.
+    /// Number of nodes that belong to the fields themselves, over all fields.
     own_nodes: usize,
-    /// Name of u and u' of every own node.
+    /// Names of u and u' at every own node.
     names: [Vec<String>; 2],
-    /// Field of every own node.
+    /// Field of each own node.
     field_of: Vec<u32>,
     border: Vec<u32>,
-    /// Events of the machine: entries of the whole state with the modes in which they are watched for,
-    /// and entries that they set.
+    /// Events of the machine: entries of the whole state that set the modes in which each event is
+    /// active, and entries that it sets.
     events: Vec<EventPlaces>,
     rate_jacobian: Vec<(u32, u32)>,
-    /// Where the machine's entries of the Jacobian are.
+    /// Indices of the machine's entries in the Jacobian.
     machine_entries: Vec<u32>,
     /// One for each field.
     laws: Vec<Law>,
     counts: Counts,
-    /// Where rates are computed without [`Work`].
+    /// Data for the computation of rates without [`Work`], where possible.
     lines: Option<Vec<Line>>,
-    /// Every port: node among those of all fields, and first of the parameters handed
-    /// over; and rows that the force on it reaches.
+    /// For each port, its node among those of all fields and the index of the first parameter that
+    /// the field provides for it; and the rows that the force on it affects.
     ports: Vec<(usize, usize)>,
     port_rows: Vec<Vec<PortRow>>,
     mass_is_diagonal: bool,
@@ -116,13 +115,13 @@ pub struct FieldSimulator<'a, R> {
     on_duals: Option<OnDuals<'a>>,
 }
 
-/// Entries of the whole state at which an event of the machine is watched for, and that it sets.
+/// Entries of the whole state at which an event of the machine is active, and those that it sets.
 struct EventPlaces {
     when: Vec<(u32, f64)>,
     sets: Vec<u32>,
 }
 
-/// The scene on dual numbers, cut once derivatives are asked for.
+/// The scene on dual numbers, divided into elements when derivatives are first requested.
 struct OnDuals<'a> {
     scene: Scene<'a, Dual>,
     discretisation: Discretisation,
@@ -136,7 +135,7 @@ impl<'a> OnDuals<'a> {
     }
 }
 
-/// The scene whose fields are cut.
+/// The scene whose fields are divided.
 enum Scene<'a, R> {
     Borrowed(&'a dyn FieldScene<R>),
     Shared(Arc<dyn FieldScene<R> + Send>),
@@ -160,57 +159,57 @@ impl<R: Real> Scene<'_, R> {
     }
 }
 
-/// How the elements of a field are gone through.
+/// Way in which the elements of a field are evaluated.
 enum Law {
-    /// What is between nodes is known once a run.
+    /// By constants between nodes, computed once per run.
     Section(Section),
-    /// Once an element.
+    /// Once per element.
     Chain(Chain),
-    /// Point by point, with the places of every element's entries, by u and by u'.
+    /// Point by point, with the places of the entries of every element, by u and by u'.
     Any { places: Vec<[u32; 2]> },
 }
 
-/// A row of the Jacobian that the force on a port reaches.
+/// A row of the Jacobian that the force on a port affects.
 struct PortRow {
     row: u32,
-    /// Coordinate of the machine whose acceleration it is.
+    /// Coordinate of the machine to whose acceleration it belongs.
     coordinate: u32,
-    /// Entry of the machine's derivatives by parameters.
+    /// Index of the entry in the machine's derivatives by parameters.
     by_force: u32,
-    /// Places of the derivatives by u, then by u', of the nodes before the port, at it
-    /// and after it.
+    /// Places of the derivatives by u, then by u', at the nodes before the port, at it and after
+    /// it.
     places: [u32; 6],
 }
 
-/// Values between calls.
+/// Memory that is kept between calls.
 struct Work<R> {
-    /// Parameters of the machine, with what fields hand over.
+    /// Parameters of the machine, including those that fields provide.
     p: Vec<R>,
     /// State of the machine.
     state: Vec<R>,
-    /// Its rate, or another result.
+    /// Rate of the machine, or another result.
     result: Vec<R>,
     parameter_jacobian: Vec<R>,
     /// Bounds of the segments of all fields.
     bounds: Vec<R>,
-    /// What parameters decide, for calls that are not given it.
+    /// Constants of the parameters, for calls without them.
     constants: Vec<R>,
     places: Vec<R>,
-    /// u, u', M and F at every node of every field.
+    /// u, u', M and F at each node of every field.
     u: Vec<R>,
     v: Vec<R>,
     inertia: Vec<R>,
     force: Vec<R>,
-    /// Of every element of a chain u_x and u_xt, f_1, and its derivatives; of every node
-    /// those of f_0.
+    /// u_x and u_xt, f_1 and its derivatives for each element of a chain; derivatives of f_0 for
+    /// each node.
     u_x: Vec<R>,
     v_x: Vec<R>,
     on_slopes: Vec<R>,
     by_slope: [Vec<R>; 2],
     by_value: [Vec<R>; 2],
-    /// Of every port of a chain dF, as in [`PortRow::places`].
+    /// dF for each port of a chain, ordered as [`PortRow::places`].
     of_ports: Vec<[R; 6]>,
-    /// The machine's mass matrix, and what a force on each port does to each of its rows.
+    /// Mass matrix of the machine, and the effect of a force on each port on each of its rows.
     mass: Vec<R>,
     port_weights: Vec<Vec<R>>,
     /// Derivatives of M and F.
@@ -224,11 +223,11 @@ struct Work<R> {
 }
 
 impl<'a, R: Real> FieldSimulator<'a, R> {
-    /// Cuts the fields of a scene into elements. Stretches between ports get elements
-    /// by their lengths at the spec's parameters.
+    /// Divides the fields of a scene into elements. Segments between ports get elements in
+    /// proportion to their lengths at the spec's parameters.
     ///
     /// # Errors
-    /// [`FieldError`] if numbers are out of range.
+    /// [`FieldError`] if a number is out of range.
     pub fn new(
         scene: &'a dyn FieldScene<R>,
         discretisation: Discretisation,
@@ -236,10 +235,10 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         Self::cut(Scene::Borrowed(scene), discretisation)
     }
 
-    /// Cuts the fields of a scene that it keeps.
+    /// Divides the fields of a scene and keeps the scene.
     ///
     /// # Errors
-    /// As [`FieldSimulator::new`].
+    /// As for [`FieldSimulator::new`].
     pub fn of_shared(
         scene: Arc<dyn FieldScene<R> + Send>,
         discretisation: Discretisation,
@@ -247,14 +246,14 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         Self::cut(Scene::Shared(scene), discretisation)
     }
 
-    /// It with its scene on dual numbers, cut alike once somebody asks for derivatives of outputs
-    /// or of the start.
+    /// Adds the scene on dual numbers. It is divided likewise when derivatives of outputs or of the
+    /// start are first requested.
     #[must_use]
     pub fn with_derivatives(self, scene: &'a dyn FieldScene<Dual>) -> Self {
         self.on_duals(Scene::Borrowed(scene))
     }
 
-    /// Likewise, of a scene that it keeps.
+    /// Adds the scene on dual numbers likewise, and keeps it.
     #[must_use]
     pub fn with_shared_derivatives(self, scene: Arc<dyn FieldScene<Dual> + Send>) -> Self {
         self.on_duals(Scene::Shared(scene))
@@ -265,13 +264,13 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         Self { on_duals: Some(OnDuals { scene, discretisation, cut }), ..self }
     }
 
-    /// The scene.
+    /// Returns the scene.
     fn scene(&self) -> &dyn FieldScene<R> {
         self.scene.get()
     }
 
-    /// Room to compute in, one thread at a time. What a panic left there is written anew by
-    /// whoever comes next.
+    /// Locks the memory for one thread. After a panic its contents do not matter, since every call
+    /// writes them anew.
     fn work(&self) -> MutexGuard<'_, Work<R>> {
         self.work.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -336,12 +335,12 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         Ok(simulator)
     }
 
-    /// Number of coordinates.
+    /// Returns the number of coordinates.
     fn coordinates(&self) -> usize {
         self.machine.coordinates + self.own_nodes
     }
 
-    /// Where an entry of the machine's state is in the state.
+    /// Returns the index of an entry of the machine's state in the whole state.
     fn entry(&self, index: usize) -> u32 {
         let (n, all) = (self.machine.coordinates, self.coordinates());
         let moved = match index {
@@ -352,7 +351,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         moved as u32
     }
 
-    /// Positions of u and u' of a node in the state; none where it is held.
+    /// Returns the indices of u and u' of a node in the state; `None` if it is held.
     fn columns(&self, owner: Owner) -> Option<[u32; 2]> {
         let coordinate = match owner {
             Owner::Fixed => return None,
@@ -362,7 +361,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         Some([coordinate, coordinate + self.coordinates() as u32])
     }
 
-    /// x of the nodes of a field \[m\] at given parameters.
+    /// Returns x at the nodes of a field \[m\] for given parameters.
     #[must_use]
     pub fn places(&self, field: usize, parameters: &[R]) -> Vec<R> {
         let mut work = self.work();
@@ -373,7 +372,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         x
     }
 
-    /// u at the nodes of a field in a given state.
+    /// Returns u at the nodes of a field in a given state.
     #[must_use]
     pub fn values(&self, field: usize, state: &[R]) -> Vec<R> {
         let value = |owner: &Owner| match self.columns(*owner) {
@@ -383,7 +382,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         self.meshes[field].owners.iter().map(value).collect()
     }
 
-    /// Nodes of all fields.
+    /// Returns the number of nodes of all fields.
     #[must_use]
     pub fn nodes(&self) -> usize {
         self.meshes.iter().map(|mesh| mesh.owners.len()).sum()
@@ -402,7 +401,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         }
     }
 
-    /// Rows of the machine's state that the force on a port reaches.
+    /// Returns the rows of the machine's state that the force on a port affects.
     fn rows_of_port(&self, handed: u32) -> impl Iterator<Item = (usize, u32)> + '_ {
         let entries = self.machine_parameter_jacobian.iter().enumerate();
         entries
@@ -440,7 +439,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         self.rate_jacobian = entries;
     }
 
-    /// How the elements of a field are gone through.
+    /// Chooses the way in which the elements of a field are evaluated.
     fn law(&self, index: usize, mesh: &Mesh, find: &dyn Fn((u32, u32)) -> u32) -> Law {
         let local = Local { field: index, structure: self.scene().force_structure(index) };
         let place = |row, column| find((row, column));
@@ -461,7 +460,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         }
     }
 
-    /// Fields that have a section.
+    /// Returns the fields that have a section.
     fn sections(&self) -> impl Iterator<Item = (usize, &Section)> {
         self.laws.iter().enumerate().filter_map(|(index, law)| match law {
             Law::Section(section) => Some((index, section)),
@@ -469,7 +468,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         })
     }
 
-    /// Places of the entries of every element, by u and by u'.
+    /// Returns the places of the entries of every element, by u and by u'.
     fn entries_of(&self, mesh: &Mesh, find: &dyn Fn((u32, u32)) -> u32) -> Vec<[u32; 2]> {
         let first = (self.coordinates() + self.machine.coordinates) as u32;
         let mut places = Vec::new();
@@ -502,7 +501,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         self.port_rows = port_rows;
     }
 
-    /// Rows that the force on a port reaches, and where in them.
+    /// Returns the rows that the force on a port affects, with their places.
     fn rows_reached(&self, mesh: &Mesh, node: usize) -> Vec<PortRow> {
         let Owner::Port { handed, .. } = mesh.owners[node] else { return Vec::new() };
         let beside = columns_beside(mesh, node, |owner| self.columns(owner));
@@ -522,8 +521,8 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         rows.collect()
     }
 
-    /// Calls `see` with the owner of a row and a column of every pair of nodes of every
-    /// element of which one's force depends on the other's motion.
+    /// Calls `see` with the owner of the row and the column of each pair of nodes of an element if
+    /// the force of one depends on the motion of the other.
     fn each_element_entry(&self, mut see: impl FnMut(Owner, u32)) {
         for (index, mesh) in self.meshes.iter().enumerate() {
             let structure = self.scene().force_structure(index);
@@ -578,7 +577,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
     }
 }
 
-/// Entry of a pattern.
+/// Returns the index of an entry of a pattern.
 fn find(entries: &[(u32, u32)], row: u32, column: u32) -> usize {
     entries.binary_search(&(row, column)).expect("the pattern was made of these entries")
 }

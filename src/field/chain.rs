@@ -1,12 +1,12 @@
-//! Fields of elements of order 1 whose forces are local: chains of inertias at nodes and
-//! springs between them, of any law.
+//! Fields with elements of order 1 and local forces: chains of inertias at nodes and springs of any
+//! law between them.
 //!
 //! ```text
 //! F_i = H_i f_0(u_i, u_i') + f_1(e - 1) - f_1(e)      e - 1 and e the elements beside i
 //! ```
 //!
-//! with H_i half the lengths of these elements, and f_1 once an element, for its slope is
-//! the same at both ends.
+//! where H_i is half the length of these elements, and f_1 is evaluated once per element, since its
+//! slope is the same at both ends.
 
 use machinist_contract::Real;
 use machinist_contract::field::FieldScene;
@@ -16,27 +16,27 @@ use super::local::Local;
 use super::mesh::{Mesh, Owner};
 use super::{NOWHERE, Work};
 
-/// What is known of a chain once its elements are.
+/// Structure of a chain.
 #[derive(Debug, Clone)]
 pub(super) struct Chain {
     local: Local,
-    /// Where the row of every node is among the entries of the Jacobian.
+    /// Place of the row of each node among the entries of the Jacobian.
     rows: Vec<Row>,
 }
 
-/// Places of the derivatives of a node's acceleration by u of the node before, of itself
-/// and of the one after it, then by u'.
+/// Places of the derivatives of a node's acceleration by u of the previous node, of itself and of
+/// the next one, then by u'.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Row {
-    /// One after another.
+    /// Consecutive places.
     Together(u32),
-    /// [`NOWHERE`] if there is no such entry.
+    /// Separate places; [`NOWHERE`] where there is no entry.
     Apart([u32; 6]),
-    /// It is no own node.
+    /// The node is not an own node.
     None,
 }
 
-/// Columns beside a node, as in a [`Row`].
+/// Returns the columns around a node, ordered as in a [`Row`].
 pub(super) fn columns_beside(
     mesh: &Mesh,
     node: usize,
@@ -50,8 +50,8 @@ pub(super) fn columns_beside(
 }
 
 impl Chain {
-    /// That of a mesh of order 1; `find` gives the place of an entry in the Jacobian,
-    /// `row` the row of an own node.
+    /// Creates the chain of a mesh of order 1. `find` returns the place of an entry in the
+    /// Jacobian, `row` the row of an own node.
     pub(super) fn new(
         local: Local,
         mesh: &Mesh,
@@ -76,7 +76,7 @@ impl Chain {
         Self { local, rows: (0..mesh.owners.len()).map(row).collect() }
     }
 
-    /// Slopes of every element.
+    /// Computes the slopes of all elements.
     fn slopes<R: Real>(&self, (mesh, constants): (&Mesh, &Constants<'_, R>), work: &mut Work<R>) {
         for (nodes, inverse) in constants.stretches(mesh, self.local.field) {
             for (values, slopes) in [(&work.u, &mut work.u_x), (&work.v, &mut work.v_x)] {
@@ -88,7 +88,7 @@ impl Chain {
         }
     }
 
-    /// F of every node.
+    /// Computes F of all nodes.
     pub(super) fn force<R: Real>(
         &self,
         scene: &dyn FieldScene<R>,
@@ -113,7 +113,7 @@ impl Chain {
         }
     }
 
-    /// Partial derivative of F with respect to time, into `work.force_change`.
+    /// Computes the partial derivative of F by time into `work.force_change`.
     pub(super) fn force_by_time<R: Real>(
         &self,
         scene: &dyn FieldScene<R>,
@@ -124,8 +124,8 @@ impl Chain {
         self.local.force_by_time(scene, time, at, work);
     }
 
-    /// Writes the rows of all own nodes into the Jacobian, and gives those of ports,
-    /// which are derivatives of forces, to `port` with the node's number.
+    /// Writes the rows of all own nodes into the Jacobian. Rows of ports, which are derivatives of
+    /// forces, are passed to `port` with the node's number.
     pub(super) fn jacobian<R: Real>(
         &self,
         scene: &dyn FieldScene<R>,
@@ -174,7 +174,7 @@ impl Chain {
         }
     }
 
-    /// Derivatives by slopes to those by differences.
+    /// Converts derivatives by slopes to derivatives by differences.
     fn over_lengths<R: Real>(&self, mesh: &Mesh, constants: &Constants<'_, R>, by: [&mut [R]; 2]) {
         for by in by {
             for (nodes, inverse) in constants.stretches(mesh, self.local.field) {

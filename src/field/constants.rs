@@ -1,4 +1,4 @@
-//! What the parameters alone decide of a scene cut into elements, once a run.
+//! Constants of the parameters of a scene divided into elements, computed once per run.
 
 use std::ops::Range;
 
@@ -9,10 +9,10 @@ use super::mesh::{Mesh, Owner};
 use super::section::NUMBERS;
 use super::{FieldSimulator, Law, Work};
 
-/// Where everything is among the constants: those of the machine, then for every node of
-/// every field x, its part of the length, its inertia and the inverse of that, then the
-/// bounds of all segments, the numbers of every field's section and by what those pull at nodes in every
-/// segment; and what is constant of the Jacobian.
+/// Slices of the constants: those of the machine, then for each node of every field x, its part of
+/// the length, its inertia and the inverse of it, then the bounds of all segments, the numbers of
+/// every field's section and the corresponding stiffnesses in every segment, and the constant part
+/// of the Jacobian.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Constants<'c, R> {
     pub machine: &'c [R],
@@ -23,31 +23,31 @@ pub(super) struct Constants<'c, R> {
     bounds: &'c [R],
     sections: &'c [R],
     pulls: &'c [[R; 2]],
-    /// All of it, or with zeros where it varies. Empty where nothing of it is constant, or only
-    /// the others were asked for.
+    /// Complete Jacobian, or with zeros where it varies. Empty if nothing of it is constant, or if
+    /// only the others were requested.
     pub jacobian: &'c [R],
 }
 
 impl<'c, R: Copy> Constants<'c, R> {
-    /// Bounds of the segments of a mesh.
+    /// Returns the bounds of the segments of a mesh.
     pub fn bounds(&self, range: Range<usize>) -> &'c [R] {
         &self.bounds[range]
     }
 
-    /// c, a and b of a field that has a section.
+    /// Returns c, a and b of a field with a section.
     pub fn section(&self, field: usize) -> [R; NUMBERS] {
         std::array::from_fn(|number| self.sections[NUMBERS * field + number])
     }
 }
 
 impl<'c, R: Real> Constants<'c, R> {
-    /// a and b over the length of the elements, for every segment of a field that has a section.
+    /// Returns a and b over the element length for each segment of a field with a section.
     pub fn pulls(&self, mesh: &Mesh) -> &'c [[R; 2]] {
         &self.pulls[mesh.first_segment..][..mesh.segments.len()]
     }
 
-    /// Nodes of every segment of a field, both ends included, and the inverse of the length of
-    /// its elements.
+    /// Returns the nodes of each segment of a field, including both ends, and the inverse of its
+    /// element length.
     pub fn stretches(
         &self,
         mesh: &'c Mesh,
@@ -61,13 +61,13 @@ impl<'c, R: Real> Constants<'c, R> {
         })
     }
 
-    /// The inverse of the length of the elements of a segment.
+    /// Returns the inverse of the element length in a segment.
     pub fn inverse_of_length(&self, mesh: &Mesh, field: usize, segment: usize) -> R {
         mesh.inverse_of_length(segment, &self.bounds[mesh.bounds(field)])
     }
 }
 
-/// How many constants there are.
+/// Numbers of constants.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Counts {
     machine: usize,
@@ -76,24 +76,24 @@ pub(super) struct Counts {
     sections: usize,
     segments: usize,
     jacobian: usize,
-    /// Whether machine and fields are linear, and nothing of them switches.
+    /// Whether machine and fields are linear and without switches.
     pub jacobian_is_constant: bool,
 }
 
 impl Counts {
-    /// All of them.
+    /// Returns the total number.
     pub fn all(&self) -> usize {
         self.without_jacobian() + self.jacobian
     }
 
-    /// All but the Jacobian.
+    /// Returns the number without the Jacobian.
     pub fn without_jacobian(&self) -> usize {
         self.machine + 4 * self.nodes + self.bounds + self.sections + 2 * self.segments
     }
 }
 
 impl<R: Real> FieldSimulator<'_, R> {
-    /// Counts the constants, once everything else is laid out.
+    /// Counts the constants, after everything else is laid out.
     pub(super) fn count_constants(&self) -> Counts {
         let linear = self.excitation_terms.as_ref().and_then(|_| self.scene().linear());
         let jacobian_is_constant = linear.is_some_and(|linear| linear.switches() == 0);
@@ -109,7 +109,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
     }
 
-    /// The constants by what they are.
+    /// Divides the constants into their slices.
     pub(super) fn taken_apart<'c>(&self, constants: &'c [R]) -> Constants<'c, R> {
         let Counts { machine, nodes, bounds, sections, segments, .. } = self.counts;
         let (machine, rest) = constants.split_at(machine);
@@ -130,7 +130,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         let (others, jacobian) = into.split_at_mut(self.counts.without_jacobian());
         self.compute_constants(parameters, work, others);
         if !jacobian.is_empty() {
-            // Any time and state will do.
+            // The result does not depend on time and state.
             let (time, rest) = (R::literal(0.0), vec![R::literal(0.0); self.border_and_own()]);
             let others = self.taken_apart(others);
             self.load_for_derivatives((time, &rest), parameters, &others, work);
@@ -142,8 +142,8 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
     }
 
-    /// Computes the constants but for the Jacobian, and leaves the parameters with the inertias
-    /// that fields hand over in `work.p`.
+    /// Computes the constants except the Jacobian, and leaves the parameters with the inertias that
+    /// fields provide in `work.p`.
     pub(super) fn compute_constants(&self, parameters: &[R], work: &mut Work<R>, into: &mut [R]) {
         assert_eq!(into.len(), self.counts.without_jacobian(), "number of constants");
         self.place(parameters, work);
@@ -191,14 +191,14 @@ impl<R: Real> FieldSimulator<'_, R> {
         self.scene().prepare(&work.p, machine);
     }
 
-    /// Puts inertias of ports among the parameters of the machine.
+    /// Copies the inertias of ports into the parameters of the machine.
     pub(super) fn hand_over_inertias(&self, inertia: &[R], work: &mut Work<R>) {
         for (node, handed) in self.ports.iter().copied() {
             work.p[handed] = inertia[node];
         }
     }
 
-    /// Places of the fields at these parameters.
+    /// Computes the places of the fields for these parameters.
     pub(super) fn place(&self, parameters: &[R], work: &mut Work<R>) {
         assert_eq!(parameters.len(), self.parameters, "number of parameters");
         work.p[..self.parameters].copy_from_slice(parameters);
@@ -216,8 +216,8 @@ impl<R: Real> FieldSimulator<'_, R> {
             }
             bounds[0] = R::literal(0.0);
             bounds[bound] = places[places.len() - 1];
-            // Beyond an end of the field, or of the part that another port ends, is nowhere: what
-            // follows from it is no number, and is told of as such.
+            // A port beyond an end of the field, or beyond another port, gives NaN, which is
+            // reported as such.
             for bound in 1..=bound {
                 let [before, here] = [bounds[bound - 1], bounds[bound]];
                 bounds[bound] = R::select_less(here, before, R::literal(f64::NAN), here);
@@ -225,7 +225,8 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
     }
 
-    /// Nodes, state of the machine, forces of the fields, and what they hand over.
+    /// Computes values at nodes, the state of the machine, the forces of the fields, and the
+    /// parameters that fields provide.
     pub(super) fn load(
         &self,
         (time, state): (R, &[R]),
@@ -237,7 +238,8 @@ impl<R: Real> FieldSimulator<'_, R> {
         self.load_forces(time, constants, work);
     }
 
-    /// As [`FieldSimulator::load`], without forces where derivatives do not need them.
+    /// Does the same as [`FieldSimulator::load`], without forces where derivatives do not need
+    /// them.
     pub(super) fn load_for_derivatives(
         &self,
         (time, state): (R, &[R]),

@@ -1,6 +1,6 @@
-//! The rate of a scene whose fields all have a section without f_0 and elements of order 1, without
-//! room between calls: forces are computed where accelerations go, from the state as it is handed
-//! over.
+//! Rate of a scene whose fields all have a section without f_0 and elements of order 1, without
+//! memory between calls: forces are accumulated in the accelerations, directly from the given
+//! state.
 
 use std::ops::Range;
 
@@ -11,44 +11,44 @@ use super::constants::Constants;
 use super::mesh::{Mesh, Owner};
 use super::{FieldSimulator, Law};
 
-/// Machines with more parameters are computed in room that is kept.
+/// Maximum number of parameters of the machine; others use the kept memory.
 const PARAMETERS: usize = 64;
-/// And those with more states.
+/// Maximum number of states of the machine.
 const STATES: usize = 32;
 
-/// Where the nodes of a field are in positions, and in speeds.
+/// Indices of the nodes of a field in positions and velocities.
 #[derive(Debug)]
 pub(super) struct Line {
-    /// Nodes between two bounds, for every segment.
+    /// Nodes between two bounds, for each segment.
     inner: Vec<Inner>,
     /// Nodes at the bounds.
     bounds: Vec<Bound>,
-    /// Whether f_1 depends on u_x, and whether on u_xt; and the last of these on which it does.
+    /// Whether f_1 depends on u_x and on u_xt, and the last of these on which it does.
     by_slopes: [bool; 2],
     last_kind: usize,
 }
 
-/// Neighbouring nodes that are the field's own, within a segment.
+/// Neighbouring own nodes of a field within a segment.
 #[derive(Debug)]
 struct Inner {
-    /// Among all nodes.
+    /// Indices among all nodes.
     nodes: Range<usize>,
-    /// Of the first among positions.
+    /// Index of the first one among positions.
     place: usize,
 }
 
-/// A node between segments, or at an end.
+/// A node between segments or at an end.
 #[derive(Debug)]
 struct Bound {
-    /// Among all nodes.
+    /// Index among all nodes.
     node: usize,
-    /// Among positions; none where it is held.
+    /// Index among positions; `None` if the node is held.
     place: Option<usize>,
-    /// First of the parameters handed over, if it is a port.
+    /// Index of the first parameter that the field provides, if the node is a port.
     handed: Option<usize>,
 }
 
-/// Those of the fields of a machine, where rates are computed so.
+/// Returns the lines of all fields of a machine, if its rates can be computed in this way.
 pub(super) fn lines<R: Real>(simulator: &FieldSimulator<'_, R>) -> Option<Vec<Line>> {
     let machine = simulator.machine;
     if machine.parameters > PARAMETERS || machine.states() > STATES {
@@ -63,8 +63,8 @@ pub(super) fn lines<R: Real>(simulator: &FieldSimulator<'_, R>) -> Option<Vec<Li
 }
 
 impl<R: Real> FieldSimulator<'_, R> {
-    /// Nothing if the field has no springs, or forces beside them: those are calls for neighbouring
-    /// nodes, which are better loaded for all at once.
+    /// Returns `None` for a field without springs or with forces at nodes: the latter are calls for
+    /// neighbouring nodes, which are better evaluated together.
     fn line(&self, index: usize, mesh: &Mesh) -> Option<Line> {
         let place = |node: usize| {
             let [position, _] = self.columns(mesh.owners[node])?;
@@ -74,7 +74,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         let bounds: Vec<usize> = firsts.chain([mesh.owners.len() - 1]).collect();
         let inner = bounds.windows(2).map(|ends| {
             let nodes = mesh.first_node + ends[0] + 1..mesh.first_node + ends[1];
-            // Where there are no nodes, no place is asked for.
+            // The place is not used if there are no nodes.
             let place = if nodes.is_empty() { 0 } else { place(ends[0] + 1)? };
             Some(Inner { nodes, place })
         });
@@ -101,7 +101,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         })
     }
 
-    /// y'.
+    /// Computes y'.
     pub(super) fn direct_rate(
         &self,
         lines: &[Line],
@@ -137,7 +137,8 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
     }
 
-    /// Accelerations of a field's own nodes, and among the parameters forces on its ports.
+    /// Computes the accelerations of a field's own nodes, and stores forces on its ports among the
+    /// parameters.
     fn accelerate(
         &self,
         (index, line): (usize, &Line),
@@ -195,13 +196,13 @@ impl<R: Real> FieldSimulator<'_, R> {
 }
 
 impl Line {
-    /// Positions, speeds, or both: those that f_1 depends on the slopes of.
+    /// Returns positions, velocities or both: those on whose slopes f_1 depends.
     fn kinds<'m, R>(&self, motion: [&'m [R]; 2]) -> impl Iterator<Item = (usize, &'m [R])> {
         let by_slopes = self.by_slopes;
         motion.into_iter().enumerate().filter(move |(kind, _)| by_slopes[*kind])
     }
 
-    /// Values of the second and of the last node but one of a segment.
+    /// Returns the values of the second node and the last but one of a segment.
     fn beside<R: Real>(&self, segment: usize, values: &[R]) -> (R, R) {
         let inner = &self.inner[segment];
         match &values[inner.place..inner.place + inner.nodes.len()] {
@@ -213,14 +214,14 @@ impl Line {
 }
 
 impl Bound {
-    /// Its value, zero where it is held.
+    /// Returns the value, or zero if the node is held.
     fn of<R: Real>(&self, values: &[R]) -> R {
         self.place.map_or(R::literal(0.0), |place| values[place])
     }
 }
 
-/// Adds what equal springs do to nodes between two others: to nothing where it `BEGINS`, and then
-/// divides by inertias where it `ENDS`.
+/// Adds the forces of equal springs to nodes between two others. `BEGINS` starts from zero, `ENDS`
+/// divides by inertias.
 fn pull<R: Real, const BEGINS: bool, const ENDS: bool>(
     by: R,
     (first, values, last): (R, &[R], R),

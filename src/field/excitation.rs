@@ -1,5 +1,4 @@
-//! What a linear machine with linear fields is excited by: what its machine is, for the
-//! fields themselves are not.
+//! Excitation of a linear machine with linear fields: that of the machine, since fields have none.
 
 use machinist_contract::Real;
 use machinist_contract::field::FieldScene;
@@ -7,8 +6,8 @@ use machinist_contract::linear::LinearEquations;
 
 use super::FieldSimulator;
 
-/// Terms of the excitation of a scene whose machine and fields are linear, `border` being
-/// where the machine's entries are in the state.
+/// Returns the excitation terms of a scene whose machine and fields are linear. `border` contains
+/// the indices of the machine's entries in the state.
 pub(super) fn terms<R: Real>(scene: &dyn FieldScene<R>, border: &[u32]) -> Option<Vec<(u32, u32)>> {
     let linear = scene.linear()?;
     let is_linear = (0..scene.fields()).all(|index| scene.force_structure(index).linear);
@@ -27,7 +26,7 @@ impl<R: Real> LinearEquations<R> for FieldSimulator<'_, R> {
         let mut constants = std::mem::take(&mut work.constants);
         self.compute_constants(parameters, work, &mut constants);
         work.constants = constants;
-        // Without motion there is no force of a field.
+        // Fields exert no forces without motion.
         for (_, handed) in self.ports.iter().copied() {
             work.p[handed + 1] = R::literal(0.0);
         }

@@ -1,12 +1,11 @@
-//! Gauss-Lobatto points of the unit interval, with their weights and the slopes of the
-//! shape functions on them.
+//! Gauss-Lobatto points of the unit interval, with weights and slopes of the shape functions.
 //!
 //! Source: Canuto, Hussaini, Quarteroni, Zang, "Spectral methods: fundamentals in
 //! single domains", 2006, section 2.3.1.
 
 use machinist_contract::field::Rule;
 
-/// A [`Rule`] with its numbers.
+/// A [`Rule`] that owns its numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lobatto {
     points: Vec<f64>,
@@ -15,7 +14,7 @@ pub struct Lobatto {
 }
 
 impl Lobatto {
-    /// The rule of p + 1 points, p at least 1.
+    /// Creates the rule of p + 1 points, p at least 1.
     ///
     /// On \[-1, 1\] the inner points are the zeros of P_p', the weights are
     /// 2/(p (p + 1) P_p^2), and l_j'(x_i) = P_p(x_i)/(P_p(x_j) (x_i - x_j)).
@@ -35,7 +34,7 @@ impl Lobatto {
                     },
                 )
                 .collect();
-            // What is constant has no slope, to the last bit.
+            // The slope of a constant is zero to the last bit.
             row[i] = -row.iter().sum::<f64>();
             slopes.extend(row);
         }
@@ -46,7 +45,7 @@ impl Lobatto {
         }
     }
 
-    /// Integrals of l_i' l_j' over the unit interval, row by row.
+    /// Returns the integrals of l_i' l_j' over the unit interval, row by row.
     #[must_use]
     pub(super) fn stiffness(&self) -> Vec<f64> {
         let len = self.points.len();
@@ -58,14 +57,14 @@ impl Lobatto {
         (0..len * len).map(|entry| integral(entry / len, entry % len)).collect()
     }
 
-    /// As the contract's loops take it.
+    /// Returns the rule in the form of the contract.
     #[must_use]
     pub fn rule(&self) -> Rule<'_> {
         Rule { points: &self.points, weights: &self.weights, slopes: &self.slopes }
     }
 }
 
-/// The `index`-th point on \[-1, 1\], by Newton's iteration from a cosine.
+/// Returns the `index`-th point on \[-1, 1\], by Newton's iteration from a cosine.
 fn point(order: usize, index: usize) -> f64 {
     match index {
         0 => return -1.0,
@@ -88,7 +87,7 @@ fn point(order: usize, index: usize) -> f64 {
     x
 }
 
-/// P_p and P_p' at x, |x| < 1, or P_p alone at the ends.
+/// Returns P_p and P_p' at x for |x| < 1; at the ends only P_p is valid.
 fn legendre(order: usize, x: f64) -> [f64; 2] {
     let (mut before, mut value) = (1.0, x);
     for k in 2..=order {

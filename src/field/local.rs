@@ -1,5 +1,5 @@
-//! Fields whose forces are local: f_0 depends on u and u' alone, and at nodes nothing else of
-//! the field is asked for.
+//! Fields with local forces: f_0 depends only on u and u', and nothing else of the field is needed
+//! at nodes.
 //!
 //! ```text
 //! F_i = H_i f_0(u_i, u_i') + ...      H_i the part of the length that is the node's
@@ -20,12 +20,12 @@ pub(super) struct Local {
 }
 
 impl Local {
-    /// df_0/du and df_0/du_t.
+    /// Returns the variation of df_0/du and df_0/du_t.
     pub fn variations(&self) -> [Variation; 2] {
         [self.structure.derivatives[0], self.structure.derivatives[2]]
     }
 
-    /// H f_0 of every node.
+    /// Computes H f_0 of all nodes.
     pub fn force<R: Real>(
         &self,
         scene: &dyn FieldScene<R>,
@@ -46,7 +46,7 @@ impl Local {
         }
     }
 
-    /// df_0/du and df_0/du_t of every node, into `work.by_value`.
+    /// Computes df_0/du and df_0/du_t of all nodes into `work.by_value`.
     pub fn derivatives<R: Real>(
         &self,
         scene: &dyn FieldScene<R>,
@@ -58,7 +58,7 @@ impl Local {
         let Work { by_value, u, v, p, .. } = work;
         let by = by_value.each_mut().map(|by| &mut by[..nodes.len()]);
         if self.variations() == [Variation::Zero; 2] {
-            // Another field may have been here.
+            // The memory may contain values of another field.
             for by in by {
                 by.fill(R::literal(0.0));
             }
@@ -68,7 +68,7 @@ impl Local {
         scene.field_forces_on_values_jacobian(self.field, time, values, p, by);
     }
 
-    /// Partial derivative of F with respect to time, into `work.force_change`.
+    /// Computes the partial derivative of F by time into `work.force_change`.
     pub fn force_by_time<R: Real>(
         &self,
         scene: &dyn FieldScene<R>,

@@ -1,4 +1,4 @@
-//! Elements of one field: segments between its places, and whose every node is.
+//! Elements of a field: segments between its ports, and owners of nodes.
 
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -10,81 +10,82 @@ use machinist_contract::field::{
 
 use super::{Discretisation, FieldError, Lobatto, MAX_ELEMENTS};
 
-/// Whose a node is.
+/// Owner of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Owner {
-    /// Nobody's: it is held at zero.
+    /// No owner: the node is held at zero.
     Fixed,
-    /// The machine's.
+    /// The machine.
     Port {
-        /// Coordinate of the machine.
+        /// Index of the coordinate of the machine.
         coordinate: u32,
-        /// First of the parameters that the field hands over.
+        /// Index of the first parameter that the field provides.
         handed: u32,
     },
-    /// The field's, by its number among those of all fields.
+    /// The field; the number counts own nodes of all fields.
     Field(u32),
 }
 
-/// One field, cut into elements.
+/// A field divided into elements.
 #[derive(Debug, Clone)]
 pub(super) struct Mesh {
     pub rule: Lobatto,
     pub order: usize,
     pub segments: Vec<Segment>,
-    /// One for each node, by x.
+    /// Owners of all nodes, in the order of x.
     pub owners: Vec<Owner>,
-    /// Attachment, its bound and its node.
+    /// Index of each attachment, its bound and its node.
     pub attached: Vec<[usize; 3]>,
     /// First node and first segment among those of all fields.
     pub first_node: usize,
     pub first_segment: usize,
     pub own_nodes: usize,
-    /// Stretches of nodes that are the field's own.
+    /// Runs of own nodes.
     pub runs: Vec<Run>,
-    /// Nodes that are ports.
+    /// Indices of nodes that are ports.
     pub ports: Vec<usize>,
 }
 
-/// Neighbouring nodes that are the field's own, and so neighbours in the state.
+/// Neighbouring own nodes of a field, which are also neighbours in the state.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Run {
-    /// Nodes of the field.
+    /// Indices of nodes of the field.
     pub nodes: Range<usize>,
-    /// Number of the first among the own nodes of all fields.
+    /// Index of the first one among own nodes of all fields.
     pub own: usize,
 }
 
 impl Mesh {
-    /// For the loops of the contract.
+    /// Returns the elements in the form of the contract.
     pub fn elements<'a, R: Real>(&'a self, field: usize, bounds: &'a [R]) -> Elements<'a, R> {
         Elements { field, rule: self.rule.rule(), segments: &self.segments, bounds }
     }
 
-    /// Where its bounds are among those of all fields, of which it is the `index`-th.
+    /// Returns the indices of its bounds among those of all fields; the field is the `index`-th
+    /// one.
     pub fn bounds(&self, index: usize) -> Range<usize> {
-        // Every field before it has one more bound than segments.
+        // Every previous field has one more bound than segments.
         let first = self.first_segment + index;
         first..first + self.segments.len() + 1
     }
 
-    /// Its nodes among those of all fields.
+    /// Returns the indices of its nodes among those of all fields.
     pub fn nodes(&self) -> Range<usize> {
         self.first_node..self.first_node + self.owners.len()
     }
 
-    /// The inverse of the length of the elements of a segment between these bounds.
+    /// Returns the inverse of the element length in a segment between these bounds.
     pub fn inverse_of_length<R: Real>(&self, segment: usize, bounds: &[R]) -> R {
         let elements = f64::from(self.segments[segment].elements);
         R::literal(elements) / (bounds[segment + 1] - bounds[segment])
     }
 
-    /// Segment of the element that begins at a node.
+    /// Returns the segment of the element that begins at a node.
     pub fn segment_of(&self, node: usize) -> usize {
         self.segments.partition_point(|segment| segment.first_node as usize <= node) - 1
     }
 
-    /// Nodes of each element.
+    /// Returns the nodes of each element.
     pub fn elements_of_nodes(&self) -> impl Iterator<Item = Range<usize>> + '_ {
         let elements = (self.owners.len() - 1) / self.order;
         (0..elements).map(|element| {
@@ -94,7 +95,7 @@ impl Mesh {
     }
 }
 
-/// Cuts every field of a scene.
+/// Divides all fields of a scene.
 pub(super) fn meshes<R: Real>(
     scene: &dyn FieldScene<R>,
     wanted: Discretisation,
@@ -201,7 +202,7 @@ fn runs(owners: &[Owner]) -> Vec<Run> {
     runs
 }
 
-/// Lengths of the stretches between places, as the spec has them \[m\].
+/// Returns the lengths of the segments between ports at the spec's parameters \[m\].
 fn lengths(description: &FieldDescription<'_>) -> Vec<f64> {
     let inside = description.attachments.iter().filter(|at| at.place == FieldPlace::Inside);
     let ends = inside.map(|at| at.at).chain([description.length]);
@@ -214,7 +215,7 @@ fn lengths(description: &FieldDescription<'_>) -> Vec<f64> {
     lengths.collect()
 }
 
-/// Elements for each stretch: at least one, the rest by length.
+/// Distributes elements over segments: at least one each, the others in proportion to length.
 fn share(elements: usize, lengths: &[f64]) -> Vec<usize> {
     let mut counts = vec![1; lengths.len()];
     let total: f64 = lengths.iter().sum();

@@ -1,12 +1,12 @@
-//! Any simulator, seen through its slowest modes.
+//! Modal reduction of any simulator to its slowest eigenmodes.
 //!
 //! ```text
 //! q = Phi eta        (Phi^T M Phi) eta'' = Phi^T f(Phi eta, Phi eta', z, t)
 //! ```
 //!
-//! with the modes Phi of M and the stiffness where the run starts: of K Phi = M Phi w^2 the
-//! columns with the smallest w. f need not be linear (Galerkin); M must not move. With all
-//! modes the motion is that of the simulator itself.
+//! The columns of Phi are the eigenmodes of M and the stiffness at the start of the run, K Phi = M
+//! Phi w^2, with the smallest w. f may be nonlinear (Galerkin); M must be constant. With all
+//! eigenmodes the motion is that of the simulator itself.
 
 use std::cell::RefCell;
 
@@ -19,30 +19,30 @@ use nalgebra::{DMatrix, DVector};
 use crate::linear_analysis::{LinearError, Linearization, Point};
 use crate::sorting::sort_ascending;
 
-/// Why a simulator is not seen through its modes.
+/// Reason why a simulator cannot be reduced.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ModalError {
-    /// None wanted, or more than there are.
+    /// The number of eigenmodes is out of range.
     #[error("from 1 to {most} modes can be taken, not {found}")]
     Modes {
-        /// Coordinates of the simulator.
+        /// Number of coordinates of the simulator.
         most: usize,
-        /// What was asked for.
+        /// Requested number.
         found: usize,
     },
     /// The mass matrix depends on the state.
     #[error("the mass matrix moves with the machine, so that its modes do not stay")]
     MovingMass,
-    /// No linearization at the start.
+    /// The simulator cannot be linearized at the start.
     #[error(transparent)]
     Linear(#[from] LinearError),
-    /// Positions are left out, so that modes would not give the state.
+    /// Positions are left out of the state, so eigenmodes do not determine it.
     #[error("the scene has left positions out; take it whole")]
     LeftOut,
-    /// Constraints hold coordinates together, which modes would not.
+    /// The machine has constraints, which a sum of eigenmodes would violate.
     #[error("the machine has constraints, which a sum of its modes would not keep")]
     Constrained,
-    /// Events would have to be told of states that a sum of modes does not keep.
+    /// The machine has events, whose states a sum of eigenmodes does not contain.
     #[error("the machine has events, which a sum of its modes would not see")]
     Events,
     /// M and K have no modes.
@@ -50,17 +50,17 @@ pub enum ModalError {
     NoModes,
 }
 
-/// A simulator with given parameters, seen through some of its modes; it has no
-/// parameters of its own.
+/// A simulator with given parameters, reduced to some of its eigenmodes. It has no parameters of
+/// its own.
 pub struct ModalSimulator<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: Vec<f64>,
-    /// Phi, each column with 1 as its largest entry.
+    /// Phi, with largest entries of 1 in each column.
     shapes: DMatrix<f64>,
     /// (Phi^T M Phi)^-1 Phi^T, and the same times M.
     of_forces: DMatrix<f64>,
     of_accelerations: DMatrix<f64>,
-    /// Coordinate with the largest entry in each shape.
+    /// Index of the coordinate with the largest entry in each shape.
     largest: Vec<usize>,
     names: [Vec<String>; 2],
     first_order: usize,
@@ -71,7 +71,7 @@ pub struct ModalSimulator<'a> {
 }
 
 impl<'a> ModalSimulator<'a> {
-    /// The slowest `modes` of a simulator about its start.
+    /// Reduces a simulator to its slowest `modes` eigenmodes about its start.
     ///
     /// # Errors
     /// [`ModalError`].
@@ -146,7 +146,7 @@ impl<'a> ModalSimulator<'a> {
         self.shapes.nrows()
     }
 
-    /// The simulator's own state.
+    /// Computes the simulator's own state.
     fn expand(&self, state: &[f64], whole: &mut [f64]) {
         let (k, n) = (self.modes(), self.coordinates());
         for (from, to) in [(0, 0), (k, n)] {
@@ -163,7 +163,7 @@ impl<'a> ModalSimulator<'a> {
     }
 }
 
-/// The columns of Phi with Phi^T M Phi = 1 and the smallest w.
+/// Returns the columns of Phi with Phi^T M Phi = 1 and the smallest w.
 fn slowest(mass: &DMatrix<f64>, stiffness: &DMatrix<f64>, modes: usize) -> Option<DMatrix<f64>> {
     if stiffness.iter().any(|entry| !entry.is_finite()) {
         return None;
@@ -176,7 +176,7 @@ fn slowest(mass: &DMatrix<f64>, stiffness: &DMatrix<f64>, modes: usize) -> Optio
     Some(inverse.transpose() * eigen.eigenvectors.select_columns(&order))
 }
 
-/// Columns with 1 as their largest entry, and where that is.
+/// Scales columns so that their largest entry is 1, and returns its indices.
 fn scaled(mut shapes: DMatrix<f64>) -> (DMatrix<f64>, Vec<usize>) {
     let mut largest = Vec::new();
     for mut column in shapes.column_iter_mut() {
@@ -351,7 +351,7 @@ impl Simulator<f64> for ModalSimulator<'_> {
         self.with(state, |whole, _| self.simulator.energy(time, whole, &self.parameters))
     }
 
-    /// That of the simulator: what its forces do along the modes is what they do to them.
+    /// Returns the balance of the simulator: power along the eigenmodes is power of its forces.
     fn power_balance(&self, time: f64, state: &[f64], _: &[f64]) -> PowerBalance<f64> {
         self.with(state, |whole, _| self.simulator.power_balance(time, whole, &self.parameters))
     }

@@ -1,4 +1,4 @@
-//! Rate, Jacobian and time derivative once everything is loaded.
+//! Rate, Jacobian and time derivative from loaded values.
 
 use machinist_contract::Real;
 
@@ -8,7 +8,7 @@ use super::mesh::Owner;
 use super::{FieldSimulator, Law, NOWHERE, Work, find};
 
 impl<R: Real> FieldSimulator<'_, R> {
-    /// y'.
+    /// Computes y'.
     pub(super) fn loaded_rate(
         &self,
         (time, state): (R, &[R]),
@@ -26,7 +26,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         self.of_own_nodes(&work.force, constants.inverse, rate);
     }
 
-    /// Accelerations of own nodes, from forces.
+    /// Computes accelerations of own nodes from forces.
     fn of_own_nodes(&self, forces: &[R], inverse: &[R], rate: &mut [R]) {
         let first = self.coordinates() + self.machine.coordinates;
         for mesh in &self.meshes {
@@ -41,7 +41,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
     }
 
-    /// Partial derivative of y' with respect to time.
+    /// Computes the partial derivative of y' by time.
     pub(super) fn loaded_time_derivative(
         &self,
         time: R,
@@ -81,7 +81,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         self.of_own_nodes(&work.force_change, constants.inverse, derivative);
     }
 
-    /// dy'/dy.
+    /// Computes dy'/dy.
     pub(super) fn loaded_jacobian(
         &self,
         time: R,
@@ -125,7 +125,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
     }
 
-    /// What is constant of it, with zeros where it varies.
+    /// Computes the constant part of the Jacobian, with zeros where it varies.
     pub(super) fn constant_part(
         &self,
         constants: &Constants<'_, R>,
@@ -139,7 +139,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
     }
 
-    /// The part of a chain; ports are counted.
+    /// Adds the part of a chain; ports are counted.
     fn jacobian_of_chain(
         &self,
         chain: &Chain,
@@ -170,7 +170,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         work.of_ports = of_ports;
     }
 
-    /// The part of elements of any order; ports are counted.
+    /// Adds the part of elements of any order; ports are counted.
     fn jacobian_of_elements(
         &self,
         places: &[[u32; 2]],
@@ -222,7 +222,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
     }
 
-    /// Derivatives of the machine's rates by forces on ports.
+    /// Computes derivatives of the machine's rates by forces on ports.
     fn weigh_ports(&self, time: R, work: &mut Work<R>) {
         if self.port_rows.is_empty() {
             return;

@@ -1,4 +1,4 @@
-//! Fields whose forces are local, and linear in their slopes:
+//! Fields with local forces that are linear in their slopes:
 //!
 //! ```text
 //! f_1 = c + a u_x + b u_xt                        with numbers that parameters decide
@@ -7,8 +7,8 @@
 //! B_ij = integral of l_i' l_j' over the unit interval
 //! ```
 //!
-//! What stands between nodes is known once a run, and so is its part of the Jacobian: each call
-//! asks for f_0 alone.
+//! The coefficients between nodes are computed once per run, and so is their part of the Jacobian:
+//! each call only evaluates f_0.
 
 use machinist_contract::Real;
 use machinist_contract::field::{FieldScene, Variation};
@@ -18,54 +18,54 @@ use super::local::Local;
 use super::mesh::{Mesh, Owner};
 use super::{NOWHERE, Work};
 
-/// Numbers of a section: c, a, b.
+/// Number of coefficients of a section: c, a, b.
 pub(super) const NUMBERS: usize = 3;
 
-/// What is known of such a field once its elements are.
+/// Structure of such a field.
 #[derive(Debug, Clone)]
 pub(super) struct Section {
     local: Local,
     /// B, row by row.
     stiffness: Vec<f64>,
-    /// Places of the derivatives of an own node's acceleration by u, and by u', of the nodes of
-    /// its element: element by element, row by row.
+    /// Places of the derivatives of an own node's acceleration by u and by u' of the nodes of its
+    /// element: element by element, row by row.
     places: Vec<[u32; 2]>,
     /// Own nodes with the places of the derivatives by their own u, and by their own u'.
     own: [Vec<(u32, u32)>; 2],
     ports: Vec<Port>,
 }
 
-/// A port, and what the force on it depends on.
+/// A port, with the variables on which its force depends.
 #[derive(Debug, Clone)]
 struct Port {
     node: usize,
-    /// One for each of its elements and each of their nodes.
+    /// One entry for each of its elements and each of their nodes.
     beside: Vec<Beside>,
-    /// Places of the derivatives by its own u and u', one of each for every row of the Jacobian
-    /// that the force on the port reaches.
+    /// Places of the derivatives by its own u and u', for each row of the Jacobian that the force
+    /// on the port affects.
     own: Vec<[u32; 2]>,
 }
 
-/// A node that pulls at a port.
+/// A node that exerts a force on a port.
 #[derive(Debug, Clone)]
 struct Beside {
-    /// Segment of the element they have in common.
+    /// Segment of their common element.
     segment: usize,
-    /// B of the two.
+    /// Entry of B for both nodes.
     stiffness: f64,
-    /// As [`Port::own`], of this node.
+    /// Places for this node, ordered as [`Port::own`].
     places: Vec<[u32; 2]>,
 }
 
 impl Section {
-    /// Whether a field has one.
+    /// Returns whether a field has a section.
     pub fn is_there(local: &Local) -> bool {
         let [.., by_u_x, _, by_u_xt] = local.structure.derivatives;
         [by_u_x, by_u_xt].iter().all(|by| *by != Variation::Varying)
     }
 
-    /// That of a mesh; `places` are those of its elements, `rows` the rows of the Jacobian that
-    /// the force on a port reaches, and `find` gives the place of an entry.
+    /// Creates the section of a mesh. `places` are those of its elements, `rows` the rows of the
+    /// Jacobian that the force on a port affects, and `find` returns the place of an entry.
     pub fn new(
         local: Local,
         mesh: &Mesh,
@@ -104,7 +104,7 @@ impl Section {
         Self { local, ports: ports.collect(), stiffness, places, own }
     }
 
-    /// c, a and b at these parameters.
+    /// Returns c, a and b for these parameters.
     pub fn numbers<R: Real>(&self, scene: &dyn FieldScene<R>, p: &[R]) -> [R; NUMBERS] {
         let zero = R::literal(0.0);
         let [mut c, mut a, mut b] = [[zero]; NUMBERS];
@@ -114,7 +114,7 @@ impl Section {
         [c[0], a[0], b[0]]
     }
 
-    /// F of every node.
+    /// Computes F of all nodes.
     pub fn force<R: Real>(
         &self,
         scene: &dyn FieldScene<R>,
@@ -145,13 +145,14 @@ impl Section {
         }
     }
 
-    /// Adds to the nodes of a stretch what its elements of this order do, of which `by` is the
+    /// Adds the forces of elements of this order to the nodes of a segment; `by` is their
     /// stiffness.
     fn pull<R: Real>(&self, order: usize, by: R, values: &[R], force: &mut [R]) {
         for first in (0..values.len() - 1).step_by(order) {
             let (values, force) =
                 (&values[first..=first + order], &mut force[first..=first + order]);
-            // Beside its first node; an element that moves as a whole has no force at all.
+            // Relative to the first node, so that an element that moves as a whole has no force at
+            // all.
             let start = values[0];
             for (force, row) in force.iter_mut().zip(self.stiffness.chunks_exact(order + 1)) {
                 let mut sum = R::literal(0.0);
@@ -163,7 +164,7 @@ impl Section {
         }
     }
 
-    /// Adds what is constant of the rows of own nodes to the Jacobian.
+    /// Adds the constant part of the rows of own nodes to the Jacobian.
     pub fn constant_part<R: Real>(
         &self,
         scene: &dyn FieldScene<R>,
@@ -191,12 +192,12 @@ impl Section {
                 }
             }
         }
-        // Any time and motion will do.
+        // The result does not depend on time and motion.
         self.local.derivatives(scene, R::literal(0.0), at, work);
         self.add_own(Variation::Constant, at, work, jacobian);
     }
 
-    /// Adds what is not constant to them.
+    /// Adds the varying part of these rows.
     pub fn varying_part<R: Real>(
         &self,
         scene: &dyn FieldScene<R>,
@@ -209,7 +210,7 @@ impl Section {
         self.add_own(Variation::Varying, at, work, jacobian);
     }
 
-    /// Adds derivatives of f_0, of those that vary so.
+    /// Adds derivatives of f_0 of one kind of variation.
     fn add_own<R: Real>(
         &self,
         wanted: Variation,
@@ -228,8 +229,8 @@ impl Section {
         }
     }
 
-    /// Adds to the rows that forces on ports reach, with `weights` for each of them; it takes
-    /// what [`Section::varying_part`] has left.
+    /// Adds to the rows that forces on ports affect, with `weights` for each of them. Uses the
+    /// results of [`Section::varying_part`].
     pub fn rows_of_ports<R: Real>(
         &self,
         (mesh, constants): (&Mesh, &Constants<'_, R>),
@@ -258,12 +259,12 @@ impl Section {
         }
     }
 
-    /// Number of ports.
+    /// Returns the number of ports.
     pub fn ports(&self) -> usize {
         self.ports.len()
     }
 
-    /// Partial derivative of F with respect to time, into `work.force_change`.
+    /// Computes the partial derivative of F by time into `work.force_change`.
     pub fn force_by_time<R: Real>(
         &self,
         scene: &dyn FieldScene<R>,
@@ -275,7 +276,7 @@ impl Section {
     }
 }
 
-/// As [`Section::pull`], of elements of order 1: equal springs between nodes.
+/// Does the same as [`Section::pull`] for elements of order 1: equal springs between nodes.
 fn pull_evenly<R: Real>(by: R, values: &[R], force: &mut [R]) {
     let last = values.len() - 1;
     let inner = values[..last].iter().zip(&values[1..last]).zip(&values[2..]);

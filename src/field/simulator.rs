@@ -1,4 +1,4 @@
-//! A [`FieldSimulator`] as a simulator like any other.
+//! [`FieldSimulator`] as an implementation of `Simulator`.
 
 use machinist_contract::field::FieldPlace;
 use machinist_contract::linear::LinearEquations;
@@ -11,8 +11,8 @@ use super::mesh::Owner;
 use super::{EventPlaces, FieldSimulator, Work, find};
 
 impl FieldSimulator<'_, f64> {
-    /// It as any other simulator, its code compiled with this crate and as this crate is: one
-    /// that makes `&dyn Simulator` of it by itself compiles that code anew, as it is compiled.
+    /// Returns the simulator as a trait object whose code is compiled with this crate. A conversion
+    /// elsewhere would compile that code again.
     #[must_use]
     #[inline(never)]
     pub fn single(&self) -> &dyn Simulator<f64> {
@@ -21,7 +21,7 @@ impl FieldSimulator<'_, f64> {
 }
 
 impl FieldSimulator<'_, Dual> {
-    /// Likewise.
+    /// Avoids compiling the code again in other crates.
     #[inline(never)]
     fn as_derivatives(&self) -> &dyn Derivatives {
         self
@@ -137,7 +137,7 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
         self.scene().constraint(index)
     }
     fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
-        // The machine's coordinates come first.
+        // The coordinates of the machine come first.
         let columns = self.coordinates();
         SparsityPattern { columns, ..self.scene().constraint_matrix_pattern() }
     }
@@ -147,18 +147,18 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
     }
 }
 
-/// An event for as long as the simulator lives.
+/// Shortens the lifetime of an event to that of the simulator.
 fn shorter_event<'s, R>(event: Event<'s>, _: &'s FieldSimulator<'_, R>) -> Event<'s> {
     event
 }
 
-/// A quantity for as long as the simulator lives.
+/// Shortens the lifetime of a quantity to that of the simulator.
 fn shorter<'s, R>(quantity: Quantity<'s>, _: &'s FieldSimulator<'_, R>) -> Quantity<'s> {
     quantity
 }
 
 impl<R: Real> FieldSimulator<'_, R> {
-    /// As [`FieldSimulator::load`], with constants computed for once; these come along.
+    /// Does the same as [`FieldSimulator::load`] with newly computed constants, and returns these.
     fn load_anew(&self, time: R, state: &[R], parameters: &[R], work: &mut Work<R>) -> Vec<R> {
         let mut constants = std::mem::take(&mut work.constants);
         self.compute_constants(parameters, work, &mut constants);
@@ -168,17 +168,17 @@ impl<R: Real> FieldSimulator<'_, R> {
         constants
     }
 
-    /// As [`FieldSimulator::load_anew`], where constants are not needed any more.
+    /// Does the same as [`FieldSimulator::load_anew`] where constants are not needed afterwards.
     fn load_once(&self, time: R, state: &[R], parameters: &[R], work: &mut Work<R>) {
         work.constants = self.load_anew(time, state, parameters, work);
     }
 
-    /// Length of the state.
+    /// Returns the length of the state.
     pub(super) fn border_and_own(&self) -> usize {
         self.border.len() + 2 * self.own_nodes
     }
 
-    /// Slopes on both sides of every port, handed over for outputs.
+    /// Provides the slopes on both sides of each port for outputs.
     fn hand_over_slopes(&self, time: R, work: &mut Work<R>) {
         let result = &mut work.result[..work.state.len()];
         self.scene().rate(time, &work.state, &work.p, result);
@@ -208,7 +208,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
     }
 
-    /// Every own node: field, node among those of all, and its number.
+    /// Returns each own node: its index among all nodes, and its number.
     fn own(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         self.meshes.iter().flat_map(|mesh| {
             mesh.owners.iter().zip(mesh.nodes()).filter_map(|(owner, node)| match owner {
@@ -477,7 +477,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
             energy.kinetic = energy.kinetic + kinetic;
             energy.potential = energy.potential + potential;
         }
-        // The machine has counted its nodes of the fields already.
+        // The machine has already counted the nodes of fields that belong to it.
         for (node, _) in self.ports.iter().copied() {
             let v = work.v[node];
             energy.kinetic = energy.kinetic - R::literal(0.5) * work.inertia[node] * v * v;
@@ -498,11 +498,11 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
             balance.supplied = balance.supplied + supplied;
             balance.dissipated = balance.dissipated + dissipated;
         }
-        // Kinetic energy of a node changes by its force times its speed.
+        // The rate of a node's kinetic energy is its force times its velocity.
         for (node, _) in self.own() {
             balance.stored_rate = balance.stored_rate + work.v[node] * work.force[node];
         }
-        // What a field does to its node of the machine comes from nowhere else.
+        // The machine counts the forces of fields on its nodes as supplied; this removes them.
         for (node, _) in self.ports.iter().copied() {
             balance.supplied = balance.supplied - work.v[node] * work.force[node];
         }

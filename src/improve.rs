@@ -1,10 +1,10 @@
-//! Designs improved: parameters at which an expression over a run is least, while inequalities
-//! hold.
+//! Optimization of designs: parameters that minimize an expression over a run, subject to
+//! inequalities.
 //!
-//! Expressions are over what runs show, such as `max(abs(coupling_torque))`, and parameters; see
-//! [`Expression`]. Their derivatives are those of the run's sensitivities
-//! ([`Simulation::sensitivities`]), and exact for what is computed from its samples. Unknowns are
-//! [`Unknown`]s of a fit, searched for by their logarithms where bounds are positive.
+//! Expressions contain parameters and results of runs, such as `max(abs(coupling_torque))`; see
+//! [`Expression`]. Their derivatives follow from the run's sensitivities
+//! ([`Simulation::sensitivities`]), and are exact for the value computed from its samples. Unknowns
+//! are [`Unknown`]s of a fit; the search uses their logarithms where bounds are positive.
 
 mod course;
 mod evaluate;
@@ -30,43 +30,42 @@ pub use expression::{
 pub use gradient::{NumberGradient, gradient};
 pub use search::{End, Evaluation, Found, Search, search};
 
-/// A design to be improved.
+/// An optimization problem.
 pub struct Improvement<'a> {
-    /// The run without what is varied; its sampled times are those at which courses are looked
-    /// at.
+    /// The run with all settings that are not varied; expressions use its output times.
     pub simulation: &'a Simulation<'a>,
-    /// What is varied.
+    /// Unknowns.
     pub unknowns: &'a [Unknown],
-    /// What is to be least.
+    /// Expression to be minimized.
     pub objective: &'a Expression,
-    /// What is to hold.
+    /// Inequalities to be fulfilled.
     pub inequalities: &'a [Inequality],
 }
 
-/// What an expression, or each side of inequalities, is at a point.
+/// Values of the objective and the inequalities at a point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Values {
-    /// What is to be least.
+    /// Value of the objective.
     pub objective: f64,
-    /// Both sides of each inequality.
+    /// Values of both sides of each inequality.
     pub sides: Vec<(f64, f64)>,
-    /// What the run remarks.
+    /// Notes of the run.
     pub notes: Vec<String>,
 }
 
-/// Sizes by which the objective and the inequalities are measured.
+/// Scales of the objective and the inequalities.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sizes {
-    /// Of the objective.
+    /// Scale of the objective.
     pub objective: f64,
-    /// Of each inequality.
+    /// Scale of each inequality.
     pub inequalities: Vec<f64>,
 }
 
-/// Refuses names that a simulator has not, and courses outside of reductions.
+/// Refuses unknown names, and time-dependent quantities outside of reductions.
 ///
 /// # Errors
-/// What is wrong, and where.
+/// The problem and its position in the text.
 pub fn check(
     expression: &Expression,
     simulator: &dyn Simulator<f64>,
@@ -107,7 +106,7 @@ pub fn check(
     }
 }
 
-/// A reduction within a reduction.
+/// Returns an error if a reduction contains a reduction.
 fn nested(expression: &Expression, is_within: bool) -> Option<ExpressionError> {
     match &expression.node {
         Node::Number(..) | Node::Name(_) => None,
@@ -122,24 +121,24 @@ fn nested(expression: &Expression, is_within: bool) -> Option<ExpressionError> {
 }
 
 impl Improvement<'_> {
-    /// Where the search starts, as it knows it.
+    /// Returns the start of the search, in search coordinates.
     #[must_use]
     pub fn start(&self) -> Vec<f64> {
         self.unknowns.iter().map(Unknown::inner_start).collect()
     }
 
-    /// Bounds, as the search knows them.
+    /// Returns the bounds in search coordinates.
     #[must_use]
     pub fn bounds(&self) -> Vec<(f64, f64)> {
         self.unknowns.iter().map(Unknown::inner_bounds).collect()
     }
 
-    /// Values of the unknowns.
+    /// Returns the values of the unknowns at search coordinates.
     #[must_use]
     pub fn values(&self, inner: &[f64]) -> Vec<f64> {
         let bounds = self.bounds();
         let value = |((unknown, inner), (low, high)): ((&Unknown, &f64), &(f64, f64))| {
-            // At a bound to the last bit.
+            // Values at a bound are exact to the last bit.
             if inner <= low {
                 unknown.bounds.0
             } else if inner >= high {
@@ -151,10 +150,10 @@ impl Improvement<'_> {
         self.unknowns.iter().zip(inner).zip(&bounds).map(value).collect()
     }
 
-    /// The run at some values.
+    /// Runs at some values of the unknowns.
     ///
     /// # Errors
-    /// As [`Simulation::run`].
+    /// As for [`Simulation::run`].
     pub fn run(
         &self,
         values: &[f64],
@@ -176,10 +175,10 @@ impl Improvement<'_> {
         Ok(simulation)
     }
 
-    /// Expressions at some values of the unknowns, without derivatives.
+    /// Evaluates the expressions at some values of the unknowns, without derivatives.
     ///
     /// # Errors
-    /// As [`Simulation::run`].
+    /// As for [`Simulation::run`].
     pub fn told(&self, values: &[f64]) -> Result<Values, SimulateError> {
         let run = self.run(values, false)?;
         let value = |expression: &Expression| -> Result<f64, SimulateError> {
@@ -193,7 +192,7 @@ impl Improvement<'_> {
         })
     }
 
-    /// The sizes of what is told.
+    /// Returns the scales of objective and inequalities.
     #[must_use]
     pub fn sizes(&self, told: &Values) -> Sizes {
         let positive = |size: f64| if size > 0.0 && size.is_finite() { size } else { 1.0 };
@@ -206,10 +205,10 @@ impl Improvement<'_> {
         }
     }
 
-    /// What a search asks for, at a point as it knows it.
+    /// Evaluates objective and inequalities with derivatives, at a point in search coordinates.
     ///
     /// # Errors
-    /// Why the run stopped.
+    /// The reason why the run stopped.
     pub fn evaluate(&self, inner: &[f64], sizes: &Sizes) -> Result<Evaluation, SimulateError> {
         let values = self.values(inner);
         let run = self.run(&values, true)?;
@@ -253,10 +252,10 @@ impl Improvement<'_> {
         Ok(shown.branches(expression))
     }
 
-    /// Searches from a start, as the search knows it.
+    /// Searches from a start in search coordinates.
     ///
     /// # Errors
-    /// Why nothing could be evaluated at the start.
+    /// The reason why the start cannot be evaluated.
     pub fn search(
         &self,
         start: &[f64],
@@ -274,8 +273,8 @@ impl Improvement<'_> {
         search(evaluate, start, &Search { bounds: &bounds, most, interrupt })
     }
 
-    /// What the objective falls by for each unit that the right side of an inequality is eased
-    /// by, in their own units.
+    /// Returns the decrease of the objective per unit by which the right side of each inequality is
+    /// relaxed, in their own units.
     #[must_use]
     pub fn costs(&self, found: &Found, sizes: &Sizes) -> Vec<f64> {
         let costs = found.multipliers.iter().zip(&sizes.inequalities);
@@ -283,14 +282,14 @@ impl Improvement<'_> {
     }
 }
 
-/// The value of a parameter in a run.
+/// Returns the value of a parameter in a run.
 fn parameter_of(simulation: &Simulation<'_>, name: &str) -> Option<f64> {
     let (values, simulator) = (simulation.parameter_values(), simulation.simulator());
     let place = (0..values.len()).find(|index| simulator.parameter(*index).name == name)?;
     Some(values[place])
 }
 
-/// First rows of stretches between events and jumps.
+/// Returns the first rows of segments between events and jumps.
 fn stretches(simulation: &Simulation<'_>, run: &Trajectory) -> Vec<usize> {
     let (simulator, parameters) = (simulation.simulator(), simulation.parameter_values());
     let mut jumps = vec![0.0; simulator.shape().discontinuities];

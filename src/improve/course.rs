@@ -1,38 +1,38 @@
-//! What is left of a course over time, with its derivatives.
+//! Reductions of a time-dependent quantity, with derivatives.
 //!
-//! Between samples a course is the polynomial through the six nearest, on one side of what
-//! happens in between. An extreme is that of the polynomial; where it moves does not change it
-//! to first order, so that its derivative is that of the course at its time (the envelope
-//! theorem). All is exact for what is computed: derivatives are those of the very same sums.
+//! Between samples, a quantity is the polynomial through the six nearest samples that are not
+//! beyond an event or jump. An extreme is that of the polynomial. A shift of its time does not
+//! change it to first order, so its derivative is that of the quantity at its time (envelope
+//! theorem). Derivatives are exact for the computed value.
 
 use crate::sorting::sort_descending;
 use nalgebra::{DMatrix, DVector};
 
-/// Samples that a polynomial goes through.
+/// Number of samples of a polynomial.
 const POINTS: usize = 6;
-/// Parts of an interval in which an extreme is looked for.
+/// Number of parts of an interval in which an extreme is searched for.
 const PARTS: usize = 8;
-/// Extremes that are told at most.
+/// Maximum number of extremes returned.
 const MOST: usize = 12;
 
-/// A number, and its derivatives.
+/// A number with its derivatives.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Value {
     pub value: f64,
     pub slopes: Vec<f64>,
 }
 
-/// A number at each sampled time, with derivatives.
+/// A number at each output time, with derivatives.
 #[derive(Debug, Clone)]
 pub(super) struct Course<'t> {
-    /// Ascending.
+    /// Output times, ascending.
     pub times: &'t [f64],
-    /// Times between which it is smooth: first samples of such stretches.
+    /// First samples of the segments on which the quantity is smooth.
     pub stretches: &'t [usize],
     pub values: Vec<Value>,
 }
 
-/// An extreme, and its time with derivatives.
+/// An extreme and its time, both with derivatives.
 #[derive(Debug, Clone)]
 pub(super) struct Extreme {
     pub value: Value,
@@ -40,7 +40,7 @@ pub(super) struct Extreme {
 }
 
 impl Course<'_> {
-    /// The greatest value first, then other local ones, the greater first.
+    /// Returns the greatest value, then other local maxima in descending order.
     pub fn greatest(&self) -> Vec<Extreme> {
         let mut found = Vec::new();
         let ends = self.stretches.iter().skip(1).copied().chain([self.times.len()]);
@@ -59,7 +59,7 @@ impl Course<'_> {
         found
     }
 
-    /// The greatest value between the neighbours of a sample.
+    /// Returns the greatest value between the neighbours of a sample.
     fn near(&self, sample: usize, (first, end): (usize, usize)) -> Extreme {
         let count = POINTS.min(end - first);
         let from = (sample + 1).saturating_sub(count / 2).clamp(first, end - count);
@@ -74,7 +74,7 @@ impl Course<'_> {
         if count < 3 || span <= 0.0 {
             return still();
         }
-        // In units of the samples' span, about the sample.
+        // Polynomials are in units of the samples' span, relative to the sample.
         let inner = |time: f64| (time - self.times[sample]) / span;
         let matrix = DMatrix::from_fn(count, count, |row, power| {
             inner(self.times[from + row]).powi(power as i32)
@@ -115,8 +115,8 @@ impl Course<'_> {
         extreme
     }
 
-    /// The integral over time, by parabolas through three samples each where they are evenly
-    /// apart, else by trapezoids.
+    /// Returns the integral over time: by parabolas through three samples each where they are
+    /// equally spaced, otherwise by trapezoids.
     pub fn integral(&self) -> Value {
         let weights = self.weights();
         let mut sum = Value { value: 0.0, slopes: vec![0.0; self.values[0].slopes.len()] };
@@ -156,7 +156,7 @@ impl Course<'_> {
     }
 }
 
-/// Value of a polynomial, or of its first or second derivative.
+/// Returns the value of a polynomial, or of its first or second derivative.
 fn evaluate(coefficients: &DVector<f64>, order: usize, at: f64) -> f64 {
     let term = |(power, coefficient): (usize, &f64)| {
         let factor: usize = (0..order).map(|k| power.saturating_sub(k)).product();
@@ -169,7 +169,8 @@ fn evaluate(coefficients: &DVector<f64>, order: usize, at: f64) -> f64 {
     coefficients.iter().enumerate().map(term).sum()
 }
 
-/// Where the slope of a polynomial passes from above zero to below, between two places.
+/// Returns the point between two others where the slope of a polynomial changes from positive to
+/// negative.
 fn falling_root(coefficients: &DVector<f64>, mut low: f64, mut high: f64) -> Option<f64> {
     const HALVINGS: usize = 60;
     let slope = |at: f64| evaluate(coefficients, 1, at);
@@ -187,7 +188,7 @@ fn falling_root(coefficients: &DVector<f64>, mut low: f64, mut high: f64) -> Opt
 mod tests {
     use super::*;
 
-    /// x = e^(-d t) sin(w t) and its derivatives by d and w.
+    /// Returns x = e^(-d t) sin(w t) and its derivatives by d and w.
     fn decay(times: &[f64], d: f64, w: f64) -> Vec<Value> {
         let at = |t: &f64| {
             let (sine, cosine) = (w * t).sin_cos();
@@ -221,11 +222,11 @@ mod tests {
                 assert!((found.value.slopes[k] - by_value).abs() < 1e-6, "{k}");
                 assert!((found.time.slopes[k] - by_time).abs() < 1e-4, "{k}");
             }
-            // Later peaks follow, each lower by the same share.
+            // Later peaks decrease by a constant factor.
             let second = &course.greatest()[1];
             let share = (-d * std::f64::consts::TAU / w).exp();
             assert!((second.value.value / value - share).abs() < 1e-6);
-            // The integral, to what is left at the end.
+            // Integral up to each time in closed form.
             let whole = |t: f64| {
                 let (sine, cosine) = (w * t).sin_cos();
                 (w - (-d * t).exp() * (d * sine + w * cosine)) / (d * d + w * w)

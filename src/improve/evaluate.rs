@@ -1,19 +1,19 @@
-//! Values of expressions of a run, with their derivatives.
+//! Values of expressions over a run, with derivatives.
 
 use super::course::{Course, Value};
 use super::expression::{Expression, Function, Node, Operator, Reduction};
 use crate::trajectory::Trajectory;
 
-/// A run with sensitivities, and what expressions may name besides.
+/// A run with sensitivities, and the names that expressions may contain.
 pub(super) struct Shown<'a> {
     pub run: &'a Trajectory,
-    /// First rows of stretches on which courses are smooth.
+    /// First rows of segments on which results are smooth.
     pub stretches: Vec<usize>,
-    /// Names of what is differentiated by.
+    /// Names of the parameters and states by which the run is differentiated.
     pub by: &'a [String],
-    /// Derivatives of a column by the one of them that stands at a place, one for each time.
+    /// Returns the derivatives of a column by the parameter with this index, one for each time.
     pub slopes: &'a dyn Fn(&str, usize) -> &'a [f64],
-    /// Values of parameters by name.
+    /// Returns the value of a parameter.
     pub parameter: &'a dyn Fn(&str) -> Option<f64>,
 }
 
@@ -24,27 +24,27 @@ struct Known<'r> {
     slopes: Vec<&'r [f64]>,
 }
 
-/// One value that an expression would have, were its extreme another local one; `label` is the
-/// time of that.
+/// Value of an expression for another choice of its local extreme; `label` is the time of that
+/// extreme.
 #[derive(Debug, Clone)]
 pub struct Branch {
-    /// Value.
+    /// Value of the expression.
     pub value: f64,
-    /// Derivatives by what the run was differentiated by.
+    /// Derivatives of the value.
     pub slopes: Vec<f64>,
-    /// Time of the extreme \[s\]; 0 of what is none.
+    /// Time of the extreme \[s\]; 0 if there is none.
     pub label: f64,
 }
 
 impl Shown<'_> {
-    /// The value of an expression first, then those by other local extremes, as far as they are
-    /// not greater: near the optimum several of them may be the same, and all count.
+    /// Returns the value of an expression, then those for other local extremes as far as they are
+    /// not greater: near the optimum several of them may be equal, and all matter.
     pub fn branches(&self, expression: &Expression) -> Vec<Branch> {
         let mut count = 0;
         let first = self.scalar(expression, 0, &mut count);
         let label = |extreme: usize| self.extreme_time(expression, extreme).unwrap_or_default();
         let mut all = vec![Branch { value: first.value, slopes: first.slopes, label: label(0) }];
-        // Of one extreme alone; several would be combined in every way.
+        // This is limited to one extreme, since several could be combined in many ways.
         for extreme in 1..if count == 1 { self.extremes(expression) } else { 0 } {
             let other = self.scalar(expression, extreme, &mut 0);
             if other.value <= all[0].value {
@@ -55,7 +55,7 @@ impl Shown<'_> {
         all
     }
 
-    /// The value of an expression, and its derivatives.
+    /// Returns the value of an expression and its derivatives.
     pub fn value(&self, expression: &Expression) -> (f64, Vec<f64>) {
         let Value { value, slopes } = self.scalar(expression, 0, &mut 0);
         (value, slopes)
@@ -65,7 +65,8 @@ impl Shown<'_> {
         Value { value, slopes: vec![0.0; self.by.len()] }
     }
 
-    /// A number by the `extreme`-th of local extremes; `count` is how many extremes there are.
+    /// Evaluates a number with the `extreme`-th local extreme; `count` returns the number of
+    /// extremes.
     fn scalar(&self, expression: &Expression, extreme: usize, count: &mut usize) -> Value {
         match &expression.node {
             Node::Number(value, _) => self.constant(*value),
@@ -121,7 +122,7 @@ impl Shown<'_> {
         }
     }
 
-    /// Numbers of an expression within a reduction.
+    /// Evaluates an expression within a reduction at all times.
     fn course(&self, expression: &Expression) -> Course<'_> {
         let mut columns: Vec<Known<'_>> = Vec::new();
         expression.for_each_name(&mut |name, _, _| {
@@ -157,12 +158,13 @@ impl Shown<'_> {
                 operate(*operator, &self.at(a, columns, row), &b)
             }
             Node::Call(function, a) => call(*function, &self.at(a, columns, row)),
-            // Refused before.
+            // This was refused before.
             Node::Reduce(..) => self.constant(f64::NAN),
         }
     }
 
-    /// The one extreme of an expression as a course, risen.
+    /// Returns the argument of the single extreme of an expression, with a sign such that the
+    /// extreme is a maximum.
     fn risen(&self, expression: &Expression) -> Option<Course<'_>> {
         match &expression.node {
             Node::Negative(a) | Node::Call(_, a) => self.risen(a),
@@ -199,7 +201,7 @@ fn scaled(mut a: Value, factor: f64) -> Value {
     a
 }
 
-/// Where a factor is zero, a slope is, whatever it is multiplied by.
+/// Multiplies by a slope; a zero slope gives zero even for an infinite factor.
 fn times(factor: f64, slope: f64) -> f64 {
     if slope == 0.0 { 0.0 } else { factor * slope }
 }

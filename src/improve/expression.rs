@@ -1,4 +1,4 @@
-//! Expressions over what a run has shown: text to a tree.
+//! Parser of expressions over results of a run.
 //!
 //! ```text
 //! sum      = product { ("+" | "-") product }
@@ -12,36 +12,36 @@ use std::ops::Range;
 
 use crate::error::did_you_mean;
 
-/// Nodes that stand within each other at most.
+/// Maximum nesting depth.
 const DEEPEST: usize = 100;
 
-/// A node, and where it stands in the text.
+/// A node of the syntax tree with its position in the text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expression {
-    /// What it is.
+    /// Node.
     pub node: Node,
-    /// Bytes of the text.
+    /// Range of bytes in the text.
     pub range: Range<usize>,
 }
 
-/// What an expression is made of.
+/// Kind of a node with its operands.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Node {
-    /// A number, and its unit if one is given.
+    /// A number with its unit, if given.
     Number(f64, Option<String>),
     /// A parameter; within a [`Reduction`] also an output, a state, or `t`.
     Name(String),
     /// -a.
     Negative(Box<Expression>),
-    /// Of two.
+    /// An operation on two operands.
     Binary(Operator, Box<Expression>, Box<Expression>),
     /// A function of one argument.
     Call(Function, Box<Expression>),
-    /// What is left of a course over time.
+    /// A reduction of a time-dependent quantity.
     Reduce(Reduction, Box<Expression>),
 }
 
-/// Operations on two numbers.
+/// Operation on two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is what it says")]
 pub enum Operator {
@@ -52,7 +52,7 @@ pub enum Operator {
     Power,
 }
 
-/// Functions of one number.
+/// Function of one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is what it says")]
 pub enum Function {
@@ -66,24 +66,24 @@ pub enum Function {
     Tanh,
 }
 
-/// One number of a course over time.
+/// Reduction of a time-dependent quantity to one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reduction {
-    /// The greatest value.
+    /// Greatest value.
     Max,
-    /// The least value.
+    /// Least value.
     Min,
-    /// The mean over time.
+    /// Mean over time.
     Mean,
-    /// The integral over time.
+    /// Integral over time.
     Integral,
-    /// The root of the mean square.
+    /// Root mean square.
     Rms,
-    /// The value at the start.
+    /// Value at the start.
     Initial,
-    /// The value at the end.
+    /// Value at the end.
     Final,
-    /// When it is greatest.
+    /// Time of the greatest value.
     PeakTime,
 }
 
@@ -109,26 +109,26 @@ const REDUCTIONS: [(&str, Reduction); 8] = [
     ("peak_time", Reduction::PeakTime),
 ];
 
-/// What is wrong with an expression, and where.
+/// An error in an expression, with its position.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct ExpressionError {
     /// The reason.
     pub message: String,
-    /// How to mend it; may be empty.
+    /// Hint; may be empty.
     pub help: String,
-    /// Bytes of the text.
+    /// Range of bytes in the text.
     pub range: Range<usize>,
 }
 
 impl ExpressionError {
-    /// An error at a place, without a hint.
+    /// Creates an error without a hint.
     #[must_use]
     pub fn new(message: impl Into<String>, range: Range<usize>) -> Self {
         Self { message: message.into(), help: String::new(), range }
     }
 
-    /// The same with a hint.
+    /// Adds a hint.
     #[must_use]
     pub fn with_help(self, help: impl Into<String>) -> Self {
         Self { help: help.into(), ..self }
@@ -138,19 +138,19 @@ impl ExpressionError {
 /// An inequality, `left <= right` or `left >= right`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inequality {
-    /// What stands on the left.
+    /// Left side.
     pub left: Expression,
-    /// What stands on the right.
+    /// Right side.
     pub right: Expression,
-    /// Whether the left is to be no greater than the right.
+    /// Whether the left side must not exceed the right side; otherwise the reverse.
     pub is_at_most: bool,
 }
 
 impl Expression {
-    /// Reads an expression.
+    /// Parses an expression.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The problem and its position.
     pub fn parse(text: &str) -> Result<Self, ExpressionError> {
         let mut reader = Reader { text, at: 0, depth: 0 };
         let expression = reader.sum()?;
@@ -158,7 +158,7 @@ impl Expression {
         Ok(expression)
     }
 
-    /// Every name in it, with its place, and whether it stands within a [`Reduction`].
+    /// Calls `look` with each name, its position, and whether it is within a [`Reduction`].
     pub fn for_each_name<'e>(&'e self, look: &mut dyn FnMut(&'e str, &Range<usize>, bool)) {
         self.look(false, look);
     }
@@ -178,10 +178,10 @@ impl Expression {
 }
 
 impl Inequality {
-    /// Reads an inequality.
+    /// Parses an inequality.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The problem and its position.
     pub fn parse(text: &str) -> Result<Self, ExpressionError> {
         let mut reader = Reader { text, at: 0, depth: 0 };
         let left = reader.sum()?;

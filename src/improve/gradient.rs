@@ -1,4 +1,4 @@
-//! The derivatives of an expression over a run by all parameters and initial values.
+//! Derivatives of an expression over a run by all parameters and initial values.
 
 use super::evaluate::Shown;
 use super::expression::Expression;
@@ -7,25 +7,26 @@ use crate::error::SimulateError;
 use crate::simulate::{Differentiated, Gradient, Pull, Simulation, Slope};
 use crate::trajectory::Trajectory;
 
-/// An expression over a run, and its derivatives.
+/// Value of an expression over a run with its derivatives.
 #[derive(Debug, Clone)]
 pub struct NumberGradient {
-    /// The expression.
+    /// Value of the expression.
     pub value: f64,
-    /// The run, and derivatives by what it is given.
+    /// The run and the derivatives by parameters and initial values.
     pub gradient: Gradient,
-    /// Whether they were found in reverse, by initial values too.
+    /// Whether the adjoint method was used, which includes initial values.
     pub is_in_reverse: bool,
-    /// What the expression has no derivative by, and why.
+    /// Names by which there is no derivative, with reasons.
     pub left_out: Vec<(String, String)>,
 }
 
-/// The value of an expression over a run with its derivatives: in reverse
-/// ([`Simulation::gradient`]) by all parameters and initial values where the machine is smooth and
-/// the method an explicit pair or left open, else by sensitivities, by all parameters.
+/// Computes an expression over a run with its derivatives. If the machine is smooth and the method
+/// is an explicit pair or left open, the adjoint method ([`Simulation::gradient`]) gives
+/// derivatives by all parameters and initial values. Otherwise sensitivities give those by all
+/// parameters.
 ///
 /// # Errors
-/// As [`Simulation::run`].
+/// As for [`Simulation::run`].
 pub fn gradient(
     simulation: &Simulation<'_>,
     expression: &Expression,
@@ -53,20 +54,21 @@ pub fn gradient(
     Ok(NumberGradient { value, gradient, is_in_reverse: true, left_out: Vec::new() })
 }
 
-/// Parameters with the derivatives that an expression has by them where the run stays as it is.
+/// Names of parameters with the direct derivatives of an expression by them, for a fixed run.
 type Direct = Vec<(String, f64)>;
 
-/// The value of an expression, what it is by each value of the columns it names, and what it is
-/// by parameters themselves.
+/// Returns the value of an expression, its derivatives by each value of the columns it names, and
+/// its direct derivatives by parameters.
 fn pulls(
     simulation: &Simulation<'_>,
     expression: &Expression,
     run: &Trajectory,
 ) -> (f64, Vec<Pull>, Direct) {
-    /// Values that are varied at once.
+    /// Number of values that are varied at once.
     const BLOCK: usize = 64;
     let rows = run.times.len();
-    // From one row on, a one that as many zeros go before as rows: moved, it stands for any row.
+    // A one between rows of zeros on either side; a window into this vector is a unit vector for
+    // any row.
     let mut one = vec![0.0; 2 * rows];
     one[rows] = 1.0;
     let parameter = |name: &str| parameter_of(simulation, name);
@@ -101,7 +103,7 @@ fn pulls(
     (value, pulls.collect(), parameters.into_iter().zip(direct).collect())
 }
 
-/// By sensitivities.
+/// Computes the gradient by sensitivities.
 fn forwards(
     simulation: &Simulation<'_>,
     expression: &Expression,

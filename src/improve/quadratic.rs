@@ -1,19 +1,19 @@
-//! Small convex quadratic problems with inequalities, by an interior-point method.
+//! Small convex quadratic problems with inequalities, solved by an interior-point method.
 //!
 //! ```text
 //! min 1/2 x^T H x + g^T x,   C x <= b
 //! ```
 //!
-//! With slacks w = b - C x and multipliers z, both positive, Newton's method for
-//! w z = sigma mu (S. Mehrotra, On the implementation of a primal-dual interior point method,
-//! SIAM J. Optim. 2, 1992). H need not be positive definite, as long as the problem is bounded.
+//! With slacks w = b - C x and multipliers z, both positive, the method applies Newton's method to
+//! w z = sigma mu (S. Mehrotra, On the implementation of a primal-dual interior point method, SIAM
+//! J. Optim. 2, 1992). H need not be positive definite if the problem is bounded.
 
 use nalgebra::{DMatrix, DVector};
 
 const ITERATIONS: usize = 100;
 const ACCURACY: f64 = 1e-11;
 
-/// A problem of this kind.
+/// A convex quadratic problem.
 pub(super) struct Quadratic {
     /// H.
     pub hessian: DMatrix<f64>,
@@ -26,8 +26,8 @@ pub(super) struct Quadratic {
 }
 
 impl Quadratic {
-    /// x and the multipliers z, as exact as rounding lets be, from a guess; nothing if it has
-    /// no solution.
+    /// Returns x and the multipliers z, accurate to rounding, from a guess; `None` if there is no
+    /// solution.
     pub fn solve(&self, guess: &DVector<f64>) -> Option<(DVector<f64>, DVector<f64>)> {
         let (n, m) = (self.gradient.len(), self.limits.len());
         let mut x = guess.clone();
@@ -47,7 +47,7 @@ impl Quadratic {
                 let entries = self.rows.row(row);
                 matrix.ger(weight, &entries.transpose(), &entries.transpose(), 1.0);
             }
-            // Of a direction that nothing holds, for as long as nothing does.
+            // Regularizes directions that nothing restrains yet.
             for index in 0..n {
                 matrix[(index, index)] += 1e-13 * (1.0 + self.hessian[(index, index)]);
             }
@@ -63,7 +63,8 @@ impl Quadratic {
             let share = longest(&w, &dw).min(longest(&z, &dz));
             let ahead = (&w + &dw * share).dot(&(&z + &dz * share)) / m as f64;
             let sigma = (ahead / gap).clamp(0.0, 1.0).powi(3);
-            // Not faster than the other conditions are met: products of zero lose all digits.
+            // The gap must not decrease faster than the other conditions are met, since products of
+            // zero lose all digits.
             let target = (sigma * gap).max(0.01 * ACCURACY * size);
             let complement =
                 w.component_mul(&z) + dw.component_mul(&dz) - DVector::from_element(m, target);
@@ -82,7 +83,7 @@ impl Quadratic {
     }
 }
 
-/// How far positive numbers may go until one is zero.
+/// Returns the longest step, at most 1, for which positive numbers stay positive.
 fn longest(values: &DVector<f64>, steps: &DVector<f64>) -> f64 {
     let ends = values.iter().zip(steps).filter(|(_, step)| **step < 0.0);
     ends.map(|(value, step)| -value / step).fold(1.0, f64::min)
@@ -92,7 +93,7 @@ fn longest(values: &DVector<f64>, steps: &DVector<f64>) -> f64 {
 mod tests {
     use super::*;
 
-    /// Random problems: the solution fulfils the conditions of Karush, Kuhn and Tucker.
+    /// Solutions of random problems fulfil the Karush-Kuhn-Tucker conditions.
     #[test]
     fn solutions_fulfil_their_conditions() {
         let mut random = fastrand::Rng::with_seed(7);
@@ -103,7 +104,7 @@ mod tests {
                 let mut rows = DMatrix::from_fn(m, n, |_, _| of(&mut random))
                     .resize_vertically(m + 2 * n, 0.0);
                 let mut limits = DVector::from_fn(m + 2 * n, |_, _| random.f64() + 0.05);
-                // A box, so that the problem is bounded.
+                // A box makes the problem bounded.
                 for k in 0..n {
                     rows[(m + 2 * k, k)] = 1.0;
                     rows[(m + 2 * k + 1, k)] = -1.0;

@@ -1,23 +1,23 @@
-//! The least value of an expression within bounds and inequalities, by sequential quadratic
+//! Minimization of an expression within bounds and inequalities, by sequential quadratic
 //! programming.
 //!
 //! ```text
 //! min max_k f_k(u),   max_k c_jk(u) <= 0,   lower <= u <= upper
 //! ```
 //!
-//! An extreme over time is the greatest of many local ones, each of which is smooth; the problem
-//! of a step has all of them (K. Madsen, H. Schjaer-Jacobsen, Linearly constrained minimax
-//! optimization, Math. Programming 14, 1978), so that it sees a second peak that a step would
-//! raise:
+//! An extreme over time is the greatest of many local ones, each of which is smooth. The problem of
+//! a step contains all of them (K. Madsen, H. Schjaer-Jacobsen, Linearly constrained minimax
+//! optimization, Math. Programming 14, 1978), so that it accounts for a second peak that a step
+//! would raise:
 //!
 //! ```text
 //! min t + nu sum_j s_j + 1/2 d^T B d,   f_k + g_k d <= t,   c_jk + a_jk d <= s_j,   s_j >= 0
 //! ```
 //!
-//! B by Powell's damped update (M. J. D. Powell, 1978), steps shortened until
-//! f + nu sum_j max(0, c_j) falls (S. P. Han, 1977). Inequalities that cannot be met make nu
-//! grow, until what is missed of them is as small as may be, which is then told. A point at which
-//! nothing can be evaluated is a step that was too long.
+//! B follows from Powell's damped update (M. J. D. Powell, 1978). Steps are shortened until f + nu
+//! sum_j max(0, c_j) decreases (S. P. Han, 1977). If inequalities cannot be met, nu grows until
+//! their violation is minimal, and the search ends as infeasible. A point that cannot be evaluated
+//! counts as a step that was too long.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -26,72 +26,71 @@ use nalgebra::{DMatrix, DVector};
 use super::evaluate::Branch;
 use super::quadratic::Quadratic;
 
-/// The first branch is the value, others are not greater.
+/// Branches of a value: the first is the value, the others are not greater.
 pub type Branches = Vec<Branch>;
 
-/// What is evaluated at a point: all scaled so that values are of size 1.
+/// Objective and inequalities at a point, scaled to values of size 1.
 #[derive(Debug, Clone)]
 pub struct Evaluation {
-    /// What is to be least.
+    /// Objective, to be minimized.
     pub objective: Branches,
-    /// What is to be no greater than zero, each.
+    /// Constraints, each required to be at most zero.
     pub constraints: Vec<Branches>,
 }
 
-/// What is asked of a search.
+/// Settings of a search.
 #[derive(Debug, Clone, Copy)]
 pub struct Search<'a> {
-    /// Least and greatest value of each unknown; infinite where there is none.
+    /// Lower and upper bound of each unknown; infinite where there is none.
     pub bounds: &'a [(f64, f64)],
-    /// Steps at most.
+    /// Maximum number of steps.
     pub most: usize,
-    /// Ends the search where it is, once set.
+    /// Flag that ends the search at its current point.
     pub interrupt: Option<&'a AtomicBool>,
 }
 
-/// Why a search ended.
+/// Reason for the end of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum End {
-    /// There is nothing better nearby.
+    /// The minimum is reached.
     Converged,
-    /// There is nothing nearby that misses the inequalities by less.
+    /// The violation of the inequalities has reached a minimum.
     Infeasible,
-    /// It took as many steps as it may.
+    /// The maximum number of steps is reached.
     Steps,
-    /// Somebody asked.
+    /// The search was interrupted.
     Interrupted,
-    /// No step leads to anything better although one should: what is evaluated is not smooth,
-    /// or less exact than asked for.
+    /// No step improves the objective although one should: the functions are not smooth, or less
+    /// exact than requested.
     Stuck,
 }
 
-/// Where a search ended.
+/// End of a search.
 #[derive(Debug, Clone)]
 pub struct Found {
-    /// u.
+    /// Unknowns u.
     pub at: Vec<f64>,
-    /// What was evaluated there.
+    /// Evaluation at this point.
     pub evaluation: Evaluation,
-    /// Multipliers of the inequalities: what the objective falls by for each unit that one is
-    /// eased by.
+    /// Multipliers of the inequalities: decrease of the objective per unit by which one is relaxed.
     pub multipliers: Vec<f64>,
-    /// Those of the unknowns' bounds: of lower ones positive, of upper ones negative.
+    /// Multipliers of the bounds of unknowns: positive for lower ones, negative for upper ones.
     pub of_bounds: Vec<f64>,
-    /// Steps taken.
+    /// Number of steps taken.
     pub steps: usize,
-    /// Why it ended.
+    /// Reason for the end.
     pub end: End,
-    /// Points at which nothing could be evaluated, and why the first could not.
+    /// Number of points that could not be evaluated, and the reason for the first.
     pub failed: (usize, Option<String>),
 }
 
-/// What a step would gain of the size of the objective at which there is nothing to gain.
+/// Predicted gain of a step, relative to the objective, below which the search has converged.
 const GAIN: f64 = 1e-10;
-/// A step that was to gain less than this and does not: evaluations are not more exact.
+/// Predicted gain below which a failing step ends the search: evaluations are not more exact.
 const FAINT: f64 = 1e-6;
-/// Inequalities may be missed by this.
+/// Tolerance of inequalities.
 const MISSED: f64 = 1e-7;
-/// The heaviest that a missed inequality weighs.
+/// Maximum weight of a violated inequality.
 const HEAVIEST: f64 = 1e5;
 
 impl Search<'_> {
@@ -111,7 +110,7 @@ impl Evaluation {
         numbers.all(|number| number.is_finite())
     }
 
-    /// How far the inequalities are missed, all together.
+    /// Returns the total violation of the inequalities.
     #[must_use]
     pub fn missed(&self) -> f64 {
         self.constraints.iter().map(|branches| branches[0].value.max(0.0)).sum()
@@ -127,13 +126,13 @@ impl Found {
         Self { end, ..self }
     }
 
-    /// Whether all inequalities are met.
+    /// Returns whether all inequalities are fulfilled.
     #[must_use]
     pub fn is_feasible(&self) -> bool {
         self.evaluation.constraints.iter().all(|branches| branches[0].value <= MISSED)
     }
 
-    /// Whether it is better than another end of a search.
+    /// Returns whether this end of a search is better than another.
     #[must_use]
     pub fn is_better_than(&self, other: &Self) -> bool {
         match (self.is_feasible(), other.is_feasible()) {
@@ -146,22 +145,22 @@ impl Found {
     }
 }
 
-/// A step, with what it is to do.
+/// A step with its prediction.
 struct Step {
     d: DVector<f64>,
-    /// Of the linearized merit.
+    /// Gain of the linearized merit function.
     gain: f64,
-    /// How far the linearized inequalities are missed at its end.
+    /// Violation of the linearized inequalities at its end.
     missed: f64,
-    /// Of branches of the objective, then of those of each inequality.
+    /// Multipliers of the branches of the objective, then of those of each inequality.
     multipliers: Vec<Vec<f64>>,
     of_bounds: Vec<f64>,
 }
 
-/// Searches from `start`.
+/// Minimizes from `start`.
 ///
 /// # Errors
-/// Why the start itself could not be evaluated.
+/// The reason why the start cannot be evaluated.
 pub fn search(
     mut evaluate: impl FnMut(&[f64]) -> Result<Evaluation, String>,
     start: &[f64],
@@ -212,7 +211,7 @@ pub fn search(
             if search.is_interrupted() {
                 return Ok(found.ended(End::Interrupted));
             }
-            // What is left to gain there is rounding.
+            // The remaining gain is rounding.
             if step.missed > MISSED && step.missed >= (1.0 - FAINT) * found.evaluation.missed() {
                 if weight >= HEAVIEST {
                     return Ok(found.ended(End::Infeasible));
@@ -221,7 +220,7 @@ pub fn search(
                 continue;
             }
             if !is_fresh {
-                // B may be to blame.
+                // B may be the cause.
                 bend = DMatrix::identity(n, n);
                 is_fresh = true;
                 reach *= 0.1;
@@ -248,8 +247,8 @@ pub fn search(
     Ok(found)
 }
 
-/// The longest of shares of a step that does better by enough: where it leads, what is there, and
-/// the share; nothing if none does, or somebody asked to end.
+/// Finds the longest fraction of a step with a sufficient decrease. Returns the point, its
+/// evaluation and the fraction; `None` if there is none, or if the search is interrupted.
 fn shortened(
     evaluate: &mut impl FnMut(&[f64]) -> Result<Evaluation, String>,
     found: &mut Found,
@@ -288,9 +287,9 @@ fn shortened(
     None
 }
 
-/// The step from where a search is, with a weight that makes it miss inequalities by hardly more
-/// than it must (R. H. Byrd, J. Nocedal, R. A. Waltz, Steering exact penalty methods, Optim.
-/// Methods Softw. 23, 2008): else a search may go where they cannot be met at all.
+/// Computes the step with a weight that makes it violate inequalities by little more than the
+/// minimum (R. H. Byrd, J. Nocedal, R. A. Waltz, Steering exact penalty methods, Optim. Methods
+/// Softw. 23, 2008). Otherwise a search may go where they cannot be fulfilled at all.
 fn steered(
     found: &Found,
     bend: &DMatrix<f64>,
@@ -311,7 +310,7 @@ fn steered(
     Some(own)
 }
 
-/// The step from where a search is.
+/// Computes the step from the current point.
 fn step(
     found: &Found,
     bend: &DMatrix<f64>,
@@ -323,7 +322,7 @@ fn step(
     // d, t, s.
     let size = n + 1 + m;
     let mut hessian = DMatrix::zeros(size, size);
-    // All over the weight, so that the largest numbers are of size 1.
+    // Everything is divided by the weight, so that the largest numbers are of size 1.
     hessian.view_mut((0, 0), (n, n)).copy_from(&(bend / weight));
     let mut gradient = DVector::zeros(size);
     gradient[n] = 1.0 / weight;
@@ -364,7 +363,7 @@ fn step(
     let (solution, z) = problem.solve(&guess)?;
     let z = z * weight;
     let mut d = solution.rows(0, n).into_owned();
-    // What a bound holds is at it, to the last bit.
+    // Unknowns held by a bound are at it, to the last bit.
     for (k, (low, high)) in bounds.iter().enumerate() {
         let row = branches + m + 2 * k;
         let [below, above] = [d[k] + problem.limits[row], problem.limits[row + 1] - d[k]];
@@ -391,7 +390,7 @@ fn step(
             own.to_vec()
         })
         .collect();
-    // What the reach of a step holds is no bound.
+    // The reach of a step is not a bound.
     let of_bound = |k: usize, side: usize| {
         let (low, high) = bounds[k];
         let room = if side == 0 { found.at[k] - low } else { high - found.at[k] };
@@ -401,8 +400,8 @@ fn step(
     Some(Step { d, gain, missed, multipliers, of_bounds })
 }
 
-/// Slopes of the sum of branches by multipliers, those of `of`, where branches are as at `at`:
-/// an extreme is the one of the nearest time.
+/// Returns the slopes of the sum of branches of `of`, weighted by multipliers of the branches at
+/// `at`. Extremes correspond if their times are nearest.
 fn slope_of_sum(of: &Evaluation, at: &Evaluation, multipliers: &[Vec<f64>]) -> DVector<f64> {
     let n = at.objective[0].slopes.len();
     let mut sum = DVector::zeros(n);
@@ -421,7 +420,7 @@ fn slope_of_sum(of: &Evaluation, at: &Evaluation, multipliers: &[Vec<f64>]) -> D
     sum
 }
 
-/// Powell's damped update of B by a step and the change of the gradient.
+/// Makes Powell's damped update of B for a step and the change of the gradient.
 fn update(bend: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>) {
     let along = &*bend * step;
     let known = step.dot(&along);
@@ -568,7 +567,7 @@ mod tests {
         assert!((found.at[0] - 0.69).abs() < 1e-5, "{found:?}");
         let found = search(evaluate(9.0), &[0.0], &ask(&[(-1.0, 0.25)])).expect("it starts");
         assert_eq!((found.end, found.at[0].to_bits()), (End::Converged, 0.25_f64.to_bits()));
-        // It falls by 2 (0.69 - 0.25) for each unit the bound is eased by.
+        // The objective decreases by 2 (0.69 - 0.25) per unit by which the bound is relaxed.
         assert!((found.of_bounds[0] + 0.88).abs() < 1e-6, "{found:?}");
         assert!(search(|_| Err("no".to_owned()), &[0.0], &ask(&[FREE])).is_err());
     }

@@ -30,12 +30,12 @@ pub struct Experiment {
 pub enum Noise {
     /// sqrt(absolute^2 + (share value)^2).
     Of {
-        /// In the unit of the values.
+        /// Absolute part, in the unit of the values.
         absolute: f64,
-        /// Of the value measured.
+        /// Relative part, as a fraction of the measured value.
         share: f64,
     },
-    /// Of each value its own, in their unit.
+    /// One standard deviation for each value, in its unit.
     Each(Vec<f64>),
 }
 

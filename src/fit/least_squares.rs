@@ -100,8 +100,8 @@ const GRADIENT: f64 = 1e-10;
 /// Relative gain in cost below which the search has converged.
 const GAIN: f64 = 1e-13;
 
-/// A step that was to gain less than this share and does not: evaluations are not more exact,
-/// and unknowns are there to a small part of their errors.
+/// Predicted relative gain below which a failing step ends the search: evaluations are not more
+/// exact, and unknowns are converged to a small part of their errors.
 const FAINT: f64 = 1e-6;
 
 /// Minimizes the sum of losses from `start`.

@@ -1,5 +1,5 @@
-//! Factorization of a banded matrix with a border, real and complex: work and room
-//! grow with its size times its band.
+//! Factorization of a banded matrix with a border, real and complex: time and memory grow with its
+//! size times its bandwidth.
 
 mod band;
 
@@ -8,15 +8,14 @@ use nalgebra::ComplexField;
 use super::lu::{Lu, Singular};
 use band::Band;
 
-/// The matrix
+/// A banded matrix with a border,
 ///
 /// ```text
 /// A B     A banded, factored by partial pivoting
 /// C D     S = D - C A^-1 B, factored as it is small
 /// ```
-///
-/// with the rows and columns of the border wherever they are. Entries are written to
-/// places known from the pattern: A's, B's nonzeros, C's, then all of D's.
+/// where the rows and columns of the border may be anywhere. Entries are written to places known
+/// from the pattern: those of A, the nonzeros of B and of C, then all of D.
 ///
 /// Source: Golub, Van Loan, "Matrix computations", 4.3 on bands; block elimination.
 pub(super) struct Bordered<S> {
@@ -24,16 +23,16 @@ pub(super) struct Bordered<S> {
     /// Places of the entries of the pattern, and of the diagonal.
     targets: Vec<u32>,
     diagonal: Vec<u32>,
-    /// Neighbouring rows of the band: (first row, first row of the band, how many).
+    /// Neighbouring rows of the band: (first row, first row of the band, count).
     runs: Vec<[usize; 3]>,
     /// Rows of the border.
     border: Vec<usize>,
     band: Band<S>,
-    /// Columns of B that are not zero.
+    /// Nonzero columns of B.
     right: Vec<Column<S>>,
     /// Nonzeros of C: (border, band, place).
     below: Vec<[u32; 3]>,
-    /// Where D starts.
+    /// First place of D.
     corner_at: usize,
     corner: Lu<S>,
     /// Parts of a right-hand side.
@@ -46,7 +45,7 @@ struct Column<S> {
     number: usize,
     /// Nonzeros: (row of the band, place).
     entries: Vec<[u32; 2]>,
-    /// That of A^-1 B.
+    /// Column of A^-1 B.
     solved: Vec<S>,
 }
 
@@ -57,7 +56,8 @@ enum Place {
 }
 
 impl<S: ComplexField<RealField = f64> + Copy> Bordered<S> {
-    /// Room for a matrix of `size` with this border, ascending, and these nonzeros.
+    /// Creates the structure for a matrix of `size` with this border, ascending, and these
+    /// nonzeros.
     pub(super) fn new(size: usize, border: &[usize], entries: &[(usize, usize)]) -> Self {
         let (places, runs) = places(size, border);
         let in_band = size - border.len();
@@ -102,8 +102,8 @@ impl<S: ComplexField<RealField = f64> + Copy> Bordered<S> {
         }
     }
 
-    /// Makes the matrix that many times the unit matrix; its entries, to add to, are at
-    /// these places in the order of the pattern.
+    /// Sets the matrix to `diagonal` times the unit matrix. Returns its entries, to be added to,
+    /// and their places in the order of the pattern.
     pub(super) fn start(&mut self, diagonal: S) -> (&mut [S], &[u32]) {
         self.values.fill(S::zero());
         for place in &self.diagonal {
@@ -139,7 +139,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Bordered<S> {
         self.corner.factor()
     }
 
-    /// Solves for x; b becomes x.
+    /// Solves for x in place of b.
     pub(super) fn solve(&mut self, b: &mut [S]) {
         for [row, inner, count] in &self.runs {
             self.of_band[*inner..inner + count].copy_from_slice(&b[*row..row + count]);
@@ -168,7 +168,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Bordered<S> {
     }
 }
 
-/// Where each row is, and the stretches of rows in the band.
+/// Returns the place of each row, and the runs of rows in the band.
 fn places(size: usize, border: &[usize]) -> (Vec<Place>, Vec<[usize; 3]>) {
     let mut places = Vec::with_capacity(size);
     let mut runs: Vec<[usize; 3]> = Vec::new();
@@ -193,12 +193,12 @@ fn places(size: usize, border: &[usize]) -> (Vec<Place>, Vec<[usize; 3]>) {
 /// Nonzeros as they are found, each once.
 struct Layout<S> {
     band: Band<S>,
-    /// Of B: (column, row); of C: (row, column).
+    /// Nonzeros of B as (column, row), of C as (row, column).
     right: Vec<[u32; 2]>,
     below: Vec<[u32; 2]>,
 }
 
-/// A nonzero, by its number among its like.
+/// A nonzero, by its index among those of its kind.
 enum Spot {
     Band(usize),
     Right(usize),
@@ -231,7 +231,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Layout<S> {
     }
 }
 
-/// The columns of B from its nonzeros.
+/// Returns the columns of B from its nonzeros.
 fn columns<S: ComplexField<RealField = f64> + Copy>(
     entries: &[[u32; 2]],
     first: usize,
@@ -255,7 +255,7 @@ mod tests {
 
     use super::*;
 
-    /// Random numbers, the same ones every time.
+    /// Returns reproducible random numbers.
     fn number(row: usize, column: usize) -> f64 {
         fastrand::Rng::with_seed((row * 1000 + column) as u64).f64() - 0.5
     }
@@ -302,7 +302,7 @@ mod tests {
 
     #[test]
     fn a_solution_satisfies_its_equations_with_band_and_border() {
-        // Small on the diagonal, so that rows are exchanged, and large, so that none are.
+        // Small diagonals cause exchanges of rows, large ones do not.
         for diagonal in [0.01, 300.0] {
             check::<f64>(|real, _| real, diagonal);
             check::<Complex64>(Complex64::new, diagonal);

@@ -1,4 +1,4 @@
-//! The methods of the diffsol crate, on dense nalgebra matrices.
+//! Methods of the crate diffsol, on dense nalgebra matrices.
 
 use std::cell::{Cell, RefCell};
 
@@ -17,9 +17,8 @@ type M = NalgebraMat<f64>;
 type V = NalgebraVec<f64>;
 type Solver = NalgebraLU<f64>;
 
-/// What stands for a rate that is not finite: so large that the step is
-/// rejected and shortened, and its square still finite, so that no NaN arises
-/// inside the solver.
+/// Replacement for a rate that is not finite. It is so large that the step is rejected and
+/// shortened, but its square is still finite, so that no NaN arises inside the solver.
 const REPELLENT: f64 = 1e100;
 
 /// Backward differentiation formulas; `OdeSolverProblem::bdf`.
@@ -92,7 +91,7 @@ impl Integrator for Tsit45 {
     }
 }
 
-/// Refuses what full matrices cannot hold.
+/// Refuses scenes that are too large for dense matrices.
 fn require_small(stretch: &Stretch<'_>) -> Result<(), Stopped> {
     const MOST: usize = 4000;
     let states = stretch.system.states();
@@ -112,9 +111,9 @@ fn integrate_sdirk(
     let (problem, tableau) = (problem(stretch, state), tableau());
     let start = problem.rk_state(&tableau).map(|start| with_sane_step(start, stretch));
     let solver = start.and_then(|start| problem.sdirk_solver::<Solver, M>(start, tableau));
-    // diffsol shortens the step that would pass the stop time, but keeps the
-    // matrix and the convergence rate of the longer one, and may then accept a
-    // first iterate that is far off. Setting the state anew renews both.
+    // diffsol shortens a step that would pass the stop time, but keeps the matrix and the
+    // convergence rate of the longer one. It may then accept a first iterate that is far off.
+    // Setting the state anew renews both.
     let renew = |solver: &mut Sdirk<'_, Equations<'_>, Solver>| {
         let state = solver.state_clone();
         solver.set_state(state);
@@ -139,22 +138,20 @@ fn problem<'a>(stretch: &'a Stretch<'a>, state: &[f64]) -> OdeSolverProblem<Equa
         param_atol: None,
         ic_options: InitialConditionSolverOptions::default(),
         ode_options: OdeSolverOptions {
-            // diffsol counts Newton's failures over the whole solve, so any fixed
-            // limit would stop a long run; steps that keep failing shrink instead
-            // until they are too small.
+            // diffsol counts Newton's failures over the whole solution, so any fixed limit would
+            // stop a long run. Steps that keep failing decrease until they are too small instead.
             max_nonlinear_solver_failures: usize::MAX,
             max_error_test_failures: 200,
-            // Only ends the shrinking. `advance` judges whether a step still
-            // advances time; a limit near that would forbid the last short step
-            // before the end of a stretch.
+            // This limit only ends the decrease. `advance` decides whether a step still advances
+            // time; a limit near that would forbid the last short step before the end of a segment.
             min_timestep: (stretch.until - stretch.from) * f64::EPSILON * f64::EPSILON,
             ..OdeSolverOptions::default()
         },
     }
 }
 
-/// The first step that diffsol proposes, but within the stretch, and positive
-/// and finite where its formula fails.
+/// Limits the first step that diffsol proposes to the segment, and replaces it if it is not
+/// positive and finite.
 fn with_sane_step<S: OdeSolverState<V>>(mut start: S, stretch: &Stretch<'_>) -> S {
     let span = stretch.until - stretch.from;
     let step = start.as_mut().h;
@@ -162,8 +159,8 @@ fn with_sane_step<S: OdeSolverState<V>>(mut start: S, stretch: &Stretch<'_>) -> 
     start
 }
 
-/// Steps `solver` to the end of the stretch; `before_last` prepares it for the
-/// step that ends there.
+/// Steps `solver` to the end of the segment; `before_last` prepares it for the step that ends
+/// there.
 fn advance<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
     solver: Result<S, DiffsolError>,
     before_last: impl Fn(&mut S),
@@ -213,7 +210,7 @@ fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
             return Err(explain(solver, stretch, newton_failed, &stuck.into()));
         }
         stretch.system.count_step();
-        // The last step ends at the end of the stretch to rounding only.
+        // The last step ends at the end of the segment only to rounding.
         while let Some(time) = samples.next_until(if arrived { stretch.until } else { now }) {
             if time >= now || arrived && time >= stretch.until {
                 samples.push(solver.state().y.inner().as_slice());
@@ -237,7 +234,7 @@ fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
     }
 }
 
-/// The cause behind an error of diffsol, in the machine's words.
+/// Translates an error of diffsol to a cause in terms of the machine.
 fn explain<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
     solver: &S,
     stretch: &Stretch<'p>,
@@ -263,7 +260,7 @@ fn explain<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
     Stopped { time, cause }
 }
 
-/// One stretch as diffsol's equations: y' = f(t, y), identity mass.
+/// One segment as equations of diffsol: y' = f(t, y) with identity mass.
 struct Equations<'a> {
     rate: Rate<'a>,
     start: Start,
@@ -273,9 +270,9 @@ struct Rate<'a> {
     stretch: &'a Stretch<'a>,
     size: usize,
     context: NalgebraContext,
-    /// Values of the Jacobian's nonzeros, between the simulator and the matrix.
+    /// Values of the Jacobian's nonzeros, for transfer from the simulator to the matrix.
     nonzeros: RefCell<Vec<f64>>,
-    /// What was last not finite, and in which row, since the last accepted step.
+    /// Quantity that was last not finite, with its row, since the last accepted step.
     trouble: Cell<Option<(&'static str, usize)>>,
 }
 
@@ -347,7 +344,7 @@ impl ConstantOp for Start {
     }
 }
 
-/// Sizes and types, alike for the equations, their rate and their start.
+/// Implements sizes and types for the equations, their rate and their start.
 macro_rules! square_op {
     ($op:ty, $self:ident => $size:expr, $context:expr) => {
         impl Op for $op {
@@ -400,7 +397,7 @@ impl OdeEquations for Equations<'_> {
         &self.start
     }
 
-    /// The parameters are the simulator's own; diffsol has none to set.
+    /// Does nothing: the parameters belong to the simulator.
     fn set_params(&mut self, _parameters: &V) {}
 
     fn get_params(&self, _parameters: &mut V) {}

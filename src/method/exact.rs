@@ -1,13 +1,13 @@
-//! Linear machines without stepping: the solution itself, by modes or by the
-//! exponential of a matrix.
+//! Closed-form solution of linear machines, without steps: by eigenmodes or by the matrix
+//! exponential.
 //!
 //! ```text
 //! y' = A y + sum of c t^k e^(mu t)      mu = g + i w, c = C - i S, real parts
 //! ```
 //!
-//! on pieces of a run between the switches of the excitation. Where the machine is
-//! a chain of masses, springs and proportional dampers its modes are carried on
-//! each in closed form ([`modal`]); any other by [`exponential`].
+//! on pieces of a run between the switches of the excitation. A chain of masses, springs and
+//! proportional dampers is solved by eigenmodes, each in closed form ([`modal`]); any other machine
+//! by [`exponential`].
 
 mod chain;
 mod exponential;
@@ -24,14 +24,14 @@ use exponential::Exponential;
 use modal::Modal;
 use piece::Piece;
 
-/// Closed-form propagation of linear machines.
+/// Closed-form solution of linear machines.
 pub(super) struct Exact;
 
 /// A solution on a piece.
 trait Solution {
-    /// The state at a time of the piece not before the last [`Solution::settle`].
+    /// Computes the state at a time of the piece, not before the last [`Solution::settle`].
     fn state_at(&mut self, time: f64, state: &mut [f64]);
-    /// Times asked for from now on are not before this one, whose state is this.
+    /// Declares that later requests are not before this time, whose state is given.
     fn settle(&mut self, time: f64, state: &[f64]);
 }
 
@@ -60,8 +60,8 @@ impl Integrator for Exact {
     }
 }
 
-/// By modes if the piece has them, else by the exponential, if that is as exact as
-/// the tolerance asks.
+/// Returns the solution by eigenmodes if the piece has them, otherwise by the exponential if it
+/// meets the tolerance.
 fn solution<'a>(
     piece: &'a Piece,
     stretch: &Stretch<'_>,
@@ -87,7 +87,7 @@ fn solution<'a>(
     Ok(Box::new(exponential))
 }
 
-/// Takes samples of a solution, and leaves the state at the piece's end.
+/// Takes samples of a solution, and computes the state at the end of the piece.
 fn carry(
     piece: &Piece,
     stretch: &Stretch<'_>,

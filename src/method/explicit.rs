@@ -1,8 +1,7 @@
 //! Explicit Runge-Kutta pairs.
 //!
-//! Small machines are as fast as their rates only if the rest of a step costs
-//! next to nothing: work arrays are made once, stages lie in lanes of four, and
-//! no zero coefficient is ever multiplied.
+//! For small machines the overhead of a step matters beside the rate: work arrays are allocated
+//! once, stages lie in lanes of four, and products with zero coefficients are left out.
 
 mod carried;
 
@@ -15,9 +14,9 @@ use super::{Integrator, Method, Samples, Sealed, Stopped, Stretch};
 use crate::method::sensitivity::Tangents;
 use carried::Carried;
 
-/// [`TSIT5`].
+/// The pair [`TSIT5`].
 pub(super) struct Tsit5;
-/// [`DOP853`].
+/// The pair [`DOP853`].
 pub(super) struct Dop853;
 
 impl Sealed for Tsit5 {}
@@ -46,7 +45,7 @@ impl Integrator for Dop853 {
     }
 }
 
-/// The pair of a method that is one.
+/// Returns the explicit pair of a method, if it is one.
 pub(super) fn pair_of(method: Method) -> Option<&'static Pair> {
     match method {
         Method::Tsit5 => Some(&TSIT5),
@@ -60,25 +59,25 @@ pub(super) struct ExplicitSteps<'a> {
     pair: &'static Pair,
     stretch: &'a Stretch<'a>,
     size: usize,
-    /// `size` and padding of zeros.
+    /// `size` plus padding of zeros.
     width: usize,
     time: f64,
     step: f64,
     start: Vec<f64>,
     end: Vec<f64>,
-    /// Argument of the last stage but one, which is at the end of the step too.
+    /// Argument of the last stage but one, which is also at the end of the step.
     argument: Vec<f64>,
-    /// k_i, one after another, the extra ones last.
+    /// k_i, one after another, with the extra ones last.
     stages: Vec<f64>,
     error: Vec<f64>,
-    /// Rows of a, with offsets into `stages` for stages.
+    /// Rows of a, with offsets into `stages`.
     sums: Vec<Sum>,
     estimates: Vec<Sum>,
     weights: Vec<f64>,
     has_extra_stages: bool,
-    /// Once it has been asked for.
+    /// Data for the middle of a step, made on demand.
     middle: Option<Middle>,
-    /// By so much errors are held stricter than the tolerances do.
+    /// Factor by which errors are controlled more tightly than the tolerances require.
     strictness: f64,
     carried: Option<Carried>,
 }
@@ -129,7 +128,7 @@ impl<'a> ExplicitSteps<'a> {
         })
     }
 
-    /// J and df/dp at the states of stages.
+    /// Evaluates J and df/dp at the states of stages.
     fn linearize(&self, carried: &mut Carried, tangents: &Tangents<'_>, stages: Range<usize>) {
         for stage in stages {
             let time = self.time + self.pair.nodes[stage] * self.step;
@@ -139,15 +138,15 @@ impl<'a> ExplicitSteps<'a> {
         }
     }
 
-    /// Time and state at the start of the next step.
+    /// Returns time and state at the start of the next step.
     #[cfg(feature = "implicit")]
     pub(super) fn start(&self) -> (f64, &[f64]) {
         (self.time, &self.start[..self.stretch.system.states()])
     }
 
-    /// |h lambda| of the fastest motion that the last two stages show, both at
-    /// the end of the step: h |f(Y_s) - f(Y_(s-1))| / |Y_s - Y_(s-1)|; 0 if they
-    /// are equal (Hairer, Wanner, section IV.2).
+    /// Returns |h lambda| of the fastest motion in the last two stages, which are both at the end
+    /// of the step: h |f(Y_s) - f(Y_(s-1))| / |Y_s - Y_(s-1)|; 0 if they are equal (Hairer, Wanner,
+    /// section IV.2).
     #[cfg(feature = "implicit")]
     pub(super) fn stiffness(&self) -> f64 {
         let last = (self.pair.rows.len() - 1) * self.width;
@@ -181,7 +180,7 @@ impl<'a> ExplicitSteps<'a> {
         self.stretch.rate(time, &state[..self.size], rate);
     }
 
-    /// The error of the step over what the tolerances allow.
+    /// Returns the error of the step relative to the tolerances.
     fn error(&mut self) -> f64 {
         let mut norm = |row: &Sum| {
             combine(row, &self.stages, self.step, None, &mut self.error);
@@ -200,7 +199,7 @@ impl<'a> ExplicitSteps<'a> {
         self.strictness * error
     }
 
-    /// What is not finite of an attempt that is to be refused for it.
+    /// Returns which quantity of a refused attempt is not finite.
     fn trouble(&self) -> Trial {
         let is_bad = |value: &f64| !value.is_finite();
         let of_rates = self.stages.iter().position(is_bad);
@@ -215,14 +214,14 @@ impl<'a> ExplicitSteps<'a> {
         }
     }
 
-    /// Evaluates the stages that only the dense output needs, unless they are there.
+    /// Evaluates the stages that only the dense output needs, unless they are present.
     fn add_extra_stages(&mut self) {
         if self.has_extra_stages {
             return;
         }
         for stage in self.pair.rows.len()..self.pair.nodes.len() {
             let start = Some(&self.start[..]);
-            // The error has served; the argument of the last stage but one has not.
+            // The memory of the error is free here; the argument of the last stage but one is not.
             combine(&self.sums[stage], &self.stages, self.step, start, &mut self.error);
             if let Some(carried) = &mut self.carried {
                 carried.state(stage).copy_from_slice(&self.error);
@@ -235,18 +234,18 @@ impl<'a> ExplicitSteps<'a> {
     }
 }
 
-/// The dense output half way through a step.
+/// Dense output at the middle of a step.
 struct Middle {
-    /// b_i(1/2).
+    /// Weights b_i(1/2).
     state: Sum,
-    /// Derivatives of b_i there.
+    /// Derivatives of b_i at 1/2.
     slope: Sum,
     rate: Vec<f64>,
 }
 
 impl Middle {
     fn new(pair: &Pair, width: usize) -> Self {
-        /// Of central differences of order 8, exact for polynomials up to that degree.
+        /// Central differences of order 8, exact for polynomials up to that degree.
         const DIFFERENCES: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
         const DISTANCE: f64 = 0.125;
         let at = |theta: f64| {
@@ -271,7 +270,7 @@ impl Middle {
     }
 }
 
-/// The error by an estimate of higher order and one of lower order.
+/// Returns the error from an estimate of higher order and one of lower order.
 fn blended(error: f64, lower: f64) -> f64 {
     error * (error / (error * error + 0.01 * lower * lower).sqrt())
 }
@@ -344,13 +343,14 @@ impl OneStep for ExplicitSteps<'_> {
         &self.end[..self.size]
     }
 
-    /// By how much the slope of the dense output differs from the rate, times the step; of pairs
-    /// whose dense output has stages of its own, of which the error of the step knows nothing.
+    /// Returns the difference of the dense output's slope and the rate, times the step. This
+    /// applies to pairs whose dense output has stages of its own, which the error of the step does
+    /// not include.
     ///
-    /// Where a fast motion is at rest to the last bit, the error of a step hundreds of its time
-    /// constants long is small; stages beyond its end make rounding so many times as large again.
+    /// Where a fast motion has decayed to the last bit, the error of a step hundreds of its time
+    /// constants long is small, but stages beyond its end amplify rounding by as much.
     fn error_between(&mut self, is_sampled: bool) -> f64 {
-        /// The difference is an order larger than the error of a state.
+        /// Factor for the difference, which is an order larger than the error of a state.
         const AMISS: f64 = 100.0;
         if !is_sampled || self.pair.dense.extra.is_empty() {
             return 0.0;
@@ -391,7 +391,7 @@ impl OneStep for ExplicitSteps<'_> {
         let last = self.pair.rows.len() - 1;
         self.stages.copy_within(last * self.width..(last + 1) * self.width, 0);
         if let Some(carried) = &mut self.carried {
-            // What is put back onto constraints is no longer where the last stage was.
+            // After a projection onto constraints, the state differs from that of the last stage.
             carried.restart(last, self.stretch.system.constraints().is_none());
         }
     }
@@ -441,7 +441,7 @@ impl OneStep for ExplicitSteps<'_> {
 
     fn pace(&self) -> Pace {
         let exponent = 1.0 / f64::from(self.pair.estimate_order + 1);
-        // The eighth order changes its step less often, and needs no memory.
+        // The method of order eight changes its step less often and needs no memory.
         let memory = if self.pair.order > 5 { 0.0 } else { 0.04 };
         Pace {
             exponent: exponent - 0.75 * memory,

@@ -2,17 +2,17 @@
 
 use machinist_contract::Real;
 
-/// How many places a stage of so many states takes: as many as [`combine`] sums at once.
+/// Returns the padded size of a stage: a multiple of what [`combine`] sums at once.
 pub(super) fn padded(size: usize) -> usize {
     size.next_multiple_of(if size <= 6 { 2 } else { LANES })
 }
 
-/// How many places a stage of so many takes that [`combine_many`] sums.
+/// Returns the padded size of a stage for [`combine_many`].
 pub(super) fn padded_many(size: usize) -> usize {
     size.next_multiple_of(LANES)
 }
 
-/// Copies a stage. So few numbers as small machines have take less time than a call.
+/// Copies a stage. For the few numbers of small machines this takes less time than a call.
 #[inline(always)]
 pub(super) fn copy(from: &[f64], into: &mut [f64]) {
     #[inline(always)]
@@ -30,19 +30,19 @@ pub(super) fn copy(from: &[f64], into: &mut [f64]) {
     }
 }
 
-/// Longer stages are padded to a multiple of so many states.
+/// Number of states to a multiple of which longer stages are padded.
 const LANES: usize = 4;
 
 /// Weights of stages, as (offset of the stage, weight).
 pub(super) type Sum = Vec<(usize, f64)>;
 
-/// The sum of a row of coefficients over stages of `width` padded states each.
+/// Returns the sum of a row of coefficients over stages of `width` padded states each.
 pub(super) fn sum(row: &[(usize, f64)], width: usize) -> Sum {
     row.iter().map(|&(stage, weight)| (stage * width, weight)).collect()
 }
 
-/// `into` = start + step sum of weight times stage; start 0 if there is none.
-/// All in lanes, so that the compiler needs no tail.
+/// Computes `into` = start + step sum of weight times stage; start is 0 if there is none.
+/// Everything is in lanes, so the compiler needs no tail.
 pub(super) fn combine(
     sum: &[(usize, f64)],
     stages: &[f64],
@@ -56,7 +56,7 @@ pub(super) fn combine(
         6 => blocks::<6, true>(sum, stages, step, (start, 0), into),
         8 => blocks::<8, true>(sum, stages, step, (start, 0), into),
         len => {
-            // Long states by wide blocks, so that a weight is fetched for many of them.
+            // Wide blocks fetch a weight once for many states.
             let (first, rest) = into.split_at_mut(len / WIDE * WIDE);
             blocks::<WIDE, true>(sum, stages, step, (start, 0), first);
             blocks::<LANES, false>(sum, stages, step, (start, first.len()), rest);
@@ -64,8 +64,8 @@ pub(super) fn combine(
     }
 }
 
-/// As [`combine`], for so many values that all their sums would not stay in registers beside
-/// second ones: sensitivities.
+/// Does the same as [`combine`] for many values, such as sensitivities: all their sums would not
+/// fit into registers together with second ones.
 #[inline(always)]
 pub(super) fn combine_many(
     sum: &[(usize, f64)],
@@ -79,14 +79,14 @@ pub(super) fn combine_many(
     blocks::<LANES, false>(sum, stages, step, (start, first.len()), rest);
 }
 
-/// States summed at once where there are many.
+/// Number of states summed at once where there are many.
 const WIDE: usize = 4 * LANES;
 
-/// Sensitivities summed at once: as many as registers hold.
+/// Number of sensitivities summed at once: as many as registers hold.
 const WIDEST: usize = 6 * LANES;
 
-/// The sum over blocks of so many states, of which the first is the `first`-th; of pairs of
-/// terms side by side, or of one after the other.
+/// Sums blocks of `COUNT` states, the first of which is the `first`-th; with `PAIRED`, in pairs of
+/// terms side by side.
 #[inline(always)]
 fn blocks<const COUNT: usize, const PAIRED: bool>(
     sum: &[(usize, f64)],
@@ -99,7 +99,7 @@ fn blocks<const COUNT: usize, const PAIRED: bool>(
         let at = first + block * COUNT;
         let mut total = [0.0; COUNT];
         if PAIRED {
-            // Two sums side by side, so that each term waits for half of the others only.
+            // With two sums side by side, each term waits for half of the others only.
             let mut other = [0.0; COUNT];
             let (pairs, last) = sum.as_chunks();
             for [first, second] in pairs {
@@ -117,8 +117,8 @@ fn blocks<const COUNT: usize, const PAIRED: bool>(
                 add(term, stages, at, &mut total);
             }
         }
-        // Arrays that are written at once: else each number is compared with the end of its
-        // slice, and written before the next is read.
+        // Writing whole arrays avoids comparing each number with the end of its slice, and a write
+        // before each read.
         *into = match start.map(|start| start[at..].first_chunk::<COUNT>()) {
             Some(Some(start)) => {
                 let mut values = *start;

@@ -1,27 +1,26 @@
-//! Factorization of small square matrices, real and complex, in place.
+//! In-place factorization of small square matrices, real and complex.
 
 use nalgebra::ComplexField;
 
 use super::vectors::{Work, widest};
 
-/// The matrix has a column without a pivot.
+/// Error for a matrix with a column without a pivot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Singular;
 
-/// P A = L U by partial pivoting, stored over A.
+/// P A = L U by partial pivoting, stored in place of A.
 ///
-/// Columns beyond the last nonzero of a row are left alone, so that a banded
-/// matrix costs what its band costs.
+/// Columns beyond the last nonzero of a row are not touched, so the cost of a banded matrix is that
+/// of its band.
 pub(super) struct Lu<S> {
     size: usize,
-    /// Row after row.
+    /// Entries, row by row.
     entries: Vec<S>,
-    /// One past the last column of each row that may not be zero.
+    /// One past the last column of each row that may be nonzero.
     row_ends: Vec<usize>,
-    /// One past the last row of each column that may not be zero, below the
-    /// diagonal.
+    /// One past the last row of each column that may be nonzero, below the diagonal.
     column_ends: Vec<usize>,
-    /// Row exchanged with the k-th before its elimination.
+    /// Row exchanged with the k-th one before its elimination.
     pivots: Vec<usize>,
 }
 
@@ -36,12 +35,12 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
         }
     }
 
-    /// Number of rows.
+    /// Returns the number of rows.
     pub(super) fn size(&self) -> usize {
         self.size
     }
 
-    /// Makes the matrix zero, for [`Lu::add`].
+    /// Sets the matrix to zero, for [`Lu::add`].
     pub(super) fn clear(&mut self) {
         self.entries.fill(S::zero());
         self.row_ends.fill(0);
@@ -98,7 +97,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
         Ok(())
     }
 
-    /// Solves A x = b; b becomes x.
+    /// Solves A x = b in place.
     pub(super) fn solve(&self, b: &mut [S]) {
         for (k, &pivot) in self.pivots.iter().enumerate() {
             b.swap(k, pivot);
@@ -122,7 +121,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
         }
     }
 
-    /// Solves A X = B of so many columns; B, row after row, becomes X.
+    /// Solves A X = B with several columns in place; B is stored row by row.
     pub(super) fn solve_each(&self, b: &mut [S], columns: usize) {
         for (k, &pivot) in self.pivots.iter().enumerate() {
             if pivot != k {
@@ -145,8 +144,8 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
         best.0
     }
 
-    /// Exchanges whole rows, with the multipliers to their left, so that all
-    /// exchanges can be made on the right-hand side beforehand.
+    /// Exchanges whole rows, with the multipliers to their left, so that all exchanges can be made
+    /// on the right-hand side beforehand.
     fn exchange(&mut self, upper: usize, lower: usize) {
         let (above, below) = self.entries.split_at_mut(lower * self.size);
         above[upper * self.size..][..self.size].swap_with_slice(&mut below[..self.size]);
@@ -178,7 +177,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Work for Substitution<'_, S> {
 }
 
 impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
-    /// Substitution of `N` of the columns; how many these are.
+    /// Substitutes `N` of the columns; returns how many these are.
     #[inline(always)]
     fn substitute<const N: usize>(&self, b: &mut [S], first: usize, columns: usize) -> usize {
         for (row, entries) in self.entries.chunks_exact(self.size.max(1)).enumerate() {
@@ -203,7 +202,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
     }
 }
 
-/// What rows, each times its entry, of which many are zero, leave of some columns.
+/// Returns some columns minus rows times their entries, many of which are zero.
 #[inline(always)]
 fn subtracted<S: ComplexField + Copy, const N: usize>(
     entries: &[S],
@@ -223,7 +222,7 @@ fn subtracted<S: ComplexField + Copy, const N: usize>(
     from
 }
 
-/// The factorization of a large matrix of numbers, for which wide vectors pay.
+/// Factorization of a matrix of numbers that is large enough for wide vectors.
 struct Factorization<'a>(&'a mut Lu<f64>);
 
 impl Work for Factorization<'_> {
@@ -235,15 +234,15 @@ impl Work for Factorization<'_> {
 }
 
 impl Lu<f64> {
-    /// As [`Lu::factor`], of a matrix so large that wide vectors pay.
+    /// Does the same as [`Lu::factor`] for a matrix that is large enough for wide vectors.
     ///
     /// # Errors
-    /// Likewise.
+    /// As for [`Lu::factor`].
     pub(super) fn factor_large(&mut self) -> Result<(), Singular> {
         widest(Factorization(self))
     }
 
-    /// Whether the determinant of the factored matrix is negative.
+    /// Returns whether the determinant of the factored matrix is negative.
     pub(super) fn is_negative(&self) -> bool {
         let exchanges = self.pivots.iter().enumerate().filter(|(k, pivot)| k != *pivot).count();
         let diagonal = self.entries.iter().step_by(self.size + 1);
@@ -257,7 +256,7 @@ mod tests {
 
     use super::*;
 
-    /// Random entries, the same ones every time, a quarter of them 0.
+    /// Returns reproducible random entries, a quarter of them 0.
     fn entry(row: usize, column: usize) -> f64 {
         let value = fastrand::Rng::with_seed((row * 1000 + column) as u64).f64();
         if value < 0.25 { 0.0 } else { value - 0.6 }
@@ -269,7 +268,7 @@ mod tests {
             for band in [1, 2, size] {
                 let mut real = Lu::<f64>::new(size);
                 let mut complex = Lu::<Complex64>::new(size);
-                // Twice, to see that clearing leaves nothing behind.
+                // The second pass shows that clearing leaves nothing behind.
                 for shift in [0, 5] {
                     let value = |row: usize, column: usize| {
                         let near = row.abs_diff(column) <= band;

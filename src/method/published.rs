@@ -1,5 +1,5 @@
-//! Coefficients of methods as numbers, for who runs a method elsewhere: a page that runs a
-//! machine takes them from here.
+//! Coefficients of methods as data, for programs that run a method elsewhere, such as a page that
+//! runs a machine.
 
 use serde::Serialize;
 
@@ -9,7 +9,7 @@ use super::tableau::{DOP853, Pair, RODAS5P, Row, TSIT5};
 /// step. Rows are nonzeros, as (stage, coefficient).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ExplicitTable {
-    /// The method's name.
+    /// Name of the method.
     pub name: &'static str,
     /// Order of the solution.
     pub order: u32,
@@ -22,11 +22,11 @@ pub struct ExplicitTable {
     /// Differences of b and embedded weights. If there are two, E of order 5 and G of order 3,
     /// the error is |E|^2 / sqrt(|E|^2 + 0.01 |G|^2).
     pub estimates: Vec<Row>,
-    /// The error goes with the step to the power of this plus one.
+    /// The error is proportional to the step to the power of this plus one.
     pub estimate_order: u32,
     /// b_i(theta) of y(t + theta h) = y + h sum b_i(theta) k_i, by powers of theta from 0 on.
     pub dense: Vec<Vec<f64>>,
-    /// |h lambda| on the negative real axis from which steps are held by stability.
+    /// |h lambda| on the negative real axis from which on stability limits steps.
     pub stability: f64,
 }
 
@@ -37,40 +37,40 @@ pub struct ExplicitTable {
 /// Y_i = y + sum_j a_ij U_j
 /// ```
 ///
-/// with the last stage as estimate of the error.
+/// with the last stage as error estimate.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RosenbrockTable {
-    /// The method's name.
+    /// Name of the method.
     pub name: &'static str,
-    /// gamma.
+    /// Coefficient gamma.
     pub gamma: f64,
-    /// c.
+    /// Nodes c.
     pub nodes: &'static [f64],
-    /// d.
+    /// Weights d of the time derivative.
     pub time_weights: &'static [f64],
     /// a of the stages, then of the state at the end of the step. A row that begins with the
-    /// stage before it continues the row before it.
+    /// previous stage continues the previous row.
     pub states: &'static [Row],
-    /// C.
+    /// Coefficients C.
     pub stages: &'static [Row],
     /// Weights of D_1, D_2, D_3 in the dense output, with s = 1 - theta,
     /// y(t + theta h) = s y + theta (y_new + s (D_1 + theta (D_2 + theta D_3))).
     pub dense: &'static [[f64; 8]; 3],
 }
 
-/// That of `tsit5`.
+/// Returns the coefficients of `tsit5`.
 #[must_use]
 pub fn tsit5() -> ExplicitTable {
     explicit("tsit5", &TSIT5, 4)
 }
 
-/// That of `dop853`.
+/// Returns the coefficients of `dop853`.
 #[must_use]
 pub fn dop853() -> ExplicitTable {
     explicit("dop853", &DOP853, 7)
 }
 
-/// That of `rodas5p`.
+/// Returns the coefficients of `rodas5p`.
 #[must_use]
 pub fn rodas5p() -> RosenbrockTable {
     RosenbrockTable {
@@ -84,7 +84,7 @@ pub fn rodas5p() -> RosenbrockTable {
     }
 }
 
-/// A pair whose dense output is of degree `degree` in theta.
+/// Returns the coefficients of a pair whose dense output has this degree in theta.
 fn explicit(name: &'static str, pair: &Pair, degree: usize) -> ExplicitTable {
     let stages = pair.nodes.len();
     ExplicitTable {
@@ -100,8 +100,8 @@ fn explicit(name: &'static str, pair: &Pair, degree: usize) -> ExplicitTable {
     }
 }
 
-/// Coefficients of the polynomials that `weights` evaluates, found from values between 0 and 1
-/// by Newton's divided differences.
+/// Returns the coefficients of the polynomials that `weights` evaluates, from values between 0 and
+/// 1 by Newton's divided differences.
 fn polynomials(weights: fn(f64, &mut [f64]), stages: usize, degree: usize) -> Vec<Vec<f64>> {
     let nodes: Vec<f64> = (0..=degree).map(|k| k as f64 / degree as f64).collect();
     let mut rows = vec![vec![0.0; stages]; nodes.len()];

@@ -1,5 +1,4 @@
-//! Integrals over a step of the energy flows, for methods that step only the
-//! states.
+//! Integrals of the energy flows over a step, for methods that step only the states.
 
 use super::system::FLOWS;
 
@@ -12,9 +11,8 @@ pub(super) const NODES: [f64; 5] =
 
 /// Integral over \[0, theta\] of the polynomial through the flows at the nodes.
 ///
-/// At theta = 1 it is Lobatto's rule. What it differs there from Simpson's rule
-/// on three of the nodes is the estimate of the error, of h^5 like that of the
-/// states.
+/// At theta = 1 it is Lobatto's rule. The difference there to Simpson's rule on three of the nodes
+/// is the error estimate, of order h^5 like that of the states.
 #[derive(Default)]
 pub(super) struct Quadrature {
     /// Flows at the start of the step.
@@ -25,8 +23,7 @@ pub(super) struct Quadrature {
 }
 
 impl Quadrature {
-    /// Takes the flows at the nodes of a step; gives the errors of their
-    /// integrals over it.
+    /// Sets the flows at the nodes of a step; returns the errors of their integrals over it.
     pub(super) fn complete(&mut self, step: f64, flows: [Flows; 5]) -> Flows {
         self.at_end = flows[4];
         let polynomials = lagrange_polynomials();
@@ -44,7 +41,7 @@ impl Quadrature {
         })
     }
 
-    /// Integrals from the start of the step to `theta` of it.
+    /// Returns the integrals from the start of the step to `theta` of it.
     pub(super) fn gained_until(&self, theta: f64) -> Flows {
         let value = |integral: &[f64; 5]| {
             integral.iter().rev().fold(0.0, |sum, coefficient| theta * (sum + coefficient))
@@ -58,8 +55,8 @@ impl Quadrature {
     }
 }
 
-/// Coefficients of 1, theta, .. theta^4 of the polynomials that are 1 at one node
-/// and 0 at the others.
+/// Returns the coefficients of 1, theta, .. theta^4 of the polynomials that are 1 at one node and 0
+/// at the others.
 fn lagrange_polynomials() -> [[f64; 5]; 5] {
     let mut polynomials = [[0.0; 5]; 5];
     for (index, (node, polynomial)) in NODES.iter().zip(&mut polynomials).enumerate() {

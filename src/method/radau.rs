@@ -34,8 +34,8 @@ impl Integrator for Radau {
     }
 }
 
-/// Steps of Radau methods. The energy quadratures feed back to nothing, so their
-/// stages follow from those of the states without equations to solve.
+/// Steps of Radau methods. The energy quadratures have no feedback, so their stages follow from
+/// those of the states without equations to solve.
 pub(super) struct RadauSteps<'a> {
     stretch: &'a Stretch<'a>,
     size: usize,
@@ -44,25 +44,25 @@ pub(super) struct RadauSteps<'a> {
     step: f64,
     start: Vec<f64>,
     end: Vec<f64>,
-    /// f at the start, quadratures last.
+    /// f at the start, with quadratures last.
     rate: Vec<f64>,
     rate_at_end: Vec<f64>,
-    /// Allowed errors at the start: what the tolerances are for this order.
+    /// Allowed errors at the start, from the tolerances for this order.
     scale: Vec<f64>,
-    /// Stages less the start, one after another, of `len` each.
+    /// Stages relative to the start, one after another, of `len` each.
     stages: Vec<f64>,
-    /// The last accepted step, from which the next one's stages are guessed.
+    /// The last accepted step, from which the stages of the next are extrapolated.
     previous: Previous,
-    /// The polynomial of the current step, which may yet be rejected, likewise.
+    /// The polynomial of the current step, which may yet be rejected.
     within: Vec<f64>,
     methods: Vec<Collocation>,
-    /// Index into `methods`, and whether it may change.
+    /// Index into `methods`, and whether it is fixed.
     current: usize,
     is_fixed: bool,
     newton: Newton<'a>,
     error: Vec<f64>,
     scratch: Vec<f64>,
-    /// Outcome of the last attempt.
+    /// Result of the last attempt.
     was_rejected: bool,
     last_error: f64,
     accepted: Option<Accepted>,
@@ -71,7 +71,7 @@ pub(super) struct RadauSteps<'a> {
     carried: tangents::Carried,
 }
 
-/// A polynomial of the last accepted step, in divided differences.
+/// Polynomial of the last accepted step, in divided differences.
 struct Previous {
     differences: Vec<f64>,
     method: usize,
@@ -79,14 +79,14 @@ struct Previous {
     is_known: bool,
 }
 
-/// Step and error of the last accepted step, for predicting the next one.
+/// Step and error of the last accepted step, for the prediction of the next one.
 #[derive(Clone, Copy)]
 struct Accepted {
     step: f64,
     error: f64,
 }
 
-/// What the choice of order looks at.
+/// Data for the choice of order.
 #[derive(Default)]
 struct OrderChoice {
     steps_since_change: usize,
@@ -134,12 +134,12 @@ impl<'a> RadauSteps<'a> {
         }
     }
 
-    /// The last Jacobian evaluated, in pattern order.
+    /// Returns the last Jacobian evaluated, in pattern order.
     pub(super) fn jacobian(&self) -> &[f64] {
         self.newton.jacobian()
     }
 
-    /// Keeps to the method of so many stages, and solves for them to rounding.
+    /// Fixes the number of stages, and solves for them to rounding.
     #[cfg(feature = "implicit")]
     pub(super) fn of_stages(mut self, stages: usize) -> Self {
         self.current = (stages - 3) / 2;
@@ -147,15 +147,16 @@ impl<'a> RadauSteps<'a> {
         self
     }
 
-    /// The error's estimate goes with the step to the power s + 1, the error at the end of
-    /// a run with 2 s - 1. So that this goes with the tolerance, estimates are held to a
-    /// looser one, within limits, for states between the ends are of order s only:
+    /// Returns the factor by which estimates may exceed the tolerance. The error estimate is
+    /// proportional to the step to the power s + 1, the error at the end of a run to 2 s - 1. To
+    /// make the latter proportional to the tolerance, estimates are compared with a looser one,
+    /// within limits, because states between the ends are of order s only:
     ///
     /// ```text
     /// looser / rtol = (most / rtol)^(1 - (s + 1)/(2 s - 1))
     /// ```
     ///
-    /// where `most` is the loosest tolerance that a method is for; see [`highest_useful`].
+    /// where `most` is the loosest tolerance for which a method is used; see [`highest_useful`].
     fn looser(&self) -> f64 {
         const LOOSEST: f64 = 10.0;
         let stages = self.methods[self.current].stages() as f64;
@@ -163,7 +164,7 @@ impl<'a> RadauSteps<'a> {
         (MOST[self.current] / self.stretch.rtol).powf(exponent).clamp(1.0, LOOSEST)
     }
 
-    /// Allowed errors, which a method's estimate is held to.
+    /// Sets the allowed errors for a method's estimate.
     fn set_scale(&mut self) {
         let rtol = self.stretch.rtol;
         let looser = self.looser() / self.caution.strictness(rtol);
@@ -184,7 +185,7 @@ impl<'a> RadauSteps<'a> {
         let size = self.size;
         self.newton.linearize(self.time, &self.start[..size])?;
         let mut outcome = Outcome::Failed { shrink: 0.5 };
-        // Once more with a new Jacobian, if the one it failed with was old.
+        // The second attempt has a new Jacobian, if the first one had an old one.
         for _ in 0..2 {
             outcome = self.newton.solve(
                 method,
@@ -218,9 +219,9 @@ impl<'a> RadauSteps<'a> {
         Ok(error)
     }
 
-    /// Norm of (gamma/h I - J)^-1 (f - u'(t)), u the polynomial through start and
-    /// stages; it is the difference to an embedded method of order s. f is the
-    /// rate at the start, or what stands in `rate_at_end`.
+    /// Returns the norm of (gamma/h I - J)^-1 (f - u'(t)), u being the polynomial through start and
+    /// stages: the difference to an embedded method of order s. f is the rate at the start, or the
+    /// contents of `rate_at_end`.
     fn estimate(&mut self, is_again: bool) -> Result<f64, Trial> {
         let rate = if is_again { &self.rate_at_end } else { &self.rate };
         let method = &self.methods[self.current];
@@ -242,7 +243,7 @@ impl<'a> RadauSteps<'a> {
         Ok(norm.max(1e-10))
     }
 
-    /// The estimate filtered once more, which is better for very stiff states.
+    /// Returns the estimate filtered once more, which is better for very stiff states.
     fn estimate_again(&mut self) -> Result<f64, Trial> {
         for ((scratch, start), error) in self.scratch.iter_mut().zip(&self.start).zip(&self.error) {
             *scratch = start + error;
@@ -251,7 +252,7 @@ impl<'a> RadauSteps<'a> {
         self.estimate(true)
     }
 
-    /// The rate at the end of a step that is good otherwise.
+    /// Evaluates the rate at the end of a step that is otherwise accepted.
     fn look_at_end(&mut self) -> Result<(), Trial> {
         let now = self.time + self.step;
         self.stretch.rate(now, &self.end, &mut self.rate_at_end);
@@ -262,7 +263,7 @@ impl<'a> RadauSteps<'a> {
         self.newton.refuse_onset(&self.methods[self.current], (now, self.step), &self.end)
     }
 
-    /// Stages of the quadratures, Z_w = h A P.
+    /// Computes the stages of the quadratures, Z_w = h A P.
     fn sum_up_flows(&mut self) {
         if self.len == self.size {
             return;
@@ -291,7 +292,7 @@ impl<'a> RadauSteps<'a> {
         }
     }
 
-    /// Stages by continuing the polynomial of the last step.
+    /// Extrapolates stages from the polynomial of the last step.
     fn guess_stages(&mut self) {
         if !self.previous.is_known {
             self.stages.fill(0.0);
@@ -309,8 +310,8 @@ impl<'a> RadauSteps<'a> {
         }
     }
 
-    /// A higher order where Newton's iteration converges fast and steps are even,
-    /// a lower one where it struggles.
+    /// Chooses a higher order where Newton's iteration converges fast and steps are regular, a
+    /// lower one where it converges badly.
     fn choose_order(&mut self) {
         const STEPS_BEFORE_A_RISE: usize = 10;
         let choice = &mut self.order_choice;
@@ -339,12 +340,12 @@ impl<'a> RadauSteps<'a> {
     }
 }
 
-/// From which tolerance on a method's estimate of the error is larger than its error; by
-/// measured errors of motors that run up.
+/// Tolerance from which on a method's estimate exceeds its error, from measured errors of motors
+/// that run up.
 const MOST: [f64; 3] = [1e-3, 1e-4, 1e-6];
 
-/// The order that pays for a tolerance, as an index: a method of s stages costs
-/// about s evaluations and (s + 1) / 2 solutions an iteration.
+/// Returns the index of the order that is efficient for a tolerance. A method of s stages costs
+/// about s evaluations and (s + 1) / 2 solutions per iteration.
 fn highest_useful(rtol: f64) -> usize {
     if rtol > 1e-5 {
         0
@@ -421,7 +422,8 @@ impl OneStep for RadauSteps<'_> {
         self.carried_at(time, start, into);
     }
 
-    /// Norm of (gamma/h I - J)^-1 (f(t, u) - u'(t)) half way, u the polynomial.
+    /// Returns the norm of (gamma/h I - J)^-1 (f(t, u) - u'(t)) at the middle, u being the
+    /// polynomial.
     fn error_between(&mut self, _is_sampled: bool) -> f64 {
         const THETA: f64 = 0.5;
         let method = &self.methods[self.current];
@@ -464,7 +466,7 @@ impl OneStep for RadauSteps<'_> {
     fn pace(&self) -> Pace {
         let exponent = 1.0 / (self.methods[self.current].stages() as f64 + 1.0);
         let safety = 0.9 * self.newton.ease();
-        // The controller of Gustafsson: as far as the trend of the error allows.
+        // Controller of Gustafsson, limited by the trend of the error.
         let largest = match self.accepted {
             Some(before) if !self.was_rejected => {
                 let trend = before.error / (self.last_error * self.last_error);

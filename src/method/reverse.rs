@@ -1,7 +1,7 @@
-//! The gradient of one number of a run by everything at once: from its end back to its start.
+//! Adjoint gradient of one number of a run by all parameters and initial values.
 //!
-//! The number's derivative by the state, lambda, goes back over the very steps of an explicit pair
-//! that the run took,
+//! The number's derivative lambda by the state is carried backwards over the steps of an explicit
+//! pair that the run took,
 //!
 //! ```text
 //! Y_i = y + h sum_j a_ij k_j     k_i = f(t + c_i h, Y_i)     y_new = Y_s
@@ -9,9 +9,9 @@
 //! d(number)/dp += sum_i (df/dp)_i^T k_i*
 //! ```
 //!
-//! so that it costs as much for a thousand parameters as for one, and gives what sensitivities
-//! along the same steps give, to rounding. Of the states of the run a bounded number is kept; those
-//! between are computed once more.
+//! so the cost does not depend on the number of parameters, and the result equals that of
+//! sensitivities along the same steps, to rounding. A bounded number of states of the run is kept;
+//! those between are computed again.
 //!
 //! Source: A. Griewank, A. Walther: Evaluating Derivatives, 2nd edition (2008), chapters 3 and 12.
 
@@ -25,12 +25,12 @@ use super::stretch::within;
 use super::tableau::Pair;
 use super::{Method, System};
 
-/// Numbers in the states that are kept at most.
+/// Maximum number of values in the kept states.
 const KEPT: usize = 1 << 22;
-/// States that are kept in any case, however long they are.
+/// Number of states that are kept in any case.
 const LEAST: usize = 64;
 
-/// The steps of a run, and some of their states.
+/// Steps of a run, and some of their states.
 #[derive(Default)]
 pub(crate) struct Log {
     inner: RefCell<Inner>,
@@ -40,9 +40,9 @@ struct Inner {
     /// Start and length of every step \[s\].
     steps: Vec<(f64, f64)>,
     checkpoints: Vec<Checkpoint>,
-    /// The state of one of so many steps is kept.
+    /// Number of steps per kept state.
     stride: usize,
-    /// Steps since the last that was kept.
+    /// Number of steps since the last kept state.
     since: usize,
 }
 
@@ -52,19 +52,19 @@ impl Default for Inner {
     }
 }
 
-/// A state in front of a step.
+/// State before a step.
 struct Checkpoint {
-    /// The step; as many as there are, if none follows.
+    /// Index of the step; the number of steps if none follows.
     step: usize,
-    /// Start and end of its stretch \[s\].
+    /// Start and end of its segment \[s\].
     stretch: (f64, f64),
-    /// Whether it is at the start of that.
+    /// Whether it is at the start of the segment.
     begins: bool,
     state: Vec<f64>,
 }
 
 impl Log {
-    /// A method begins a stretch.
+    /// Records the start of a segment.
     pub(crate) fn begin(&self, stretch: (f64, f64), state: &[f64]) {
         let inner = &mut *self.inner.borrow_mut();
         let step = inner.steps.len();
@@ -72,7 +72,7 @@ impl Log {
         inner.since = 0;
     }
 
-    /// It has taken a step from a state.
+    /// Records a step from a state.
     pub(crate) fn take(&self, step: (f64, f64), state: &[f64]) {
         let inner = &mut *self.inner.borrow_mut();
         let stretch = inner.checkpoints.last().map_or(step, |last| last.stretch);
@@ -89,7 +89,7 @@ impl Log {
 }
 
 impl Inner {
-    /// Keeps every other state where they have become too many.
+    /// Drops every other state if there are too many.
     fn thin_out(&mut self) {
         let size = self.checkpoints.last().map_or(1, |last| last.state.len().max(1));
         if self.checkpoints.len() <= (KEPT / size).max(LEAST) {
@@ -106,32 +106,32 @@ impl Inner {
     }
 }
 
-/// What the number depends on at the wanted times, and what is told on the way back.
+/// Dependence of the number on states at output times, with a callback.
 pub(crate) struct Pulled<'p> {
-    /// The wanted times, ascending \[s\].
+    /// Output times, ascending \[s\].
     pub(crate) times: &'p [f64],
-    /// d(number)/dy at each, one row after another.
+    /// d(number)/dy at each time, one row after another.
     pub(crate) by_states: &'p [f64],
-    /// Is told where a stretch begins.
+    /// Called at the start of each segment.
     pub(crate) begins: &'p mut Begins<'p>,
 }
 
-/// Takes the time \[s\] of a start, lambda and the state there.
+/// Callback with the time \[s\] of a start, and lambda and the state there.
 pub(crate) type Begins<'b> = dyn FnMut(f64, &[f64], &[f64]) + 'b;
 
-/// The way back over steps of an explicit pair.
+/// Adjoint computation for steps of an explicit pair.
 pub(crate) struct WayBack {
     pair: &'static Pair,
 }
 
 impl WayBack {
-    /// Of a method, if there is one.
+    /// Returns that of a method, if it is an explicit pair.
     pub(crate) fn of(method: Method) -> Option<Self> {
         pair_of(method).map(|pair| Self { pair })
     }
 
-    /// Lambda at the start of the run; what it is by parameters is added to `by_parameters`, which
-    /// are as many as dy'/dp has columns.
+    /// Returns lambda at the start of the run. Derivatives by parameters are added to
+    /// `by_parameters`, whose length is the number of columns of dy'/dp.
     pub(crate) fn pull_back(
         &self,
         system: &System<'_>,
@@ -178,18 +178,18 @@ fn add(from: &[f64], factor: f64, into: &mut [f64]) {
     }
 }
 
-/// A step, and the same backwards.
+/// A step and its adjoint.
 struct StepBack<'a> {
     system: &'a System<'a>,
     pair: &'static Pair,
     width: usize,
     sums: Vec<Sum>,
-    /// k, stage after stage.
+    /// k, stage by stage.
     rates: Vec<f64>,
-    /// Y, stage after stage.
+    /// Y, stage by stage.
     states: Vec<f64>,
     start: Vec<f64>,
-    /// k*, stage after stage.
+    /// k*, stage by stage.
     pulls: Vec<f64>,
     weights: Vec<f64>,
     /// Values of dy'/dy and dy'/dp.
@@ -219,7 +219,7 @@ impl<'a> StepBack<'a> {
         }
     }
 
-    /// The state of a stage, and its rate unless it is the last.
+    /// Computes the state of a stage, and its rate unless it is the last.
     fn stage(&mut self, stage: usize, stretch: (f64, f64), (time, step): (f64, f64)) {
         let at = stage * self.width;
         let state = &mut self.states[at..][..self.width];
@@ -230,7 +230,7 @@ impl<'a> StepBack<'a> {
         self.system.state_rate(time, &state[..size], rate);
     }
 
-    /// The state behind a step.
+    /// Returns the state after a step.
     fn forth(&mut self, stretch: (f64, f64), step: (f64, f64), state: &[f64]) -> Vec<f64> {
         self.start[..state.len()].copy_from_slice(state);
         let last = self.pair.rows.len() - 1;
@@ -242,8 +242,8 @@ impl<'a> StepBack<'a> {
         end[..state.len()].to_vec()
     }
 
-    /// Takes lambda from behind a step to the front of it, with what is pulled at times within
-    /// and at its end.
+    /// Carries lambda from the end of a step to its start, with the contributions of output times
+    /// within and at its end.
     fn back<'s>(
         &mut self,
         stretch: (f64, f64),
@@ -290,7 +290,7 @@ impl<'a> StepBack<'a> {
         lambda.copy_from_slice(&of_start);
     }
 
-    /// J^T k* of a stage, and (df/dp)^T k*.
+    /// Computes J^T k* and (df/dp)^T k* of a stage.
     fn through_rate(
         &mut self,
         stage: usize,
@@ -322,8 +322,8 @@ impl<'a> StepBack<'a> {
 mod tests {
     use super::{KEPT, Log};
 
-    /// However many steps there are, so many states are kept, none further apart than the
-    /// stride, and those where stretches begin are never let go.
+    /// The number of kept states is bounded for any number of steps. Their distances do not exceed
+    /// the stride, and those at starts of segments are never dropped.
     #[test]
     fn of_many_steps_a_bounded_number_of_states_is_kept() {
         let log = Log::default();

@@ -1,5 +1,5 @@
-//! Rosenbrock methods: implicit, but each stage solves one linear system with
-//! the emitted Jacobian, so that nothing is iterated.
+//! Rosenbrock methods: implicit methods without iteration, in which each stage solves one linear
+//! system with the emitted Jacobian.
 
 use super::caution::Caution;
 use super::lanes::{Sum, combine, padded, sum};
@@ -13,7 +13,7 @@ use super::step_matrix::StepMatrix;
 use super::tableau::{RODAS5P, Rosenbrock};
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 
-/// [`RODAS5P`].
+/// The method [`RODAS5P`].
 pub(super) struct Rodas5p;
 
 impl Sealed for Rodas5p {}
@@ -29,8 +29,8 @@ impl Integrator for Rodas5p {
     }
 }
 
-/// Steps of a Rosenbrock method. The energy quadratures feed back to nothing, so
-/// they are summed up over each step once its states are known.
+/// Steps of a Rosenbrock method. The energy quadratures have no feedback, so they are computed over
+/// each step once its states are known.
 pub(super) struct RosenbrockSteps<'a> {
     method: &'static Rosenbrock,
     stretch: &'a Stretch<'a>,
@@ -39,7 +39,7 @@ pub(super) struct RosenbrockSteps<'a> {
     width: usize,
     time: f64,
     step: f64,
-    /// Everything at the start and the end of the step, quadratures last.
+    /// State at the start and the end of the step, with quadratures last.
     start: Vec<f64>,
     end: Vec<f64>,
     quadrature: Option<Quadrature>,
@@ -99,12 +99,12 @@ impl<'a> RosenbrockSteps<'a> {
         }
     }
 
-    /// J at the start of the last step, in pattern order.
+    /// Returns J at the start of the last step, in pattern order.
     pub(super) fn jacobian(&self) -> &[f64] {
         &self.jacobian
     }
 
-    /// f, f_t and J at the start, once a step however often it is tried.
+    /// Evaluates f, f_t and J at the start, once per step even if it is repeated.
     fn linearize(&mut self) -> Result<(), Trial> {
         if self.is_linearized {
             return Ok(());
@@ -136,12 +136,12 @@ impl<'a> RosenbrockSteps<'a> {
         Ok(())
     }
 
-    /// Of the matrix of the current step.
+    /// Returns the shift of the matrix of the current step.
     fn shift(&self) -> f64 {
         1.0 / (self.method.gamma * self.step)
     }
 
-    /// U of one stage, and Y of the next one as the argument.
+    /// Computes U of one stage, and Y of the next one as the argument.
     fn stage(&mut self, stage: usize) -> Result<(), Trial> {
         let size = self.size;
         if stage > 0 {
@@ -211,7 +211,7 @@ impl<'a> RosenbrockSteps<'a> {
         self.quadrature = Some(quadrature);
     }
 
-    /// States at `theta` of the step, into the argument.
+    /// Computes the states at `theta` of the step as the argument.
     fn states_at(&mut self, theta: f64) {
         if !self.has_dense {
             for (dense, weights) in self.dense.chunks_exact_mut(self.width).zip(self.method.dense) {
@@ -288,7 +288,8 @@ impl OneStep for RosenbrockSteps<'_> {
         }
     }
 
-    /// Norm of (1/(gamma h) I - J)^-1 (f(t, u) - u'(t)) half way, u the dense output.
+    /// Returns the norm of (1/(gamma h) I - J)^-1 (f(t, u) - u'(t)) at the middle, u being the
+    /// dense output.
     fn error_between(&mut self, _is_sampled: bool) -> f64 {
         const THETA: f64 = 0.5;
         self.states_at(THETA);

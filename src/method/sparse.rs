@@ -1,43 +1,43 @@
-//! Factorization of a small sparse matrix, real and complex, in an order chosen once from
-//! the places of its nonzeros.
+//! Factorization of small sparse matrices, real and complex, in an order chosen once from the
+//! pattern of nonzeros.
 
 use std::iter;
 use std::ops::Range;
 
 use nalgebra::ComplexField;
 
-/// What elimination takes off a later pivot may be so many times that pivot: more would
-/// lose too many digits of it. Units do not matter to this ratio, as they do to multipliers.
+/// Maximum ratio of a change of a later pivot to that pivot: a larger one would lose too many
+/// digits. The ratio does not depend on units, unlike multipliers.
 const LARGEST: f64 = 1e4;
 
-/// A pivot is zero, not finite, or too small beside what is below and right of it: rows
-/// would have to be exchanged.
+/// Error for a pivot that is zero, not finite, or too small beside the entries below and right of
+/// it: rows would have to be exchanged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct NeedsExchange;
 
-/// P A P^T = L D U, stored over A's nonzeros and those that come in: which ones these are,
-/// and every place that a product goes to, is known beforehand.
+/// P A P^T = L D U, stored in place of A's nonzeros and the fill-in. The fill-in and the
+/// destinations of all products are known beforehand.
 ///
-/// Pivots are taken from the diagonal, which step matrices allow nearly always.
+/// Pivots are on the diagonal, which is nearly always possible for step matrices.
 ///
 /// Source: minimum degree order, George, Liu, "The evolution of the minimum degree
 /// ordering algorithm", SIAM Review 31 (1989).
 pub(super) struct Sparse<S> {
     size: usize,
-    /// The diagonal by rows, inverted once factored; then what is below each pivot, and
-    /// then what is right of it, both as the pairs are.
+    /// Diagonal by rows, inverted once factored; then the entries below each pivot, and those right
+    /// of it, both in the order of the pairs.
     values: Vec<S>,
     /// Places of the entries of the pattern.
     targets: Vec<u32>,
     elimination: Elimination,
-    /// Places of what is below a pivot times what is right of it, in the order in which
-    /// these are subtracted.
+    /// Places of products of entries below and right of a pivot, in the order in which these are
+    /// subtracted.
     products: Vec<u32>,
 }
 
 impl<S: ComplexField<RealField = f64> + Copy> Sparse<S> {
-    /// Room for a matrix of `size` with these nonzeros, or nothing if so many come in that
-    /// a full matrix is no slower.
+    /// Creates the structure for a matrix of `size` with these nonzeros; `None` if the fill-in is
+    /// so large that a dense matrix is no slower.
     pub(super) fn new(size: usize, entries: &[(usize, usize)]) -> Option<Self> {
         let elimination = Elimination::new(size, entries);
         let pairs = elimination.pairs.len();
@@ -67,13 +67,13 @@ impl<S: ComplexField<RealField = f64> + Copy> Sparse<S> {
         Some(Self { size, values: vec![S::zero(); nonzeros], targets, elimination, products })
     }
 
-    /// Number of rows.
+    /// Returns the number of rows.
     pub(super) fn size(&self) -> usize {
         self.size
     }
 
-    /// Makes the matrix that many times the unit matrix; its entries, to add to, are at
-    /// these places in the order of the pattern.
+    /// Sets the matrix to `diagonal` times the unit matrix. Returns its entries, to be added to,
+    /// and their places in the order of the pattern.
     pub(super) fn start(&mut self, diagonal: S) -> (&mut [S], &[u32]) {
         let (on_diagonal, others) = self.values.split_at_mut(self.size);
         on_diagonal.fill(diagonal);
@@ -84,7 +84,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Sparse<S> {
     /// Factors the matrix.
     ///
     /// # Errors
-    /// [`NeedsExchange`]; the matrix is lost then.
+    /// [`NeedsExchange`]; the matrix is then lost.
     pub(super) fn factor(&mut self) -> Result<(), NeedsExchange> {
         let mut products = self.products.as_slice();
         let first_right = self.size + self.elimination.pairs.len();
@@ -107,7 +107,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Sparse<S> {
                 self.values[self.size + pair] = multiplier;
                 let taken = multiplier * self.values[first_right + pair];
                 let later = self.values[self.elimination.pairs[pair][1] as usize];
-                // As no number is, either.
+                // This also rejects NaN.
                 let is_sound = taken.norm1() <= LARGEST * later.norm1();
                 if !is_sound {
                     return Err(NeedsExchange);
@@ -124,7 +124,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Sparse<S> {
         Ok(())
     }
 
-    /// Solves A x = b; b becomes x.
+    /// Solves A x = b in place.
     pub(super) fn solve(&self, b: &mut [S]) {
         let pairs = &self.elimination.pairs;
         let (inverses, others) = self.values.split_at(self.size);
@@ -143,22 +143,22 @@ impl<S: ComplexField<RealField = f64> + Copy> Sparse<S> {
     }
 }
 
-/// In which order rows and columns are eliminated, and what each of them meets.
+/// Order of elimination of rows and columns, with their neighbours.
 struct Elimination {
     /// Row of each pivot, and one past its last pair.
     pivots: Vec<(usize, usize)>,
-    /// Each pivot with the rows below it that it meets, which are the columns right of it.
+    /// Each pivot with its later neighbours, as rows below it and columns right of it.
     pairs: Vec<[u32; 2]>,
 }
 
 impl Elimination {
-    /// Always the row with the fewest neighbours next; its neighbours then are each other's.
-    /// Of several the one that has waited longest for a pivot next to it, so that what
-    /// follows in a solution seldom depends on what has just been computed.
+    /// Chooses the row with the fewest neighbours next; its neighbours then become neighbours of
+    /// each other. Of several rows, it takes the one that has waited longest for a pivot next to
+    /// it, so that the next operation of a solution seldom depends on the previous one.
     fn new(size: usize, entries: &[(usize, usize)]) -> Self {
         const BITS: usize = u64::BITS as usize;
         let words = size.div_ceil(BITS).max(1);
-        // Rows of bits: which others a row meets, itself not being one of them.
+        // Neighbours of each row as bits, without itself.
         let mut met = vec![0u64; size * words];
         for &(row, column) in entries.iter().filter(|(row, column)| row != column) {
             met[row * words + column / BITS] |= 1 << (column % BITS);
@@ -197,7 +197,7 @@ impl Elimination {
         Self { pivots, pairs }
     }
 
-    /// Row of each pivot and which pairs it is in as the pivot.
+    /// Returns the row of each pivot with the range of its pairs.
     fn pivots(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
         let starts = iter::once(0).chain(self.pivots.iter().map(|(_, end)| *end));
         self.pivots.iter().zip(starts).map(|((row, end), start)| (*row, start..*end))
@@ -205,8 +205,8 @@ impl Elimination {
 }
 
 impl Sparse<f64> {
-    /// Whether the determinant of the factored matrix is negative: rows and columns are
-    /// exchanged alike, if at all.
+    /// Returns whether the determinant of the factored matrix is negative; rows and columns are
+    /// permuted alike.
     pub(super) fn is_negative(&self) -> bool {
         self.values[..self.size].iter().filter(|inverse| **inverse < 0.0).count() % 2 == 1
     }
@@ -218,13 +218,13 @@ mod tests {
 
     use super::*;
 
-    /// Random numbers, the same ones every time.
+    /// Returns reproducible random numbers.
     fn number(row: usize, column: usize) -> f64 {
         fastrand::Rng::with_seed((row * 1000 + column) as u64).f64() - 0.5
     }
 
-    /// A chain whose one end meets four more that meet each other, as a motor on a shaft;
-    /// every third link is coupled in one direction only.
+    /// Returns a chain whose one end is joined to four nodes that are joined to each other, like a
+    /// motor on a shaft; every third link is coupled in one direction only.
     fn chain(size: usize) -> Vec<(usize, usize)> {
         let mut entries = Vec::new();
         for row in 0..size {
@@ -246,7 +246,7 @@ mod tests {
             let mut matrix = Sparse::<S>::new(size, &entries).unwrap();
             let value = |row, column| of(number(row, column), number(column, row));
             let diagonal = of(3.0, 0.5);
-            // Twice, to see that nothing is left behind.
+            // The second pass shows that nothing is left behind.
             for _ in 0..2 {
                 let (values, targets) = matrix.start(diagonal);
                 for ((row, column), target) in entries.iter().zip(targets) {
@@ -276,7 +276,7 @@ mod tests {
     fn nothing_comes_in_where_a_chain_is_eliminated_from_its_ends() {
         let tree = Elimination::new(9, &(0..8).map(|k| (k, k + 1)).collect::<Vec<_>>());
         assert_eq!(tree.pairs.len(), 8);
-        // A star: its middle meets all others, and goes last but one.
+        // A star: its centre is joined to all others, and is eliminated last but one.
         let star = Elimination::new(9, &(1..9).map(|k| (0, k)).collect::<Vec<_>>());
         assert_eq!(star.pairs.len(), 8);
     }

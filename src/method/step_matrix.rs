@@ -1,4 +1,4 @@
-//! The matrix of implicit steps, shift I - df/dy, without its trivial half.
+//! The matrix of implicit steps, shift I - df/dy, reduced to its nontrivial part.
 
 use nalgebra::ComplexField;
 
@@ -7,23 +7,22 @@ use super::bordered::Bordered;
 use super::lu::{Lu, Singular};
 use super::sparse::Sparse;
 
-/// shift I - J for y = \[q, q', z\]. The upper rows of J say that the rate of q
-/// is q', so that q is eliminated beforehand:
+/// shift I - J for y = \[q, q', z\]. The upper rows of J state that the rate of q is q', so q is
+/// eliminated beforehand:
 ///
 /// ```text
 /// q = (r_q + q') / shift
 /// (shift I - J_vv - J_vq / shift) x_v = r_v + J_vq r_q / shift     x_v = [q', z]
 /// ```
 ///
-/// and only the n + m lower equations of the 2 n + m are factored: as a band with a
-/// border where the simulator knows of one, else as a sparse matrix where that is one,
-/// else as a full matrix.
+/// Only the n + m lower equations of the 2 n + m are factored: as a band with a border if the
+/// simulator provides one, otherwise as a sparse matrix where that is worthwhile, otherwise as a
+/// dense matrix.
 pub(super) struct StepMatrix<'a, S> {
-    /// Number of coordinates eliminated: all, or none if the pattern is not of
-    /// this form.
+    /// Number of eliminated coordinates: all, or none if the pattern has another form.
     coordinates: usize,
     entries: &'a [(u32, u32)],
-    /// Where J_vq is not zero, and its entries, diagonal by diagonal.
+    /// Runs of nonzeros of J_vq, and their entries, diagonal by diagonal.
     by_position: Vec<Run>,
     diagonals: Vec<f64>,
     shift: S,
@@ -33,7 +32,7 @@ pub(super) struct StepMatrix<'a, S> {
 enum Factors<S> {
     Full(Lu<S>),
     Bordered(Box<Bordered<S>>),
-    /// The full matrix is there if the last one had no sparse factors without exchanges.
+    /// The dense matrix exists if the last one needed exchanges.
     Sparse(Box<Sparse<S>>, Option<Lu<S>>),
 }
 
@@ -45,7 +44,7 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
         let expected = (0..coordinates as u32).map(|row| (row, row + coordinates as u32));
         let coordinates = if upper.copied().eq(expected) { coordinates } else { 0 };
         let size = system.states() - coordinates;
-        // Positions stand for the velocities that they are eliminated by.
+        // Positions are replaced by the velocities with which they are eliminated.
         let lower = entries[coordinates..].iter().map(|&(row, column)| {
             let (row, column) = (row as usize, column as usize);
             (row - coordinates, column.checked_sub(coordinates).unwrap_or(column))
@@ -68,10 +67,10 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
         Self { coordinates, entries, by_position, diagonals, shift: S::one(), factors }
     }
 
-    /// Factors shift I - J, J from its nonzeros in pattern order.
+    /// Factors shift I - J, with J given by its nonzeros in pattern order.
     ///
     /// # Errors
-    /// [`Singular`] if that cannot be done.
+    /// [`Singular`] if the matrix cannot be factored.
     pub(super) fn factor(&mut self, shift: S, jacobian: &[f64]) -> Result<(), Singular> {
         self.shift = shift;
         let mut diagonals = self.diagonals.as_mut_slice();
@@ -121,7 +120,7 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
         }
     }
 
-    /// Solves (shift I - J) x = r with the last factors; r becomes x.
+    /// Solves (shift I - J) x = r in place with the last factors.
     pub(super) fn solve(&mut self, r: &mut [S]) {
         let n = self.coordinates;
         let inverse = self.shift.recip();
@@ -148,15 +147,14 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
 }
 
 impl StepMatrix<'_, f64> {
-    /// Whether [`StepMatrix::is_outgrown`] can tell.
+    /// Returns whether [`StepMatrix::is_outgrown`] is available.
     pub(super) fn tells_growth(&self) -> bool {
         !matches!(self.factors, Factors::Bordered(_))
     }
 
-    /// Whether an odd number of real eigenvalues of J are above the shift, by the sign of the
-    /// determinant of the last factors: motions that grow within a step by more than a
-    /// method can tell from ones that decay. Not told of matrices with a border, nor of steps
-    /// back.
+    /// Returns whether an odd number of real eigenvalues of J are above the shift, from the sign of
+    /// the determinant of the last factors. Such motions grow within a step by more than a method
+    /// can distinguish from decay. Matrices with a border and backward steps are not examined.
     pub(super) fn is_outgrown(&self) -> bool {
         if self.shift < 0.0 {
             return false;
@@ -169,21 +167,21 @@ impl StepMatrix<'_, f64> {
     }
 }
 
-/// Rows one after another that have as many entries by positions, all of them one column
-/// further on than in the row before.
+/// Consecutive rows with the same number of entries by positions, each shifted by one column from
+/// the previous row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Run {
-    /// The first row, below the positions, and its first column and entry.
+    /// First row, below the positions, with its first column and entry.
     row: usize,
     column: usize,
     entry: usize,
     rows: usize,
-    /// Entries by positions in a row, and from one row to the next.
+    /// Number of entries by positions in a row, and distance of entries between rows.
     width: usize,
     stride: usize,
 }
 
-/// The rows below the first `n` as runs, of their first `n` columns.
+/// Returns the rows below the first `n`, restricted to their first `n` columns, as runs.
 fn runs(entries: &[(u32, u32)], n: usize) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     let mut first = n;
@@ -192,7 +190,7 @@ fn runs(entries: &[(u32, u32)], n: usize) -> Vec<Run> {
         first += row.len();
         let by_position = row.iter().filter(|(_, column)| (*column as usize) < n);
         let by_position: Vec<(u32, u32)> = by_position.copied().collect();
-        // Columns that follow each other.
+        // Consecutive columns.
         for part in by_position.chunk_by(|a, b| a.1 + 1 == b.1) {
             let (at, column) = (part[0].0 as usize - n, part[0].1 as usize);
             let width = part.len();
@@ -218,7 +216,7 @@ fn runs(entries: &[(u32, u32)], n: usize) -> Vec<Run> {
 }
 
 impl Run {
-    /// J_vq in these rows: its first entries one below the other, then its second ones.
+    /// Copies J_vq in these rows: the first entries of all rows, then the second ones.
     fn gather(&self, jacobian: &[f64], diagonals: &mut [f64]) {
         for (k, diagonal) in diagonals.chunks_exact_mut(self.rows).enumerate() {
             let entries = jacobian[self.entry + k..].iter().step_by(self.stride);
@@ -226,7 +224,7 @@ impl Run {
         }
     }
 
-    /// lower += J_vq upper, in these rows.
+    /// Computes lower += J_vq upper in these rows.
     fn add_product<S>(&self, diagonals: &[f64], upper: &[S], lower: &mut [S])
     where
         S: ComplexField<RealField = f64> + Copy,

@@ -1,10 +1,9 @@
-//! Taylor's method: every step sums the solution's own power series.
+//! Taylor's method: each step sums the power series of the solution.
 //!
-//! The coefficients come from recurrences that were derived with the machine
-//! (`machinist_contract::taylor`), so an order costs about as much as one
-//! evaluation of the rate and orders of ten to twenty pay. Between its ends a
-//! step is its polynomial: dense output costs no order of accuracy, and events are
-//! roots of guards on it.
+//! The coefficients follow from recurrences that were derived with the machine
+//! (`machinist_contract::taylor`). An order costs about as much as one evaluation of the rate, so
+//! orders of ten to twenty are efficient. Between its ends a step is its polynomial: dense output
+//! has the full order of accuracy, and events are roots of guards on it.
 
 pub(crate) mod magnitude;
 #[cfg(test)]
@@ -23,22 +22,22 @@ use crate::error::StopCause;
 use quadrature::Gauss;
 use step::{Tolerance, order_for};
 
-/// Tighter tolerances are below rounding.
+/// Smallest relative tolerance; tighter ones are below rounding.
 #[cfg(feature = "sweep")]
 pub(crate) const LEAST_RTOL: f64 = 4.0 * f64::EPSILON;
 
-/// Where within a step is looked for corners.
+/// Fractions of a step at which it is checked for corners.
 const PROBES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
-/// And where for turns to and fro of what saturates.
+/// Fraction of a step at which it is checked for oscillations of a saturating function.
 #[cfg(any(feature = "implicit", feature = "sweep"))]
 const MIDDLE: f64 = 0.5;
 
-/// Fewer finite coefficients make steps of low order.
+/// Number of finite coefficients below which steps are of low order.
 #[cfg(feature = "implicit")]
 pub(super) const FEW: usize = 3;
 
-/// Taylor series of an order that follows the tolerance.
+/// Taylor series whose order depends on the tolerance.
 pub(super) struct Taylor;
 
 impl Sealed for Taylor {}
@@ -59,39 +58,39 @@ impl Integrator for Taylor {
     }
 }
 
-/// Steps by Taylor series. Their length follows from the coefficients at their start,
-/// before they are tried.
+/// Steps by Taylor series. Their length follows from the coefficients at their start, before they
+/// are tried.
 pub(super) struct TaylorSteps<'a> {
     stretch: &'a Stretch<'a>,
     series: &'a dyn TaylorSeries<f64>,
     states: usize,
     order: usize,
-    /// Coefficients wanted of the ends of steps.
+    /// Number of coefficients wanted at ends of steps.
     wanted: usize,
     time: f64,
     step: f64,
-    /// Longest step to be tried next: one that is judged from coefficients which
-    /// happen to vanish must not leap.
+    /// Longest step to be tried next, which limits steps based on coefficients that vanish by
+    /// chance.
     longest: f64,
-    /// The highest order up to which the current coefficients are finite.
+    /// Highest order up to which the current coefficients are finite.
     finite: usize,
-    /// That of this order.
+    /// Step size control for this order.
     pace: Pace,
     tolerance: Tolerance,
-    /// Coefficients of the step that is being taken, order after order.
+    /// Coefficients of the current step, order by order.
     current: Vec<f64>,
     /// Coefficients at its end.
     following: Vec<f64>,
     workspace: Vec<f64>,
-    /// All at the start of the step: of the states the coefficients know as much, but
-    /// not of the energy flows.
+    /// State at the start of the step with energy flows; the coefficients contain the former but
+    /// not the latter.
     start: Vec<f64>,
-    /// All at the step's end.
+    /// State at the end of the step with energy flows.
     end: Vec<f64>,
-    /// The derivative of the polynomial there.
+    /// Derivative of the polynomial at the end.
     slope: Vec<f64>,
     flows: Option<Gauss>,
-    /// Shares of a step at which the rate is compared with the polynomial's derivative.
+    /// Fractions of a step at which the rate is compared with the polynomial's derivative.
     probes: &'static [f64],
     between: Vec<f64>,
     rate: Vec<f64>,
@@ -127,8 +126,8 @@ impl<'a> TaylorSteps<'a> {
         }
     }
 
-    /// Looks within each step too where a function saturates: a motion that turns to and
-    /// fro within a step would turn unseen.
+    /// Checks the middle of each step if a function saturates: a motion that oscillates within a
+    /// step would not be noticed otherwise.
     #[cfg(feature = "implicit")]
     pub(super) fn looking_within(mut self) -> Self {
         if self.series.bends() == Bends::Saturates {
@@ -137,25 +136,25 @@ impl<'a> TaylorSteps<'a> {
         self
     }
 
-    /// The order of series for a relative tolerance.
+    /// Returns the order of series for a relative tolerance.
     #[cfg(feature = "implicit")]
     pub(super) fn order_for(rtol: f64) -> usize {
         order_for(rtol)
     }
 
-    /// Whether so few coefficients are finite that the solution has no power series.
+    /// Returns whether too few coefficients are finite for a power series.
     #[cfg(feature = "implicit")]
     pub(super) fn has_no_series(&self) -> bool {
         self.finite < FEW
     }
 
-    /// Time and states at the start of the next step.
+    /// Returns time and states at the start of the next step.
     #[cfg(feature = "implicit")]
     pub(super) fn start(&self) -> (f64, &[f64]) {
         (self.time, &self.start[..self.states])
     }
 
-    /// Coefficients up to `order` of the solution through a state.
+    /// Computes the coefficients up to `order` of the solution through a state.
     fn expand(&mut self, time: f64, at: At, order: usize) {
         let state = match at {
             At::Start => &self.start[..self.states],
@@ -164,11 +163,11 @@ impl<'a> TaylorSteps<'a> {
         let coefficients = &mut self.following[..(order + 1) * self.states];
         let (time, parameters) = (self.stretch.within(time), self.stretch.system.parameters());
         self.series.series(time, state, parameters, coefficients, &mut self.workspace);
-        // Each order costs about as much as the rate.
+        // Each order costs about as much as a rate evaluation.
         self.stretch.system.count(|work| work.rate_evaluations += order as u64);
     }
 
-    /// Makes the coefficients that were computed last those of the next step.
+    /// Makes the coefficients computed last those of the next step.
     fn take_following(&mut self) {
         std::mem::swap(&mut self.current, &mut self.following);
         let finite = self.finite_orders();
@@ -178,24 +177,24 @@ impl<'a> TaylorSteps<'a> {
         self.tolerance.weigh(&self.current[..self.states]);
     }
 
-    /// The highest order up to which the current coefficients are finite.
+    /// Returns the highest order up to which the current coefficients are finite.
     fn finite_orders(&self) -> usize {
         if step::all_finite(&self.current) {
             return self.order;
         }
         let broken = self.current.iter().position(|value| !value.is_finite());
-        // State and rate are finite: what is not has been refused as a step's end.
+        // State and rate are finite here; otherwise the previous step would have been refused.
         broken.map_or(self.order, |index| (index / self.states).max(2) - 1)
     }
 
-    /// The coefficients that count.
+    /// Returns the finite coefficients.
     fn used(&self) -> &[f64] {
         &self.current[..(self.finite + 1) * self.states]
     }
 
-    /// The error by a bend within the step, over what is allowed: behind it the rate
-    /// differs from the polynomial's derivative, as it does nowhere but near the end of a
-    /// step without.
+    /// Returns the error due to a bend within the step, relative to what is allowed. Behind a bend
+    /// the rate differs from the polynomial's derivative; without one it does so only near the end
+    /// of a step.
     fn error_within(&mut self) -> f64 {
         let mut largest = 0.0f64;
         for share in self.probes {
@@ -209,7 +208,7 @@ impl<'a> TaylorSteps<'a> {
         largest
     }
 
-    /// The energy flows at a time within the step, integrated along the polynomial.
+    /// Returns the energy flows at a time within the step, integrated along the polynomial.
     fn flows_until(&self, until: f64) -> [f64; FLOWS] {
         let mut total = [0.0; FLOWS];
         let Some(gauss) = &self.flows else { return total };
@@ -250,14 +249,14 @@ impl OneStep for TaylorSteps<'_> {
         self.tolerance.step_length(&self.current, self.finite).min(self.longest)
     }
 
-    /// A last step needs the rate at its end, not a series.
+    /// Limits the coefficients of a last step, which needs the rate at its end but not a series.
     fn is_last(&mut self, is_last: bool) {
         self.wanted = if is_last { 1 } else { self.order };
     }
 
     fn attempt(&mut self, step: f64) -> Trial {
         self.step = step;
-        // Before the series: it does not wait for it, and the processor does both at once.
+        // This does not depend on the series, so the processor can do both in parallel.
         let middle = if self.probes.len() == 1 { self.error_within() } else { 0.0 };
         let used = &self.current[..(self.finite + 1) * self.states];
         step::value_and_slope(used, step, &mut self.end[..self.states], &mut self.slope);
@@ -320,7 +319,7 @@ impl OneStep for TaylorSteps<'_> {
     }
 
     fn parts(&self) -> usize {
-        // Steps are two to three times those of Runge-Kutta methods.
+        // Steps are two to three times as long as those of Runge-Kutta methods.
         8
     }
 }

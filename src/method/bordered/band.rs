@@ -1,11 +1,11 @@
-//! P A = L U of a banded matrix, with a way of its own for three diagonals.
+//! P A = L U of a banded matrix, with a special method for three diagonals.
 
 use nalgebra::ComplexField;
 
 use crate::method::lu::Singular;
 
-/// A matrix with `width` diagonals on each side. Its entries are not here: row i holds
-/// the columns from i - width to i + 2 width, as far as exchanges fill it.
+/// A matrix with `width` diagonals on each side. Its entries are stored elsewhere: row i contains
+/// the columns from i - width to i + 2 width, which exchanges may fill.
 pub(super) struct Band<S> {
     size: usize,
     width: usize,
@@ -13,16 +13,16 @@ pub(super) struct Band<S> {
     three: Three<S>,
 }
 
-/// Factors of a matrix with three diagonals. U has ones on its diagonal, so that each of
-/// its rows costs one product and one difference that wait for the row below.
+/// Factors of a tridiagonal matrix. U has ones on its diagonal, so each of its rows takes one
+/// product and one difference that depend on the row below.
 ///
-/// Where no rows are exchanged, both halves are eliminated towards the middle at once, for
-/// they do not wait for each other: below the middle L and U change their parts.
+/// Without exchanges, both halves are eliminated towards the middle at the same time, since they
+/// are independent: below the middle, L and U exchange their roles.
 struct Three<S> {
     lower: Vec<S>,
     inverse: Vec<S>,
     upper: Vec<S>,
-    /// The second diagonal of U, which exchanges fill.
+    /// Second diagonal of U, which exchanges fill.
     second: Vec<S>,
     is_exchanged: Vec<bool>,
     has_exchanges: bool,
@@ -47,17 +47,17 @@ impl<S: ComplexField<RealField = f64> + Copy> Band<S> {
         self.width
     }
 
-    /// How many places entries take.
+    /// Returns the number of places for entries.
     pub(super) fn places(&self) -> usize {
         self.size * (3 * self.width + 1)
     }
 
-    /// Where an entry is.
+    /// Returns the place of an entry.
     pub(super) fn place(&self, row: usize, column: usize) -> usize {
         row * (3 * self.width + 1) + column + self.width - row
     }
 
-    /// Factors the matrix, over its entries.
+    /// Factors the matrix in place of its entries.
     ///
     /// # Errors
     /// [`Singular`], also where entries are not finite.
@@ -104,7 +104,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Band<S> {
         Ok(())
     }
 
-    /// Solves for x; b becomes x.
+    /// Solves for x in place of b.
     pub(super) fn solve(&self, entries: &[S], b: &mut [S]) {
         if self.width == 1 {
             return self.three.solve(b);
@@ -135,7 +135,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Band<S> {
 }
 
 impl<S: ComplexField<RealField = f64> + Copy> Three<S> {
-    /// From rows of (below, diagonal, above, nothing).
+    /// Factors rows of (below, diagonal, above, unused).
     fn factor(&mut self, entries: &[S]) -> Result<(), Singular> {
         self.has_exchanges = !self.factor_from_both_ends(entries);
         if !self.has_exchanges {
@@ -171,7 +171,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Three<S> {
         Ok(())
     }
 
-    /// False, with nothing to be used, if rows should be exchanged.
+    /// Factors from both ends; returns false, with unusable factors, if rows should be exchanged.
     fn factor_from_both_ends(&mut self, entries: &[S]) -> bool {
         let size = entries.len() / 4;
         let middle = size / 2;
@@ -210,13 +210,13 @@ impl<S: ComplexField<RealField = f64> + Copy> Three<S> {
             self.upper[k] = above * inverse;
             upper = row(k + 1)[1] - (below * above) * inverse;
         }
-        // Both have met there, each with the diagonal itself.
+        // Both eliminations meet there, each including the diagonal itself.
         let pivot = if size == 1 { upper } else { upper + (lower - row(middle)[1]) };
         self.inverse[middle] = pivot.recip();
         is_good && is_pivot(pivot, S::zero())
     }
 
-    /// With the factors from both ends.
+    /// Solves with the factors from both ends.
     fn solve_from_both_ends(&self, b: &mut [S]) {
         let size = b.len();
         let middle = size / 2;
@@ -225,7 +225,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Three<S> {
         let (lower, of_right) = self.lower.split_at(middle);
         let (upper, of_right) =
             (&self.upper[..middle], (&of_right[1..], &self.upper[middle + 1..]));
-        // There is at most one more on the left than on the right.
+        // There is at most one more row on the left than on the right.
         let [mut above, mut below] = [S::zero(); 2];
         let spare = left.len() - right.len();
         let (first, rest) = left.split_at_mut(spare);
@@ -291,7 +291,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Three<S> {
     }
 }
 
-/// The inverse of a pivot.
+/// Returns the inverse of a pivot.
 fn pivot<S: ComplexField<RealField = f64> + Copy>(value: S) -> Result<S, Singular> {
     let size = value.norm1();
     if size > 0.0 && size.is_finite() { Ok(value.recip()) } else { Err(Singular) }

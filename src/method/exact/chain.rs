@@ -1,44 +1,44 @@
-//! Modes of chains: masses on a line, springs between neighbours and to ground.
+//! Eigenmodes of chains: masses on a line, springs between neighbours and to ground.
 //!
 //! ```text
 //! K = L D L^T     d_i = p_i + k_i    p_(i+1) = g_(i+1) + k_i p_i / d_i    p_0 = g_0
 //! ```
 //!
-//! k_i being the spring behind the i-th mass and g_i the one to ground. Nothing is
-//! subtracted, so that L and D keep all their digits, and with them every eigenvalue of
-//! M^-1 K, the slowest of a stiff chain too: it is enclosed by counting signs of
-//! L D L^T - w^2 M factored anew, and refined together with its mode by factors from both
-//! ends that meet where the mode is large. All modes cost n^2.
+//! where k_i is the spring behind the i-th mass and g_i the one to ground. Without subtractions, L
+//! and D keep all their digits, and so does every eigenvalue of M^-1 K, even the slowest of a stiff
+//! chain. Eigenvalues are bracketed by counting signs of L D L^T - w^2 M factored anew. They are
+//! refined together with their eigenmodes by factors from both ends that meet where the eigenmode
+//! is large. All eigenmodes cost n^2.
 //!
 //! Source: B. N. Parlett, I. S. Dhillon: Relatively robust representations of symmetric
 //! tridiagonals, Linear Algebra Appl. 309 (2000) 121-151.
 
 use nalgebra::DMatrix;
 
-/// Eigenvalues enclosed side by side.
+/// Number of eigenvalues bracketed side by side.
 const LANES: usize = 8;
-/// An enclosure to start the refinement from, relative.
+/// Relative width of a bracket from which the refinement starts.
 const ENCLOSED: f64 = 1e-4;
-/// Halvings at most: from the largest eigenvalue down to the rounding of any.
+/// Maximum number of bisections, from the largest eigenvalue down to any rounding.
 const HALVINGS: usize = 1100;
-/// Refinements at most; three are usual.
+/// Maximum number of refinements; three are usual.
 const REFINEMENTS: usize = 60;
-/// Roundings within which corrections may stop to shrink.
+/// Number of roundings within which corrections may stop decreasing.
 const STUCK: f64 = 16.0;
-/// A ground spring below the rounding of the springs beside it is none.
+/// Ratio of a ground spring to its neighbouring springs below which it is rounding.
 const NO_SPRING: f64 = 4.0 * f64::EPSILON;
 
-/// Eigenvalues of M^-1 K, and its modes.
+/// Eigenvalues and eigenmodes of M^-1 K.
 pub(super) struct ChainModes {
     pub(super) eigenvalues: Vec<f64>,
-    /// Modes by columns, of length one by mass.
+    /// Eigenmodes as columns, normalized by mass.
     pub(super) shapes: DMatrix<f64>,
     /// Largest product of neighbouring modes by mass, which would be zero: how far
     /// rounding has mixed modes that lie close.
     pub(super) mixing: f64,
 }
 
-/// Nothing if K is no such chain. `stiffness` has each entry of K once.
+/// Returns `None` if K is not such a chain. `stiffness` has each entry of K once.
 pub(super) fn modes(mass: &[f64], stiffness: &[(usize, usize, f64)]) -> Option<ChainModes> {
     let n = mass.len();
     if mass.iter().any(|mass| !(*mass > 0.0 && mass.is_finite())) {
@@ -74,17 +74,17 @@ pub(super) fn modes(mass: &[f64], stiffness: &[(usize, usize, f64)]) -> Option<C
     Some(ChainModes { eigenvalues, shapes, mixing })
 }
 
-/// A matrix whose graph is lines that do not touch.
+/// A matrix whose graph consists of separate lines.
 struct Tridiagonal {
     diagonal: Vec<f64>,
-    /// Neighbours of each place and the entries that couple them.
+    /// Neighbours of each place with their coupling entries.
     beside: Vec<Vec<(usize, f64)>>,
     /// Places along each line.
     lines: Vec<Vec<usize>>,
 }
 
 impl Tridiagonal {
-    /// Nothing if the graph has another form, or the matrix is not symmetric to rounding.
+    /// Returns `None` if the graph has another form, or the matrix is not symmetric to rounding.
     fn of(n: usize, entries: &[(usize, usize, f64)]) -> Option<Self> {
         let mut matrix =
             Self { diagonal: vec![0.0; n], beside: vec![Vec::new(); n], lines: Vec::new() };
@@ -126,11 +126,11 @@ impl Tridiagonal {
             }
             matrix.lines.push(line);
         }
-        // What is left goes round in a ring.
+        // Remaining places form a ring.
         is_seen.iter().all(|is_seen| *is_seen).then_some(matrix)
     }
 
-    /// The spring between neighbours.
+    /// Returns the spring between neighbours.
     fn spring(&self, row: usize, column: usize) -> f64 {
         let of = |row: usize, column: usize| {
             let entry = self.beside[row].iter().find(|(place, _)| *place == column);
@@ -140,20 +140,20 @@ impl Tridiagonal {
     }
 }
 
-/// M^-1/2 L D L^T M^-1/2 of one line.
+/// Factors of M^-1/2 L D L^T M^-1/2 of one line.
 struct Factored {
-    /// D.
+    /// Diagonal D.
     pivots: Vec<f64>,
     /// L below the diagonal.
     lower: Vec<f64>,
     /// D L^2.
     products: Vec<f64>,
-    /// No eigenvalue is above.
+    /// Upper bound of all eigenvalues.
     largest: f64,
 }
 
 impl Factored {
-    /// Nothing if a spring pushes where it should pull.
+    /// Returns `None` if a spring has negative stiffness.
     fn new(mass: &[f64], matrix: &Tridiagonal, line: &[usize]) -> Option<Self> {
         let springs: Vec<f64> =
             line.windows(2).map(|pair| matrix.spring(pair[0], pair[1])).collect();
@@ -201,7 +201,7 @@ impl Factored {
         self.pivots.len()
     }
 
-    /// How many eigenvalues are below each of these.
+    /// Returns the number of eigenvalues below each shift.
     fn below(&self, shifts: &[f64; LANES]) -> [u32; LANES] {
         let mut counts = [0; LANES];
         let mut rest = shifts.map(|shift| -shift);
@@ -210,7 +210,8 @@ impl Factored {
             for lane in 0..LANES {
                 let shifted = pivot + rest[lane];
                 counts[lane] += u32::from(shifted < 0.0);
-                // No division by zero: an eigenvalue of the upper part, to rounding.
+                // Avoids division by zero; the shift is an eigenvalue of the upper part, to
+                // rounding.
                 let shifted = if shifted == 0.0 { f64::MIN_POSITIVE } else { shifted };
                 rest[lane] = product * (rest[lane] / shifted) - shifts[lane];
             }
@@ -218,7 +219,7 @@ impl Factored {
         counts
     }
 
-    /// For each eigenvalue two numbers, between which is no other.
+    /// Returns brackets that contain one eigenvalue each.
     fn enclosures(&self) -> Vec<[f64; 2]> {
         let n = self.len();
         let mut enclosed = Vec::with_capacity(n);
@@ -255,8 +256,8 @@ impl Factored {
         enclosed
     }
 
-    /// The eigenvalue between two numbers, to rounding; its mode, of length one, is left
-    /// in the room. Nothing if it does not settle.
+    /// Returns the eigenvalue in a bracket, accurate to rounding, and stores its normalized
+    /// eigenmode in `room`. Returns `None` if it does not converge.
     fn refine(&self, [mut low, mut high]: [f64; 2], room: &mut Room) -> Option<f64> {
         let mut eigenvalue =
             if low == 0.0 && high <= f64::MIN_POSITIVE * 4.0 { 0.0 } else { 0.5 * (low + high) };
@@ -289,8 +290,8 @@ impl Factored {
         None
     }
 
-    /// One step of inverse iteration from where the factors from both ends meet: the
-    /// vector, of length one, in the room, and what it adds to the eigenvalue.
+    /// Makes one step of inverse iteration from the meeting point of the factors from both ends.
+    /// Stores the normalized vector in `room`, and returns the correction of the eigenvalue.
     fn twisted(&self, shift: f64, room: &mut Room) -> f64 {
         let n = self.len();
         let safe = |value: f64| if value == 0.0 { f64::MIN_POSITIVE } else { value };
@@ -330,7 +331,7 @@ impl Factored {
     }
 }
 
-/// Room for one mode.
+/// Memory for one eigenmode.
 struct Room {
     from_start: Vec<f64>,
     down: Vec<f64>,
@@ -351,7 +352,7 @@ mod tests {
 
     use super::modes;
 
-    /// K of a chain of unit masses and springs, free or held at both ends.
+    /// Returns K of a chain of unit masses and springs, free or held at both ends.
     fn uniform(n: usize, is_held: bool) -> Vec<(usize, usize, f64)> {
         let mut entries = Vec::new();
         for i in 0..n {

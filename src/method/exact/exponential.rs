@@ -1,4 +1,4 @@
-//! By the exponential of the matrix of states and waves together:
+//! Solution by the exponential of the matrix of states and waves together:
 //!
 //! ```text
 //! [y]'   [A C] [y]
@@ -13,20 +13,19 @@ use super::piece::{Piece, Wave};
 use crate::dense::balance;
 use crate::method::Stretch;
 
-/// Larger matrices are better stepped.
+/// Maximum number of rows; larger machines are better stepped.
 const MOST_ROWS: usize = 600;
-/// Where steps cost no more than a few times the rows, that is earlier.
+/// The same limit where the cost of steps is only a few times the number of rows.
 const MOST_ROWS_OF_BANDED: usize = 120;
-/// Exponentials kept for spans that come again.
+/// Maximum number of exponentials kept for spans that recur.
 const KEPT: usize = 128;
-/// Squaring doubles rounding errors as often as it is done: times the norm of the
-/// exponent, times this.
+/// Rounding error per squaring: this times the norm of the exponent.
 const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
-/// The solution of a piece by exponentials, from one settled state to the next.
+/// Solution of a piece by exponentials, from one settled state to the next.
 pub(super) struct Exponential<'a> {
     piece: &'a Piece,
-    /// Of states and waves.
+    /// Matrix of states and waves.
     matrix: DMatrix<f64>,
     settled: (f64, DVector<f64>),
     /// Exponentials by span.
@@ -34,7 +33,7 @@ pub(super) struct Exponential<'a> {
 }
 
 impl<'a> Exponential<'a> {
-    /// Refused with the reason if it would miss the tolerance.
+    /// Returns the reason if the solution would not meet the tolerance.
     pub(super) fn new(
         piece: &'a Piece,
         stretch: &Stretch<'_>,
@@ -70,7 +69,7 @@ impl<'a> Exponential<'a> {
         Ok(Self { piece, matrix, settled, known: Vec::new() })
     }
 
-    /// e^(matrix h); spans that differ by the rounding of times are the same.
+    /// Returns the index of e^(matrix h); spans that differ by the rounding of times are the same.
     fn exponential(&mut self, h: f64) -> usize {
         let rounding = 2.0 * f64::EPSILON * self.piece.from.abs().max(self.piece.until.abs());
         let known = self.known.iter().position(|(span, _)| (span - h).abs() <= rounding);
@@ -104,12 +103,12 @@ impl Solution for Exponential<'_> {
     }
 }
 
-/// Rows that a wave takes: two for each power of time up to its own.
+/// Returns the number of rows of a wave: two for each power of time up to its own.
 fn rows(wave: &Wave) -> usize {
     2 * (wave.power as usize + 1)
 }
 
-/// w at s.
+/// Returns w at s.
 fn waves(piece: &Piece, s: f64) -> Vec<f64> {
     let mut values = Vec::new();
     for wave in &piece.waves {

@@ -1,14 +1,14 @@
-//! Energy flows along a solution, by Gauss's rule on intervals halved until two
-//! halves say the same as the whole.
+//! Energy flows along a solution, by Gauss's rule on intervals that are halved until both halves
+//! agree with the whole.
 
 use super::Solution;
 use crate::method::Stretch;
 use crate::method::system::FLOWS;
 use crate::method::taylor::quadrature::Gauss;
 
-/// Points of an interval.
+/// Number of points of an interval.
 pub(super) const POINTS: usize = 8;
-/// Smallest interval, as a part of the whole: 2^-20.
+/// Maximum number of halvings.
 const DEEPEST: usize = 20;
 
 /// Adds the flows between two times.
@@ -62,7 +62,7 @@ impl Sums<'_> {
         let middle = 0.5 * (from + until);
         let halves = [self.over(from, middle), self.over(middle, until)];
         let sum: [f64; FLOWS] = std::array::from_fn(|flow| halves[0][flow] + halves[1][flow]);
-        // The last flow is a sum of absolute values: it has kinks, and is a scale.
+        // The last flow is a sum of absolute values with kinks, and only serves as a scale.
         let scale = self.tolerance + self.stretch.rtol * sum[FLOWS - 1];
         let is_settled = (0..FLOWS - 1).all(|flow| (sum[flow] - whole[flow]).abs() <= scale);
         if is_settled || depth == DEEPEST {

@@ -1,4 +1,4 @@
-//! The quadratic forms of a machine whose state is \[q, q'\], and the modes they share.
+//! Quadratic forms of a machine whose state is \[q, q'\], and their common eigenmodes.
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
@@ -7,43 +7,43 @@ use super::piece::Piece;
 use crate::dense::dense;
 use crate::method::Stretch;
 
-/// Deviations from symmetry and from common modes that rounding makes, relative.
+/// Relative deviation from symmetry and from common eigenmodes that counts as rounding.
 pub(super) const ROUNDING: f64 = 1e-11;
 
-/// Matrices of more rows take seconds.
+/// Maximum number of rows; larger matrices take seconds.
 const MOST_OF_MATRICES: usize = 400;
 
-/// Relative size of K D - D K by mass beyond which K and D share no modes: far above what rounding
-/// makes, so that modes themselves need not be looked for.
+/// Relative size of K M^-1 D - D M^-1 K above which K and D have no common eigenmodes. It is far
+/// above rounding, so eigenmodes need not be computed.
 const APART: f64 = 1e-6;
 
-/// M, K and D.
+/// Matrices M, K and D.
 pub(super) struct Forms {
     pub(super) mass: Mass,
-    /// Nonzeros.
+    /// Nonzeros of K and D.
     stiffness: Vec<(usize, usize, f64)>,
     damping: Vec<(usize, usize, f64)>,
 }
 
-/// M.
+/// Mass matrix M.
 pub(super) enum Mass {
-    /// Inertia of each coordinate alone.
+    /// One inertia for each coordinate.
     Diagonal(Vec<f64>),
     Full(DMatrix<f64>),
 }
 
-/// Modes by columns, of length one by mass, with x^T K x and x^T D x of each.
+/// Eigenmodes as columns, normalized by mass, with x^T K x and x^T D x of each.
 pub(super) struct Modes {
     pub(super) stiffnesses: Vec<f64>,
     pub(super) dampings: Vec<f64>,
     pub(super) shapes: DMatrix<f64>,
-    /// How far rounding has mixed them, where that is known.
+    /// Amount of mixing due to rounding, where it is known.
     pub(super) mixing: f64,
 }
 
 impl Forms {
-    /// Nothing if the state is another, a rate of a position not its velocity, or a wave
-    /// acts on that.
+    /// Returns `None` if the state has another form, if the rate of a position is not its velocity,
+    /// or if a wave acts on such a rate.
     pub(super) fn of(piece: &Piece, stretch: &Stretch<'_>) -> Option<Self> {
         let shape = stretch.system.simulator().shape();
         let n = shape.coordinates;
@@ -70,8 +70,8 @@ impl Forms {
         Some(Self { mass, stiffness, damping })
     }
 
-    /// Nothing if there are none that all share. Those of a chain may be mixed by more than
-    /// the tolerance if it is too long for matrices, which keep apart even equal modes.
+    /// Returns the common eigenmodes, if they exist. A chain that is too long for matrices, which
+    /// separate even equal eigenmodes, may have ones that are mixed by more than the tolerance.
     pub(super) fn modes(&self, rtol: f64) -> Option<Modes> {
         let of_chain = self.modes_of_chain();
         if of_chain.as_ref().is_some_and(|modes| modes.mixing <= rtol) {
@@ -84,8 +84,8 @@ impl Forms {
         if self.share_none() { None } else { self.modes_of_matrices() }
     }
 
-    /// Whether K and D clearly share no modes, since they do not commute by mass. That is seen
-    /// from their entries; modes take the cube of the rows.
+    /// Returns whether K and D clearly have no common eigenmodes, because they do not commute. This
+    /// is decided from their entries; computing eigenmodes takes the cube of the rows.
     fn share_none(&self) -> bool {
         let Mass::Diagonal(mass) = &self.mass else { return false };
         let by_mass = |entries: &[(usize, usize, f64)]| {
@@ -113,12 +113,12 @@ impl Forms {
                     }
                 }
             }
-            // Emptied as it is read: an entry that comes twice is zero the second time.
+            // Sums are cleared as they are read: a repeated entry is zero the second time.
             touched.drain(..).any(|column| std::mem::take::<f64>(&mut sums[column]).abs() > allowed)
         })
     }
 
-    /// Of a line of springs, damped not at all or as Rayleigh's.
+    /// Returns the eigenmodes of a line of springs, without damping or with Rayleigh damping.
     fn modes_of_chain(&self) -> Option<Modes> {
         let Mass::Diagonal(mass) = &self.mass else { return None };
         let [by_mass, by_stiffness] = self.rayleigh(mass)?;
@@ -128,7 +128,7 @@ impl Forms {
         Some(Modes { stiffnesses, dampings, shapes, mixing })
     }
 
-    /// a and b of D = a M + b K; nothing if D is another.
+    /// Returns a and b of D = a M + b K; `None` if D has another form.
     fn rayleigh(&self, mass: &[f64]) -> Option<[f64; 2]> {
         let largest = |entries: &[(usize, usize, f64)]| {
             entries.iter().fold(0.0, |size: f64, entry| size.max(entry.2.abs()))
@@ -141,7 +141,7 @@ impl Forms {
             let found = entries.iter().find(|entry| (entry.0, entry.1) == (row, column));
             found.map_or(0.0, |entry| entry.2)
         };
-        // Any spring tells b, then any inertia a.
+        // Any spring determines b, then any inertia a.
         let is_coupling = |entry: &&(usize, usize, f64)| entry.0 != entry.1;
         let by_stiffness = match self.stiffness.iter().find(is_coupling) {
             Some(&(row, column, spring)) => known(&self.damping, row, column) / spring,
@@ -161,7 +161,7 @@ impl Forms {
         (sums.fold(0.0, f64::max) <= ROUNDING * size).then_some([by_mass, by_stiffness])
     }
 
-    /// Of any symmetric matrices.
+    /// Returns the eigenmodes of symmetric matrices.
     fn modes_of_matrices(&self) -> Option<Modes> {
         let n = self.mass.len();
         let full = |entries: &[(usize, usize, f64)]| {
@@ -202,7 +202,7 @@ impl Mass {
         Mass::Full(dense(pattern, &values))
     }
 
-    /// Number of coordinates.
+    /// Returns the number of coordinates.
     pub(super) fn len(&self) -> usize {
         match self {
             Mass::Diagonal(mass) => mass.len(),
@@ -210,7 +210,7 @@ impl Mass {
         }
     }
 
-    /// M x.
+    /// Returns M x.
     pub(super) fn times(&self, x: &[f64]) -> DVector<f64> {
         match self {
             Mass::Diagonal(mass) => {
@@ -220,7 +220,7 @@ impl Mass {
         }
     }
 
-    /// A row of M times x.
+    /// Returns a row of M times x.
     pub(super) fn row_times(&self, row: usize, x: &[f64]) -> f64 {
         match self {
             Mass::Diagonal(mass) => mass[row] * x[row],
@@ -228,7 +228,7 @@ impl Mass {
         }
     }
 
-    /// M times a matrix of these entries, likewise.
+    /// Returns M times a matrix, both by entries.
     fn times_entries(&self, n: usize, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
         match self {
             Mass::Diagonal(mass) => {
@@ -248,14 +248,14 @@ impl Mass {
     }
 }
 
-/// The symmetric part of a matrix that is symmetric to rounding.
+/// Returns the symmetric part of a matrix that is symmetric to rounding.
 fn symmetric(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let transposed = matrix.transpose();
     let deviation = (matrix - &transposed).amax();
     (deviation <= ROUNDING * matrix.amax()).then(|| (matrix + transposed) * 0.5)
 }
 
-/// Modes by columns, of length one by mass.
+/// Returns eigenmodes as columns, normalized by mass.
 fn modes_of(stiffness: &DMatrix<f64>, inverse: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let n = stiffness.nrows();
     if n == 1 {
@@ -268,16 +268,16 @@ fn modes_of(stiffness: &DMatrix<f64>, inverse: &DMatrix<f64>) -> Option<DMatrix<
     Some(inverse.tr_mul(&eigen.eigenvectors))
 }
 
-/// x^T K x of every mode; the modes get the length 1 by mass again.
+/// Returns x^T K x of every eigenmode, and normalizes the eigenmodes by mass.
 ///
-/// An eigenvalue is found to the rounding of the largest one. Rayleigh's quotient
-/// squares the error of the mode, and written by differences,
+/// Eigenvalues are computed with the rounding error of the largest one. Rayleigh's quotient squares
+/// the error of the eigenmode, and in terms of differences,
 ///
 /// ```text
 /// x^T K x = sum_i (sum_j K_ij) x_i^2 - sum_(i<j) K_ij (x_i - x_j)^2
 /// ```
 ///
-/// it does not cancel for slow modes of stiff chains: they keep their digits.
+/// it has no cancellation for slow eigenmodes of stiff chains, which keep their digits.
 fn stiffnesses(
     stiffness: &DMatrix<f64>,
     mass: &DMatrix<f64>,
@@ -302,14 +302,14 @@ fn stiffnesses(
     quotients
 }
 
-/// x^T D x of every mode, if the modes share no damper.
+/// Returns x^T D x of every eigenmode, if D does not couple them.
 fn dampings(damping: &DMatrix<f64>, shapes: &DMatrix<f64>) -> Option<Vec<f64>> {
     if damping.iter().all(|value| *value == 0.0) {
         return Some(vec![0.0; shapes.ncols()]);
     }
     let modal = shapes.tr_mul(&(damping * shapes));
     let diagonal: Vec<f64> = modal.diagonal().iter().copied().collect();
-    // What is computed as zero is zero to the rounding of the largest.
+    // Zeros are accurate to the rounding of the largest entry.
     let rounding = 4.0 * f64::EPSILON * modal.nrows() as f64 * modal.amax();
     let shared = (0..modal.ncols()).any(|column| {
         (0..modal.nrows()).any(|row| {
@@ -326,7 +326,7 @@ mod tests {
 
     const N: usize = 6;
 
-    /// Rotors on springs, with so much damping.
+    /// Returns rotors on springs with the given damping.
     fn forms(damping: impl Fn(usize, usize, f64) -> f64) -> Forms {
         let inertia = |row: usize| 1.0 + 0.5 * row as f64;
         let spring = |row: usize, column: usize| match row.abs_diff(column) {
@@ -352,7 +352,7 @@ mod tests {
         let rayleigh = forms(|row, column, spring| {
             1e-4 * spring + if row == column { 0.3 * inertia(row) } else { 0.0 }
         });
-        // K M^-1 K, which is no sum of M and K.
+        // K M^-1 K is not a combination of M and K.
         let springs = forms(|_, _, spring| spring);
         let stiffness = |row: usize, column: usize| {
             let found = springs.damping.iter().find(|entry| (entry.0, entry.1) == (row, column));

@@ -1,5 +1,5 @@
-//! By modes: M q'' + D q' + K q = f(t) with symmetric K and D that share the modes
-//! of K, as without damping or with Rayleigh's.
+//! Solution by eigenmodes: M q'' + D q' + K q = f(t) with symmetric K and D that have the
+//! eigenmodes of K in common, as without damping or with Rayleigh damping.
 
 use nalgebra::{Complex, DMatrix};
 
@@ -9,38 +9,37 @@ use super::piece::Piece;
 use super::response::responses;
 use crate::method::Stretch;
 
-/// (eigenvalue distance times span) below which two eigenvalues count as one: what
-/// is neglected is of its square, what is avoided is a loss of its inverse in digits.
+/// Product of eigenvalue distance and span below which two eigenvalues count as equal. The
+/// neglected term is of its square; the avoided loss of accuracy is of its inverse.
 const EQUAL: f64 = 1e-5;
-/// Two eigenvalues that are closer than this part of their size, but not equal, cost
-/// as many digits: no longer worth it.
+/// Relative distance below which two unequal eigenvalues cost too many digits.
 const CLOSE: f64 = 1e-3;
 
-/// All modes of a piece, and where each starts.
+/// All eigenmodes of a piece with their initial values.
 pub(super) struct Modal<'a> {
     piece: &'a Piece,
-    /// Modes by columns, normalized by mass.
+    /// Eigenmodes as columns, normalized by mass.
     shapes: DMatrix<f64>,
     modes: Vec<Mode>,
     /// Each wave in local time; see [`Piece::local`].
     locals: Vec<Vec<Complex<f64>>>,
 }
 
-/// x'' + d x' + k x = f, by its two eigenvalues.
+/// Equation x'' + d x' + k x = f with its two eigenvalues.
 struct Mode {
     eigenvalues: [Complex<f64>; 2],
     is_double: bool,
-    /// x and x' at the start.
+    /// Initial values of x and x'.
     start: [f64; 2],
-    /// For each wave the amplitude on this mode.
+    /// Amplitude of each wave on this eigenmode.
     amplitudes: Vec<Complex<f64>>,
 }
 
 impl<'a> Modal<'a> {
-    /// Nothing if the machine has no such modes, or not to the last digits.
+    /// Returns `None` if the machine has no such eigenmodes, or not to the last digits.
     ///
     /// # Errors
-    /// Why they would miss the tolerance.
+    /// The reason if they would not meet the tolerance.
     pub(super) fn new(
         piece: &'a Piece,
         stretch: &Stretch<'_>,
@@ -58,7 +57,7 @@ impl<'a> Modal<'a> {
         Ok(Self::of(piece, &forms, modes, state))
     }
 
-    /// Nothing if eigenvalues cannot be told apart without loss.
+    /// Returns `None` if eigenvalues are too close to be distinguished without loss.
     fn of(piece: &'a Piece, forms: &Forms, modes: Modes, state: &[f64]) -> Option<Self> {
         let n = forms.mass.len();
         let Modes { stiffnesses, dampings, shapes, .. } = modes;
@@ -70,7 +69,7 @@ impl<'a> Modal<'a> {
         for index in 0..n {
             let (eigenvalues, is_double) =
                 eigenvalues(stiffnesses[index], dampings[index], piece.span())?;
-            // f acts on accelerations as M^-1 f; so f is M times that.
+            // f acts on accelerations as M^-1 f, so f is M times that.
             let shape = shapes.column(index);
             let force = |(entry, amplitude): &(usize, Complex<f64>)| {
                 amplitude * forms.mass.row_times(entry - n, shape.as_slice())
@@ -85,7 +84,7 @@ impl<'a> Modal<'a> {
         Some(Modal { piece, shapes, modes, locals })
     }
 
-    /// How many modes there are.
+    /// Returns the number of eigenmodes.
     pub(super) fn modes(&self) -> usize {
         self.modes.len()
     }
@@ -114,12 +113,12 @@ impl Solution for Modal<'_> {
         state.copy_from_slice((&self.shapes * moved).as_slice());
     }
 
-    // Every state is computed from the start.
+    // Each state is computed from the start.
     fn settle(&mut self, _time: f64, _state: &[f64]) {}
 }
 
 impl Mode {
-    /// x and x' after h from the start, without excitation.
+    /// Returns x and x' at h after the start, without excitation.
     fn free(&self, h: f64) -> [f64; 2] {
         let [a, b] = self.eigenvalues;
         let [x, v] = self.start;
@@ -139,13 +138,13 @@ impl Mode {
         let (c, c_dot) = if self.is_double {
             (s_dot - sum * s, s_dot_dot - sum * s_dot)
         } else {
-            // Without the cancellation, where one eigenvalue is far larger.
+            // This form has no cancellation where one eigenvalue is far larger.
             ((a * of_b - b * of_a) / (a - b), -(a * b) * s)
         };
         [(c * x + s * v).re, (c_dot * x + s_dot * v).re]
     }
 
-    /// x and x' after h from rest, excited by `sum_j local_j s^j e^(mu s)`.
+    /// Returns x and x' at h after rest, excited by `sum_j local_j s^j e^(mu s)`.
     fn forced(&self, mu: Complex<f64>, h: f64, local: &[Complex<f64>]) -> [Complex<f64>; 2] {
         let [a, b] = self.eigenvalues;
         let highest = local.len() as u32 - 1;
@@ -166,8 +165,8 @@ impl Mode {
     }
 }
 
-/// Roots of l^2 + d l + k, and whether they count as one; nothing if they are too
-/// close to be told apart without loss.
+/// Returns the roots of l^2 + d l + k, and whether they count as equal; `None` if they are too
+/// close to be distinguished without loss.
 fn eigenvalues(stiffness: f64, damping: f64, span: f64) -> Option<([Complex<f64>; 2], bool)> {
     let middle = -0.5 * damping;
     let distance = Complex::new(0.25 * damping * damping - stiffness, 0.0).sqrt();
@@ -183,7 +182,7 @@ fn eigenvalues(stiffness: f64, damping: f64, span: f64) -> Option<([Complex<f64>
     if distance.im != 0.0 || damping == 0.0 {
         return Some(([middle + distance, middle - distance], false));
     }
-    // Real roots: the smaller one by Vieta, without cancellation.
+    // For real roots the smaller one follows by Vieta, without cancellation.
     let large = middle - distance.re.copysign(damping);
     let small = stiffness / large;
     Some(([Complex::new(small, 0.0), Complex::new(large, 0.0)], false))

@@ -1,4 +1,4 @@
-//! A piece of a run on which nothing switches: A, and the waves that excite it.
+//! A piece of a run without switches: A and the waves that excite the machine.
 
 mod excitation;
 
@@ -14,23 +14,23 @@ pub(super) struct Piece {
     /// Nonzeros of A, `states` by `states`.
     pub(super) entries: Vec<(usize, usize, f64)>,
     states: usize,
-    /// Each kind once.
+    /// Waves, each kind once.
     pub(super) waves: Vec<Wave>,
 }
 
-/// (t - origin)^power e^(mu (t - origin)), and what it acts on.
+/// (t - origin)^power e^(mu (t - origin)) with its amplitudes.
 pub(super) struct Wave {
-    /// 0, or the start of the piece \[s\].
+    /// Origin of time: 0, or the start of the piece \[s\].
     origin: f64,
     pub(super) power: u32,
     pub(super) mu: Complex<f64>,
-    /// Entry of the state and complex amplitude, of which the real part acts.
+    /// Entries of the state with complex amplitudes; the real part acts.
     pub(super) amplitudes: Vec<(usize, Complex<f64>)>,
 }
 
 impl Piece {
     /// # Errors
-    /// What is wrong with its waves: they are not what excites the machine.
+    /// The reason if its waves are not the excitation of the machine.
     pub(super) fn new(
         stretch: &Stretch<'_>,
         linear: &dyn LinearEquations<f64>,
@@ -69,12 +69,12 @@ impl Piece {
         Ok(piece)
     }
 
-    /// Length of the state.
+    /// Returns the length of the state.
     pub(super) fn states(&self) -> usize {
         self.states
     }
 
-    /// A.
+    /// Returns A.
     pub(super) fn matrix(&self) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.states, self.states);
         for &(row, column, value) in &self.entries {
@@ -83,13 +83,13 @@ impl Piece {
         matrix
     }
 
-    /// Length of the piece \[s\].
+    /// Returns the length of the piece \[s\].
     pub(super) fn span(&self) -> f64 {
         self.until - self.from
     }
 
-    /// The waves in local time s = t - from: the coefficients of s^j e^(mu s) for
-    /// j up to the power, to be multiplied by an amplitude.
+    /// Returns a wave in local time s = t - from: the coefficients of s^j e^(mu s) for j up to the
+    /// power, to be multiplied by an amplitude.
     pub(super) fn local(&self, wave: &Wave) -> Vec<Complex<f64>> {
         let from = self.from - wave.origin;
         let start = (wave.mu * from).exp();
@@ -103,7 +103,8 @@ impl Piece {
     }
 }
 
-/// Start of a stretch, switches strictly inside it in order and each once, end.
+/// Returns the start of a segment, the switches strictly inside it in order and each once, and its
+/// end.
 pub(super) fn ends(stretch: &Stretch<'_>, linear: &dyn LinearEquations<f64>) -> Vec<f64> {
     let mut ends = vec![0.0; linear.switches()];
     linear.switch_times(stretch.system.parameters(), &mut ends);

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-/// `J_j = integral over [0, h] of e^(lambda (h - s)) s^j e^(mu s) ds` for j up to
+/// Returns `J_j = integral over [0, h] of e^(lambda (h - s)) s^j e^(mu s) ds` for j up to
 /// `highest`: the response at h of x' = lambda x + s^j e^(mu s), from rest.
 ///
 /// With z = (mu - lambda) h, `J_j = (h^j e^(mu h) - j J_(j-1))/(mu - lambda)`, or
@@ -30,7 +30,7 @@ pub(super) fn responses(
     responses
 }
 
-/// `sum_m z^m/(m! (m + j + 1))`, the integral over \[0, 1\] of u^j e^(z u).
+/// Returns `sum_m z^m/(m! (m + j + 1))`, the integral over \[0, 1\] of u^j e^(z u).
 fn series(z: Complex<f64>, j: u32) -> Complex<f64> {
     const MOST: u32 = 100;
     let mut power = Complex::ONE;
@@ -52,7 +52,7 @@ mod tests {
 
     use super::responses;
 
-    /// Simpson's rule with very many intervals.
+    /// Integrates by Simpson's rule with very many intervals.
     fn by_quadrature(lambda: Complex<f64>, mu: Complex<f64>, h: f64, j: i32) -> Complex<f64> {
         let intervals = 20_000;
         let value = |index: usize| {

@@ -1,4 +1,4 @@
-//! Stages of sensitivities: those of the variational equations at the states of the stages.
+//! Stages of sensitivities: of the variational equations at the states of the stages.
 
 use std::ops::Range;
 
@@ -7,14 +7,14 @@ use crate::method::sensitivity::{Equations, Tangents};
 use crate::method::tableau::Pair;
 use crate::method::vectors::{Work, widest};
 
-/// Stages of S' = J S + df/dp. What does not depend on S, J and df/dp, is asked for at the states
-/// of all stages first; the stages themselves are then sums of products and nothing else.
+/// Stages of S' = J S + df/dp. J and df/dp do not depend on S and are evaluated first, at the
+/// states of all stages; the stages then consist of sums of products only.
 pub(super) struct Carried {
-    /// Number of sensitivities and padding of zeros.
+    /// Number of sensitivities plus padding of zeros.
     width: usize,
-    /// Number of states and padding.
+    /// Number of states plus padding.
     state_width: usize,
-    /// S', stage after stage.
+    /// S', stage by stage.
     stages: Vec<f64>,
     /// J and dy'/dp of the stages, one after another.
     jacobians: Vec<f64>,
@@ -27,7 +27,7 @@ pub(super) struct Carried {
     start: Vec<f64>,
     /// States of the stages, one after another.
     states: Vec<f64>,
-    /// Whether the first stage is known, as the last one of the step before.
+    /// Whether the first stage is known as the last one of the previous step.
     pub(super) has_first_stage: bool,
     pub(super) has_extra_stages: bool,
 }
@@ -53,18 +53,18 @@ impl Carried {
         }
     }
 
-    /// The state of a stage.
+    /// Returns the state of a stage.
     pub(super) fn state(&mut self, stage: usize) -> &mut [f64] {
         &mut self.states[stage * self.state_width..][..self.state_width]
     }
 
-    /// Starts a step with S.
+    /// Starts a step at S.
     pub(super) fn begin(&mut self, start: &[f64]) {
         self.start[..start.len()].copy_from_slice(start);
         self.has_extra_stages = false;
     }
 
-    /// Asks for J and df/dp of a stage; `evaluate` writes them for its state.
+    /// Evaluates J and df/dp of a stage; `evaluate` writes them for its state.
     pub(super) fn linearize(
         &mut self,
         tangents: &Tangents<'_>,
@@ -77,17 +77,17 @@ impl Carried {
         evaluate(&self.states[stage * self.state_width..], jacobians, drive);
     }
 
-    /// Computes some of the stages, over a step.
+    /// Computes some of the stages of a step.
     pub(super) fn add_stages(&mut self, tangents: &Tangents<'_>, stages: Range<usize>, step: f64) {
         widest(Recursion { carried: self, equations: tangents.equations(), stages, step });
     }
 
-    /// S where the last stage computed is.
+    /// Returns S at the last stage computed.
     pub(super) fn reached(&self, count: usize) -> &[f64] {
         &self.argument[..count]
     }
 
-    /// Errors of S by one of the pair's estimates.
+    /// Returns errors of S by one of the pair's estimates.
     pub(super) fn estimate(&mut self, index: usize, step: f64) -> Option<&[f64]> {
         let row = self.estimates.get(index)?;
         let (stages, into) = (&self.stages, &mut self.argument[..]);
@@ -95,7 +95,7 @@ impl Carried {
         Some(&self.argument)
     }
 
-    /// S within the step, by weights of the stages.
+    /// Computes S within the step by weights of the stages.
     pub(super) fn interpolate(&mut self, weights: &[f64], step: f64, into: &mut [f64]) {
         for ((_, own), weight) in self.dense.iter_mut().zip(weights) {
             *own = *weight;
@@ -112,7 +112,7 @@ impl Carried {
     }
 }
 
-/// Stages one after the other.
+/// Recursive computation of stages.
 struct Recursion<'a> {
     carried: &'a mut Carried,
     equations: &'a Equations,
@@ -136,7 +136,7 @@ impl Work for Recursion<'_> {
     }
 }
 
-/// A sum of stages.
+/// Weighted sum of stages.
 struct Combination<'a> {
     sum: &'a Sum,
     stages: &'a [f64],

@@ -1,16 +1,15 @@
-//! What follows from the nodes of a collocation method.
+//! Polynomials and matrices of a collocation method, derived from its nodes.
 
 use crate::method::tableau::Radau;
 
 /// A Radau method and the polynomials through its nodes.
 pub(super) struct Collocation {
     pub(super) coefficients: &'static Radau,
-    /// u'(0) of the polynomial through 0 at 0 and z_i at c_i is the sum of these
-    /// times z_i.
+    /// Weights of z_i in u'(0) of the polynomial through 0 at 0 and z_i at c_i.
     pub(super) slope: Vec<f64>,
-    /// A, row after row: integrals of Lagrange's polynomials.
+    /// A, row by row: integrals of Lagrange's polynomials.
     pub(super) integrals: Vec<f64>,
-    /// A^-1, row after row: slopes at the nodes of the polynomial through 0 at 0 and z_i at c_i.
+    /// A^-1, row by row: slopes at the nodes of the polynomial through 0 at 0 and z_i at c_i.
     pub(super) slopes: Vec<f64>,
     /// Nodes of the divided differences: c from the last to the first, then 0.
     nodes: Vec<f64>,
@@ -36,8 +35,8 @@ impl Collocation {
         self.coefficients.nodes.len()
     }
 
-    /// Divided differences of the polynomial u(theta) through the start and the
-    /// stages, given less the start.
+    /// Computes divided differences of the polynomial u(theta) through the start and the stages,
+    /// which are relative to the start.
     pub(super) fn differences(&self, start: &[f64], stages: &[f64], into: &mut [f64]) {
         let (len, count) = (start.len(), self.stages());
         for (node, stage) in (0..count).rev().enumerate() {
@@ -58,7 +57,7 @@ impl Collocation {
         }
     }
 
-    /// u(theta) from its divided differences.
+    /// Computes u(theta) from its divided differences.
     pub(super) fn evaluate(&self, differences: &[f64], theta: f64, into: &mut [f64]) {
         let (len, count) = (into.len(), self.stages());
         into.copy_from_slice(&differences[count * len..][..len]);
@@ -69,7 +68,7 @@ impl Collocation {
         }
     }
 
-    /// u'(theta) from its divided differences.
+    /// Computes u'(theta) from its divided differences.
     pub(super) fn slope_at(&self, differences: &[f64], theta: f64, into: &mut [f64]) {
         let (len, count) = (into.len(), self.stages());
         for (index, into) in into.iter_mut().enumerate() {
@@ -83,7 +82,7 @@ impl Collocation {
     }
 }
 
-/// A = T D^-1 T^-1, D the block diagonal.
+/// Returns A = T D^-1 T^-1 with the block diagonal D.
 fn integrals(coefficients: &Radau) -> Vec<f64> {
     between(coefficients, 1.0 / coefficients.real, |(a, b)| {
         let size = a * a + b * b;
@@ -91,12 +90,12 @@ fn integrals(coefficients: &Radau) -> Vec<f64> {
     })
 }
 
-/// A^-1 = T D T^-1.
+/// Returns A^-1 = T D T^-1.
 fn slopes(coefficients: &Radau) -> Vec<f64> {
     between(coefficients, coefficients.real, |pair| pair)
 }
 
-/// T B T^-1 of a block diagonal B, with a number first and then blocks \[a, -b; b, a\].
+/// Returns T B T^-1 of a block diagonal B, with a number first and then blocks \[a, -b; b, a\].
 fn between(coefficients: &Radau, first: f64, block: impl Fn((f64, f64)) -> (f64, f64)) -> Vec<f64> {
     let count = coefficients.nodes.len();
     let mut matrix = vec![0.0; count * count];

@@ -1,5 +1,4 @@
-//! Newton's iteration for the stages of a Radau method, in the variables in which
-//! they are independent.
+//! Newton's iteration for the stages of a Radau method, in variables in which they are decoupled.
 
 use machinist_contract::Real;
 use num_complex::Complex64;
@@ -10,23 +9,23 @@ use crate::method::one_step::{Trial, finite_jacobian, require_finite, sum_of_squ
 use crate::method::onset::Onset;
 use crate::method::step_matrix::StepMatrix;
 
-/// What a first iteration may change, in units of the scale, for the contraction of the step
-/// before to be believed. A linear machine contracts at once however far the guess was off,
-/// and where it stops being linear the first iteration ends at what it would have done.
+/// Maximum change by a first iteration, in units of the scale, for which the contraction of the
+/// previous step is trusted. A linear machine contracts at once from any guess. Where it becomes
+/// nonlinear, the first iteration still ends at the linear solution.
 const NEAR: f64 = 10.0;
 
-/// What became of an iteration.
+/// Result of an iteration.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Outcome {
     Converged,
-    /// It diverges, or would take too long; `shrink` times the step may do.
+    /// The iteration diverges or is too slow; `shrink` is the recommended factor for the step.
     Failed {
         shrink: f64,
     },
 }
 
-/// The simplified iteration: one Jacobian and one factorization for as long as it
-/// converges well.
+/// The simplified Newton iteration: one Jacobian and one factorization as long as it converges
+/// well.
 pub(super) struct Newton<'a> {
     stretch: &'a Stretch<'a>,
     size: usize,
@@ -35,7 +34,7 @@ pub(super) struct Newton<'a> {
     onset: Onset<'a>,
     real: StepMatrix<'a, f64>,
     pairs: Vec<StepMatrix<'a, Complex64>>,
-    /// Step and stages that the factors are for; no step is zero.
+    /// Step and number of stages of the factorization; a step of zero means none.
     factored: (f64, usize),
     /// Stages in transformed variables, one after another.
     transformed: Vec<f64>,
@@ -43,12 +42,12 @@ pub(super) struct Newton<'a> {
     residual: Vec<f64>,
     complex: Vec<Complex64>,
     state: Vec<f64>,
-    /// Convergence that is good enough, in units of the scale.
+    /// Convergence limit, in units of the scale.
     tolerance: f64,
     iterations: usize,
     least: usize,
     limit: usize,
-    /// Rate of contraction, and what of the error is left after an iteration.
+    /// Rate of contraction, and remaining error after an iteration.
     contraction: f64,
     remainder: f64,
 }
@@ -88,32 +87,31 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// Sets what the error's tolerance, relative, leaves to the iteration.
+    /// Sets the convergence limit for a relative tolerance of the error.
     pub(super) fn set_tolerance(&mut self, rtol: f64) {
         self.tolerance = (10.0 * f64::EPSILON / rtol).max(rtol.sqrt()).min(0.03);
     }
 
-    /// Sets the tolerance itself, in units of the scale.
+    /// Sets the convergence limit, in units of the scale.
     pub(super) fn demand(&mut self, tolerance: f64) {
         self.tolerance = tolerance;
     }
 
-    /// Forgets everything: another run begins.
+    /// Resets everything for another run.
     pub(super) fn forget(&mut self) {
         self.jacobian_state = JacobianState::Unknown;
         self.onset.forget();
         self.expect_nothing();
     }
 
-    /// Forgets how well iterations converged: the next one starts from no guess, so that its first
-    /// iteration sees the rate at the start alone.
+    /// Resets the convergence data: the next iteration has no guess, so its first iteration only
+    /// uses the rate at the start.
     pub(super) fn expect_nothing(&mut self) {
         self.remainder = 1.0;
         self.least = 2;
     }
 
-    /// A step is accepted: its Jacobian is old now, and is used again only where
-    /// it served well.
+    /// Marks the Jacobian as old after an accepted step. It is kept only if it converged well.
     pub(super) fn start_anew(&mut self) {
         self.jacobian_state = if self.is_reusable() {
             JacobianState::Old
@@ -136,28 +134,28 @@ impl<'a> Newton<'a> {
         self.onset.refuse(self.stretch, (now, &end[..self.size]), (shift, &self.jacobian))
     }
 
-    /// See [`Onset::has_changed`].
+    /// Returns whether the Jacobian has changed; see [`Onset::has_changed`].
     pub(super) fn jacobian_has_changed(&self) -> bool {
         self.onset.has_changed()
     }
 
-    /// Whether the Jacobian and the factors are worth keeping for the next step.
+    /// Returns whether the Jacobian and the factors are worth keeping for the next step.
     pub(super) fn is_reusable(&self) -> bool {
         self.contraction < 1e-3
     }
 
-    /// How much the iterations needed leave of the step to be dared.
+    /// Returns a factor for the next step, from the number of iterations needed.
     pub(super) fn ease(&self) -> f64 {
         let limit = self.limit as f64;
         ((1.0 + 2.0 * limit) / (self.iterations as f64 + 2.0 * limit)).min(1.0)
     }
 
-    /// The last Jacobian evaluated, in pattern order.
+    /// Returns the last Jacobian evaluated, in pattern order.
     pub(super) fn jacobian(&self) -> &[f64] {
         &self.jacobian
     }
 
-    /// Estimated contraction of one iteration.
+    /// Returns the estimated contraction of one iteration.
     pub(super) fn contraction(&self) -> f64 {
         self.contraction
     }
@@ -173,7 +171,7 @@ impl<'a> Newton<'a> {
         Ok(())
     }
 
-    /// A new Jacobian instead of an old one; false if it is new already.
+    /// Replaces an old Jacobian by a new one; returns false if it is new already.
     pub(super) fn renew(&mut self, time: f64, state: &[f64]) -> Result<bool, Trial> {
         if self.jacobian_state == JacobianState::Current {
             return Ok(false);
@@ -188,7 +186,7 @@ impl<'a> Newton<'a> {
         self.real.solve(r);
     }
 
-    /// Solves for the stages, given less the start, from the guess they hold.
+    /// Solves for the stages, relative to the start, from the guess they contain.
     pub(super) fn solve(
         &mut self,
         method: &Collocation,
@@ -238,7 +236,7 @@ impl<'a> Newton<'a> {
             }
             let is_near = if self.iterations > 1 { before } else { change } <= NEAR;
             before = change.max(f64::EPSILON * self.tolerance);
-            // A step from afar says little of how it goes on where it came to.
+            // The contraction of a large first change does not apply near the solution.
             let remainder = match self.iterations {
                 _ if is_near => self.remainder,
                 1 => 1.0,
@@ -255,10 +253,10 @@ impl<'a> Newton<'a> {
         Ok(Outcome::Failed { shrink: 0.5 })
     }
 
-    /// Factors the matrices for a step, if they are not those of the last one; false if one is
-    /// singular, or the step too long for what grows.
+    /// Factors the matrices for a step, unless those of the last one apply. Returns false if a
+    /// matrix is singular, or the step is too long for growing motions.
     fn factor(&mut self, method: &Collocation, step: f64) -> bool {
-        // Steps differ by rounding from the one asked for.
+        // Steps may differ by rounding from the requested one.
         let is_same = (step / self.factored.0 - 1.0).abs() < 1e-9;
         if is_same && self.factored.1 == method.stages() {
             return true;
@@ -280,7 +278,7 @@ impl<'a> Newton<'a> {
         outcome.is_ok()
     }
 
-    /// W = T^-1 Z.
+    /// Computes W = T^-1 Z.
     fn transform(&mut self, method: &Collocation, len: usize, stages: &[f64]) {
         let matrix = method.coefficients.inverse;
         product(
@@ -292,13 +290,13 @@ impl<'a> Newton<'a> {
         );
     }
 
-    /// Z = T W.
+    /// Computes Z = T W.
     fn transform_back(&self, method: &Collocation, len: usize, stages: &mut [f64]) {
         let matrix = method.coefficients.transform;
         product(matrix, method.stages(), self.size, (&self.transformed, self.size), (stages, len));
     }
 
-    /// f at all stages, and the residual T^-1 f.
+    /// Evaluates f at all stages, and the residual T^-1 f.
     fn evaluate(
         &mut self,
         method: &Collocation,
@@ -327,7 +325,7 @@ impl<'a> Newton<'a> {
         Ok(())
     }
 
-    /// One iteration on W; gives the norm of its change, over stages and states.
+    /// Makes one iteration on W; returns the norm of its change, over stages and states.
     fn improve(&mut self, method: &Collocation, step: f64, scale: &[f64]) -> f64 {
         let size = self.size;
         let coefficients = method.coefficients;
@@ -366,8 +364,8 @@ impl<'a> Newton<'a> {
     }
 }
 
-/// Rows of `into` = matrix times rows of `from`, each of `size` entries and so
-/// far apart as stated.
+/// Computes rows of `into` = matrix times rows of `from`, each of `size` entries and with the given
+/// strides.
 fn product(
     matrix: &[f64],
     count: usize,
@@ -387,10 +385,10 @@ fn product(
     }
 }
 
-/// Entries summed together, so that the sums stay in registers.
+/// Number of entries summed together, so that sums stay in registers.
 const BLOCK: usize = 8;
 
-/// Sums of the first `N` entries of rows so far apart, each times its weight.
+/// Returns the weighted sums of the first `N` entries of rows with this stride.
 fn sum<const N: usize>(weights: &[f64], from: &[f64], stride: usize) -> [f64; N] {
     let mut sums = [0.0; N];
     for (weight, row) in weights.iter().zip(from.chunks(stride)) {

@@ -1,13 +1,13 @@
-//! Sensitivities over a step that has been solved: linear equations for their stages.
+//! Sensitivities over a solved step: linear equations for their stages.
 //!
 //! ```text
 //! 1/h sum_j (A^-1)_ij Z_j - J_i Z_i = J_i S + p_i,   S_i = S + Z_i
 //! ```
 //!
-//! J_i and p_i = df/dp being those of the states of the stages, so that S is the derivative of
-//! what the step computes. One factorization of all stages at once serves every direction; a
-//! stiff machine has few states or is refused. The stages of a state are unknowns next to each
-//! other: so zeros of J remain zeros over much of the elimination.
+//! J_i and p_i = df/dp belong to the states of the stages, so that S is the derivative of the
+//! computed step. One factorization of all stages serves every direction; a stiff machine has few
+//! states or is refused. The stages of a state are neighbouring unknowns, so zeros of J remain
+//! zeros in most of the elimination.
 
 use super::RadauSteps;
 use super::collocation::Collocation;
@@ -17,20 +17,21 @@ use crate::method::sensitivity::Tangents;
 /// Stages of sensitivities.
 #[derive(Default)]
 pub(super) struct Carried {
-    /// Z, stage after stage.
+    /// Z, stage by stage.
     stages: Vec<f64>,
-    /// The same, the stages of a state next to each other.
+    /// The same, with the stages of a state next to each other.
     solved: Vec<f64>,
     rate: Vec<f64>,
     column: Vec<f64>,
-    /// The matrix of all stages, and of how many it is.
+    /// Matrix of all stages, with their number.
     matrix: Option<(usize, Lu<f64>)>,
-    /// Divided differences of the polynomial through them.
+    /// Divided differences of the polynomial through the stages.
     differences: Vec<f64>,
 }
 
 impl RadauSteps<'_> {
-    /// Carries sensitivities over the current step; the error as that of the states.
+    /// Carries sensitivities over the current step; returns their error, defined as that of the
+    /// states.
     pub(super) fn carry_over(
         &mut self,
         tangents: &Tangents<'_>,
@@ -84,7 +85,7 @@ impl RadauSteps<'_> {
         if tangents.is_controlled() { self.error_of(tangents, start, end) } else { 0.0 }
     }
 
-    /// (gamma/h I - J)^-1 (S' - u'(0)), as of the states.
+    /// Returns the norm of (gamma/h I - J)^-1 (S' - u'(0)), as for states.
     fn error_of(&mut self, tangents: &Tangents<'_>, start: &[f64], end: &[f64]) -> f64 {
         let method = &self.methods[self.current];
         let (size, len) = (self.size, start.len());
@@ -110,7 +111,7 @@ impl RadauSteps<'_> {
         tangents.errors(self.stretch, (start, end), |norm| norm(errors)) / looser
     }
 
-    /// Sensitivities within the current step.
+    /// Computes sensitivities within the current step.
     pub(super) fn carried_at(&mut self, time: f64, start: &[f64], into: &mut [f64]) {
         let method: &Collocation = &self.methods[self.current];
         let Carried { stages, differences, .. } = &mut self.carried;

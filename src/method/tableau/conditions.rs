@@ -1,17 +1,17 @@
-//! The conditions of order, one for each rooted tree: no coefficient is trusted.
+//! Order conditions, one for each rooted tree, to check all coefficients.
 
 use super::{DOP853, Pair, RODAS5P, Rosenbrock, Row, TSIT5};
 
-/// A rooted tree: its root's subtrees, which stand before it in the list.
+/// A rooted tree, with the indices of its root's subtrees, which precede it in the list.
 #[derive(Clone, PartialEq, Debug)]
 struct Tree {
     children: Vec<usize>,
     order: usize,
-    /// gamma, the product of the orders of all subtrees.
+    /// Density gamma, the product of the orders of all subtrees.
     density: f64,
 }
 
-/// All rooted trees of up to so many vertices.
+/// Returns all rooted trees of up to `most` vertices.
 fn trees(most: usize) -> Vec<Tree> {
     let mut trees = vec![Tree { children: Vec::new(), order: 1, density: 1.0 }];
     for order in 2..=most {
@@ -26,7 +26,7 @@ fn trees(most: usize) -> Vec<Tree> {
     trees
 }
 
-/// All ways to choose trees of `left` vertices together, none behind the last.
+/// Adds all choices of trees with `left` vertices together, in nonincreasing order.
 fn add_forests(
     trees: &[Tree],
     left: usize,
@@ -49,8 +49,8 @@ fn add_forests(
 
 type Matrix = Vec<Vec<f64>>;
 
-/// Elementary weights of every tree at every stage. A vertex with one child takes
-/// the matrix `one`, with more the matrix `more`.
+/// Returns the elementary weights of every tree at every stage. A vertex with one child uses the
+/// matrix `one`, with more children the matrix `more`.
 fn weights(trees: &[Tree], one: &Matrix, more: &Matrix) -> Matrix {
     let stages = one.len();
     let mut weights: Matrix = Vec::new();
@@ -78,8 +78,8 @@ fn full(row: Row, stages: usize) -> Vec<f64> {
     full
 }
 
-/// Largest violation of the conditions up to an order by weights b that stand for
-/// a step of `theta`, and the largest of those of one order more.
+/// Returns the largest violation of the conditions up to an order by weights b for a step of
+/// `theta`, and the largest violation of those of the next order.
 fn violations(b: &[f64], trees: &[Tree], weights: &Matrix, order: usize, theta: f64) -> [f64; 2] {
     let mut violations = [0.0f64; 2];
     for (tree, weights) in trees.iter().zip(weights).filter(|(tree, _)| tree.order <= order + 1) {
@@ -100,7 +100,7 @@ fn there_are_as_many_trees_as_cayley_counted() {
 
 #[test]
 fn explicit_pairs_have_their_orders_and_no_more() {
-    // Order of the solution, of the embedded ones, of the dense output.
+    // Orders of the solution, of the embedded solutions and of the dense output.
     let cases: [(&str, &Pair, usize, &[usize], usize); 2] =
         [("tsit5", &TSIT5, 5, &[4], 4), ("dop853", &DOP853, 8, &[5, 3], 7)];
     for (name, pair, order, embedded, dense) in cases {
@@ -138,14 +138,14 @@ fn explicit_pairs_have_their_orders_and_no_more() {
     }
 }
 
-/// alpha, gamma of the untransformed method, and how to transform weights of U.
+/// alpha, beta and gamma of the untransformed method.
 struct Original {
     alpha: Matrix,
     beta: Matrix,
     gamma: Matrix,
 }
 
-// Matrices are written with their indices.
+// Loops over matrices use indices.
 #[allow(clippy::needless_range_loop)]
 fn original(method: &Rosenbrock) -> Original {
     let stages = method.stages.len();
@@ -171,7 +171,7 @@ fn original(method: &Rosenbrock) -> Original {
     Original { alpha, beta, gamma }
 }
 
-/// Rows of a, those that continue others completed.
+/// Returns the rows of a, with continued rows completed.
 fn states(method: &Rosenbrock) -> Matrix {
     let stages = method.stages.len();
     let mut rows: Matrix = Vec::new();

@@ -4,12 +4,12 @@
 //! E. Hairer, S. P. Norsett, G. Wanner: Solving Ordinary Differential Equations
 //! I, 2nd edition, Springer 1993, section II.5 and the code DOP853 described in
 //! its appendix; the dense output is II.6.
-// Published to thirty digits; what a double holds of them.
+// Published to thirty digits, rounded here to double precision.
 #![allow(clippy::unreadable_literal)]
 
 use super::{Dense, Pair, Row};
 
-/// The pair; its thirteenth stage is the rate at the end of the step.
+/// Coefficients; the thirteenth stage is the rate at the end of the step.
 pub(in crate::method) static DOP853: Pair = Pair {
     order: 8,
     nodes: &NODES,
@@ -149,7 +149,7 @@ const ESTIMATE_5: Row = &[
     (11, -0.022355307863886294),
 ];
 
-/// b less the weights of the embedded formula of order 3.
+/// b minus the weights of the embedded formula of order 3.
 const ESTIMATE_3: Row = &[
     (0, -0.18980075407240762),
     (5, 4.450312892752409),
@@ -221,7 +221,7 @@ const TOP: [Row; 4] = [
     ],
 ];
 
-/// b_i(theta) of y(t + theta h) = y + h sum b_i(theta) k_i.
+/// Computes b_i(theta) of y(t + theta h) = y + h sum b_i(theta) k_i.
 ///
 /// With s = 1 - theta, the published form is
 /// theta (F0 + s (F1 + theta (F2 + s (F3 + theta (F4 + s (F5 + theta F6)))))),

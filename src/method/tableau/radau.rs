@@ -7,25 +7,25 @@
 //! and the eigenvectors are computed to sixty digits and rounded.
 #![allow(clippy::unreadable_literal)]
 
-/// The inverse of the matrix A of a collocation method, made block diagonal:
+/// Coefficients of a collocation method, with the inverse of its matrix A made block diagonal:
 ///
 /// ```text
 /// T^-1 A^-1 T = diag(real, [[a_1, -b_1], [b_1, a_1]], ..)
 /// ```
 pub(in crate::method) struct Radau {
-    /// c; the last is 1.
+    /// Nodes c; the last one is 1.
     pub(in crate::method) nodes: &'static [f64],
-    /// The real eigenvalue of A^-1.
+    /// Real eigenvalue of A^-1.
     pub(in crate::method) real: f64,
-    /// The others, (a, b) for the pair a +- i b.
+    /// Complex eigenvalues, (a, b) for each pair a +- i b.
     pub(in crate::method) pairs: &'static [(f64, f64)],
-    /// T, row after row.
+    /// T, row by row.
     pub(in crate::method) transform: &'static [f64],
     /// T^-1.
     pub(in crate::method) inverse: &'static [f64],
 }
 
-/// The methods, by order.
+/// Methods, in ascending order.
 pub(in crate::method) static RADAU: [Radau; 3] = [
     Radau {
         nodes: &[0.1550510257216822, 0.6449489742783178, 1.0],

@@ -9,7 +9,7 @@
 
 use super::{Rosenbrock, Row};
 
-/// The method, in the form without products of Jacobian and stage.
+/// Coefficients in the form without products of Jacobian and stage.
 pub(in crate::method) static RODAS5P: Rosenbrock = Rosenbrock {
     gamma: 0.21193756319429014,
     nodes: &[
@@ -55,7 +55,7 @@ const STATES: [Row; 9] = [
         (3, -0.18268767659942256),
         (4, 0.030198172008377946),
     ],
-    // From here on each state is the one before and the stage before.
+    // From here on each state is the previous one plus the previous stage.
     &[(5, 1.0)],
     &[(6, 1.0)],
     &[(7, 1.0)],

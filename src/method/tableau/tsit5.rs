@@ -8,7 +8,7 @@
 
 use super::{Dense, Pair, Row};
 
-/// The pair; its seventh stage is the rate at the end of the step.
+/// Coefficients; the seventh stage is the rate at the end of the step.
 pub(in crate::method) static TSIT5: Pair = Pair {
     order: 5,
     nodes: &[0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0],
@@ -47,7 +47,7 @@ const ROWS: [Row; 7] = [
     ],
 ];
 
-/// b less the weights of the embedded formula of order 4.
+/// b minus the weights of the embedded formula of order 4.
 const ESTIMATE: Row = &[
     (0, -0.001780011052225777),
     (1, -0.0008164344596567469),
@@ -58,8 +58,7 @@ const ESTIMATE: Row = &[
     (6, 0.015151515151515152),
 ];
 
-/// Coefficients of theta^2, theta^3, theta^4 in b_i(theta); theta itself stands
-/// in b_1 alone.
+/// Coefficients of theta^2, theta^3, theta^4 in b_i(theta); theta itself occurs only in b_1.
 const DENSE: [[f64; 3]; 7] = [
     [-2.763706197274826, 2.9132554618219126, -1.0530884977290216],
     [0.1317, -0.2234, 0.1017],
@@ -70,7 +69,7 @@ const DENSE: [[f64; 3]; 7] = [
     [1.5, -4.0, 2.5],
 ];
 
-/// b_i(theta) of y(t + theta h) = y + h sum b_i(theta) k_i.
+/// Computes b_i(theta) of y(t + theta h) = y + h sum b_i(theta) k_i.
 fn dense_weights(theta: f64, weights: &mut [f64]) {
     for (weight, [second, third, fourth]) in weights.iter_mut().zip(DENSE) {
         *weight = theta * theta * (second + theta * (third + theta * fourth));

@@ -1,20 +1,21 @@
-//! Rough logarithms and powers of two, by the digits of a number.
+//! Approximate logarithms and powers of two, from the digits of a number.
 
 use machinist_contract::Real;
 use machinist_contract::digits::{Digits, ROUNDING};
 
-/// Numbers, one or several side by side, whose logarithms are near at hand.
+/// Numbers, one or several in lanes, with fast approximate logarithms.
 pub trait Magnitude: Real {
-    /// Log2 to about a twentieth, which is more than a step's length needs, of a number that is
-    /// not below zero. Very small for zero.
+    /// Returns log2 with an error of about a twentieth, which is enough for the length of a step,
+    /// of a number that is not negative. The result is very small for zero.
     #[must_use]
     fn log2(self) -> Self;
-    /// The larger of two numbers; `self` if one is NaN.
+    /// Returns the larger of two numbers; `self` if one is NaN.
     #[must_use]
     fn larger(self, value: Self) -> Self {
         Self::select_less(self, value, value, self)
     }
-    /// 2^x to about three thousandths; infinite and zero where it is out of range.
+    /// Returns 2^x with an error of about three thousandths; infinite or zero where it is out of
+    /// range.
     #[must_use]
     fn exp2(self) -> Self;
 }
@@ -24,7 +25,7 @@ impl Magnitude for f64 {
     fn log2(self) -> Self {
         const ONE: i64 = 1.0_f64.to_bits() as i64;
         const DOUBLING: f64 = 1.0 / (1_u64 << 52) as f64;
-        // What `log2_of_halves` gives, in fewer operations: of one number digits are soon a number.
+        // This equals `log2_of_halves` in fewer operations, since digits of a scalar convert fast.
         BEHIND + (self.to_bits() as i64 - ONE) as f64 * DOUBLING
     }
     #[inline(always)]
@@ -33,10 +34,10 @@ impl Magnitude for f64 {
     }
 }
 
-/// Half of what m falls behind log2(1 + m) at most.
+/// Half of the largest difference of log2(1 + m) and m.
 pub(crate) const BEHIND: f64 = 0.043;
 
-/// See [`Magnitude::exp2`].
+/// Returns 2^x; see [`Magnitude::exp2`].
 #[inline(always)]
 pub(crate) fn exp2<R: Digits>(x: R) -> R {
     const BEYOND: f64 = 1024.0_f64.next_down();

@@ -1,4 +1,4 @@
-//! Measured order of Taylor's method at fixed orders, with steps of one length.
+//! Measured order of Taylor's method at fixed orders, with constant steps.
 
 use machinist_contract::Simulator;
 use machinist_contract::taylor::value as series_value;
@@ -6,7 +6,7 @@ use machinist_scenes::scenes;
 
 const UNTIL: f64 = 1.0;
 
-/// State after so many steps by series of an order.
+/// Returns the state after some steps by series of an order.
 fn end(simulator: &dyn Simulator<f64>, order: usize, steps: usize) -> Vec<f64> {
     let shape = simulator.shape();
     let parameters: Vec<f64> =

@@ -1,15 +1,14 @@
 //! Gauss-Legendre quadrature of energy flows over a step.
 
-/// Nodes and weights on \[-1, 1\]; exact for polynomials of degree
-/// 2 `points` - 1.
+/// Nodes and weights on \[-1, 1\], exact for polynomials of degree 2 `points` - 1.
 #[derive(Debug, Clone)]
 pub(in crate::method) struct Gauss {
     points: Vec<(f64, f64)>,
 }
 
 impl Gauss {
-    /// The rule of so many points: roots of the Legendre polynomial by Newton's
-    /// iteration, weights `2/((1 - x^2) P'(x)^2)`.
+    /// Creates a rule: roots of the Legendre polynomial by Newton's iteration, weights `2/((1 -
+    /// x^2) P'(x)^2)`.
     pub(in crate::method) fn new(points: usize) -> Self {
         let n = points as f64;
         let point = |index: usize| {
@@ -24,7 +23,7 @@ impl Gauss {
         Self { points: (0..points).map(point).collect() }
     }
 
-    /// Nodes and weights on \[from, until\].
+    /// Returns nodes and weights on \[from, until\].
     pub(in crate::method) fn points(
         &self,
         from: f64,
@@ -35,7 +34,7 @@ impl Gauss {
     }
 }
 
-/// P_n and its derivative.
+/// Returns P_n and its derivative.
 fn legendre(degree: usize, x: f64) -> (f64, f64) {
     let (mut before, mut value) = (1.0, x);
     for k in 2..=degree {

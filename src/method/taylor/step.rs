@@ -1,53 +1,54 @@
-//! Order, length and error of a step, and sums of its polynomial.
+//! Order, length and error of a step, and evaluation of its polynomial.
 
 use machinist_contract::Real;
 
 use super::super::one_step::{Pace, Trial};
 use super::magnitude::Magnitude;
 
-/// Steps aim at this share of the tolerances: errors add up over a run, and a decade
+/// Fraction of the tolerances that steps aim at: errors add up over a run, and a decade of accuracy
 /// costs a series little.
 const AIM: f64 = 0.03;
 
-/// Error of a step in units of what it aims at beyond which it is taken again.
+/// Ratio of a step's error to its aim above which the step is rejected.
 const LARGEST_ERROR: f64 = 10.0;
 
-/// Log2 of the factor by which a remainder guessed from earlier coefficients than
-/// the last two may be larger: the guess is for where those two vanish.
+/// Log2 of the factor by which a remainder estimated from earlier coefficients than the last two
+/// may be larger; the estimate is for steps where those two vanish.
 const GUESS: f64 = 3.0;
 
-/// Largest ratio of a step to the one before.
+/// Largest ratio of a step to the previous one.
 pub(super) const GROWTH: f64 = 16.0;
 
-/// How many of the last coefficients a step is judged by. From a symmetric state
-/// every other one vanishes, and in places three in a row do.
+/// Number of last coefficients that determine a step. From a symmetric state every other one
+/// vanishes, and sometimes three in a row do.
 pub(super) const JUDGED: usize = 5;
 
-/// The order for a relative tolerance, of which a share is aimed at: 0.85 ln(1/rtol) + 2.
+/// Returns the order for a relative tolerance, a fraction of which is aimed at: 0.85 ln(1/rtol) +
+/// 2.
 ///
-/// The classical choice, ln(1/rtol)/2 with steps of rho/e^2 for a radius of
-/// convergence rho, is the cheapest where an order costs as much as all products
-/// within it. Here it costs the chain of operations through the machine, and
-/// higher orders with longer steps are cheaper: found by runs of the machines.
+/// The classical choice, ln(1/rtol)/2 with steps of rho/e^2 for a radius of convergence rho, is
+/// optimal if an order costs as much as all products within it. Here it costs the chain of
+/// operations through the machine, so higher orders with longer steps are cheaper, as runs of the
+/// machines confirm.
 pub(in crate::method) fn order_for(rtol: f64) -> usize {
     ((2.0 - 0.85 * (AIM * rtol).ln()).ceil() as usize).clamp(5, 32)
 }
 
-/// Tolerances of the states and what follows from them.
+/// Tolerances of the states and derived quantities.
 pub(super) struct Tolerance {
     rtol: f64,
     atol: Vec<f64>,
     /// 1/(atol + rtol |y|) for every state.
     inverse_weights: Vec<f64>,
-    /// Log2 of the ratio of neighbouring terms of a series that starts at the
-    /// size of the state and ends at the tolerance.
+    /// Log2 of the ratio of neighbouring terms of a series that decays from the size of the state
+    /// to the tolerance.
     decay: f64,
-    /// Of an order, how the step's length follows from its last coefficients.
+    /// For an order, coefficients of the step length as a function of the last coefficients.
     judges: (usize, Judges),
 }
 
-/// For each of the last coefficients, from the last one back, `(a, b)` by which log2 of the
-/// step is `a - b log2(size)`.
+/// Pairs `(a, b)` for each of the last coefficients, from the last one back: log2 of the step is `a
+/// - b log2(size)`.
 pub(super) type Judges = [(f64, f64); JUDGED];
 
 impl Tolerance {
@@ -59,25 +60,25 @@ impl Tolerance {
         Self { rtol, inverse_weights: vec![0.0; atol.len()], atol, decay, judges }
     }
 
-    /// Weighs by the tolerance at a state from now on.
+    /// Sets the weights to the tolerances at a state.
     pub(super) fn weigh(&mut self, state: &[f64]) {
         for ((inverse, atol), value) in self.inverse_weights.iter_mut().zip(&self.atol).zip(state) {
             *inverse = 1.0 / (atol + self.rtol * value.abs());
         }
     }
 
-    /// Length of the step through whose end the terms of a series fall below the
-    /// tolerance; infinite where the series ends.
+    /// Returns the length of the step at whose end the terms of a series fall below the tolerance;
+    /// infinite if the series is finite.
     ///
-    /// The remainder is taken from each of the last coefficients, as
-    /// `|y_(p-i)| h^(p-i) theta^(i+1)` with the ratio theta of a series that
-    /// decays from the size of the state to the tolerance, and the largest counts.
+    /// The remainder is estimated from each of the last coefficients, as `|y_(p-i)| h^(p-i)
+    /// theta^(i+1)` with the ratio theta of a series that decays from the size of the state to the
+    /// tolerance. The largest estimate counts.
     pub(super) fn step_length(&self, coefficients: &[f64], order: usize) -> f64 {
         self.step_length_by(&coefficients[..(order + 1) * self.atol.len()], order)
     }
 
-    /// As [`Tolerance::step_length`], from the newest coefficients alone, the last of
-    /// which are those of `order`.
+    /// Does the same as [`Tolerance::step_length`], given the newest coefficients alone, the last
+    /// of which are those of `order`.
     pub(super) fn step_length_by(&self, newest: &[f64], order: usize) -> f64 {
         let mut sizes = [0.0; JUDGED];
         for (size, terms) in sizes.iter_mut().zip(newest.chunks_exact(self.atol.len()).rev()) {
@@ -90,18 +91,19 @@ impl Tolerance {
         step_length(sizes, &judges, order)
     }
 
-    /// One over what is allowed of every state.
+    /// Returns the inverse of the allowed error of every state.
     #[cfg(feature = "sweep")]
     pub(super) fn inverse_weights(&mut self) -> &mut [f64] {
         &mut self.inverse_weights
     }
 
-    /// Error of a step over what is allowed, by a defect that lasts for a part of it.
+    /// Returns the error of a step relative to what is allowed, for a defect that lasts for a part
+    /// of it.
     pub(super) fn lasting_error(&self, slope: &[f64], rate: &[f64], step: f64) -> f64 {
         lasting_error(defect(slope, rate, &self.inverse_weights), step)
     }
 
-    /// The largest value in units of its tolerance.
+    /// Returns the largest value in units of its tolerance.
     fn size(&self, values: &[f64]) -> f64 {
         let (blocks, rest) = values.as_chunks::<4>();
         let (weights, rest_weights) = self.inverse_weights.as_chunks::<4>();
@@ -119,21 +121,21 @@ impl Tolerance {
     }
 }
 
-/// What is aimed at for a tolerance.
+/// Returns the error that is aimed at for a tolerance.
 pub(super) fn aimed_at(tolerance: f64) -> f64 {
     AIM * tolerance
 }
 
-/// See [`Tolerance`].
+/// Returns the decay of terms per order; see [`Tolerance`].
 pub(super) fn decay(rtol: f64, order: usize) -> f64 {
     aimed_at(rtol).log2() / (order + 1) as f64
 }
 
-/// The length of a step by the sizes of the last coefficients, from the last one back, in units of
-/// the tolerance; see [`Tolerance::step_length`].
+/// Returns the length of a step from the sizes of the last coefficients, from the last one back, in
+/// units of the tolerance; see [`Tolerance::step_length`].
 #[inline(always)]
 pub(super) fn step_length<R: Magnitude>(sizes: [R; JUDGED], judges: &Judges, order: usize) -> R {
-    // All logarithms side by side, then the least.
+    // All logarithms are computed side by side before the minimum.
     let mut logs = [R::literal(0.0); JUDGED];
     for ((log, size), (a, b)) in logs.iter_mut().zip(sizes).zip(judges) {
         *log = R::literal(*a) - R::literal(*b) * size.log2();
@@ -150,13 +152,13 @@ pub(super) fn judges(order: usize, decay: f64) -> Judges {
     })
 }
 
-/// The smaller of two numbers. A NaN does not count.
+/// Returns the smaller of two numbers; NaN does not count.
 #[inline(always)]
 pub(super) fn smaller<R: Real>(length: R, value: R) -> R {
     R::select_less(value, length, value, length)
 }
 
-/// What came of a step of a length and order: `begin` is state and rate at its end,
+/// Returns the result of a step of a length and order. `begin` contains state and rate at its end,
 /// `slope` the derivative of its polynomial there.
 pub(super) fn trial(
     tolerance: &Tolerance,
@@ -175,7 +177,7 @@ pub(super) fn trial(
     Trial::Error(over_allowed(error))
 }
 
-/// The largest of y' - f in units of the tolerance over time.
+/// Returns the largest defect y' - f in units of the tolerance over time.
 pub(super) fn defect<R: Magnitude>(slope: &[R], rate: &[R], inverse_weights: &[R]) -> R {
     let defects = slope.iter().zip(rate).zip(inverse_weights);
     defects.fold(R::literal(0.0), |largest, ((slope, rate), inverse)| {
@@ -183,42 +185,41 @@ pub(super) fn defect<R: Magnitude>(slope: &[R], rate: &[R], inverse_weights: &[R
     })
 }
 
-/// Error of a step over what is allowed, by a defect in units of the tolerance that lasts for a
-/// part of it.
+/// Returns the error of a step relative to what is allowed, for a defect in units of the tolerance
+/// that lasts for a part of it.
 pub(super) fn lasting_error<R: Real>(defect: R, step: R) -> R {
     const PART: f64 = 0.25;
     defect * R::literal(PART) * step / R::literal(LARGEST_ERROR)
 }
 
-/// Error of a step in units of the tolerance, by so many terms p + 1: the defect y' - f at its end
-/// is `(p + 1) y_(p+1) h^p`, the error `y_(p+1) h^(p+1)`.
+/// Returns the error of a step in units of the tolerance, with `terms` = p + 1: the defect y' - f
+/// at its end is `(p + 1) y_(p+1) h^p`, the error `y_(p+1) h^(p+1)`.
 pub(super) fn error<R: Real>(defect: R, step: R, terms: R) -> R {
     defect * step / terms
 }
 
-/// The error over what is allowed, of one in units of the tolerance.
+/// Converts an error in units of the tolerance to one relative to what is allowed.
 pub(super) fn over_allowed<R: Real>(error: R) -> R {
     error / R::literal(LARGEST_ERROR)
 }
 
-/// What a defect times its step stays below where a step passes, by so many terms: the same
-/// decision as by [`over_allowed`], to the last bit, without divisions.
+/// Returns the upper limit of defect times step for an accepted step with this number of terms. The
+/// decision is the same as by [`over_allowed`], to the last bit, without divisions.
 ///
-/// The limit is whole, and between it and the next number no quotient rounds down to what is
-/// allowed.
+/// The limit is a whole number, and no quotient between it and the next number rounds down to what
+/// is allowed.
 #[cfg(feature = "sweep")]
 pub(super) fn limit(terms: usize) -> f64 {
     (LARGEST_ERROR * terms as f64).next_up()
 }
 
-/// Whether coefficients are finite up to an order that is much lower than is wanted.
+/// Returns whether coefficients are finite only up to an order far below the requested one.
 #[cfg(any(feature = "implicit", feature = "sweep"))]
 pub(super) fn is_cut_short(finite: usize, order: usize) -> bool {
     2 * finite < order
 }
 
-/// How steps shrink whose error is too large; how long the next one is, the series
-/// says.
+/// Returns the control of rejected steps; the length of the next step follows from the series.
 pub(super) fn pace(order: usize) -> Pace {
     Pace {
         exponent: 1.0 / (order + 1) as f64,
@@ -230,9 +231,9 @@ pub(super) fn pace(order: usize) -> Pace {
     }
 }
 
-/// Whether all values are finite.
+/// Returns whether all values are finite.
 pub(super) fn all_finite(values: &[f64]) -> bool {
-    // Without a branch on every value.
+    // This avoids a branch for every value.
     let (blocks, rest) = values.as_chunks::<8>();
     let mut zeros = [0.0; 8];
     for block in blocks {
@@ -243,7 +244,7 @@ pub(super) fn all_finite(values: &[f64]) -> bool {
     zeros.iter().chain(rest).all(|value| value.is_finite())
 }
 
-/// The polynomial and its derivative at `time` after the start of the step.
+/// Computes the polynomial and its derivative at `time` after the start of the step.
 pub(super) fn value_and_slope<R: Real>(
     coefficients: &[R],
     time: R,
@@ -253,13 +254,13 @@ pub(super) fn value_and_slope<R: Real>(
     values_and_slopes(coefficients, [time], [(value, slope)]);
 }
 
-/// As [`value_and_slope`], at several times at once: their sums do not wait for one another.
+/// Does the same as [`value_and_slope`] at several times, whose sums do not wait for one another.
 pub(super) fn values_and_slopes<R: Real, const T: usize>(
     coefficients: &[R],
     times: [R; T],
     mut into: [Sums<'_, R>; T],
 ) {
-    /// Bytes of the target's widest registers.
+    /// Width of the target's largest registers in bytes.
     const REGISTER: usize = if cfg!(target_feature = "avx512f") {
         64
     } else if cfg!(target_feature = "avx") {
@@ -272,22 +273,22 @@ pub(super) fn values_and_slopes<R: Real, const T: usize>(
     if size_of::<R>() <= 2 * size_of::<f64>() {
         done = by_blocks::<R, 4, T>(coefficients, times, &mut into, done);
         if T > 1 && done >= 4 && states - done == 3 {
-            // One state once more costs less than two blocks.
+            // Computing one state twice costs less than two blocks.
             done = by_blocks::<R, 4, T>(coefficients, times, &mut into, done - 1);
         }
     }
-    // Of numbers that take several registers the sums of one state fill them all.
+    // If numbers take several registers, the sums of one state fill all of them.
     if T * size_of::<R>() <= REGISTER {
         done = by_blocks::<R, 2, T>(coefficients, times, &mut into, done);
     }
     by_blocks::<R, 1, T>(coefficients, times, &mut into, done);
 }
 
-/// Where values and slopes of all states go.
+/// Destinations of values and slopes of all states.
 type Sums<'a, R> = (&'a mut [R], &'a mut [R]);
 
-/// Sums states from the `first` on as long as there are `N` left, so many together that the
-/// sums stay in registers; gives how many states are done.
+/// Sums states from `first` as long as `N` are left, which is as many as fit into registers.
+/// Returns how many states are done.
 fn by_blocks<R: Real, const N: usize, const T: usize>(
     coefficients: &[R],
     times: [R; T],
@@ -306,9 +307,9 @@ fn by_blocks<R: Real, const N: usize, const T: usize>(
     done
 }
 
-/// Sums of `N` neighbouring states from `first` on.
+/// Sums `N` neighbouring states from `first`.
 ///
-/// Even and odd powers of the time h apart, so that half as many operations wait for one
+/// Even and odd powers of the time h are separate, so that half as many operations wait for one
 /// another: `E(h^2) + h O(h^2)`, with the derivative `2 h (E' + h O') + O`.
 #[inline(always)]
 fn sum<R: Real, const N: usize, const T: usize>(

@@ -1,8 +1,7 @@
-//! Taylor's method for many variants of a machine at once, one in each lane.
+//! Taylor's method for many variants of a machine, one in each lane.
 //!
-//! Every lane has its own parameters, time, step and jumps, and takes the next
-//! variant when it is done. What a lane computes does not depend on its neighbours:
-//! results are those of one run after another, to the last bit.
+//! Each lane has its own parameters, time, step and jumps, and takes the next variant when it is
+//! done. Lanes do not influence each other: results equal those of single runs, to the last bit.
 
 mod clock;
 mod judge;
@@ -28,14 +27,13 @@ pub(crate) use clock::places;
 pub(crate) use lane::{Ended, Outcome, Spent, Variant};
 pub(crate) use overseer::{Equations, Moment, Overseer};
 
-/// Between looks at what may end variants from outside, all of them take so many steps.
+/// Number of steps of all lanes between checks for reasons to end variants from outside.
 const TURNS: u32 = 16;
 
-/// Runs variants of one relative tolerance until there are no more, and each no longer than
-/// `patience` lasts; `done` gets each with its number in the order of the iterator. Steps that
-/// are good at their ends are looked at in their middle too if told so. A variant that does not
-/// stay, by who looks at the steps if somebody does, is interrupted, and one of too many loose
-/// steps is left.
+/// Runs all variants, which have the same relative tolerance, each no longer than `patience`
+/// allows. `done` receives each result with its number in the order of the iterator. With
+/// `looks_within`, accepted steps are also checked in their middle. A variant that the overseer
+/// rejects is interrupted, and one with too many loose steps is left.
 pub(crate) fn integrate<'a, R: Lanes>(
     (machine, series): (&'a dyn SideBySide<R>, &'a dyn TaylorSeries<R>),
     (rtol, looks_within): (f64, bool),
@@ -85,18 +83,17 @@ pub(crate) fn integrate<'a, R: Lanes>(
     }
 }
 
-/// How long lanes have computed.
+/// Computing time of lanes.
 #[derive(Default)]
 struct Wait<'a> {
     patience: Patience<'a>,
     turns: u32,
-    /// When that was last looked at, if somebody limits it.
+    /// Time of the last check, if there is a limit.
     looked: Option<Instant>,
 }
 
 impl Wait<'_> {
-    /// Whether what may end variants is to be looked at, and then how long all have computed since
-    /// they were last.
+    /// Returns whether checks are due, and the computing time since the last one.
     fn look(&mut self) -> Option<Duration> {
         let is_due = self.turns.is_multiple_of(TURNS);
         self.turns = self.turns.wrapping_add(1);
@@ -110,7 +107,7 @@ impl Wait<'_> {
     }
 }
 
-/// What lanes compute in the middle of their steps.
+/// Values in the middle of steps.
 struct Middle<R> {
     state: Vec<R>,
     slope: Vec<R>,
@@ -124,50 +121,50 @@ impl<R: Lanes> Middle<R> {
     }
 }
 
-/// What all lanes compute together.
+/// Common computation of all lanes.
 struct Bundle<'a, R> {
     series: &'a dyn TaylorSeries<R>,
     states: usize,
     rtol: f64,
     order: usize,
-    /// Of that order, how lengths of steps follow from the last coefficients.
+    /// Coefficients for the lengths of steps of this order.
     judges: Judges,
     equations: Equations<'a, R>,
     clock: Clock<R>,
-    /// Coefficients at the start of each lane's step, order after order.
+    /// Coefficients at the start of each lane's step, order by order.
     current: Vec<R>,
     /// Coefficients at its end.
     following: Vec<R>,
     workspace: Vec<R>,
-    /// Where `following` is computed.
+    /// Times at which `following` is computed.
     time: R,
     end: Vec<R>,
-    /// Ends of the steps that lanes try, for those that do.
+    /// Ends of the steps that lanes try.
     aimed: Vec<R>,
     slope: Vec<R>,
-    /// How many terms of each lane's coefficients are finite.
+    /// Number of finite terms in each lane.
     terms: R,
-    /// What the defect of a step that passes times the step is less than.
+    /// Upper limit of defect times step for an accepted step.
     limit: R,
-    /// Lanes whose step has passed, as bits, and by 1 or 0.
+    /// Lanes with an accepted step, as bits and as 1 or 0.
     passed: u32,
     good: R,
-    /// 1 in the lanes whose step is to be taken again, 0 in others.
+    /// 1 in the lanes whose step is repeated, 0 in others.
     rejected: R,
-    /// What every lane allows of every state, apart from its size.
+    /// Absolute tolerance of every state in each lane.
     absolute: Vec<R>,
     relative: R,
-    /// One over what is allowed at the start of each lane's step.
+    /// Inverse of the tolerance at the start of each lane's step.
     inverse_weights: Vec<R>,
-    /// And at its end.
+    /// Inverse of the tolerance at its end.
     following_weights: Vec<R>,
-    /// By how much a state moves at most while it rests.
+    /// Maximum move of a state at rest.
     resting: Vec<R>,
     /// Sizes of the last coefficients, from the last one back, in units of the tolerance.
     sizes: [R; step::JUDGED],
     scratch: Vec<f64>,
     middle: Option<Middle<R>>,
-    /// Who looks at the steps, if somebody does.
+    /// Supervisor of the steps, if there is one.
     overseer: Option<Box<dyn Overseer<R> + 'a>>,
     wait: Wait<'a>,
 }
@@ -213,7 +210,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         }
     }
 
-    /// Puts a variant at its start.
+    /// Sets a lane to the start of a variant.
     fn load(&mut self, index: usize, lane: &mut Lane) {
         self.equations.load(index, &lane.variant.parameters);
         for (into, value) in self.end.iter_mut().zip(&lane.variant.initial) {
@@ -244,21 +241,21 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         self.time.set_lane(to, known);
     }
 
-    /// Computes a lane's coefficients next at the start of its stretch.
+    /// Makes the start of a lane's segment the next point of its coefficients.
     fn start_at(&mut self, index: usize) {
         let time = self.clock.within(self.clock.time);
         self.time.set_lane(index, time.lane(index));
     }
 
-    /// Coefficients of every lane at the end of its step, and weights by the tolerances there.
+    /// Computes the coefficients of each lane at the end of its step, and the weights there.
     fn expand(&mut self) {
-        // Divisions take their time, which they have beside the series.
+        // These divisions run in parallel with the series.
         let one = R::literal(1.0);
         let allowed = self.absolute.iter().zip(&self.end);
         for (inverse, (absolute, value)) in self.following_weights.iter_mut().zip(allowed) {
             *inverse = one / (*absolute + self.relative * value.abs());
         }
-        // Neither does what is in the middle of steps wait for it.
+        // The middle of steps does not depend on the series either.
         if let Some(middle) = &mut self.middle {
             let half = R::literal(0.5);
             let time = self.clock.within(self.clock.time + R::literal(MIDDLE) * self.clock.step);
@@ -274,14 +271,15 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         );
     }
 
-    /// Decides what lanes try next; gives those that are done, as bits.
+    /// Decides on the next step of each lane; returns the lanes that are done, as bits.
     fn go_on(&mut self, lanes: &mut [Option<Lane>]) -> u32 {
         let arrived = self.passed & self.clock.arrived();
         let (passed, starting) = (self.passed & !arrived, self.clock.starting());
         let fresh = passed | starting;
         let tried = self.clock.step;
         self.measure();
-        // Of what is not finite the aims will tell, but these lanes need to know now.
+        // Aims would show later which coefficients are not finite, but these lanes need to know
+        // now.
         let suspect = passed & self.clock.stuck() | self.starting_short(starting);
         for index in places(suspect) {
             if let Some(lane) = &mut lanes[index] {
@@ -320,7 +318,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             if lane.stretch + 1 == lane.variant.ends.len() {
                 done |= 1 << index;
             } else {
-                // The end of the last step is where the next stretch starts.
+                // The next segment starts at the end of the last step.
                 self.clock.begin(index, lane);
                 self.start_at(index);
             }
@@ -334,8 +332,8 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         done
     }
 
-    /// Stops those of these lanes that have computed for too long, each for its share of the time,
-    /// or that are told to end; gives them.
+    /// Stops lanes of `of` that have computed for too long, each for its share of the time, or that
+    /// have to end, and returns them.
     fn lose_patience(&mut self, of: u32, lanes: &mut [Option<Lane>]) -> u32 {
         let Some(since) = self.wait.look() else { return 0 };
         let share = since / self.clock.running.count_ones();
@@ -350,7 +348,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         ended
     }
 
-    /// Steps of the lanes with new coefficients, as if those were finite.
+    /// Computes steps of the lanes with new coefficients, assuming that those are finite.
     fn measure(&mut self) {
         let half = R::literal(0.5);
         let step = step::step_length(self.sizes, &self.judges, self.order);
@@ -361,8 +359,8 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         self.limit = R::select_less(self.rejected, half, R::literal(limit), self.limit);
     }
 
-    /// Order and length of a lane's step from new coefficients that are not all finite; those
-    /// beyond that order become zero. Whether it is so.
+    /// Computes order and length of a lane's step from new coefficients if some of them are not
+    /// finite; those beyond the order are set to zero. Returns whether this applies.
     fn measure_finite(&mut self, index: usize, lane: &mut Lane) -> bool {
         let broken = self.current.iter().position(|value| !value.lane(index).is_finite());
         let Some(broken) = broken else { return false };
@@ -374,7 +372,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         }
         let order = broken / self.states - 1;
         if self.overseer.is_some() && step::is_cut_short(order, self.order) {
-            // Who looks at the steps does not go on so.
+            // A supervised variant does not go on in this way.
             lane.stop(self.clock.time.lane(index), StopCause::Interrupted);
             return true;
         }
@@ -395,12 +393,13 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         true
     }
 
-    /// The highest order up to which a lane's coefficients are finite.
+    /// Returns the highest order up to which a lane's coefficients are finite.
     fn order_of(&self, index: usize) -> usize {
         self.terms.lane(index) as usize - 1
     }
 
-    /// Lanes that begin with coefficients that are not all finite, where somebody asks for them.
+    /// Returns the lanes that begin with coefficients that are not all finite, if there is an
+    /// overseer.
     fn starting_short(&self, starting: u32) -> u32 {
         if self.overseer.is_none() || starting == 0 {
             return 0;
@@ -408,8 +407,8 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         starting & !R::less(zeros(&self.current), R::literal(0.5))
     }
 
-    /// Asks who looks at the steps which variants stay, after steps that have passed and at starts of
-    /// stretches; stops the others, and gives them.
+    /// Asks the overseer which variants stay, after accepted steps and at starts of segments; stops
+    /// the others, and returns them.
     fn ask(&mut self, (passed, starting): (u32, u32), tried: R, lanes: &mut [Option<Lane>]) -> u32 {
         let Some(overseer) = &mut self.overseer else { return 0 };
         let at = Moment {
@@ -434,8 +433,8 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         leaving
     }
 
-    /// State and slope at the end of every lane's step; gives the lanes in which the state is not
-    /// finite, as bits.
+    /// Computes state and slope at the end of each lane's step; returns the lanes in which the
+    /// state is not finite, as bits.
     fn aim(&mut self) -> u32 {
         self.clock.aim();
         self.sum();
@@ -454,8 +453,8 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         }
     }
 
-    /// Aims anew in lanes whose coefficients may not all be finite: one that is not leaves no sum
-    /// of its state finite.
+    /// Repeats this in lanes whose coefficients may not all be finite: one that is not makes the
+    /// sum of its state infinite or NaN.
     fn aim_finite(&mut self, broken: u32, passed: u32, lanes: &mut [Option<Lane>]) {
         let mut is_any = false;
         for index in places(broken) {
@@ -473,7 +472,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         }
     }
 
-    /// Leaves for the ends of the steps that are tried.
+    /// Moves to the ends of the steps that are tried.
     fn leave(&mut self) {
         let half = R::literal(0.5);
         let time = self.clock.within(self.clock.time + self.clock.step);
@@ -484,7 +483,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     }
 }
 
-/// Numbers of one lane, as many as there is room for.
+/// Copies the numbers of one lane.
 fn gather<R: Lanes>(values: &[R], index: usize, into: &mut [f64]) {
     for (into, value) in into.iter_mut().zip(values) {
         *into = value.lane(index);

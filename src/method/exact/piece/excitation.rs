@@ -1,23 +1,23 @@
-//! Whether the waves of a piece are what excites the machine, and what to do if not.
+//! Check of the waves of a piece against the excitation of the machine, and correction.
 //!
-//! Polynomials are known by their coefficients of powers of t. Late in a run these cancel:
-//! of `((t - 30)/0.01)^5` they are larger than 1e17. So the waves are held against the rate
-//! of the machine at rest, b(t) = f(t, 0), at times within the piece; where they differ, the
-//! polynomials are taken anew from b itself, in powers of the time since the piece began.
+//! Polynomials are given by their coefficients of powers of t. Late in a run these cancel: in `((t
+//! - 30)/0.01)^5` they are larger than 1e17. The waves are therefore compared with the rate of the
+//! machine at rest, b(t) = f(t, 0), at times within the piece. Where they differ, the polynomials
+//! are determined from b itself, in powers of the time since the start of the piece.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{Piece, Wave};
 use crate::method::Stretch;
 
-/// Beside its largest value over a piece, b may be missed by that much rounding.
+/// Deviation from b, relative to its largest value over a piece, that counts as rounding.
 const ROUNDING: f64 = 1e-13;
 
 impl Piece {
-    /// Holds the waves against the rate, and mends polynomials.
+    /// Compares the waves with the rate, and corrects polynomials.
     ///
     /// # Errors
-    /// If that cannot be done to the tolerance.
+    /// The reason if the tolerance cannot be met.
     pub(super) fn judge(&mut self, stretch: &Stretch<'_>) -> Result<(), String> {
         if self.waves.iter().all(|wave| wave.power == 0) {
             return Ok(());
@@ -30,7 +30,7 @@ impl Piece {
         }
         self.take_polynomials_anew(stretch);
         let missed = self.misses(&times, &rates);
-        // What is far below the tolerance does no harm.
+        // Deviations far below the tolerance are harmless.
         if missed <= (1e-2 * stretch.rtol).max(ROUNDING) {
             return Ok(());
         }
@@ -41,7 +41,7 @@ impl Piece {
         ))
     }
 
-    /// Times inside the piece, at Chebyshev's nodes.
+    /// Returns times inside the piece, at Chebyshev nodes.
     fn nodes(&self, count: usize) -> Vec<f64> {
         let node = |index: usize| {
             let angle = std::f64::consts::PI * (index as f64 + 0.5) / count as f64;
@@ -50,7 +50,7 @@ impl Piece {
         (0..count).map(node).collect()
     }
 
-    /// b at each time.
+    /// Returns b at each time.
     fn rates(&self, stretch: &Stretch<'_>, times: &[f64]) -> Vec<Vec<f64>> {
         let rest = vec![0.0; self.states];
         let rate = |time: &f64| {
@@ -61,7 +61,8 @@ impl Piece {
         times.iter().map(rate).collect()
     }
 
-    /// How far the waves are from b, over the largest value that each entry of it has.
+    /// Returns the deviation of the waves from b, relative to the largest value of each of its
+    /// entries.
     fn misses(&self, times: &[f64], rates: &[Vec<f64>]) -> f64 {
         let mut largest = vec![0.0_f64; self.states];
         let mut missed = vec![0.0_f64; self.states];
@@ -78,13 +79,13 @@ impl Piece {
         let share = |(missed, largest): (&f64, &f64)| {
             if *missed == 0.0 { 0.0 } else { missed / largest }
         };
-        // Not `max` alone, which would overlook what is no number.
+        // `max` alone would ignore NaN.
         missed.iter().zip(&largest).map(share).fold(0.0, |most: f64, share| {
             if share.is_nan() { f64::INFINITY } else { most.max(share) }
         })
     }
 
-    /// Polynomials by interpolation of what the other waves leave of b.
+    /// Replaces polynomials by interpolation of b minus the other waves.
     fn take_polynomials_anew(&mut self, stretch: &Stretch<'_>) {
         let is_polynomial = |wave: &Wave| wave.mu == Complex::ZERO;
         let (polynomials, others): (Vec<Wave>, Vec<Wave>) =
@@ -127,7 +128,7 @@ impl Piece {
 }
 
 impl Wave {
-    /// Takes what the wave is at a time from b.
+    /// Subtracts the wave at a time from b.
     fn subtract(&self, time: f64, rate: &mut [f64]) {
         let since = time - self.origin;
         let value = (self.mu * since).exp() * since.powi(self.power as i32);

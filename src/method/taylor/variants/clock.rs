@@ -1,4 +1,4 @@
-//! Where every lane is in time.
+//! Times of lanes.
 
 use crate::lanes::Lanes;
 use crate::method::loose::has_passed;
@@ -7,34 +7,35 @@ use crate::method::taylor::step::{GROWTH, smaller};
 
 use super::lane::Lane;
 
-/// Times and steps of all lanes, side by side.
+/// Times and steps of all lanes.
 pub(super) struct Clock<R> {
     /// Lanes that have a variant, as bits.
     pub(super) running: u32,
-    /// 1 in the lanes that try no step, but begin a stretch or have no variant; 0 in others.
+    /// 1 in the lanes that do not try a step, because they begin a segment or have no variant; 0 in
+    /// others.
     pub(super) waits: R,
-    /// Start of the stretch, its end, and the last moment before that.
+    /// Start of the segment, its end, and the last number before the end.
     from: R,
     until: R,
     last: R,
-    /// Where the step starts.
+    /// Start of the step.
     pub(super) time: R,
-    /// Its end.
+    /// End of the step.
     pub(super) now: R,
     pub(super) step: R,
     /// Longest step to be tried next.
     longest: R,
-    /// And where nothing moves.
+    /// The same where nothing moves.
     longest_at_rest: R,
-    /// When the next sample is due.
+    /// Time of the next sample.
     pub(super) sample: R,
     pub(super) steps: R,
-    /// After so many steps a lane is asked whether it goes on.
+    /// Number of steps after which a lane is asked whether it goes on.
     most: R,
     /// Start and length of the whole run.
     start: R,
     whole: R,
-    /// So many steps are few.
+    /// Number of steps that counts as few.
     few: R,
 }
 
@@ -61,7 +62,7 @@ impl<R: Lanes> Clock<R> {
         }
     }
 
-    /// Puts a variant at its start.
+    /// Sets a lane to the start of a variant.
     pub(super) fn load(&mut self, index: usize, lane: &Lane) {
         self.running |= 1 << index;
         self.time.set_lane(index, lane.from());
@@ -75,7 +76,7 @@ impl<R: Lanes> Clock<R> {
         self.begin(index, lane);
     }
 
-    /// Puts a lane at the start of its stretch.
+    /// Sets a lane to the start of its segment.
     pub(super) fn begin(&mut self, index: usize, lane: &Lane) {
         let (from, until) = (lane.from(), lane.until());
         self.from.set_lane(index, from);
@@ -86,7 +87,7 @@ impl<R: Lanes> Clock<R> {
         self.waits.set_lane(index, 1.0);
     }
 
-    /// Lets a lane take more steps until it is asked.
+    /// Allows a lane more steps until it is asked.
     pub(super) fn allow(&mut self, index: usize, lane: &Lane) {
         self.most.set_lane(index, lane.steps_at_once() as f64);
     }
@@ -97,23 +98,23 @@ impl<R: Lanes> Clock<R> {
         self.waits.set_lane(index, 1.0);
     }
 
-    /// Lanes that begin a stretch.
+    /// Returns the lanes that begin a segment.
     pub(super) fn starting(&self) -> u32 {
         self.running & R::less(R::literal(0.5), self.waits)
     }
 
-    /// What is left of the stretch.
+    /// Returns the rest of the segment.
     pub(super) fn left(&self) -> R {
         self.until - self.time
     }
 
-    /// Moved into the stretch; see [`crate::method::stretch::Stretch::within`].
+    /// Returns times moved into the segment; see [`crate::method::stretch::Stretch::within`].
     pub(super) fn within(&self, time: R) -> R {
         smaller(time, self.last).larger(self.from)
     }
 
-    /// Goes to the ends of the steps that are good, 1 or 0; `moves` tells by the same whether
-    /// anything has moved.
+    /// Moves to the ends of accepted steps, given as 1 or 0; `moves` says likewise whether anything
+    /// has moved.
     pub(super) fn pass(&mut self, good: R, moves: R) {
         let half = R::literal(0.5);
         let longest = R::literal(GROWTH) * self.step;
@@ -124,40 +125,40 @@ impl<R: Lanes> Clock<R> {
         self.steps = self.steps + good;
     }
 
-    /// Lanes that are at the end of their stretch.
+    /// Returns the lanes at the end of their segment.
     pub(super) fn arrived(&self) -> u32 {
         !R::less(self.time, self.until)
     }
 
-    /// A step of a length, but none that leaps.
+    /// Returns a step length without excessive growth.
     pub(super) fn bounded(&self, step: R) -> R {
         smaller(step, self.longest)
     }
 
-    /// Lanes that have taken as many steps as they may without being asked.
+    /// Returns the lanes that have taken all steps allowed until they are asked.
     pub(super) fn exhausted(&self) -> u32 {
         !R::less(self.steps, self.most)
     }
 
-    /// Lanes that have taken too many steps for the time that they have come.
+    /// Returns the lanes that have taken too many steps for the time covered.
     pub(super) fn over(&self) -> u32 {
         let [least, passed] =
             has_passed((self.steps, self.few), self.time - self.start, self.whole);
         R::less(passed, least)
     }
 
-    /// Lanes whose step does not move the time.
+    /// Returns the lanes whose step does not advance time.
     pub(super) fn stuck(&self) -> u32 {
         !R::less(self.time, self.time + self.step)
     }
 
-    /// Where the steps end that are tried next.
+    /// Computes the ends of the next steps.
     pub(super) fn aim(&mut self) {
         let End { now, tried, .. } = end_of_step(self.time, self.step, self.until);
         (self.now, self.step) = (now, tried);
     }
 
-    /// As [`Clock::aim`], of one lane.
+    /// Does the same as [`Clock::aim`] for one lane.
     pub(super) fn aim_at(&mut self, index: usize) {
         let End { now, tried, .. } = end_of_step(self.time, self.step, self.until);
         self.now.set_lane(index, now.lane(index));
@@ -165,7 +166,7 @@ impl<R: Lanes> Clock<R> {
     }
 }
 
-/// The lanes of bits.
+/// Returns the indices of set bits.
 pub(crate) fn places(bits: u32) -> impl Iterator<Item = usize> {
     let rest = |bits: &u32| Some(bits & bits.wrapping_sub(1)).filter(|bits| *bits != 0);
     std::iter::successors(Some(bits).filter(|bits| *bits != 0), rest)

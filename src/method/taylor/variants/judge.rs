@@ -1,4 +1,4 @@
-//! What came of the steps of all lanes, side by side.
+//! Acceptance of the steps of all lanes.
 
 use machinist_contract::Real;
 
@@ -13,13 +13,13 @@ use super::lane::Lane;
 use super::{Bundle, Middle, gather};
 
 impl<R: Lanes> Bundle<'_, R> {
-    /// Takes the coefficients of the lanes whose step passes.
+    /// Accepts or rejects steps, and takes the coefficients of the lanes with accepted ones.
     pub(super) fn judge(&mut self, lanes: &mut [Option<Lane>]) {
         let (zero, half, one) = (R::literal(0.0), R::literal(0.5), R::literal(1.0));
         let (defects, finite) = self.defects();
         let within =
             self.defects_within().map(|defects| step::lasting_error(defects, self.clock.step));
-        // Of the lanes that try a step and end it at something finite, those with errors up to 1.
+        // A step is accepted in lanes that try one, with a finite end and an error up to 1.
         let good = R::select_less(defects * self.clock.step, self.limit, one, zero);
         let good = R::select_less(finite, half, good, zero);
         let good = R::select_less(self.clock.waits, half, good, zero);
@@ -56,7 +56,7 @@ impl<R: Lanes> Bundle<'_, R> {
         self.measure_terms();
     }
 
-    /// The largest defect of every lane's step in units of its tolerance, and zero in the
+    /// Returns the largest defect of each lane's step in units of its tolerance, and zero in the
     /// lanes in which state and rate at the end are finite.
     fn defects(&self) -> (R, R) {
         let begin = &self.following[..2 * self.states];
@@ -64,14 +64,14 @@ impl<R: Lanes> Bundle<'_, R> {
         (largest, zeros(begin))
     }
 
-    /// The largest defect in the middle of every lane's step in units of its tolerance, if it
-    /// is looked for.
+    /// Returns the largest defect in the middle of each lane's step in units of its tolerance, if
+    /// it is checked.
     fn defects_within(&self) -> Option<R> {
         let Middle { slope, rate, .. } = self.middle.as_ref()?;
         Some(step::defect(slope, rate, &self.inverse_weights))
     }
 
-    /// Measures the last coefficients by the tolerances.
+    /// Computes the sizes of the last coefficients relative to the tolerances.
     fn measure_terms(&mut self) {
         for (size, terms) in self.sizes.iter_mut().zip(self.current.chunks_exact(self.states).rev())
         {
@@ -84,7 +84,7 @@ impl<R: Lanes> Bundle<'_, R> {
         }
     }
 
-    /// 1 in the lanes in which something has moved over the step, 0 in others.
+    /// Returns 1 in the lanes in which something has moved over the step, 0 in others.
     fn moves(&self) -> R {
         let (zero, one) = (R::literal(0.0), R::literal(1.0));
         let ends = self.current.iter().zip(&self.end).zip(&self.resting);
@@ -93,7 +93,7 @@ impl<R: Lanes> Bundle<'_, R> {
         })
     }
 
-    /// Shortens a lane's step by its error over what is allowed, if it ended at something finite.
+    /// Shortens a lane's step by its error relative to what is allowed, if its end is finite.
     fn reject(&mut self, index: usize, lane: &mut Lane, error: Option<f64>) {
         let (time, step, order) =
             (self.clock.time.lane(index), self.clock.step.lane(index), self.order_of(index));
@@ -115,7 +115,7 @@ impl<R: Lanes> Bundle<'_, R> {
         }
     }
 
-    /// What came of a lane's step to where something is not finite.
+    /// Returns the result of a lane's step whose end is not finite.
     fn trial(
         &mut self,
         index: usize,
@@ -131,7 +131,7 @@ impl<R: Lanes> Bundle<'_, R> {
         step::trial(&tolerance, slope, begin, step_and_order)
     }
 
-    /// Takes the samples of a lane's step that has passed.
+    /// Takes the samples of a lane's accepted step.
     fn sample(&mut self, index: usize, lane: &mut Lane) {
         let (from, until) = (self.clock.time.lane(index), self.clock.now.lane(index));
         while lane.next_sample() <= until {
@@ -149,7 +149,7 @@ impl<R: Lanes> Bundle<'_, R> {
         self.clock.sample.set_lane(index, lane.next_sample());
     }
 
-    /// The polynomial of a state after the start of the lane's step.
+    /// Returns the polynomial of a state at a time after the start of the lane's step.
     fn value(&self, index: usize, state: usize, after: f64) -> f64 {
         let mut terms = self.current.iter().skip(state).step_by(self.states).rev();
         let highest = terms.next().map_or(0.0, |term| term.lane(index));
@@ -157,7 +157,7 @@ impl<R: Lanes> Bundle<'_, R> {
     }
 }
 
-/// Takes what follows but in the lanes that stay, 1 or 0.
+/// Replaces values by the following ones, except in the lanes that stay, given as 1 or 0.
 fn take<R: Lanes>(values: &mut [R], following: &[R], stays: R) {
     let half = R::literal(0.5);
     for (value, following) in values.iter_mut().zip(following) {
@@ -165,9 +165,9 @@ fn take<R: Lanes>(values: &mut [R], following: &[R], stays: R) {
     }
 }
 
-/// Zero in the lanes in which all numbers are finite, NaN in others.
+/// Returns zero in the lanes in which all numbers are finite, NaN in others.
 pub(super) fn zeros<R: Lanes>(values: &[R]) -> R {
-    // Several sums, for additions that wait for one another would take most of the time.
+    // Several independent sums avoid waiting for each addition.
     let zero = R::literal(0.0);
     let (blocks, rest) = values.as_chunks::<8>();
     let mut sums = [zero; 8];

@@ -1,4 +1,4 @@
-//! A variant, and what it is at in its lane.
+//! A variant and its progress in a lane.
 
 use std::time::Duration;
 
@@ -7,59 +7,59 @@ use crate::method::milestone::{Milestone, out_of_steps};
 use crate::method::patience::Patience;
 use crate::method::{Stopped, Work};
 
-/// A variant of a machine, to be run.
+/// A variant of a machine to be run.
 pub(crate) struct Variant {
     pub(crate) parameters: Vec<f64>,
     pub(crate) initial: Vec<f64>,
-    /// Start, jumps in order, end \[s\].
+    /// Start, jumps in order, and end \[s\].
     pub(crate) ends: Vec<f64>,
-    /// Times at which the state is wanted, sorted \[s\].
+    /// Output times, sorted \[s\].
     pub(crate) times: Vec<f64>,
     pub(crate) atol: Vec<f64>,
     pub(crate) max_steps: usize,
-    /// It has computed for so long before.
+    /// Computing time spent before.
     pub(crate) time_spent: Duration,
-    /// So many steps are few; infinite where many are no harm.
+    /// Number of steps that counts as few; infinite if many steps are allowed.
     pub(crate) few: f64,
 }
 
-/// What came of a variant.
+/// Result of a variant.
 pub(crate) enum Ended {
-    /// It is through.
+    /// The run is complete.
     Through(Outcome),
-    /// It cannot go on.
+    /// The run stopped.
     Stopped(Stopped),
-    /// It was left, as its loose steps are too many.
+    /// The run was left because its loose steps are too many.
     Over(Spent),
 }
 
-/// What a variant has taken in vain.
+/// Work spent on a variant in vain.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Spent {
     pub(crate) steps: u64,
     pub(crate) time: Duration,
 }
 
-/// States at the wanted times, one row after another.
+/// States at the output times, one row after another.
 pub(crate) struct Outcome {
     pub(crate) rows: Vec<f64>,
     pub(crate) work: Work,
 }
 
-/// A variant on its way.
+/// A variant in progress.
 pub(super) struct Lane {
     pub(super) number: usize,
     pub(super) variant: Variant,
-    /// Which stretch between ends it is on.
+    /// Index of the current segment.
     pub(super) stretch: usize,
     pub(super) rows: Vec<f64>,
     pub(super) taken: usize,
     pub(super) rejected: u64,
     pub(super) stopped: Option<Stopped>,
     milestone: Milestone,
-    /// It has computed for so long.
+    /// Computing time spent.
     time_spent: Duration,
-    /// Whether it has taken too many loose steps.
+    /// Whether the variant has taken too many loose steps.
     pub(super) is_over: bool,
 }
 
@@ -87,23 +87,23 @@ impl Lane {
         self.variant.ends[self.stretch + 1]
     }
 
-    /// Start of the whole run, and its length.
+    /// Returns the start and the length of the whole run.
     pub(super) fn span(&self) -> (f64, f64) {
         let ends = &self.variant.ends;
         (ends[0], ends[ends.len() - 1] - ends[0])
     }
 
-    /// The time of the sample that is due next; infinite if there is none.
+    /// Returns the time of the next sample; infinite if there is none.
     pub(super) fn next_sample(&self) -> f64 {
         self.variant.times.get(self.taken).copied().unwrap_or(f64::INFINITY)
     }
 
-    /// After so many steps it is to be asked whether the variant goes on.
+    /// Returns the number of steps after which the variant is asked whether it goes on.
     pub(super) fn steps_at_once(&self) -> u64 {
         self.milestone.next().min(self.variant.max_steps as u64)
     }
 
-    /// As [`crate::method::Stretch::out_of_steps`], after steps up to a time.
+    /// Does the same as [`crate::method::Stretch::out_of_steps`], after steps up to a time.
     pub(super) fn out_of_steps(
         &mut self,
         steps: u64,
@@ -116,7 +116,7 @@ impl Lane {
         })
     }
 
-    /// Why it is to end after it has computed for some more time, if it is.
+    /// Returns why the variant has to end after more computing time, if it has to.
     pub(super) fn out_of_patience(
         &mut self,
         more: Duration,
@@ -130,13 +130,13 @@ impl Lane {
         self.stopped = Some(Stopped { time, cause });
     }
 
-    /// What came of the variant, after steps of so many orders.
+    /// Returns the result of the variant, after a number of steps of an order.
     pub(super) fn ended(self, steps: u64, order: usize) -> Ended {
         if let Some(stopped) = self.stopped {
             let spent = Spent { steps, time: self.time_spent };
             return if self.is_over { Ended::Over(spent) } else { Ended::Stopped(stopped) };
         }
-        // Coefficients are those of ends of steps, and of starts of stretches.
+        // Coefficients are those at ends of steps and at starts of segments.
         let series = steps + self.rejected + self.stretch as u64;
         let work = Work {
             steps,

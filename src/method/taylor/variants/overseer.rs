@@ -1,35 +1,36 @@
-//! Who looks at the steps of lanes, and what there is to be asked beside the series.
+//! Supervision of the steps of lanes, with access to rate and Jacobian.
 
 use machinist_contract::SideBySide;
 
 use super::lane::Variant;
 use crate::lanes::Lanes;
 
-/// Looks at the steps of all lanes, some of which Taylor's method alone would take differently. Lanes
-/// are told by bits.
+/// Supervisor of the steps of all lanes, some of which Taylor's method alone would take
+/// differently. Lanes are represented by bits.
 pub(crate) trait Overseer<R> {
-    /// Of every variant whether it does not even begin.
+    /// Returns for each variant whether it does not even begin.
     fn leaving(&mut self, variants: &[Variant]) -> Vec<bool>;
-    /// Lanes begin a stretch, each with so many coefficients that are finite; those whose variant does
-    /// not stay. Some of them are at the start of a variant, of which [`Overseer::leaving`] has told.
+    /// Returns the lanes whose variants leave at the start of a segment, given their numbers of
+    /// finite coefficients. Lanes in `at_start` are at the start of a variant, for which
+    /// [`Overseer::leaving`] was called.
     fn begin(&mut self, lanes: u32, at_start: u32, terms: R, at: &Moment<'_, R>) -> u32;
-    /// Those whose variant does not stay after a step of this length that has passed, told by bits
-    /// and by 1 or 0; lanes at the end of a stretch may be among the latter.
+    /// Returns the lanes whose variants leave after an accepted step of this length. Accepted lanes
+    /// are given by bits and by 1 or 0; the latter may include lanes at the end of a segment.
     fn look(&mut self, passed: (u32, R), step: R, at: &Moment<'_, R>) -> u32;
 }
 
-/// Where all lanes are.
+/// Current times and states of all lanes.
 #[cfg_attr(not(feature = "implicit"), expect(dead_code, reason = "only `auto` looks at it"))]
 pub(crate) struct Moment<'a, R> {
     pub(crate) equations: &'a Equations<'a, R>,
-    /// Moved into the stretch.
+    /// Time, moved into the segment.
     pub(crate) time: R,
-    /// What is left of the stretch.
+    /// Rest of the segment.
     pub(crate) left: R,
     pub(crate) state: &'a [R],
 }
 
-/// Rate and Jacobian, each lane with parameters of its own.
+/// Rate and Jacobian, with parameters for each lane.
 pub(crate) struct Equations<'a, R> {
     machine: &'a dyn SideBySide<R>,
     pub(super) parameters: Vec<R>,
@@ -43,14 +44,14 @@ impl<'a, R: Lanes> Equations<'a, R> {
         Self { machine, parameters, constants: zeros(machine.constants()) }
     }
 
-    /// Puts parameters into a lane; [`Equations::prepare`] comes after it.
+    /// Copies parameters into a lane; must be followed by [`Equations::prepare`].
     pub(crate) fn load(&mut self, index: usize, parameters: &[f64]) {
         for (into, value) in self.parameters.iter_mut().zip(parameters) {
             into.set_lane(index, *value);
         }
     }
 
-    /// Computes what parameters decide.
+    /// Computes the constants of the parameters.
     pub(crate) fn prepare(&mut self) {
         self.machine.prepare(&self.parameters, &mut self.constants);
     }

@@ -1,4 +1,4 @@
-//! Exact answers to hold the simulators against, derived by hand.
+//! Exact solutions for comparison with the simulators, derived by hand.
 //!
 //! Nothing here depends on a simulator, a solver or the symbolic pipeline: every
 //! function is a formula over `f64`, or over any [`Number`] where its derivatives are

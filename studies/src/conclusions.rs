@@ -31,12 +31,12 @@ pub struct DampedCouplings {
     pub torques: Vec<f64>,
 }
 
-/// Stiffnesses from 3 to 300 kN m/rad, so many to a factor of ten.
+/// Number of stiffnesses per factor of ten, from 3 to 300 kN m/rad.
 const TO_A_DECADE: i32 = 6;
 
 impl Couplings {
-    /// Runs the gin up and loads it, with half of the study's dissipation, with it and with twice as
-    /// much.
+    /// Runs the gin up and loads it, with half the study's dissipation, with all of it and with
+    /// twice as much.
     ///
     /// # Errors
     /// [`CheckFailure`] if a run stops.
@@ -64,34 +64,34 @@ impl Couplings {
 pub fn peaks(stiffness: f64, damping: f64) -> Result<(f64, f64), CheckFailure> {
     let machine = saw_gin();
     let settings = [("coupling.stiffness", stiffness), ("coupling.damping", damping)];
-    // A vibration of 314 rad/s has its peak to a part in a thousand.
+    // These samples resolve the peak of a vibration of 314 rad/s to a part in a thousand.
     let run = machine.simulation(&settings)?.until(2.0).points(8001).rtol(1e-7);
     let run = run.method(Method::Dop853).run()?;
     let peak = |name| Ok::<_, CheckFailure>(largest(machine.column(&run, name)?));
     Ok((peak("cylinder_acceleration")?, peak("coupling_torque")?))
 }
 
-/// Up to which speed the bench winder winds stably, over its pressure at rest.
+/// Speed limits of stable winding on the bench winder, over its pressure at rest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StableSpeeds {
     /// Pressures with the empty bobbin \[N\].
     pub pressures: Vec<f64>,
-    /// Limits for a pressure that is kept while the package grows.
+    /// Limits for a pressure that is kept constant while the package grows.
     pub kept: Vec<Limit>,
-    /// Limits where the holder's spring alone presses, by equation (15).
+    /// Limits if only the holder's spring presses, by equation (15).
     pub growing: Vec<Limit>,
 }
 
-/// The first thing that ends stability as the speed rises.
+/// Limit at which stability ends as the speed rises.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit {
-    /// Greatest speed up to which winding is stable at every radius \[m/s\]; 0 if at none.
+    /// Largest speed up to which winding is stable at every radius \[m/s\]; 0 if there is none.
     pub speed: f64,
-    /// Radius at which it ends \[m\].
+    /// Radius at which stability ends \[m\].
     pub radius: f64,
-    /// The condition that fails there.
+    /// Condition that fails there.
     pub condition: Condition,
-    /// Which disturbance varies the pressure most there.
+    /// Disturbance that varies the pressure most there.
     pub disturbance: Disturbance,
 }
 
@@ -107,7 +107,7 @@ pub enum Disturbance {
 }
 
 impl Disturbance {
-    /// In words.
+    /// Returns a description.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -119,10 +119,10 @@ impl Disturbance {
 }
 
 impl StableSpeeds {
-    /// Limits over pressures from 10 N to what the yarn bears.
+    /// Computes limits for pressures from 10 N to the limit of the yarn.
     ///
     /// # Errors
-    /// [`CheckFailure`] if a scene lacks what is asked for.
+    /// [`CheckFailure`] if a scene lacks a required quantity.
     pub fn new() -> Result<Self, CheckFailure> {
         let bench = Winder::at_speed(winder_linear().value("winding_speed")?)?;
         let growth = winder_linear().value("holder.stiffness")?;
@@ -135,10 +135,10 @@ impl StableSpeeds {
     }
 }
 
-/// Limit of a winder's stability as it winds faster.
+/// Returns the stability limit of a winder with increasing speed.
 ///
 /// # Errors
-/// [`CheckFailure`] if a scene lacks what is asked for.
+/// [`CheckFailure`] if a scene lacks a required quantity.
 pub fn limit(winder: &Winder) -> Result<Limit, CheckFailure> {
     let map = StabilityMap::of(winder, FASTEST)?;
     let fails = |row: &usize| map.cells[*row].iter().any(|c| c.condition != Condition::Stable);
@@ -165,7 +165,7 @@ pub fn limit(winder: &Winder) -> Result<Limit, CheckFailure> {
     })
 }
 
-/// Figure 8: the pressure over the radius of the package, and the window it has to keep.
+/// Figure 8: the pressure over the radius of the package, and its allowed window.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PressureWindow {
     /// Winding speed \[m/s\].
@@ -181,10 +181,10 @@ pub struct PressureWindow {
 }
 
 impl PressureWindow {
-    /// Of a winder at its speed.
+    /// Computes the window of a winder at its speed.
     ///
     /// # Errors
-    /// [`CheckFailure`] if a scene lacks what is asked for.
+    /// [`CheckFailure`] if a scene lacks a required quantity.
     pub fn of(winder: &Winder) -> Result<Self, CheckFailure> {
         // The last row of a map that ends at the winder's speed.
         let map = StabilityMap::of(winder, winder.speed)?;
@@ -200,7 +200,7 @@ impl PressureWindow {
     }
 }
 
-/// Runs of the reed against a fell that only pushes, by its stiffness.
+/// Runs the reed against a fell that only pushes, for several stiffnesses.
 ///
 /// # Errors
 /// [`CheckFailure`] if a run stops.

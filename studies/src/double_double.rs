@@ -1,9 +1,9 @@
-//! Numbers of 31 digits, to run emitted code where rounding must not show.
+//! Numbers of 31 digits, for runs of emitted code without visible rounding.
 //!
-//! A value is the unevaluated sum of two `f64`, as T. J. Dekker has it (A floating-point
-//! technique for extending the available precision, Numerische Mathematik 18, 1971).
-//! Arithmetic, roots, exponentials and logarithms are those of the crate `qd`; what it
-//! lacks is here, to some units of the 30th digit.
+//! A value is the unevaluated sum of two `f64` (T. J. Dekker, A floating-point technique for
+//! extending the available precision, Numerische Mathematik 18, 1971). Arithmetic, roots,
+//! exponentials and logarithms are those of the crate `qd`; functions that it lacks are here,
+//! accurate to some units of the 30th digit.
 
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -17,22 +17,22 @@ use qd::Quad;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DoubleDouble(Quad);
 
-/// pi/2 by three `f64`, of which the third is what two leave.
+/// pi/2 as a sum of three `f64`.
 const HALF_PI: [f64; 3] = [FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_7e-33];
 
-/// Below this size the hyperbolic sine is a power series: the difference of two
-/// exponentials would cancel.
+/// Size below which the hyperbolic sine is a power series, since the difference of two exponentials
+/// would cancel.
 const SMALL: f64 = 0.5;
 
-/// Beyond this size tanh is one to the last digit.
+/// Size above which tanh is one to the last digit.
 const SATURATED: f64 = 40.0;
 
-/// What a run of 31 digits asks of its machine. Every simulator has it, and who makes `&dyn Twin` of
-/// one compiles no more than this in these numbers.
+/// Functions of a simulator that a run in 31 digits needs. Every simulator has them. Making `&dyn
+/// Twin` of a simulator compiles only these in such numbers.
 pub trait Twin: Describe {
-    /// As [`Simulator::discontinuities`].
+    /// See [`Simulator::discontinuities`].
     fn discontinuities(&self, parameters: &[DoubleDouble], times: &mut [DoubleDouble]);
-    /// As [`Simulator::taylor`].
+    /// See [`Simulator::taylor`].
     fn taylor(&self) -> Option<&dyn TaylorSeries<DoubleDouble>>;
 }
 
@@ -45,23 +45,23 @@ impl<S: Simulator<DoubleDouble>> Twin for S {
     }
 }
 
-/// The emitted scene of a name in these numbers, if series tell what is ahead: without events and
-/// corners.
+/// Returns the emitted scene of this name in these numbers, if it has Taylor series without events
+/// and corners.
 #[must_use]
 pub fn precise(name: &str) -> Option<&'static dyn Twin> {
     find_carried!(name)
 }
 
 impl DoubleDouble {
-    /// The nearest `f64`.
+    /// Returns the nearest `f64`.
     #[must_use]
     pub fn to_f64(self) -> f64 {
         self.0.0
     }
 
-    /// The sum `first + term_1 + ...` of a power series with
-    /// `term_n = term_(n-1) square/((m + 1)(m + 2))`, where m counts up from `from` by two:
-    /// sines and cosines, hyperbolic for a positive square.
+    /// Returns the sum `first + term_1 + ...` of a power series with `term_n = term_(n-1)
+    /// square/((m + 1)(m + 2))`, where m counts up from `from` by two: sines and cosines, or
+    /// hyperbolic ones for a positive square.
     fn factorial_series(first: Self, square: Self, from: u32) -> Self {
         /// 0.8^32/32! is less than 1e-37.
         const TERMS: u32 = 16;
@@ -70,11 +70,11 @@ impl DoubleDouble {
             *term = *term * square / Self::literal((m + 1.0) * (m + 2.0));
             Some(*term)
         });
-        // Small ones first.
+        // Small terms are added first.
         terms.collect::<Vec<_>>().into_iter().rev().fold(Self::literal(0.0), Add::add) + first
     }
 
-    /// Sine and cosine.
+    /// Returns sine and cosine.
     fn sine_and_cosine(self) -> (Self, Self) {
         let turns = (self.to_f64() / HALF_PI[0]).round();
         if !turns.is_finite() {
@@ -94,7 +94,7 @@ impl DoubleDouble {
         }
     }
 
-    /// sqrt(1 - x^2).
+    /// Returns sqrt(1 - x^2).
     fn complement(self) -> Self {
         let one = Self::literal(1.0);
         ((one - self) * (one + self)).sqrt()
@@ -184,22 +184,22 @@ impl Real for DoubleDouble {
         sine / cosine
     }
 
-    /// From y near the angle: sin(asin x - y) = x cos y - sqrt(1 - x^2) sin y, which is
-    /// small enough to be the difference itself.
+    /// Uses y near the angle: sin(asin x - y) = x cos y - sqrt(1 - x^2) sin y, which is small
+    /// enough to be the difference itself.
     fn asin(self) -> Self {
         let near = Self::literal(self.to_f64().asin());
         let (sine, cosine) = near.sine_and_cosine();
         near + (self * cosine - self.complement() * sine)
     }
 
-    /// As [`Real::asin`], by sqrt(1 - x^2) cos y - x sin y.
+    /// Works like [`Real::asin`], by sqrt(1 - x^2) cos y - x sin y.
     fn acos(self) -> Self {
         let near = Self::literal(self.to_f64().acos());
         let (sine, cosine) = near.sine_and_cosine();
         near + (self.complement() * cosine - self * sine)
     }
 
-    /// From y near the angle: tan(atan x - y) = (x cos y - sin y)/(cos y + x sin y).
+    /// Uses y near the angle: tan(atan x - y) = (x cos y - sin y)/(cos y + x sin y).
     fn atan(self) -> Self {
         let near = Self::literal(self.to_f64().atan());
         let (sine, cosine) = near.sine_and_cosine();
@@ -238,7 +238,7 @@ mod tests {
     type Exact = FBig<HalfEven, 2>;
     type Case = (fn(DoubleDouble) -> DoubleDouble, fn(&Exact) -> Exact);
 
-    /// Bits of the correctly rounded functions that ours are held against.
+    /// Number of bits of the correctly rounded reference functions.
     const BITS: usize = 200;
     const TOLERANCE: f64 = 2e-30;
 
@@ -247,13 +247,13 @@ mod tests {
         part(value.0.0) + part(value.0.1)
     }
 
-    /// |ours - truth|/|truth|.
+    /// Returns |ours - truth|/|truth|.
     fn error(ours: DoubleDouble, truth: &Exact) -> f64 {
         let distance = (exact(ours) - truth).to_f64().value().abs();
         distance / truth.to_f64().value().abs()
     }
 
-    /// Points all over an interval, none of which is an `f64`.
+    /// Returns points all over an interval, none of which is an `f64`.
     fn points(from: f64, to: f64) -> impl Iterator<Item = DoubleDouble> {
         let third = DoubleDouble::literal(1.0) / DoubleDouble::literal(3.0);
         (0..100).map(move |index| {

@@ -1,10 +1,10 @@
-//! The reproduction ledger: every equation, table, figure and number that the saw-gin, winder and
-//! reed studies print, what their equations as printed give, what the consistent reading gives,
-//! where it is here, and what holds it.
+//! The reproduction ledger: every equation, table, figure and number in the saw-gin, winder and
+//! reed studies, with the values of the equations as printed and in the consistent reading, their
+//! places here, and their checks.
 //!
-//! Only the printed figures are written down here; every other number is computed
-//! from the emitted scenes and the closed forms when the ledger is asked for. The report and the
-//! book's chapter of the studies show these rows.
+//! Only the printed figures are written here; every other number is computed from the emitted
+//! scenes and the closed forms on request. The report and the book's chapter on the studies show
+//! these rows.
 
 mod motor;
 mod page;
@@ -36,10 +36,10 @@ pub enum Study {
 }
 
 impl Study {
-    /// All three.
+    /// All studies.
     pub const ALL: [Self; 3] = [Self::SawGin, Self::Winder, Self::Reed];
 
-    /// In two words.
+    /// Returns the title in two words.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -61,7 +61,7 @@ pub enum Held {
 }
 
 impl Held {
-    /// In words.
+    /// Returns a description.
     #[must_use]
     pub fn told(self) -> String {
         match self {
@@ -71,7 +71,7 @@ impl Held {
     }
 }
 
-/// One thing that a study prints, and what became of it.
+/// One printed item of a study with its reproduction.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LedgerRow {
     /// The study.
@@ -84,7 +84,7 @@ pub struct LedgerRow {
     pub unit: &'static str,
     /// The number as printed, if the study prints one.
     pub printed: Option<f64>,
-    /// What equations and numbers as printed give, if they give one.
+    /// The number that equations and numbers as printed give, if they give one.
     pub as_printed: Option<f64>,
     /// Its value in the consistent reading, if it is a number there.
     pub consistent: Option<f64>,
@@ -97,7 +97,7 @@ pub struct LedgerRow {
 }
 
 impl LedgerRow {
-    /// A row without a number or words.
+    /// Creates a row without a number or words.
     fn of(study: Study, at: &'static str, place: &'static str, held: Held) -> Self {
         Self {
             study,
@@ -114,7 +114,7 @@ impl LedgerRow {
     }
 }
 
-/// An equation or a figure that is no number.
+/// An equation or a figure without a number.
 struct Told {
     at: &'static str,
     figure: &'static str,
@@ -163,12 +163,12 @@ impl Parameter {
     }
 }
 
-/// Computes every row of the ledger, study by study: its equations, figures and text first, its
-/// numbers then.
+/// Computes every row of the ledger, study by study: first its equations, figures and text, then
+/// its numbers.
 ///
 /// # Errors
-/// [`CheckFailure`] if a consistent run stops. A run as printed that stops is told
-/// in the verdicts of its rows.
+/// [`CheckFailure`] if a consistent run stops. A run as printed that stops is reported in the
+/// verdicts of its rows.
 pub fn ledger() -> Result<Vec<LedgerRow>, CheckFailure> {
     let runs = run_up::Runs::new()?;
     let mut rows = saw_gin_told::rows()?;
@@ -182,7 +182,7 @@ pub fn ledger() -> Result<Vec<LedgerRow>, CheckFailure> {
     Ok(rows)
 }
 
-/// The ledger as aligned text, one row a figure.
+/// Returns the ledger as aligned text, with one row per item.
 #[must_use]
 pub fn render_ledger(rows: &[LedgerRow]) -> String {
     let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), digits);
@@ -215,7 +215,7 @@ pub fn render_ledger(rows: &[LedgerRow]) -> String {
     text_table(header, cells)
 }
 
-/// `within 0.3 %` or `1.6 times larger`, of ours against the printed.
+/// Returns `within 0.3 %` or `1.6 times larger`, from our value and the printed one.
 fn compare(printed: f64, ours: f64) -> String {
     let ratio = ours / printed;
     let deviation = (ratio - 1.0).abs();
@@ -230,12 +230,12 @@ fn compare(printed: f64, ours: f64) -> String {
     }
 }
 
-/// Whether ours is the printed figure to half of its last digit, in words.
+/// Returns in words whether our value equals the printed figure to half of its last digit.
 fn reproduced(printed: f64, ours: f64, half_digit: f64) -> &'static str {
     if (ours - printed).abs() <= half_digit { "reproduced" } else { "not reproduced" }
 }
 
-/// Seven significant digits, without trailing zeros.
+/// Formats a value with seven significant digits, without trailing zeros.
 fn digits(value: f64) -> String {
     digits_of(value, 7)
 }

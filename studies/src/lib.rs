@@ -1,9 +1,10 @@
-//! The machines of three studies by hand.
+//! Three studies of machines, reproduced.
 //!
-//! Closed forms and hand-written equations ([`closed_form`]), the checks that hold
-//! simulators against them ([`verify`]), what is printed beside what is right
-//! ([`ledger`]), the reed's shaft cut another way ([`reed_cells`]), which model of a winder is enough ([`winder_walk`]), references in 31
-//! digits ([`work_precision`]), and trials that strain methods ([`stability`]).
+//! Closed forms and hand-written equations ([`closed_form`]), checks that compare simulators with
+//! them ([`verify`]), printed and correct values side by side ([`ledger`]), a second discretization
+//! of the reed's shaft ([`reed_cells`]), the choice of a sufficient model of a winder
+//! ([`winder_walk`]), references in 31 digits ([`work_precision`]), and extreme cases for methods
+//! ([`stability`]).
 #![forbid(unsafe_code)]
 
 pub mod closed_form;

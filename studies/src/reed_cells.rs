@@ -1,4 +1,4 @@
-//! The driven shaft and its reed once more, as a row of rigid cells on torsion springs.
+//! The driven shaft and its reed as a row of rigid cells on torsion springs.
 //!
 //! ```text
 //! m u_k'' = k (u_(k+1) - u_k) - k (u_k - u_(k-1)) - [C0 (u_0 - u0)] - [C1 (u_n - ur)]
@@ -6,10 +6,11 @@
 //! m = rho Jp dx, half of it at both ends          k = G Jp/dx
 //! ```
 //!
-//! Cells and time steps are even, steps the classical ones of Runge and Kutta, whose error is far
-//! below that of the cells. Nothing is shared with the elements of the scenes `reed_beat_up` and
-//! `reed_beat_up_one_sided`, nor with the engine: the model is a second statement of the study's
-//! machine, and the only one here that a fell which lets go does not end.
+//! Cells and time steps are uniform. The steps are those of the classical Runge-Kutta method, with
+//! errors far below that of the cells. Nothing is shared with the elements of the scenes
+//! `reed_beat_up` and `reed_beat_up_one_sided`, nor with the engine: the model is an independent
+//! formulation of the study's machine, and the only one here that covers times after the fell lets
+//! go.
 //!
 //! Source: reed study, in its consistent reading; cells by hand.
 
@@ -18,24 +19,24 @@ use crate::closed_form::reed::{ReedMotion, ReedShaft};
 /// Force law of the cloth fell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fell {
-    /// Pushes it back and pulls it on, a spring both ways.
+    /// Pushes and pulls: a spring in both directions.
     PushesAndPulls,
-    /// Pushes it back while the reed is beyond the fell's edge.
+    /// Pushes only while the reed is beyond the fell's edge.
     OnlyPushes,
 }
 
-/// The cells.
+/// Model of the shaft as cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReedCells {
     /// Shaft, reed and fell.
     pub shaft: ReedShaft,
     /// Force law of the fell.
     pub fell: Fell,
-    /// Number of cells: so many that the reed sits between two of them.
+    /// Number of cells, chosen so that the reed sits between two of them.
     pub cells: usize,
 }
 
-/// Cells, with what their rates need worked out.
+/// Cells with precomputed coefficients of their rates.
 struct Row {
     reed_node: usize,
     node_inertia: f64,
@@ -49,11 +50,12 @@ struct Row {
 /// A state within a step, and the slopes of its four stages.
 type Work = [Vec<f64>; 5];
 
-/// h c/dx. Cells vibrate with up to 2 c/dx, and steps are stable up to h w = 2 sqrt(2).
+/// Courant number h c/dx. Cells vibrate with up to 2 c/dx, and steps are stable up to h w = 2
+/// sqrt(2).
 const STEP_SHARE: f64 = 0.9;
 
 impl ReedCells {
-    /// Motion from rest under the study's drive at ascending times \[s\].
+    /// Computes the motion from rest under the study's drive at ascending times \[s\].
     #[must_use]
     pub fn motion(&self, times: &[f64]) -> Vec<ReedMotion> {
         let row = self.row();
@@ -75,7 +77,7 @@ impl ReedCells {
         motion
     }
 
-    /// dx \[m\].
+    /// Returns dx \[m\].
     fn width(&self) -> f64 {
         self.shaft.length / self.cells as f64
     }
@@ -95,7 +97,7 @@ impl ReedCells {
 }
 
 impl Row {
-    /// Angles of nodes and, last, of the reed; then their speeds.
+    /// Computes rates of the angles of nodes and, last, of the reed; then of their speeds.
     fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         let (angles, speeds) = state.split_at(state.len() / 2);
         let (moving, accelerations) = rate.split_at_mut(speeds.len());
@@ -138,7 +140,8 @@ impl Row {
         }
     }
 
-    /// Angles and stresses. The section beside the reed balances half of its node's inertia.
+    /// Returns angles and stresses. The section beside the reed balances half of its node's
+    /// inertia.
     fn seen(&self, time: f64, state: &[f64]) -> ReedMotion {
         let mut rate = vec![0.0; state.len()];
         self.rate(time, state, &mut rate);
@@ -181,7 +184,7 @@ mod tests {
             off.fold(0.0, f64::max)
         };
         let (coarse, fine) = (error(70), error(140));
-        // Second order but for the kinks of waves.
+        // The error is of second order except for the kinks of waves.
         assert!(fine < 1e-5, "{fine:e}");
         assert!((1.4..2.4).contains(&(coarse / fine).log2()), "{coarse:e} {fine:e}");
     }

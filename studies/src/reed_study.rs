@@ -1,6 +1,6 @@
-//! What the reed study concludes: a stiffer contact with the cloth fell changes the
-//! motion little and the stress markedly. Runs with a fell that only pushes, which is the
-//! machine, and with one that also pulls, compared.
+//! Conclusion of the reed study: a stiffer contact with the cloth fell changes the motion little
+//! and the stress markedly. Compares runs with a fell that only pushes, as in the real machine, and
+//! with one that also pulls.
 
 use machinist_contract::field::FieldScene;
 use machinist_scenes::scenes::reed_beat_up::ReedBeatUp;
@@ -12,7 +12,7 @@ use crate::verify::{CheckFailure, largest};
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation};
 
-/// What is compared, with its unit: outputs of the scene.
+/// Compared outputs of the scene, with their units.
 pub const COMPARED: [(&str, &str); 5] = [
     ("shaft_angle", "rad"),
     ("reed_angle", "rad"),
@@ -24,29 +24,29 @@ pub const COMPARED: [(&str, &str); 5] = [
 /// A run with one stiffness of the contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Beat {
-    /// C2/C1.
+    /// Ratio C2/C1.
     pub share: f64,
     /// Output times \[s\].
     pub times: Vec<f64>,
-    /// The columns of [`COMPARED`].
+    /// Columns of [`COMPARED`].
     pub columns: [Vec<f64>; 5],
 }
 
 impl Beat {
-    /// Largest size of each column.
+    /// Returns the largest absolute value of each column.
     #[must_use]
     pub fn largest(&self) -> [f64; 5] {
         self.columns.each_ref().map(|column| largest(column))
     }
 
-    /// Change of the largest sizes from this run to another, in per cent.
+    /// Returns the change of the largest values from this run to another, in percent.
     #[must_use]
     pub fn change_to(&self, other: &Beat) -> [f64; 5] {
         let (from, to) = (self.largest(), other.largest());
         [0, 1, 2, 3, 4].map(|index| 100.0 * (to[index] / from[index] - 1.0))
     }
 
-    /// Largest angle of the reed forward, into the fell \[rad\].
+    /// Returns the largest angle of the reed forward, into the fell \[rad\].
     #[must_use]
     pub fn forward(&self) -> f64 {
         self.columns[1].iter().fold(0.0, |most: f64, angle| most.max(*angle))
@@ -61,7 +61,7 @@ pub fn beats(fell: Fell) -> Result<[Beat; 3], CheckFailure> {
     Ok([beat(fell, 0.0)?, beat(fell, 0.5)?, beat(fell, 1.0)?])
 }
 
-/// A run over a period of the drive with C2 so large a share of C1.
+/// Runs over a period of the drive with C2 equal to `share` times C1.
 ///
 /// # Errors
 /// [`CheckFailure`] if the scene does not run.
@@ -95,7 +95,7 @@ mod tests {
     fn against_a_fell_that_only_pushes_stiffer_contact_changes_motion_little_and_stress_markedly() {
         let beats = beats(Fell::OnlyPushes).unwrap();
         let [shaft, reed, before, _, fell] = beats[1].change_to(&beats[2]);
-        // The cells say +2.0 %, -0.5 %, +28.0 %.
+        // The cells give +2.0 %, -0.5 %, +28.0 %.
         assert!((shaft - 2.0).abs() < 0.2 && (reed + 0.55).abs() < 0.2, "{shaft} {reed}");
         assert!((before - 28.0).abs() < 1.0 && fell > 30.0, "{before} {fell}");
         assert!(beats[0].largest()[4] == 0.0);

@@ -1,16 +1,15 @@
-//! Extreme cases against all methods: which are right, which refuse, which are wrong.
+//! Extreme cases for all methods: right, refused or wrong results.
 //!
-//! A run that ends is *right* if no state errs by more than [`ALLOWED`] times the
-//! relative tolerance, or by once the tolerance for every step where these are more, and
-//! by no more than [`LARGEST`], at any of the case's times, relative to the largest value
-//! that the state has at them; else it is *wrong*. A run that stops with an error is
-//! *refused*. The absolute tolerance of a state is the relative one times that same
-//! size, so that small states count like large ones. No run takes more than
+//! A complete run is *right* if no state errs by more than [`ALLOWED`] times the relative tolerance
+//! (or by once the tolerance for every step, if that is more), and by no more than [`LARGEST`], at
+//! any of the case's times, relative to the largest value of the state at them; otherwise it is
+//! *wrong*. A run that stops with an error is *refused*. The absolute tolerance of a state is the
+//! relative one times that same size, so small states count like large ones. No run takes more than
 //! [`MAX_STEPS`] steps, so none hangs.
 //!
-//! What is right is told by a closed form, or where there is none by two unrelated
-//! methods that agree at tight tolerances; a conservative machine is judged by its
-//! energy. To add a case: one line in `src/stability/cases.rs`.
+//! The reference is a closed form or, where there is none, two unrelated methods that agree at
+//! tight tolerances; a conservative machine is judged by its energy. To add a case, add one line to
+//! `src/stability/cases.rs`.
 
 mod cases;
 mod drift;
@@ -29,106 +28,106 @@ use machinist::trajectory::{ColumnKind, Trajectory};
 pub use order::{ObservedOrders, POWERS, observed_orders};
 use truth::{Known, Truth};
 
-/// Errors of a run that is right, in relative tolerances, at any number of steps: errors
-/// of steps add up, and ill-conditioned cases enlarge them.
+/// Maximum error of a right run in relative tolerances, for any number of steps: errors of steps
+/// add up, and ill-conditioned cases amplify them.
 pub const ALLOWED: f64 = 1000.0;
 
-/// Relative error of a run that is right at any tolerance.
+/// Maximum relative error of a right run at any tolerance.
 pub const LARGEST: f64 = 0.01;
 
-/// A run of the study may take so many steps.
+/// Maximum number of steps of a run.
 pub const MAX_STEPS: usize = 50_000;
 
-/// What to run.
+/// Selection of cases and methods.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// The methods.
+    /// Methods.
     pub methods: Vec<Method>,
     /// Relative tolerance of every run.
     pub rtol: f64,
-    /// Only cases whose `part: name` contains this text, if any is given.
+    /// Text that `part: name` of a case must contain, if given.
     pub only: Option<String>,
-    /// Steps of the runs that show how far constraints are left; none if 0.
+    /// Number of steps of the runs that measure drift from constraints; none if 0.
     pub drift_steps: usize,
 }
 
 impl Default for Plan {
-    /// All cases and methods, at 1e-6.
+    /// Selects all cases and methods, at 1e-6.
     fn default() -> Self {
         Self { methods: Method::compiled_in().collect(), rtol: 1e-6, only: None, drift_steps: 0 }
     }
 }
 
-/// The outcomes of all cases.
+/// Results of all cases.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Study {
     /// Relative tolerance of every run.
     pub rtol: f64,
-    /// The methods, in the order of the cells.
+    /// Methods, in the order of the cells.
     pub methods: Vec<Method>,
     /// One for each case.
     pub rows: Vec<Row>,
-    /// Orders on the problem of Prothero and Robinson, if all cases were wanted.
+    /// Orders observed on the Prothero-Robinson problem, if all cases were selected.
     pub orders: Vec<ObservedOrders>,
-    /// Runs of very many steps under constraints.
+    /// Runs with very many steps under constraints.
     pub long_runs: Vec<LongRun>,
 }
 
-/// One case.
+/// Results of one case.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
-    /// What is strained.
+    /// Aspect that is strained.
     pub part: &'static str,
-    /// How far.
+    /// Degree of strain.
     pub case: String,
-    /// What errors are measured against.
+    /// Reference of errors.
     pub truth: String,
-    /// How far two ways to it agree, as errors are measured; 0 for a closed form.
+    /// Difference between two ways to the reference, in the measure of errors; 0 for a closed form.
     pub agreement: f64,
     /// One for each method.
     pub cells: Vec<Cell>,
 }
 
-/// One case by one method.
+/// Result of one case by one method.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cell {
     /// The method.
     pub method: Method,
-    /// How it ended.
+    /// Result of the run.
     #[serde(flatten)]
     pub outcome: Outcome,
 }
 
-/// How a run ended.
+/// Result of a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 pub enum Outcome {
-    /// The error is at most what is allowed.
+    /// The error is within the limit.
     Right {
         /// Error over relative tolerance.
         error: f64,
-        /// Steps taken.
+        /// Number of steps taken.
         steps: u64,
     },
     /// The run stopped with an error.
     Refused {
-        /// In one word, for a table.
+        /// Reason in one word, for a table.
         word: &'static str,
         /// The error.
         reason: String,
     },
-    /// The run ended with a larger error.
+    /// The error exceeds the limit.
     Wrong {
-        /// Error over relative tolerance; `null` in JSON if it is no number.
+        /// Error over relative tolerance; `null` in JSON if it is not finite.
         #[serde(serialize_with = "finite_or_null")]
         error: f64,
-        /// Steps taken.
+        /// Number of steps taken.
         steps: u64,
     },
 }
 
 impl Study {
-    /// Outcomes of one method, with their cases.
+    /// Returns the results of one method, with their cases.
     pub fn of(&self, method: Method) -> impl Iterator<Item = (&Row, &Outcome)> {
         let cells = move |row: &Row| row.cells.iter().position(|cell| cell.method == method);
         self.rows
@@ -136,7 +135,7 @@ impl Study {
             .filter_map(move |row| cells(row).map(|index| (row, &row.cells[index].outcome)))
     }
 
-    /// How many cells of a method are right, refused and wrong.
+    /// Returns the numbers of right, refused and wrong cells of a method.
     #[must_use]
     pub fn counts(&self, method: Method) -> [usize; 3] {
         let mut counts = [0; 3];
@@ -151,11 +150,11 @@ impl Study {
     }
 }
 
-/// Runs every case that is wanted by every method that is.
+/// Runs every selected case by every selected method.
 ///
 /// # Errors
-/// [`SimulateError`] if the tolerance makes no sense, or if what is right in a case
-/// cannot be told, which is a defect of the case.
+/// [`SimulateError`] if the tolerance is out of range, or if the reference of a case cannot be
+/// computed, which is a defect of the case.
 pub fn study(plan: &Plan) -> Result<Study, SimulateError> {
     if !(plan.rtol > 0.0 && plan.rtol <= 1.0) {
         return Err(SimulateError::BadTolerance(plan.rtol));
@@ -181,7 +180,7 @@ struct Case {
     name: String,
     simulator: &'static dyn Simulator<f64>,
     settings: Vec<(&'static str, f64)>,
-    /// Times at which it is judged, the last one its end \[s\].
+    /// Times at which it is judged, the last of which is its end \[s\].
     times: Vec<f64>,
     truth: Truth,
 }
@@ -225,7 +224,7 @@ impl Case {
     }
 }
 
-/// Why a run was refused, in one word.
+/// Returns in one word why a run was refused.
 fn word(error: &SimulateError, method: Method, simulator: &dyn Simulator<f64>) -> &'static str {
     match error {
         _ if !method.suits(simulator) => "unfit",
@@ -248,7 +247,7 @@ fn word(error: &SimulateError, method: Method, simulator: &dyn Simulator<f64>) -
     }
 }
 
-/// States at the times of a run, one row a time.
+/// Returns the states at the times of a run, one row per time.
 fn states(run: &Trajectory) -> Vec<Vec<f64>> {
     let columns: Vec<_> = run.of_kind(ColumnKind::State).collect();
     let row = |time| columns.iter().map(|column| column.values[time]).collect();

@@ -1,13 +1,12 @@
-//! Holds the simulators against what is known without them: closed forms,
-//! converged references, hand-written equations, complex-step derivatives and
-//! the energy account.
+//! Compares the simulators with independent knowledge: closed forms, converged references,
+//! hand-written equations, complex-step derivatives and the energy balance.
 //!
-//! The checks of a scene are a table in `src/verify/<scene>.rs`, those of every
-//! scene in `src/verify/every_scene.rs`. To add a check: write one function from
-//! a `Machine` to a `Measured` and one row in its table.
+//! The checks of a scene are a table in `src/verify/<scene>.rs`, those of every scene are in
+//! `src/verify/every_scene.rs`. To add a check, write a function from a `Machine` to a `Measured`
+//! and add a row to its table.
 //!
-//! References never follow a parameter that is overridden: they are those of the
-//! published numbers, so that a broken parameter makes rows fail.
+//! References do not follow overridden parameters: they belong to the published numbers, so a wrong
+//! parameter makes rows fail.
 
 pub mod automatic;
 mod bouncing_mass;
@@ -50,15 +49,15 @@ use machinist::error::SimulateError;
 use machinist::field::{FieldError, ModalError};
 use machinist::linear_analysis::LinearError;
 
-/// What is changed before the checks run.
+/// Settings of the checks.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct VerifyOptions {
     /// Parameters set to other values, as `scene.parameter` and SI value:
     /// `two_mass.coupling.stiffness`. They also win over what a check sets.
     pub overrides: Vec<(String, f64)>,
-    /// Only checks whose `scene: check` contains this text, if any is given.
+    /// Text that `scene: check` must contain, if given.
     pub only: Option<String>,
-    /// Only these scenes, if any are given.
+    /// Names of the scenes to check, if given.
     pub scenes: Option<Vec<String>>,
 }
 
@@ -71,44 +70,44 @@ impl VerifyOptions {
     }
 }
 
-/// The outcome of one check.
+/// Result of one check.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Verdict {
-    /// The scene checked.
+    /// Name of the scene.
     pub scene: String,
-    /// What is checked, in a few words.
+    /// Subject of the check, in a few words.
     pub check: Cow<'static, str>,
-    /// What it is held against.
+    /// Reference of the comparison.
     pub reference: Cow<'static, str>,
-    /// The error found, in the measure the reference states; `null` in JSON if the
-    /// check could not be done.
+    /// Error, in the measure that the reference states; `null` in JSON if the check could not be
+    /// done.
     pub error: f64,
-    /// The largest error that passes.
+    /// Largest error that passes.
     pub tolerance: f64,
-    /// Why the tolerance is what it is.
+    /// Justification of the tolerance.
     pub reason: Cow<'static, str>,
-    /// Whether the error is at most the tolerance; so it is of a row that is left out. A row that
+    /// Whether the error is at most the tolerance; also true for a row that is left out. A row that
     /// was not checked does not pass.
     pub pass: bool,
-    /// The number found, for checks of one number.
+    /// Value found, for checks of one number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub value: Option<f64>,
-    /// The number expected, likewise.
+    /// Expected value, for checks of one number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected: Option<f64>,
-    /// Why the check could not be done, or what it means that it fails.
+    /// Reason why the check could not be done, or consequence of its failure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub failure: Option<String>,
-    /// Why the check cannot be asked of this machine.
+    /// Reason why the check does not apply to this machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub skipped: Option<String>,
-    /// Why the check, which can be asked of this machine, was not done: what it takes stopped.
+    /// Reason why the check applies but was not done: a run that it needs stopped.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unchecked: Option<String>,
 }
 
 impl Verdict {
-    /// A verdict without words: one that fails says why.
+    /// Creates a verdict without descriptions; `failure` is the reason of a failure.
     fn judged(scene: &str, error: f64, tolerance: f64, failure: Option<String>) -> Self {
         Self {
             scene: scene.to_owned(),
@@ -126,34 +125,33 @@ impl Verdict {
         }
     }
 
-    /// A row that is left out.
+    /// Creates a row that is left out.
     fn skipped(scene: &str, why: String) -> Self {
         Self { skipped: Some(why), ..Self::judged(scene, f64::NAN, 0.0, None) }
     }
 
-    /// A row that could be asked and was not checked.
+    /// Creates a row that applies but was not checked.
     fn unchecked(scene: &str, why: String) -> Self {
         let pass = false;
         Self { unchecked: Some(why), pass, ..Self::judged(scene, f64::NAN, 0.0, None) }
     }
 }
 
-/// What came of rows, counted.
+/// Numbers of rows by result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Tally {
-    /// Rows that were asked, whether they passed or not.
+    /// Number of checked rows, passed or failed.
     pub checked: usize,
-    /// Of these, rows that passed.
+    /// Number of rows that passed.
     pub passed: usize,
-    /// Rows that cannot be asked, and count as neither.
+    /// Number of rows that do not apply.
     pub left_out: usize,
-    /// Rows that could be asked and were not checked: they count as neither, and nothing is known
-    /// of them.
+    /// Number of rows that apply but were not checked, so that nothing is known of them.
     pub unchecked: usize,
 }
 
 impl Tally {
-    /// Of these rows.
+    /// Counts rows.
     #[must_use]
     pub fn of(verdicts: &[Verdict]) -> Self {
         let left_out = verdicts.iter().filter(|verdict| verdict.skipped.is_some()).count();
@@ -163,34 +161,34 @@ impl Tally {
         Self { checked: verdicts.len() - left_out - unchecked, passed, left_out, unchecked }
     }
 
-    /// Whether no row failed.
+    /// Returns whether no row failed.
     #[must_use]
     pub fn is_clean(&self) -> bool {
         self.passed == self.checked
     }
 }
 
-/// Why nothing was checked.
+/// Reason why nothing was checked.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum VerifyError {
-    /// An override names no parameter of a verified scene.
+    /// An override does not name a parameter of a verified scene.
     #[error("override `{0}`: no verified scene has this parameter; it is written scene.parameter")]
     UnknownOverride(String),
     /// An override is not a finite number.
     #[error("override `{name}` is {value}, but must be a finite number")]
     OverrideNotFinite {
-        /// The parameter.
+        /// Name of the parameter.
         name: String,
-        /// Its value.
+        /// Value of the override.
         value: f64,
     },
 }
 
-/// Runs every check that is wanted, scene by scene, in the order of the tables.
+/// Runs every selected check, scene by scene, in the order of the tables.
 ///
 /// # Errors
-/// [`VerifyError`] if an override makes no sense. A check that cannot be done, say
-/// because its run stops, is a verdict that fails and says why.
+/// [`VerifyError`] if an override is invalid. A check that cannot be done, for example because its
+/// run stops, is a failing verdict with the reason.
 pub fn verify_all(options: &VerifyOptions) -> Result<Vec<Verdict>, VerifyError> {
     let mut machines = machine::all();
     for (name, value) in &options.overrides {
@@ -204,7 +202,7 @@ pub fn verify_all(options: &VerifyOptions) -> Result<Vec<Verdict>, VerifyError> 
     Ok(verdicts.collect())
 }
 
-/// The table of checks that only this scene has.
+/// Returns the table of checks that only this scene has.
 fn own_checks(scene: &str) -> &'static [Check] {
     match scene {
         "two_mass" => two_mass::CHECKS,
@@ -239,7 +237,7 @@ fn own_checks(scene: &str) -> &'static [Check] {
     }
 }
 
-/// Names of the checks of every scene, as `scene: check`.
+/// Returns the names of the checks of every scene, as `scene: check`.
 #[cfg(test)]
 pub(crate) fn check_names() -> Vec<String> {
     let names = |machine: &Machine| {
@@ -261,7 +259,7 @@ fn override_parameter(machines: &mut [Machine], name: &str, value: f64) -> Resul
     machine.override_parameter(parameter, value).map_err(|_| unknown())
 }
 
-/// The verdicts as aligned text: one row a check, and a last line that counts.
+/// Returns the verdicts as aligned text: one row per check, and a last line with the counts.
 #[must_use]
 pub fn render_table(verdicts: &[Verdict]) -> String {
     let cells = verdicts.iter().map(|verdict| {
@@ -302,7 +300,8 @@ fn number(verdict: &Verdict, value: f64) -> String {
     if is_asked { format!("{value:.1e}") } else { String::new() }
 }
 
-/// Why a check fails, is left out or was not done, else why its tolerance is what it is.
+/// Returns why a check failed, was left out or was not done; otherwise the justification of its
+/// tolerance.
 #[must_use]
 pub fn because(verdict: &Verdict) -> &str {
     let Verdict { failure, skipped, unchecked, reason, .. } = verdict;
@@ -310,7 +309,7 @@ pub fn because(verdict: &Verdict) -> &str {
     other.unwrap_or(reason)
 }
 
-/// Aligned text: a header, a rule, and one line a row.
+/// Formats aligned text: a header, a rule, and one line per row.
 pub(crate) fn text_table<const N: usize>(
     header: [&str; N],
     rows: impl Iterator<Item = [String; N]>,
@@ -329,36 +328,36 @@ struct Check {
     measure: fn(&Machine) -> Result<Measured, CheckFailure>,
 }
 
-/// What a check finds.
+/// Result of a measurement.
 struct Measured {
     error: f64,
     value: Option<f64>,
     expected: Option<f64>,
 }
 
-/// Why a check, or a row of the ledger, could not be done.
+/// Reason why a check, or a row of the ledger, could not be done.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CheckFailure {
     /// Its run was refused or stopped.
     #[error(transparent)]
     Simulate(#[from] SimulateError),
-    /// Its linear analysis was refused or did not succeed.
+    /// Its linear analysis was refused or failed.
     #[error(transparent)]
     Linear(#[from] LinearError),
-    /// Its fields cannot be cut into elements as wanted.
+    /// Its fields cannot be divided into elements as requested.
     #[error(transparent)]
     Field(#[from] FieldError),
-    /// It is not seen through modes as wanted.
+    /// Its modal reduction failed.
     #[error(transparent)]
     Modal(#[from] ModalError),
     /// The scene lacks a quantity.
     #[error("scene `{scene}` has no {kind} `{name}`")]
     Unknown {
-        /// The scene.
+        /// Name of the scene.
         scene: &'static str,
-        /// Parameter, state, output or column.
+        /// Kind: parameter, state, output or column.
         kind: &'static str,
-        /// The name asked for.
+        /// Requested name.
         name: String,
     },
     /// A machine that should oscillate does not.
@@ -379,7 +378,7 @@ impl Check {
             check: Cow::Borrowed(self.name),
             reference: Cow::Borrowed(self.reference),
             reason: Cow::Borrowed(self.reason),
-            // An error that is NaN must not pass.
+            // NaN must not pass.
             pass: measured.error <= self.tolerance,
             value: measured.value,
             expected: measured.expected,
@@ -393,42 +392,42 @@ impl Measured {
         Self { error, value: None, expected: None }
     }
 
-    /// |value - expected|.
+    /// Returns |value - expected|.
     fn absolute(value: f64, expected: f64) -> Self {
         Self { error: (value - expected).abs(), value: Some(value), expected: Some(expected) }
     }
 
-    /// |value - expected|/|expected|.
+    /// Returns |value - expected|/|expected|.
     fn relative(value: f64, expected: f64) -> Self {
         let error = ((value - expected) / expected).abs();
         Self { error, value: Some(value), expected: Some(expected) }
     }
 }
 
-/// Whether two counts agree: their difference, with both.
+/// Compares two counts; the error is their difference.
 fn counted(found: u64, expected: usize) -> Measured {
     Measured::absolute(found as f64, expected as f64)
 }
 
-/// How fast a smooth twin nears the machine with events: log2 of the ratio of its
-/// errors at a width and half of it. The error of the check is what lacks to `order`.
+/// Measures the convergence of a smooth twin to the machine with events: log2 of the ratio of its
+/// errors at a width and at half of it. The error of the check is the deficit against `order`.
 fn convergence([coarse, fine]: [f64; 2], order: f64) -> Measured {
     let found = (coarse / fine).log2();
     let error = if found.is_nan() { f64::NAN } else { (order - found).max(0.0) };
     Measured { error, value: Some(found), expected: Some(order) }
 }
 
-/// The larger of two errors; NaN if one is, so that no NaN is lost.
+/// Returns the larger of two errors; NaN if one is NaN.
 fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
 
-/// The largest size of some values.
+/// Returns the largest absolute value.
 pub(crate) fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
 }
 
-/// max |ours - reference|, divided by max |reference|; NaN if the lengths differ.
+/// Returns max |ours - reference|, divided by max |reference|; NaN if the lengths differ.
 fn relative_distance(ours: &[f64], reference: &[f64]) -> f64 {
     if ours.len() != reference.len() {
         return f64::NAN;

@@ -1,14 +1,13 @@
-//! Which model of a winder is enough: the walk through three stages, and the map of where
-//! winding is stable.
+//! Choice of a sufficient model of a winder: three stages, and the map of stable winding.
 //!
-//! 1. Linear ([`spectrum`]): if every operating frequency is at least a factor of two from
-//!    every resonance while the package grows, stop.
-//! 2. Stiffening layer ([`layer`]): its resonances at the amplitude at which the winder
-//!    really runs; enough if operating frequencies stay at least 40 % away.
+//! 1. Linear ([`spectrum`]): sufficient if every operating frequency differs from every resonance
+//!   by at least a factor of two while the package grows.
+//! 2. Stiffening layer ([`layer`]): its resonances at the actual amplitude of the winder;
+//!   sufficient if operating frequencies differ from them by at least 40 %.
 //! 3. Full ([`full`]), with loss of contact, friction and growth.
 //!
-//! A walk stops at the first stage that is enough. The others are run all the same, to say
-//! what they would have cost and changed.
+//! A walk ends at the first sufficient stage. The others are run as well, to show their cost and
+//! what they would have changed.
 //!
 //! Source: winder study.
 
@@ -25,42 +24,42 @@ use serde::Serialize;
 use crate::verify::CheckFailure;
 use crate::verify::machine::winder_full;
 
-/// A winder to be judged; all else is as in the scenes.
+/// A winder; everything else is as in the scenes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Winder {
-    /// Speed of the drum's surface \[m/s\].
+    /// Surface speed of the drum \[m/s\].
     pub speed: f64,
-    /// Radius of the package, least and largest \[m\].
+    /// Least and largest radius of the package \[m\].
     pub radii: (f64, f64),
-    /// Force once a turn of the drum \[N\].
+    /// Force at the rotation frequency of the drum \[N\].
     pub force: f64,
-    /// Amplitude of the drum's shape twice a turn \[m\].
+    /// Amplitude of the drum's shape at twice its rotation frequency \[m\].
     pub shape: f64,
-    /// Force once a turn of the package \[N\], of one that is irregular.
+    /// Force of an irregular package at its rotation frequency \[N\].
     pub package: f64,
     /// Pressure at rest \[N\], with the empty bobbin.
     pub preload: f64,
-    /// Its growth with the radius of the package \[N/m\]: by equation (15) the holder's
-    /// reduced stiffness where a spring alone presses; 0 where something keeps the pressure.
+    /// Growth of the pressure with the radius of the package \[N/m\]: by equation (15) the holder's
+    /// reduced stiffness if only a spring presses; 0 if the pressure is kept constant.
     pub growth: f64,
     /// Tension of the thread \[N\].
     pub tension: f64,
-    /// \[Nmax\], pressure that the yarn bears \[N\]; only the map asks for it.
+    /// \[Nmax\], limit of the pressure for the yarn \[N\]; used only by the map.
     pub largest: f64,
 }
 
-/// Three winders, each of which another stage decides.
+/// Speeds of three winders, each decided by another stage.
 pub const SPEEDS: [f64; 3] = [1.5, 2.2, 5.5];
 
-/// No winder is as fast \[m/s\]; runs take a number of steps that grows with the speed.
+/// Upper bound of the speed \[m/s\]; the number of steps of a run grows with the speed.
 const MOST_SPEED: f64 = 200.0;
 
 impl Winder {
-    /// The bench winder at another speed: its unbalance, 25 N at 5.5 m/s, goes with the
-    /// square of the speed.
+    /// Returns the bench winder at another speed: its unbalance, 25 N at 5.5 m/s, is proportional
+    /// to the square of the speed.
     ///
     /// # Errors
-    /// [`CheckFailure`] if a scene lacks what is asked for.
+    /// [`CheckFailure`] if a scene lacks a required quantity.
     pub fn at_speed(speed: f64) -> Result<Self, CheckFailure> {
         let machine = winder_full();
         let share = speed / machine.value("winding_speed")?;
@@ -77,15 +76,15 @@ impl Winder {
         })
     }
 
-    /// This winder at another speed: unbalances of drum and package go with the square of the
-    /// speed.
+    /// Returns this winder at another speed: unbalances of drum and package are proportional to the
+    /// square of the speed.
     #[must_use]
     pub fn winding_at(&self, speed: f64) -> Self {
         let square = (speed / self.speed).powi(2);
         Self { speed, force: self.force * square, package: self.package * square, ..*self }
     }
 
-    /// What is wrong with it, if anything.
+    /// Returns what is wrong with the winder, if anything.
     #[must_use]
     pub fn mistake(&self) -> Option<String> {
         let positive = [
@@ -117,19 +116,19 @@ impl Winder {
         (least >= most).then(|| format!("the least radius {least} m is not below {most} m"))
     }
 
-    /// Pressure at rest \[N\] at a radius of the package \[m\].
+    /// Returns the pressure at rest \[N\] at a radius of the package \[m\].
     #[must_use]
     pub fn pressure(&self, radius: f64) -> f64 {
         self.preload + self.growth * (radius - self.radii.0)
     }
 
-    /// So many radii from the least to the largest \[m\].
+    /// Returns `count` radii from the least to the largest \[m\].
     fn radii(&self, count: u32) -> impl Iterator<Item = f64> + use<> {
         let (from, to) = self.radii;
         (0..count).map(move |k| from + (to - from) * f64::from(k) / f64::from(count - 1))
     }
 
-    /// Every operating frequency \[rad/s\] at a radius of the package.
+    /// Returns every operating frequency \[rad/s\] at a radius of the package.
     fn frequencies(&self, drum_radius: f64) -> [Operating; 3] {
         let speed = self.speed;
         let drum = speed / drum_radius;
@@ -141,41 +140,42 @@ impl Winder {
     }
 }
 
-/// What turns, and its frequency \[rad/s\] by radius of the package.
+/// Name of a rotating part, and its frequency \[rad/s\] by radius of the package.
 type Operating = (&'static str, Box<dyn Fn(f64) -> f64>);
 
-/// An operating frequency against the resonance, while the package grows.
+/// Distance of an operating frequency from the resonance while the package grows.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Clearance {
-    /// What turns at this frequency.
+    /// Name of the part that rotates at this frequency.
     pub name: &'static str,
-    /// The frequency with the empty bobbin and with the full package \[rad/s\].
+    /// Frequency with the empty bobbin and with the full package \[rad/s\].
     pub frequency: (f64, f64),
-    /// The smallest ratio of the two, the larger over the smaller; 1 where they meet.
+    /// Smallest ratio of the larger to the smaller of both frequencies; 1 where they coincide.
     pub ratio: f64,
 }
 
-/// How a winder runs by one of the models: the worst over the radii.
+/// Behaviour of a winder in one of the models: the worst values over the radii.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Running {
     /// Largest deflection of the bobbin \[m\].
     pub amplitude: f64,
-    /// Least pressure \[N\]; below zero the model lets the drum pull, which it cannot.
+    /// Least pressure \[N\]; a negative one means that the model lets the drum pull, which is
+    /// impossible.
     pub least_pressure: f64,
-    /// Share of time without contact; or in which the drum pulls.
+    /// Share of time without contact, or in which the drum pulls.
     pub open: f64,
     /// Share of time in which the package slips.
     pub slipping: f64,
-    /// Largest slip, over the drum's speed.
+    /// Largest slip relative to the drum's speed.
     pub slip: f64,
 }
 
 impl Running {
-    /// Before anything has been seen.
+    /// Initial value before any radius is evaluated.
     const NOTHING: Self =
         Self { amplitude: 0.0, least_pressure: f64::INFINITY, open: 0.0, slipping: 0.0, slip: 0.0 };
 
-    /// By deflections and pressures at even times, of a model that knows no slip.
+    /// Evaluates deflections and pressures at equally spaced times, for a model without slip.
     fn of(deflections: &[f64], pressures: &[f64]) -> Self {
         let pulling = pressures.iter().filter(|pressure| **pressure <= 0.0).count();
         Self {
@@ -197,34 +197,34 @@ impl Running {
     }
 }
 
-/// What a stage of the walk has to say.
+/// Result of a stage of the walk.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stage {
-    /// Its number, 1 to 3.
+    /// Number, 1 to 3.
     pub number: usize,
-    /// The model.
+    /// Name of the model.
     pub name: &'static str,
-    /// By how much frequencies must stay away for it to be enough; none of the last.
+    /// Ratio of frequencies from which on the stage is sufficient; `None` for the last stage.
     pub enough: Option<f64>,
-    /// Resonance with the empty bobbin and with the full package \[rad/s\]; the last stage
-    /// runs without asking for it.
+    /// Resonance with the empty bobbin and with the full package \[rad/s\]; `None` for the last
+    /// stage.
     pub resonance: Option<(f64, f64)>,
-    /// Every operating frequency against it.
+    /// Distance of every operating frequency from the resonance.
     pub clearances: Vec<Clearance>,
-    /// How the winder runs by it.
+    /// Behaviour of the winder in this model.
     pub running: Running,
-    /// What it took \[s\].
+    /// Computing time \[s\].
     pub seconds: f64,
 }
 
 impl Stage {
-    /// The frequency that comes nearest to the resonance.
+    /// Returns the frequency nearest to the resonance.
     #[must_use]
     pub fn nearest(&self) -> Option<&Clearance> {
         self.clearances.iter().min_by(|a, b| a.ratio.total_cmp(&b.ratio))
     }
 
-    /// Whether it is enough.
+    /// Returns whether the stage is sufficient.
     #[must_use]
     pub fn decides(&self) -> bool {
         self.enough
@@ -232,20 +232,20 @@ impl Stage {
     }
 }
 
-/// A winder, walked.
+/// Results of all stages for a winder.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Walk {
     /// The winder.
     pub winder: Winder,
-    /// All three stages.
+    /// Results of the three stages.
     pub stages: [Stage; 3],
 }
 
 impl Walk {
-    /// Walks a winder through all three stages.
+    /// Runs all three stages for a winder.
     ///
     /// # Errors
-    /// [`CheckFailure`] if a scene lacks what is asked for or a run stops.
+    /// [`CheckFailure`] if a scene lacks a required quantity or a run stops.
     pub fn of(winder: &Winder) -> Result<Self, CheckFailure> {
         let timed = |stage: fn(&Winder) -> Result<Stage, CheckFailure>| {
             let start = Instant::now();
@@ -256,14 +256,14 @@ impl Walk {
         Ok(Self { winder: *winder, stages })
     }
 
-    /// The first stage that is enough.
+    /// Returns the first sufficient stage.
     #[must_use]
     pub fn decided(&self) -> &Stage {
         let [_, _, last] = &self.stages;
         self.stages.iter().find(|stage| stage.decides()).unwrap_or(last)
     }
 
-    /// Why that stage decided: what each stage before it left open, and what it found.
+    /// Returns why that stage decided: the open questions of previous stages, and its result.
     #[must_use]
     pub fn why(&self) -> Vec<String> {
         let decided = self.decided().number;
@@ -306,14 +306,13 @@ impl Walk {
         format!("Stage {number}, {name}, is not enough: {what}, {near}, and {enough} is asked for.")
     }
 
-    /// What a later stage would have cost, as a multiple of the time that the stage which
-    /// decided took.
+    /// Returns the cost of a later stage, relative to the time of the deciding stage.
     #[must_use]
     pub fn cost(&self, stage: &Stage) -> f64 {
         stage.seconds / self.decided().seconds
     }
 
-    /// What a later stage changes, against the one that decided.
+    /// Returns what a later stage changes relative to the deciding one.
     #[must_use]
     pub fn change(&self, stage: &Stage) -> String {
         let (by, then) = (&self.decided().running, &stage.running);
@@ -337,14 +336,14 @@ impl Walk {
         )
     }
 
-    /// The stages after the one that decided.
+    /// Returns the stages after the deciding one.
     #[must_use]
     pub fn later(&self) -> &[Stage] {
         &self.stages[self.decided().number..]
     }
 }
 
-/// The operating frequencies against resonances by radius.
+/// Compares the operating frequencies with resonances by radius.
 fn clearances(frequencies: &[Operating; 3], spectrum: &[(f64, f64)]) -> Vec<Clearance> {
     let at = |end: Option<&(f64, f64)>, frequency: &dyn Fn(f64) -> f64| {
         end.map_or(f64::NAN, |(radius, _)| frequency(*radius))
@@ -357,7 +356,7 @@ fn clearances(frequencies: &[Operating; 3], spectrum: &[(f64, f64)]) -> Vec<Clea
     frequencies.iter().map(clearance).collect()
 }
 
-/// The smallest of larger over smaller, 1 if the ratios pass through 1.
+/// Returns the smallest ratio of larger to smaller; 1 if the ratios pass through 1.
 fn smallest_ratio(ratios: impl Iterator<Item = f64> + Clone) -> f64 {
     let (below, above) = (ratios.clone().any(|r| r <= 1.0), ratios.clone().any(|r| r >= 1.0));
     if below && above {
@@ -366,7 +365,7 @@ fn smallest_ratio(ratios: impl Iterator<Item = f64> + Clone) -> f64 {
     ratios.map(|ratio| ratio.max(1.0 / ratio)).fold(f64::INFINITY, f64::min)
 }
 
-/// First and last.
+/// Returns the first and last value.
 fn ends(spectrum: &[(f64, f64)]) -> Option<(f64, f64)> {
     Some((spectrum.first()?.1, spectrum.last()?.1))
 }

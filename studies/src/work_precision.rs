@@ -1,9 +1,8 @@
-//! Error against work and time: what each method pays for accuracy.
+//! Work-precision measurements: error against work and time.
 //!
-//! Errors are against a reference that is no part of what is measured: the emitted
-//! code run in numbers of 31 digits, or where it has no such run, one at the tightest
-//! tolerance that a run by another method agrees with. How far the two agree is part
-//! of the answer, since no error below that means anything.
+//! Errors are relative to an independent reference: the emitted code run in numbers of 31 digits
+//! or, if that is impossible, a run at the tightest tolerance with which a run by another method
+//! agrees. The agreement of both is part of the result, since smaller errors have no meaning.
 
 mod precise;
 mod reference;
@@ -20,29 +19,29 @@ use machinist::simulate::Simulation;
 use machinist::trajectory::{ColumnKind, Trajectory};
 pub use reference::Reference;
 
-/// Tolerances of a measurement, from loose to tight, unless told otherwise.
+/// Default tolerances of a measurement, from loose to tight.
 pub const TOLERANCES: [f64; 11] =
     [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12];
 
-/// What to measure.
+/// Settings of a measurement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// The methods.
+    /// Methods.
     pub methods: Vec<Method>,
     /// Relative tolerances, from loose to tight.
     pub tolerances: Vec<f64>,
-    /// Runs of which the median time counts, unless `enough` ends them before.
+    /// Number of runs for the median time, unless `enough` ends them earlier.
     pub runs: usize,
-    /// A point is timed no more once its runs together took longer than this \[ms\].
+    /// Total time of runs after which a point is not timed any more \[ms\].
     pub enough: f64,
-    /// A curve ends once a run takes longer than this \[ms\].
+    /// Time of a run after which a curve ends \[ms\].
     pub longest: f64,
-    /// How long a run may compute at all.
+    /// Limit of the computing time of a run.
     pub time_limit: Option<Duration>,
 }
 
 impl Default for Plan {
-    /// Every method at [`TOLERANCES`], 25 runs or 300 ms each.
+    /// Selects every method at [`TOLERANCES`], with 25 runs or 300 ms each.
     fn default() -> Self {
         let (methods, tolerances) = (Method::compiled_in().collect(), TOLERANCES.to_vec());
         Self { methods, tolerances, runs: 25, enough: 300.0, longest: 300.0, time_limit: None }
@@ -52,65 +51,63 @@ impl Default for Plan {
 /// Error against time of one scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WorkPrecision {
-    /// The scene.
+    /// Name of the scene.
     pub scene: String,
-    /// What errors are measured against.
+    /// Reference of the errors.
     pub reference: Reference,
     /// One for each method.
     pub curves: Vec<Curve>,
 }
 
-/// One method at falling tolerances.
+/// Results of one method at decreasing tolerances.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Curve {
     /// The method.
     pub method: Method,
-    /// From loose to tight.
+    /// Points, from loose to tight tolerances.
     pub points: Vec<Point>,
-    /// Tolerances at which the method could not go on, and why.
+    /// Tolerances at which the method stopped, with reasons.
     pub stopped: Vec<Stop>,
 }
 
-/// One tolerance.
+/// Result at one tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Point {
     /// Relative tolerance.
     pub rtol: f64,
     /// max over states of max over time |y - reference|/size of the state: its largest value, or
-    /// its scale if that is only rounding.
+    /// its scale if that value is only rounding.
     #[serde(serialize_with = "finite_or_null")]
     pub error: f64,
     /// Median time of a run \[ms\].
     pub milliseconds: f64,
-    /// What the run cost.
+    /// Work spent on the run.
     pub work: Work,
 }
 
-/// A run that could not go on.
+/// A run that stopped.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stop {
     /// Relative tolerance.
     pub rtol: f64,
-    /// Where and why.
+    /// Time and reason.
     pub reason: String,
 }
 
 impl Point {
-    /// Error over tolerance: the same at all tolerances if the method keeps what
-    /// it is asked for.
+    /// Returns error over tolerance, which is constant if the method keeps its tolerance.
     #[must_use]
     pub fn proportionality(&self) -> f64 {
         self.error / self.rtol
     }
 }
 
-/// Measures a scene as its spec runs it, against its `twin` in numbers of 31 digits if
-/// it has one.
+/// Measures a scene with the settings of its spec, against its `twin` in numbers of 31 digits if it
+/// has one.
 ///
 /// # Errors
-/// [`SimulateError`] if a tolerance makes no sense, or if no method gets through
-/// the run at any tight tolerance, so that there is no reference. A method that
-/// cannot go on is no error but a [`Stop`].
+/// [`SimulateError`] if a tolerance is out of range, or if no method completes the run at any tight
+/// tolerance, so that there is no reference. A method that stops is not an error but a [`Stop`].
 pub fn measure(
     simulator: &dyn Simulator<f64>,
     twin: Option<&dyn Twin>,
@@ -137,7 +134,7 @@ fn curve(
 ) -> Curve {
     let (mut points, mut stopped) = (Vec::new(), Vec::new());
     for rtol in &plan.tolerances {
-        // A method that cannot go on at a loose tolerance may at a tight one.
+        // A method that stops at a loose tolerance may complete the run at a tight one.
         match point(simulator, method, *rtol, plan, reference) {
             Ok(point) => {
                 points.push(point);
@@ -168,7 +165,7 @@ fn point(
     if first > plan.enough {
         times.push(first);
     }
-    // The first of short runs does not count: it finds memory and caches cold.
+    // The first of short runs is discarded, since memory and caches are cold.
     while times.len() < plan.runs && times.iter().sum::<f64>() <= plan.enough {
         times.push(timed()?.0);
     }
@@ -190,10 +187,10 @@ fn run(
     time_limit.into_iter().fold(run, Simulation::time_limit)
 }
 
-/// Beside its scale, a state that stays below this is rounding: its own size is no measure.
+/// Ratio to its scale below which a state is rounding, so that its own size is no measure.
 const ROUNDING: f64 = 1e-12;
 
-/// A state over time, as a reference knows it.
+/// Reference values of a state over time.
 #[derive(Debug, Clone, PartialEq)]
 struct KnownState {
     name: String,
@@ -210,7 +207,7 @@ impl KnownState {
     }
 }
 
-/// The states of a run.
+/// Returns the states of a run.
 fn states(simulator: &dyn Simulator<f64>, trajectory: &Trajectory) -> Vec<KnownState> {
     let columns = trajectory.of_kind(ColumnKind::State).enumerate();
     let known = columns.map(|(index, column)| {
@@ -220,8 +217,8 @@ fn states(simulator: &dyn Simulator<f64>, trajectory: &Trajectory) -> Vec<KnownS
     known.collect()
 }
 
-/// max over states of max over time |a - b|/size of b; NaN if a state is missing or a value is no
-/// number.
+/// Returns max over states of max over time |a - b|/size of b; NaN if a state is missing or a value
+/// is NaN.
 fn distance(a: &Trajectory, b: &[KnownState]) -> f64 {
     let of_state = |KnownState { name, values, size }: &KnownState| {
         let Some(ours) = a.column(name) else { return f64::NAN };
@@ -230,7 +227,7 @@ fn distance(a: &Trajectory, b: &[KnownState]) -> f64 {
     b.iter().map(of_state).fold(0.0, worse)
 }
 
-/// The larger; NaN if either is.
+/// Returns the larger value; NaN if either is NaN.
 fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }

@@ -1,8 +1,7 @@
-//! Checks that any machine can be asked to pass, without knowing what it is: the equations
-//! against those of a second derivation, derivatives against differences, powers against
-//! energies, the run against converged ones; and the checks of its author's own.
+//! Checks for any machine: equations against a second derivation, derivatives against differences,
+//! powers against energies, the run against converged ones; and the checks of its author.
 //!
-//! What cannot be asked of a machine is a row too, which says why.
+//! A check that does not apply to a machine is also a row, with the reason.
 
 mod derivatives;
 mod energy;
@@ -31,7 +30,7 @@ pub struct Subject<'a> {
     pub twin: Result<&'a dyn Simulator<f64>, &'static str>,
     /// A second derivation of its spec, or why there is none.
     pub independent: Independent<'a>,
-    /// What its author wants checked.
+    /// Checks of its author.
     pub own: Vec<OwnCheck<'a>>,
 }
 
@@ -40,25 +39,25 @@ struct Row {
     name: &'static str,
     reference: &'static str,
     tolerance: f64,
-    /// Why the tolerance is what it is.
+    /// Justification of the tolerance.
     reason: &'static str,
-    /// What it means if the row fails.
+    /// Consequence if the row fails.
     matters: &'static str,
     measure: fn(&Visit<'_>) -> Outcome,
 }
 
-/// What a row finds.
+/// Result of a row.
 enum Outcome {
     Found(Found),
-    /// The row cannot be asked of this machine.
+    /// The row does not apply to this machine.
     Skipped(String),
-    /// It can be asked, and what it takes stopped, so that nothing is known.
+    /// The row applies, but a run that it needs stopped, so that nothing is known.
     Undone(String),
-    /// What it takes was not done in time.
+    /// A run that the row needs exceeded its time limit.
     TooSlow(String),
 }
 
-/// An error, and where it is largest.
+/// An error with its place.
 struct Found {
     error: f64,
     place: String,
@@ -69,7 +68,7 @@ impl Found {
         Self { error: 0.0, place: String::new() }
     }
 
-    /// Takes a larger error; one that is no number is the largest.
+    /// Takes a larger error; NaN is the largest.
     fn take(&mut self, error: f64, place: impl FnOnce() -> String) {
         if !self.error.is_nan() && (error.is_nan() || error > self.error) {
             *self = Self { error, place: place() };
@@ -95,8 +94,8 @@ const ROWS: &[Row] = &[
     sensitivities::BY_DIFFERENCES,
 ];
 
-/// Every row of a machine: first whether it runs, then the automatic checks, then those of
-/// its author. If it does not run to its end, there is nothing else to check.
+/// Computes every row of a machine: first whether it runs, then the automatic checks, then those of
+/// its author. If it does not complete its run, nothing else is checked.
 #[must_use]
 pub fn verify_machine(subject: &Subject<'_>) -> Vec<Verdict> {
     let scene = subject.simulation.simulator().name();
@@ -131,7 +130,7 @@ impl Row {
             }
             Outcome::Found(Found { error, place }) => {
                 let failure = || format!("{} {place}", self.matters).trim_end().to_owned();
-                // An error that is NaN must not pass.
+                // NaN must not pass.
                 let passes = error <= self.tolerance;
                 Verdict::judged(scene, error, self.tolerance, (!passes).then(failure))
             }
@@ -148,7 +147,7 @@ impl Row {
 }
 
 impl Outcome {
-    /// Of a row that takes a run which stopped.
+    /// Returns the result of a row that needs a run which stopped.
     fn without_run(error: &SimulateError) -> Self {
         match error {
             _ if is_too_slow(error) => Self::TooSlow(told(error)),
@@ -162,7 +161,7 @@ fn is_too_slow(error: &SimulateError) -> bool {
     matches!(error, SimulateError::Stopped { cause: StopCause::TooSlow { .. }, .. })
 }
 
-/// Why a run stopped; of one that took too long, how far it came.
+/// Returns why a run stopped; for one that took too long, how far it came.
 fn told(error: &SimulateError) -> String {
     match error {
         SimulateError::Stopped {
@@ -180,7 +179,7 @@ fn told(error: &SimulateError) -> String {
     }
 }
 
-/// States of a trajectory, column by column.
+/// Returns the states of a trajectory, column by column.
 fn states(run: &Trajectory) -> Vec<&[f64]> {
     let columns = run.of_kind(machinist::trajectory::ColumnKind::State);
     columns.map(|column| column.values.as_slice()).collect()

@@ -67,14 +67,14 @@ fn bounces(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(counted(run.work.switches, PLATE.impacts(1000.0)))
 }
 
-/// Falls from rest at h on a plate at rest, n impacts: with t_0 = sqrt(2 h/g)
+/// Compares falls from rest at h on a plate at rest, with n impacts: with t_0 = sqrt(2 h/g)
 ///
 /// ```text
 /// t_n = t_0 (1 + 2 (e + ... + e^(n-1)))     v_n = e^n sqrt(2 g h)
 /// ```
 ///
-/// What a run says of them: behind the n-th impact, u = t - t_n later, x = v_n u - g u^2/2
-/// and v = v_n - g u, so that dt_n = (u dv + u^2 dg/2 - dx)/v_n and dv_n = dv - g dt_n + u dg.
+/// The run determines them: after the n-th impact, u = t - t_n later, x = v_n u - g u^2/2 and v =
+/// v_n - g u, so that dt_n = (u dv + u^2 dg/2 - dx)/v_n and dv_n = dv - g dt_n + u dg.
 fn slopes_of_impacts(machine: &Machine) -> Result<Measured, CheckFailure> {
     const IMPACTS: i32 = 4;
     let (g, e, h) = (9.81_f64, 0.8_f64, 1.0_f64);
@@ -103,7 +103,7 @@ fn slopes_of_impacts(machine: &Machine) -> Result<Measured, CheckFailure> {
             let (dx, dv) = (of("ball.x"), of("ball.v"));
             let moved = (u * dv + u * u * by_gravity / 2.0 - dx) / speed;
             let faster = dv - g * moved + u * by_gravity;
-            // The first impact does not know restitution.
+            // The first impact does not depend on the restitution.
             error = worse(error, (moved - time).abs() / time.abs().max(landed(n)));
             error = worse(error, ((faster - velocity) / velocity).abs());
         }

@@ -1,5 +1,5 @@
-//! Checks that every scene goes through: emitted derivatives against the complex
-//! step, and the energy account of its run.
+//! Checks of every scene: emitted derivatives against the complex step, and the energy balance of
+//! its run.
 
 use machinist_contract::Real;
 use nalgebra::{DMatrix, DVector};
@@ -92,7 +92,7 @@ fn state_sizes(machine: &Machine) -> Vec<f64> {
     (0..machine.real.shape().states()).map(|index| machine.real.state_scale(index)).collect()
 }
 
-/// The worst of a measure over the random points.
+/// Returns the worst value of a measure over the random points.
 fn over_points(
     machine: &Machine,
     measure: impl Fn(&Point) -> f64,
@@ -112,9 +112,8 @@ fn weighed_error(
     matrix_error(ours, exact, &weights)
 }
 
-/// The residual, relative to the sum of |dE/dy_i y_i'|, |dE/dt| at rest, |supplied| and
-/// |lost|; and the emitted dE/dt against the sum with signs, derivatives of E by the
-/// complex step.
+/// Compares the residual with the sum of |dE/dy_i y_i'|, |dE/dt| at rest, |supplied| and |lost|;
+/// and the emitted dE/dt with the signed sum, with derivatives of E by the complex step.
 fn power_balance(machine: &Machine) -> Result<Measured, CheckFailure> {
     over_points(machine, |p| {
         let power = machine.real.power_balance(p.time, &p.state, &p.parameters);
@@ -129,7 +128,7 @@ fn power_balance(machine: &Machine) -> Result<Measured, CheckFailure> {
     })
 }
 
-/// dE/dt with the state held: a spring whose foot is moved by something.
+/// Returns dE/dt with the state held, as for a spring with a moving foot.
 fn energy_by_time(machine: &Machine, p: &Point) -> f64 {
     let lift = |values: &[f64]| values.iter().copied().map(ComplexStep::literal).collect();
     let (state, parameters): (Vec<ComplexStep>, Vec<ComplexStep>) =
@@ -152,7 +151,7 @@ fn energy_gradient(machine: &Machine, p: &Point) -> Vec<f64> {
     gradient
 }
 
-/// The account of the scene's own run.
+/// Checks the energy balance of the scene's own run.
 fn energy_account(machine: &Machine) -> Result<Measured, CheckFailure> {
     let trajectory = machine.simulation(&[])?.rtol(1e-11).with_energy_balance(true).run()?;
     let error =

@@ -158,7 +158,8 @@ fn minimal(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(error))
 }
 
-/// lambda = m (a + g) e, e along the link outwards, a by the chain's own equations.
+/// Compares lambda with m (a + g) e, e along the link outwards, with a from the chain's own
+/// equations.
 fn force(machine: &Machine) -> Result<Measured, CheckFailure> {
     let (ours, theirs) = (run(machine, 1e-12)?, run(&machine::pendulum_chain(), 1e-12)?);
     let column = |name: &str| theirs.column(name).unwrap_or_default();
@@ -182,7 +183,7 @@ fn force(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(relative_distance(machine.column(&ours, "force_3")?, &forces)))
 }
 
-/// A column and what it should be.
+/// A column with its reference.
 type Wanted = (&'static str, fn(&SliderCrankState) -> f64);
 
 fn distances(machine: &Machine, wanted: &[Wanted]) -> Result<Measured, CheckFailure> {
@@ -230,7 +231,7 @@ fn speed(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(relative_distance(machine.column(&run, "crank_speed")?, &exact)))
 }
 
-/// The equilibrium near a start with other parameters.
+/// Returns the equilibrium near a start with other parameters.
 fn rest<'m>(
     machine: &'m Machine,
     settings: &[(&str, f64)],
@@ -241,8 +242,8 @@ fn rest<'m>(
     Ok(Linearization::at(machine.real, point)?)
 }
 
-/// Frequencies \[rad/s\] of the oscillations about that, ascending; two ways, of which the
-/// worse counts: eigenvalues of the rate, and of stiffness and mass.
+/// Returns the frequencies \[rad/s\] of oscillations about the equilibrium, ascending, in two ways:
+/// from eigenvalues of the rate, and from stiffness and mass. The worse one counts.
 fn swings(machine: &Machine, settings: &[(&str, f64)]) -> Result<[Vec<f64>; 2], CheckFailure> {
     let linearization = rest(machine, settings)?;
     let modes = linearization.modes()?;
@@ -260,7 +261,7 @@ fn found_is(found: &[Vec<f64>; 2], exact: &[f64]) -> Measured {
     Measured::error(found.iter().map(error).fold(0.0, worse))
 }
 
-/// From a start a little off hanging straight down.
+/// Starts slightly off the hanging position.
 fn hanging(machine: &Machine) -> Result<Measured, CheckFailure> {
     let near = [("th_1", 0.1), ("th_2", -0.05), ("th_3", 0.15)];
     let found = swings(machine, &near)?;

@@ -1,5 +1,5 @@
-//! A scene under check: its simulator in two kinds of numbers, its parameters,
-//! its quantities by name, and random states.
+//! A scene to be checked: its simulator in two number types, parameters, quantities by name, and
+//! random states.
 
 use std::cell::RefCell;
 
@@ -27,7 +27,7 @@ pub(crate) struct Machine {
     overrides: Vec<(usize, f64)>,
 }
 
-/// Time, state and parameters at which to evaluate.
+/// Time, state and parameters of an evaluation.
 #[derive(Clone)]
 pub(crate) struct Point {
     pub(crate) time: f64,
@@ -35,7 +35,7 @@ pub(crate) struct Point {
     pub(crate) parameters: Vec<f64>,
 }
 
-/// Every verified scene, in the order of the report.
+/// Returns every verified scene, in the order of the report.
 pub(crate) fn all() -> Vec<Machine> {
     vec![
         two_mass(),
@@ -69,7 +69,7 @@ pub(crate) fn all() -> Vec<Machine> {
     ]
 }
 
-/// Two rotors on a coupling.
+/// Returns two rotors on a coupling.
 pub(crate) fn two_mass() -> Machine {
     Machine::new(&scenes::two_mass::TwoMass)
 }
@@ -210,8 +210,8 @@ pub(crate) fn shaft_with_rotors() -> Machine {
 }
 
 impl Machine {
-    /// A scene with fields, of few elements. The simulators are made once a thread and
-    /// live as long as the program, as emitted ones do.
+    /// Returns a scene with fields, with few elements. The simulators are made once per thread and
+    /// live as long as the program, like emitted ones.
     ///
     /// # Panics
     /// If no scene with fields of this name is built in.
@@ -253,7 +253,7 @@ impl Machine {
         Self { name, real, complex, overrides: Vec::new() }
     }
 
-    /// The scene's name.
+    /// Returns the name of the scene.
     pub(crate) fn name(&self) -> &'static str {
         self.name
     }
@@ -268,7 +268,7 @@ impl Machine {
         Ok(())
     }
 
-    /// The spec's parameters, with `settings` and then the overrides put in.
+    /// Returns the spec's parameters, modified by `settings` and then by the overrides.
     pub(crate) fn parameters(&self, settings: &[(&str, f64)]) -> Result<Vec<f64>, CheckFailure> {
         let count = self.real.shape().parameters;
         let mut values: Vec<f64> =
@@ -282,12 +282,12 @@ impl Machine {
         Ok(values)
     }
 
-    /// Value of one parameter in the spec, or overridden.
+    /// Returns the value of one parameter in the spec, or its override.
     pub(crate) fn value(&self, name: &str) -> Result<f64, CheckFailure> {
         Ok(self.parameters(&[])?[self.parameter_index(name)?])
     }
 
-    /// A run with these settings.
+    /// Returns a run with these settings.
     pub(crate) fn simulation(
         &self,
         settings: &[(&str, f64)],
@@ -295,7 +295,7 @@ impl Machine {
         Ok(Simulation::new(self.real).parameters(&self.parameters(settings)?))
     }
 
-    /// A run whose errors are near rounding: relative tolerance 1e-12 and absolute
+    /// Returns a run whose errors are near rounding: relative tolerance 1e-12 and absolute
     /// tolerances of 1e-13 in the unit of each state, by the explicit method.
     pub(crate) fn precise(
         &self,
@@ -307,7 +307,7 @@ impl Machine {
         Ok(run.method(Method::Dop853))
     }
 
-    /// The linearization with these settings where asked for.
+    /// Returns the linearization with these settings at a place.
     pub(crate) fn linearization(
         &self,
         settings: &[(&str, f64)],
@@ -317,7 +317,7 @@ impl Machine {
         Ok(Linearization::at(self.real, point)?)
     }
 
-    /// The column of this name of one of this scene's runs.
+    /// Returns a column of one of this scene's runs.
     pub(crate) fn column<'t>(
         &self,
         trajectory: &'t Trajectory,
@@ -326,24 +326,24 @@ impl Machine {
         trajectory.column(name).ok_or_else(|| self.unknown("column", name))
     }
 
-    /// The value at the end of the run of the column of this name.
+    /// Returns the last value of a column.
     pub(crate) fn last(&self, trajectory: &Trajectory, name: &str) -> Result<f64, CheckFailure> {
         trajectory.last(name).ok_or_else(|| self.unknown("column", name))
     }
 
-    /// Position of a parameter.
+    /// Returns the index of a parameter.
     pub(crate) fn parameter_index(&self, name: &str) -> Result<usize, CheckFailure> {
         let count = self.real.shape().parameters;
         self.position("parameter", name, count, |index| self.real.parameter(index))
     }
 
-    /// Position of a state.
+    /// Returns the index of a state.
     pub(crate) fn state_index(&self, name: &str) -> Result<usize, CheckFailure> {
         let count = self.real.shape().states();
         self.position("state", name, count, |index| self.real.state(index))
     }
 
-    /// Position of an output.
+    /// Returns the index of an output.
     pub(crate) fn output_index(&self, name: &str) -> Result<usize, CheckFailure> {
         let count = self.real.shape().outputs;
         self.position("output", name, count, |index| self.real.output(index))
@@ -365,14 +365,14 @@ impl Machine {
         CheckFailure::Unknown { scene: self.name, kind, name: name.to_owned() }
     }
 
-    /// y' at a point.
+    /// Returns y' at a point.
     pub(crate) fn rate(&self, point: &Point) -> Vec<f64> {
         let mut rate = vec![0.0; point.state.len()];
         self.real.rate(point.time, &point.state, &point.parameters, &mut rate);
         rate
     }
 
-    /// The emitted dy'/dy at a point, as a full matrix.
+    /// Returns the emitted dy'/dy at a point as a dense matrix.
     pub(crate) fn rate_jacobian(&self, point: &Point) -> DMatrix<f64> {
         let pattern = self.real.rate_jacobian_pattern();
         let mut values = vec![0.0; pattern.entries.len()];
@@ -380,7 +380,7 @@ impl Machine {
         complex_step::dense(pattern, &values)
     }
 
-    /// The emitted dy'/dp at a point, as a full matrix.
+    /// Returns the emitted dy'/dp at a point as a dense matrix.
     pub(crate) fn parameter_jacobian(&self, point: &Point) -> DMatrix<f64> {
         let pattern = self.real.parameter_jacobian_pattern();
         let mut values = vec![0.0; pattern.entries.len()];
@@ -388,13 +388,13 @@ impl Machine {
         complex_step::dense(pattern, &values)
     }
 
-    /// The point about which a scene was linearized.
+    /// Returns the point about which a scene was linearized.
     pub(crate) fn point_of(linearization: &Linearization<'_>) -> Point {
         let LinearPoint { time, state, parameters } = linearization.point().clone();
         Point { time, state, parameters }
     }
 
-    /// The output of this name at a point.
+    /// Returns an output at a point.
     pub(crate) fn output(&self, point: &Point, name: &str) -> Result<f64, CheckFailure> {
         let mut outputs = vec![0.0; self.real.shape().outputs];
         self.real.outputs(point.time, &point.state, &point.parameters, &mut outputs);

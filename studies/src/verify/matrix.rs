@@ -1,41 +1,41 @@
-//! How far two Jacobians differ, entry by entry.
+//! Difference of two Jacobians, entry by entry.
 
 use nalgebra::DMatrix;
 
 use super::worse;
 
-/// Rows and columns of a matrix with constraints that are smaller than this, beside its
-/// largest entry, are rounding.
+/// Size of rows and columns of a matrix with constraints, relative to its largest entry, below
+/// which they are rounding.
 const NOTHING: f64 = 1e-12;
-/// Entries of such a matrix that are smaller than this, likewise, are held to it.
+/// Lower limit of the reference size of entries of such a matrix, likewise.
 const LEAST: f64 = 1e-3;
 
-/// What entries of a Jacobian are weighed by.
+/// Weights of the entries of a Jacobian.
 pub(super) struct Weights<'a> {
-    /// Typical sizes of what the rows are rates of.
+    /// Typical sizes of the variables of the rows.
     pub(super) rows: &'a [f64],
-    /// Typical sizes of what the columns are derivatives by.
+    /// Typical sizes of the variables of the columns.
     pub(super) columns: &'a [f64],
-    /// Whether constraints solve all coordinates together.
+    /// Whether constraints couple all coordinates.
     pub(super) is_constrained: bool,
-    /// y' there.
+    /// y' at the point.
     pub(super) rate: &'a [f64],
 }
 
 impl Weights<'_> {
-    /// The least size that each entry is compared with: 1e-2 F_ij, where F_ij is the largest
-    /// of the row i and column j, weighed by the sizes r of the rows and s of the columns,
-    /// |B_ik| s_k/s_j and |B_kj| r_i/r_k. Nothing if there are other sizes than entries.
+    /// Returns the least reference size of each entry: 1e-2 F_ij, where F_ij is the largest of row
+    /// i and column j, weighed by the sizes r of the rows and s of the columns, |B_ik| s_k/s_j and
+    /// |B_kj| r_i/r_k. Returns `None` if the numbers of sizes and entries differ.
     ///
-    /// 1e-12 of the floor is a hundred roundings of the largest that enters where a full mass
-    /// matrix is solved: by the rotor's angle a motor's rotor currents change by 1e6, and
-    /// the stator's, solved along with them, by some tens that such numbers leave. An entry
-    /// outside a pattern is zero in A.
+    /// 1e-12 of the floor is a hundred roundings of the largest entry, which matters where a dense
+    /// mass matrix is solved: by the rotor's angle a motor's rotor currents change by 1e6, and the
+    /// stator's, solved together with them, by some tens that such numbers leave. An entry outside
+    /// a pattern is zero in A.
     ///
-    /// Constraints solve all coordinates together: what one row needs, others leave their
-    /// rounding in. The floor is at least [`LEAST`] of the largest of all of B, or of the rates
-    /// by their sizes if these are larger; and all of that where nothing but rounding is in a
-    /// row or column, as in those of the masses of a machine that is driven.
+    /// Constraints couple all coordinates, so rounding of other rows enters each row. The floor is
+    /// at least [`LEAST`] times the largest entry of B, or the rates over their sizes if these are
+    /// larger. It is all of that for a row or column with nothing but rounding, such as those of
+    /// the masses of a driven machine.
     pub(super) fn floors(&self, exact: &DMatrix<f64>) -> Option<DMatrix<f64>> {
         let (rows, columns) = (self.rows, self.columns);
         if (rows.len(), columns.len()) != exact.shape() {
@@ -64,8 +64,8 @@ impl Weights<'_> {
     }
 }
 
-/// |A_ij - B_ij|/max(|B_ij|, floor) of every entry; no error over no scale if both are zero, as
-/// where a load is saturated.
+/// Returns |A_ij - B_ij|/max(|B_ij|, floor) of every entry; no error over no scale if both are
+/// zero, as for a saturated load.
 pub(super) fn distances<'a>(
     ours: &'a DMatrix<f64>,
     exact: &'a DMatrix<f64>,
@@ -80,7 +80,7 @@ pub(super) fn distances<'a>(
     })
 }
 
-/// The largest of [`distances`]; NaN if the shapes differ.
+/// Returns the largest of [`distances`]; NaN if the shapes differ.
 pub(super) fn matrix_error(
     ours: &DMatrix<f64>,
     exact: &DMatrix<f64>,

@@ -1,4 +1,4 @@
-//! Converged references of whole runs, as numbers.
+//! Converged references of whole runs as numbers.
 //!
 //! Each was computed once from equations written by hand, by two unrelated
 //! methods: Taylor series of high order in 113-bit arithmetic at tolerance 1e-26,
@@ -7,7 +7,7 @@
 use super::{CheckFailure, Machine};
 use machinist::Trajectory;
 
-/// A state's name, its value in the reference, and its scale.
+/// Name of a state, its reference value and its scale.
 pub(super) type FinalState = (&'static str, f64, f64);
 
 /// The motor alone, from rest, at t = 1 s. Both methods agree in all digits stored.
@@ -19,8 +19,8 @@ pub(super) const MOTOR_RUN_UP: &[FinalState] = &[
     ("motor.omega", 78.543_066_823_246_44, 78.5),
 ];
 
-/// The saw gin from rest, loaded at 1.2 s, at t = 2 s. Both methods agree to
-/// 3.4e-17 in the measure of [`scaled_distance`].
+/// The saw gin from rest, loaded at 1.2 s, at t = 2 s. Both methods agree to 3.4e-17 in the measure
+/// of [`scaled_distance`].
 pub(super) const SAW_GIN: &[FinalState] = &[
     ("motor.psi_sx", 1.369_984_093_352_053e-2, 1.0),
     ("motor.psi_sy", -0.970_209_917_281_856_2, 1.0),
@@ -32,8 +32,8 @@ pub(super) const SAW_GIN: &[FinalState] = &[
     ("cylinder.omega", 77.445_021_774_930_57, 78.5),
 ];
 
-/// Root mean square over the states of |y - reference|/max(|reference|, scale) at
-/// the end of the run.
+/// Returns the root mean square over the states of |y - reference|/max(|reference|, scale) at the
+/// end of the run.
 pub(super) fn scaled_distance(
     machine: &Machine,
     trajectory: &Trajectory,

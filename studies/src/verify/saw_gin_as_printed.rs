@@ -41,13 +41,13 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
-/// Size of the slope at the far end at 1.8 s \[deg/m\].
+/// Returns the absolute slope at the far end at 1.8 s \[deg/m\].
 fn relative_twist() -> f64 {
     let slope = SAW_GIN_SHAFT.slope(TWIST_TIME, SAW_GIN_SHAFT.length, Reading::OfTheFigures);
     slope.to_degrees().abs()
 }
 
-/// At slips from -0.98 to 0.98 in steps of 0.04.
+/// Compares torques at slips from -0.98 to 0.98 in steps of 0.04.
 fn torque_curve(machine: &Machine) -> Result<Measured, CheckFailure> {
     let mut error = 0.0;
     for k in 1..=50 {
@@ -59,16 +59,16 @@ fn torque_curve(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(error))
 }
 
-/// Steady torque of the emitted equations as printed \[N m\], with the rotor's speed
-/// where its angle is printed, at a slip against the printed synchronous speed.
+/// Returns the steady torque of the emitted equations as printed \[N m\], with the rotor's speed
+/// where its angle is printed, at a slip relative to the printed synchronous speed.
 pub(crate) fn torque_at_slip(machine: &Machine, slip: f64) -> Result<f64, CheckFailure> {
     let settings = [("motor.omega", (1.0 - slip) * 78.54)];
     let point = machine.steady_point(&[("motor.literal", 0.0)], &settings, &FLUX)?;
     machine.output(&point, "motor_torque")
 }
 
-/// The closed form with the printed synchronous speed for w0, 220 V for the
-/// amplitude of the voltage, and 0.0896 for sigma in the torque.
+/// Returns the closed form with the printed synchronous speed for w0, 220 V for the amplitude of
+/// the voltage, and 0.0896 for sigma in the torque.
 fn printed_torque(slip: f64) -> f64 {
     let motor = InductionMotor {
         phase_voltage: 220.0 / std::f64::consts::SQRT_2,

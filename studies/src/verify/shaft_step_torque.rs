@@ -1,4 +1,4 @@
-//! Checks of the uniform shaft against its closed forms, over refinements.
+//! Checks of the uniform shaft against its closed forms, with refinement.
 
 use machinist_scenes::scenes::shaft_step_torque::ShaftStepTorque;
 
@@ -49,7 +49,7 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
-/// The scene, cut into elements.
+/// Returns the scene, divided into elements.
 fn cut(elements: usize, order: usize) -> Result<FieldSimulator<'static, f64>, CheckFailure> {
     let wanted = Discretisation { elements: Some(elements), order: Some(order) };
     Ok(FieldSimulator::new(&ShaftStepTorque, wanted)?)
@@ -79,7 +79,7 @@ fn frequencies(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(errors.fold(0.0, worse)))
 }
 
-/// Each frequency on as many elements to a wave as all others, and on twice as many.
+/// Computes each frequency with equally many elements per wave, and with twice as many.
 fn order_of_frequencies(machine: &Machine) -> Result<Measured, CheckFailure> {
     let mut worst = 0.0;
     for (order, of_fifth) in [(1, 30), (2, 14), (3, 9), (4, 7), (5, 6)] {
@@ -96,7 +96,7 @@ fn order_of_frequencies(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(worst))
 }
 
-/// One Newton step from rest, exact as the shaft is linear.
+/// Makes one Newton step from rest, which is exact for the linear shaft.
 fn static_twist(machine: &Machine) -> Result<Measured, CheckFailure> {
     use machinist_contract::{Describe as _, Simulator as _};
     let simulator = cut(24, 4)?;
@@ -127,7 +127,7 @@ fn order_of_step(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured { error, value: Some(order), expected: Some(LEAST) })
 }
 
-/// Largest error of the end's rotation over a period, relative to its height.
+/// Returns the largest error of the end's rotation over a period, relative to its height.
 fn step_error(machine: &Machine, elements: usize) -> Result<f64, CheckFailure> {
     let simulator = cut(elements, 4)?;
     let period = 4.0 * SAW_GIN_SHAFT.length / SAW_GIN_SHAFT.wave_speed();

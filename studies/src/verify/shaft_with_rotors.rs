@@ -67,7 +67,7 @@ fn parameters(machine: &Machine, rotors: [f64; 2]) -> Result<Vec<f64>, CheckFail
     machine.parameters(&[("driving.inertia", rotors[0]), ("driven.inertia", rotors[1])])
 }
 
-/// Linearized at rest.
+/// Returns the scene linearized at rest.
 fn at_rest<'a>(
     machine: &Machine,
     simulator: &'a FieldSimulator<'static, f64>,
@@ -78,7 +78,7 @@ fn at_rest<'a>(
     Ok(Linearization::at(simulator, point)?)
 }
 
-/// Natural frequencies without damping, the free turn left out.
+/// Returns natural frequencies without damping, except the free rotation.
 fn natural(
     machine: &Machine,
     [elements, order]: [usize; 2],

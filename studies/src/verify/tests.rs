@@ -2,7 +2,7 @@ use machinist_scenes::scenes;
 
 use super::*;
 
-/// Checks of the scenes that are overridden; of all if none is.
+/// Returns the checks of the overridden scenes, or of all scenes if there are no overrides.
 fn verdicts(overrides: &[(&str, f64)]) -> Vec<Verdict> {
     let scene = |(name, _): &(&str, f64)| name.split('.').next().unwrap_or_default().to_owned();
     let scenes: Vec<String> = overrides.iter().map(scene).collect();
@@ -99,7 +99,7 @@ fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
         6,
         "all motions see the viscosity, mass and mobility do not: {winder:?}"
     );
-    // The override wins over what the linear limit sets.
+    // The override takes precedence over the setting of the linear limit.
     assert_eq!(failed(&verdicts, "winder_nonlinear").len(), 5);
     assert_eq!(
         failed(&verdicts, "winder_full"),

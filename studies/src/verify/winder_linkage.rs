@@ -1,4 +1,4 @@
-//! Checks of the bobbin holder: mobility, contact forces at rest, places.
+//! Checks of the bobbin holder: mobility, contact forces at rest, positions.
 
 use nalgebra::DMatrix;
 
@@ -84,7 +84,7 @@ pub(super) const DROP_CHECKS: &[Check] = &[
     },
 ];
 
-/// What each position lacks of the first: coordinates and constraints that begin so.
+/// Prefixes of coordinates and constraints that each position lacks relative to the first.
 const LACKING: [&[&str]; 5] = [
     &[],
     &["drum.", "axle_b_", "contact"],
@@ -135,8 +135,8 @@ fn forces(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(error))
 }
 
-/// The largest distance of a body from where the angles of post and plate at each sample put
-/// it, over the length of the plate.
+/// Returns the largest distance of a body from the position given by the angles of post and plate
+/// at each sample, relative to the length of the plate.
 fn places(
     machine: &Machine,
     angles: impl Fn(&Trajectory, usize) -> Result<[f64; 2], CheckFailure>,
@@ -154,7 +154,7 @@ fn places(
     Ok(Measured::error(error))
 }
 
-/// The same with P = N f either way and with P = N k/R, in the scene a law.
+/// Does the same with P = N f in both directions, and with P = N k/R as a law in the scene.
 fn settled_under_friction(machine: &Machine) -> Result<Measured, CheckFailure> {
     let mut error = 0.0;
     for share in [-0.18, -0.01, 0.01, 0.18] {
@@ -163,8 +163,8 @@ fn settled_under_friction(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(error))
 }
 
-/// Onto its stop from below the unstable position, away from above it; with a drum that drags
-/// the bobbin that position is elsewhere.
+/// Falls onto its stop from below the unstable position, and away from above it; a drum that drags
+/// the bobbin shifts that position.
 fn falling(machine: &Machine) -> Result<Measured, CheckFailure> {
     let mut wrong = 0;
     for share in [-0.18, 0.0, 0.18] {
@@ -181,7 +181,7 @@ fn falling(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(super::counted(wrong, 0))
 }
 
-/// N over the growth of the package, which lifts the plate against its spring.
+/// Compares N over the growth of the package, which lifts the plate against its spring.
 fn growing(machine: &Machine) -> Result<Measured, CheckFailure> {
     let mut error = 0.0;
     for radius in [0.03, 0.04, 0.05, 0.06] {
@@ -201,8 +201,8 @@ fn settled(machine: &Machine) -> Result<Measured, CheckFailure> {
     settled_with(machine, 0.0)
 }
 
-/// Forces after 3 s, against those of a rigid holder whose package and stop are moved by as
-/// much as the contacts give.
+/// Compares forces after 3 s with those of a rigid holder whose package and stop are displaced by
+/// the deflections of the contacts.
 fn settled_with(machine: &Machine, share: f64) -> Result<Measured, CheckFailure> {
     let stiffness = machine.value("contact.stiffness")?;
     let run = machine
@@ -216,7 +216,7 @@ fn settled_with(machine: &Machine, share: f64) -> Result<Measured, CheckFailure>
     for _ in 0..20 {
         forces = holder.forces_by_share(share);
         holder.radii[0] = HOLDER.radii[0] - forces[0] / stiffness;
-        // The stop gives along the post's circle.
+        // The stop deflects along the post's circle.
         let [x, y] = HOLDER.stop;
         let arm = x.hypot(y);
         let angle = y.atan2(x) - (forces[1] / stiffness / arm).asin();
@@ -230,7 +230,7 @@ fn settled_with(machine: &Machine, share: f64) -> Result<Measured, CheckFailure>
     Ok(Measured::error(error))
 }
 
-/// Eigenvalues at the equilibrium near the end of the run.
+/// Compares eigenvalues at the equilibrium near the end of the run.
 fn oscillations(machine: &Machine) -> Result<Measured, CheckFailure> {
     let modes = machine.linearization(&[], Place::Equilibrium)?.modes()?;
     let found = modes.iter().filter(|mode| mode.kind == ModeKind::Oscillation);

@@ -1,14 +1,13 @@
-//! Harmonic balance of the bobbin on a stiffening layer: its steady motion without
-//! integrating anything.
+//! Harmonic balance of the bobbin on a stiffening layer: its steady motion without integration.
 //!
 //! ```text
 //! m x'' + h (x' - Y') + c_p x - c d - c3 d^3 = F,   d = Y - x
 //! x = a_0 + sum_k a_k cos(k p t) + b_k sin(k p t)
 //! ```
 //!
-//! with F and Y harmonics of p too. The coefficients make the residual vanish in the
-//! first 2 K + 1 components of its Fourier sum over [`SAMPLES`] even times, by Newton's
-//! method. The error falls faster than any power of K.
+//! where F and Y are harmonics of p too. The coefficients make the first 2 K + 1 components of the
+//! residual's Fourier sum over [`SAMPLES`] equally spaced times vanish, by Newton's method. The
+//! error decreases faster than any power of K.
 //!
 //! Source: textbook (alternating frequency and time domains).
 
@@ -18,14 +17,15 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::closed_form::winder::{BobbinOscillator, Harmonic};
 
-/// K, harmonics of the drum's turns.
+/// K, number of harmonics of the drum's rotation.
 pub const HARMONICS: usize = 16;
-/// Times within a turn.
+/// Number of times within a turn.
 pub const SAMPLES: usize = 96;
 const ITERATIONS: usize = 60;
 
-/// Steady deflections \[m\] at [`SAMPLES`] even times over a turn 2 pi/p, under a force and a
-/// shape whose frequencies are multiples of p \[rad/s\]; nothing if Newton's method fails.
+/// Returns steady deflections \[m\] at [`SAMPLES`] equally spaced times over a turn 2 pi/p, under a
+/// force and a shape whose frequencies are multiples of p \[rad/s\]; `None` if Newton's method
+/// fails.
 #[must_use]
 pub fn steady(
     bobbin: &BobbinOscillator,
@@ -38,7 +38,7 @@ pub fn steady(
     let waves = waves(turning, &times);
     let impedance = impedance(bobbin, turning);
     let count = impedance.nrows();
-    // Of samples, the coefficients.
+    // Matrix from samples to coefficients.
     let mut analysis = waves.transpose() * (2.0 / SAMPLES as f64);
     analysis.row_mut(0).scale_mut(0.5);
     let shapes = DVector::from_fn(SAMPLES, |k, _| shape.at(times[k]).value);
@@ -65,7 +65,7 @@ pub fn steady(
     samples.iter().all(|value| value.is_finite()).then(|| samples.as_slice().to_vec())
 }
 
-/// 1, cos p t, sin p t, cos 2 p t, ... at each time.
+/// Returns 1, cos p t, sin p t, cos 2 p t, ... at each time.
 fn waves(turning: f64, times: &[f64]) -> DMatrix<f64> {
     DMatrix::from_fn(times.len(), 2 * HARMONICS + 1, |row, column| {
         let angle = column.div_ceil(2) as f64 * turning * times[row];
@@ -73,7 +73,7 @@ fn waves(turning: f64, times: &[f64]) -> DMatrix<f64> {
     })
 }
 
-/// c_p - m w^2 of each wave, and h w between the two of one frequency.
+/// Returns c_p - m w^2 of each wave, and h w between the two of one frequency.
 fn impedance(bobbin: &BobbinOscillator, turning: f64) -> DMatrix<f64> {
     let count = 2 * HARMONICS + 1;
     let mut matrix = DMatrix::zeros(count, count);

@@ -6,10 +6,10 @@ use crate::verify::CheckFailure;
 use crate::verify::machine::{Machine, winder_full};
 use machinist::Method;
 
-/// Runs of the scene `winder_full`.
+/// Runs the scene `winder_full`.
 ///
 /// # Errors
-/// [`CheckFailure`] if the scene lacks what is asked for or a run stops.
+/// [`CheckFailure`] if the scene lacks a required quantity or a run stops.
 pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
     let machine = winder_full();
     let mut running = Running::NOTHING;
@@ -27,7 +27,7 @@ pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
     })
 }
 
-/// How it runs at a radius of the package, once it is steady.
+/// Runs at a radius of the package until the motion is steady.
 pub(super) fn run(
     machine: &Machine,
     winder: &Winder,
@@ -56,7 +56,7 @@ pub(super) fn run(
     Ok(Running {
         open: share(column("layer.closed")?, |closed| closed < 0.5),
         slipping: is_slipping,
-        // What sticks moves with the drum but for errors of the run.
+        // A sticking package moves with the drum except for errors of the run.
         slip: if is_slipping > 0.0 { slip } else { 0.0 },
         ..Running::of(column("deflection")?, column("pressure")?)
     })

@@ -1,4 +1,4 @@
-//! Second stage: resonances of the stiffening layer, at the amplitude that there is.
+//! Second stage: resonances of the stiffening layer at the actual amplitude.
 
 use std::f64::consts::TAU;
 
@@ -7,23 +7,23 @@ use crate::closed_form::Duffing;
 use crate::verify::machine::{Machine, winder_nonlinear};
 use crate::verify::{CheckFailure, largest};
 
-/// How far operating frequencies must stay from resonances for this stage to be enough.
+/// Ratio of operating frequencies and resonances from which on this stage is sufficient.
 pub const ENOUGH: f64 = 1.4;
 
-/// Radii at which it is run.
+/// Number of radii.
 pub(super) const RADII: u32 = 7;
-/// When transients have faded to a thousandth \[s\].
+/// Time after which transients have decayed to a thousandth \[s\].
 pub(super) const SETTLED: f64 = 0.6;
-/// Turns of the drum looked at after that.
+/// Number of turns of the drum that are evaluated afterwards.
 pub(super) const TURNS: f64 = 8.0;
 const SAMPLES_A_TURN: f64 = 240.0;
 
-/// Runs of the scene `winder_nonlinear`, and the resonance at the amplitude of compression
-/// that each of them reaches: the frequency at which the bobbin swings freely on the layer
-/// with that amplitude, by elliptic functions (the backbone curve).
+/// Runs the scene `winder_nonlinear`, and computes the resonance at the amplitude of compression of
+/// each run: the frequency of free oscillation on the layer with that amplitude, by elliptic
+/// functions (the backbone curve).
 ///
 /// # Errors
-/// [`CheckFailure`] if the scene lacks what is asked for or a run stops.
+/// [`CheckFailure`] if the scene lacks a required quantity or a run stops.
 pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
     let machine = winder_nonlinear();
     let mut spectrum = Vec::new();
@@ -47,7 +47,7 @@ pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
     })
 }
 
-/// 2 pi over the period of free swings of an amplitude \[m\], in rad/s.
+/// Returns 2 pi over the period of free oscillation with an amplitude \[m\], in rad/s.
 fn backbone(machine: &Machine, radius: f64, amplitude: f64) -> Result<f64, CheckFailure> {
     let point = machine.point(&[("holder.package_radius", radius)], &[])?;
     let free = Duffing {
@@ -58,11 +58,11 @@ fn backbone(machine: &Machine, radius: f64, amplitude: f64) -> Result<f64, Check
     Ok(TAU / free.period(amplitude))
 }
 
-/// The run once it is steady.
+/// Steady part of a run.
 pub(super) struct Steady {
     pub deflections: Vec<f64>,
     pub compressions: Vec<f64>,
-    /// Beyond that at rest.
+    /// Pressures relative to that at rest.
     pub pressures: Vec<f64>,
 }
 
@@ -90,7 +90,7 @@ pub(super) fn steady(
     Ok(Steady { deflections, compressions, pressures })
 }
 
-/// Even times \[s\] once all is steady.
+/// Returns equally spaced times \[s\] of the steady motion.
 pub(super) fn sampled(drum: f64) -> Vec<f64> {
     let step = TAU / drum / SAMPLES_A_TURN;
     let samples = (TURNS * SAMPLES_A_TURN) as u32;

@@ -1,4 +1,4 @@
-//! Where winding is stable, over radius of the package and winding speed.
+//! Map of stable winding, over radius of the package and winding speed.
 //!
 //! ```text
 //! dN = (1 + delta) sum B c~                        over harmonics of force and shape
@@ -8,10 +8,10 @@
 //! N + dN <= [Nmax]                                 the yarn
 //! ```
 //!
-//! Together they are the pressure band \[Nmin\] + dN <= N <= \[Nmax\] - dN, \[Nmin\] from
+//! Together they form the pressure band \[Nmin\] + dN <= N <= \[Nmax\] - dN, with \[Nmin\] from
 //! adhesion and practice. B is the amplitude by which a harmonic compresses the layer, c~ its
-//! dynamic stiffness |c + j h p|; phases are the worst, and the layer is linear, so that what
-//! is stable here is so in any case.
+//! dynamic stiffness |c + j h p|. Phases are the worst possible and the layer is linear, so points
+//! that are stable here are stable in any case.
 //!
 //! Source: winder study.
 
@@ -25,28 +25,28 @@ use crate::closed_form::winding_pair::DESIGN_SHARE;
 use crate::verify::CheckFailure;
 use crate::verify::machine::{winder_full, winder_linear};
 
-/// What fails first, in this order, if anything.
+/// First condition that fails, in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Condition {
-    /// Nothing: winding is stable.
+    /// No condition fails: winding is stable.
     Stable,
     /// The pressure may fall to zero.
     Contact,
     /// Friction may not suffice to turn the package.
     Adhesion,
-    /// It may, but the rule of practice is broken.
+    /// Friction suffices, but the rule of practice is broken.
     Practice,
     /// The yarn may be pressed too hard.
     Yarn,
 }
 
 impl Condition {
-    /// All, in the order in which they are asked for.
+    /// All conditions, in the order of evaluation.
     pub const ALL: [Self; 5] =
         [Self::Stable, Self::Contact, Self::Adhesion, Self::Practice, Self::Yarn];
 
-    /// In a few words.
+    /// Returns a description in a few words.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -64,25 +64,25 @@ impl Condition {
 pub struct Cell {
     /// dN \[N\].
     pub variation: f64,
-    /// (N - dN) (f - (fa r + k)/R) - Pn \[N\]; below zero the package may slip.
+    /// (N - dN) (f - (fa r + k)/R) - Pn \[N\]; if it is negative, the package may slip.
     pub margin: f64,
-    /// What fails first.
+    /// First condition that fails.
     pub condition: Condition,
 }
 
-/// What the conditions ask.
+/// Data of the conditions.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Limits {
     /// f, fa r and k.
     #[serde(skip)]
     pub pair: WindingPair,
-    /// N \[N\]; of a map, with the empty bobbin.
+    /// N \[N\]; for a map, with the empty bobbin.
     pub pressure: f64,
     /// Pn \[N\].
     pub tension: f64,
-    /// \[Nmax\], what the yarn bears \[N\].
+    /// \[Nmax\], limit of the pressure for the yarn \[N\].
     pub largest: f64,
-    /// delta, the share to which the dynamic stiffness is known.
+    /// delta, relative uncertainty of the dynamic stiffness.
     pub spread: f64,
 }
 
@@ -107,8 +107,8 @@ impl Limits {
         Cell { variation, margin, condition }
     }
 
-    /// dN \[N\] of a winder with the bobbin of a package of some radius \[m\], its drum turning with
-    /// `drum` rad/s.
+    /// Returns dN \[N\] of a winder with the bobbin of a package of some radius \[m\], with its
+    /// drum turning at `drum` rad/s.
     #[must_use]
     pub fn variation(
         &self,
@@ -122,10 +122,10 @@ impl Limits {
     }
 }
 
-/// The map.
+/// A stability map.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StabilityMap {
-    /// What is asked.
+    /// Data of the conditions.
     pub limits: Limits,
     /// Radii of the package \[m\].
     pub radii: Vec<f64>,
@@ -135,21 +135,21 @@ pub struct StabilityMap {
     pub cells: Vec<Vec<Cell>>,
 }
 
-/// Speed up to which maps go, where the winder is no faster \[m/s\].
+/// Speed up to which maps go if the winder is no faster \[m/s\].
 pub const FASTEST: f64 = 14.0;
-/// Radii and speeds of a map.
+/// Numbers of radii and speeds of a map.
 pub const SIZE: (u32, u32) = (61, 141);
-/// \[Nmax\] unless told otherwise \[N\].
+/// Default of \[Nmax\] \[N\].
 pub const LARGEST: f64 = 190.0;
-/// delta, likewise.
+/// Default of delta.
 pub const SPREAD: f64 = 0.1;
 
 impl StabilityMap {
-    /// The map of a winder up to a speed \[m/s\]. Unbalances of drum and package go with
-    /// the square of the speed, and are the winder's at the winder's own.
+    /// Computes the map of a winder up to a speed \[m/s\]. Unbalances of drum and package are
+    /// proportional to the square of the speed, with the winder's values at its own speed.
     ///
     /// # Errors
-    /// [`CheckFailure`] if a scene lacks what is asked for.
+    /// [`CheckFailure`] if a scene lacks a required quantity.
     pub fn of(winder: &Winder, fastest: f64) -> Result<Self, CheckFailure> {
         let (linear, full) = (winder_linear(), winder_full());
         let pair = WindingPair {
@@ -185,7 +185,7 @@ impl StabilityMap {
         Ok(Self { limits, radii, speeds, cells })
     }
 
-    /// How many points a condition has, of all.
+    /// Returns the share of points with a condition.
     #[must_use]
     pub fn share(&self, condition: Condition) -> f64 {
         let cells = self.cells.iter().flatten();

@@ -8,18 +8,17 @@ use crate::closed_form::winder::{BobbinOscillator, Harmonic};
 use crate::verify::CheckFailure;
 use crate::verify::machine::{Machine, winder_linear};
 
-/// How far operating frequencies must stay from resonances for this stage to be enough.
+/// Ratio of operating frequencies and resonances from which on this stage is sufficient.
 pub const ENOUGH: f64 = 2.0;
 
 const RADII: u32 = 61;
-/// Samples over a turn of the drum, which is the period of the steady motion of an even package.
+/// Number of samples over a turn of the drum, the period of the steady motion of a regular package.
 const SAMPLES: u32 = 720;
 
-/// Resonances by the emitted scene `winder_linear`, and how the winder runs by the closed
-/// form.
+/// Computes resonances by the emitted scene `winder_linear`, and the motion by the closed form.
 ///
 /// # Errors
-/// [`CheckFailure`] if the scene lacks what is asked for.
+/// [`CheckFailure`] if the scene lacks a required quantity.
 pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
     let machine = winder_linear();
     let drum_radius = machine.value("drum_radius")?;
@@ -42,7 +41,7 @@ pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
     })
 }
 
-/// Undamped resonance of the emitted scene, sqrt(-dv'/dx) \[rad/s\].
+/// Returns the undamped resonance of the emitted scene, sqrt(-dv'/dx) \[rad/s\].
 fn resonance(machine: &Machine, radius: f64) -> Result<f64, CheckFailure> {
     let point = machine.point(&[("holder.package_radius", radius)], &[])?;
     let jacobian = machine.rate_jacobian(&point);
@@ -50,7 +49,7 @@ fn resonance(machine: &Machine, radius: f64) -> Result<f64, CheckFailure> {
     Ok((-jacobian[(v, x)]).sqrt())
 }
 
-/// The linear bobbin of the scene at a radius of its package \[m\].
+/// Returns the linear bobbin of the scene at a radius of its package \[m\].
 pub(crate) fn bobbin(machine: &Machine, radius: f64) -> Result<BobbinOscillator, CheckFailure> {
     let point = machine.point(&[("holder.package_radius", radius)], &[])?;
     Ok(BobbinOscillator {
@@ -61,7 +60,7 @@ pub(crate) fn bobbin(machine: &Machine, radius: f64) -> Result<BobbinOscillator,
     })
 }
 
-/// Force and shape of a drum that turns with `drum` rad/s.
+/// Returns force and shape of a drum that turns with `drum` rad/s.
 pub(crate) fn disturbances(winder: &Winder, drum: f64) -> [Harmonic; 2] {
     [
         Harmonic { amplitude: winder.force, frequency: drum, phase: 0.0 },
@@ -69,13 +68,13 @@ pub(crate) fn disturbances(winder: &Winder, drum: f64) -> [Harmonic; 2] {
     ]
 }
 
-/// Force of a package of some radius \[m\].
+/// Returns the force of a package of some radius \[m\].
 pub(crate) fn package(winder: &Winder, radius: f64) -> Harmonic {
     Harmonic { amplitude: winder.package, frequency: winder.speed / radius, phase: 0.0 }
 }
 
-/// The steady motion with a package of some radius \[m\] over a turn of the drum, over several if
-/// the package shakes it too.
+/// Returns the steady motion with a package of some radius \[m\] over a turn of the drum, or over
+/// several turns if the package disturbs it too.
 fn steady(winder: &Winder, bobbin: &BobbinOscillator, drum: f64, radius: f64) -> Running {
     let rest = winder.pressure(radius);
     let [force, shape] = disturbances(winder, drum);

@@ -28,7 +28,7 @@ fn a_slow_winder_needs_no_more_than_the_linear_model() {
     let resonance = stage.resonance.expect("there are resonances").1;
     assert!((stage.clearances[1].ratio - resonance / 60.0).abs() < 1e-12);
     assert_eq!((walk.why().len(), walk.later().len()), (1, 2));
-    // And the later stages say so: nothing is lost, and little changes.
+    // The later stages confirm this: contact is not lost, and little changes.
     let [linear, _, full] = &walk.stages;
     assert!((full.running.amplitude / linear.running.amplitude - 1.0).abs() < 0.02);
     assert!(full.running.open == 0.0 && full.running.slipping == 0.0);

@@ -1,5 +1,5 @@
-//! Derivatives of the rate against extrapolated differences of it, and the rate of another
-//! way of running the machine.
+//! Derivatives of the rate against extrapolated differences, and the rate in another execution of
+//! the machine.
 
 use machinist::complex_step::dense;
 use machinist::linear_analysis::differences::{LARGEST, changes};
@@ -54,10 +54,11 @@ pub(super) const BITS: Row = Row {
     measure: bits,
 };
 
-/// Steps beside those that extrapolation begins with: a phase w t must not go round within.
+/// Step relative to the usual first one of extrapolation, so that a phase w t does not turn within
+/// a step.
 const FINE: f64 = 1e-2;
 
-/// What is shifted.
+/// Varied quantity.
 #[derive(Clone, Copy)]
 enum Along {
     State,
@@ -91,7 +92,7 @@ fn by_parameters(visit: &Visit<'_>) -> Outcome {
 }
 
 fn by_time(visit: &Visit<'_>) -> Outcome {
-    // A load may last a small part of the run.
+    // A load may last only a small part of the run.
     let size = 1e-2 * visit.duration();
     compare(visit, Along::Time, &[size], |point| {
         let mut values = vec![0.0; point.state.len()];
@@ -100,7 +101,7 @@ fn by_time(visit: &Visit<'_>) -> Outcome {
     })
 }
 
-/// The worst entry of all points.
+/// Returns the worst entry of all points.
 fn compare(
     visit: &Visit<'_>,
     along: Along,
@@ -119,7 +120,8 @@ fn compare(
             is_constrained: visit.simulator.constraints() > 0,
             rate: &rate,
         };
-        // What differences do not settle is taken from what is checked, so that it sets no scale.
+        // Entries whose differences do not converge are taken from the checked matrix, so that they
+        // set no scale.
         let exact = DMatrix::from_fn(values.nrows(), values.ncols(), |i, j| {
             if values[(i, j)].is_finite() { values[(i, j)] } else { ours[(i, j)] }
         });
@@ -147,8 +149,8 @@ fn compare(
     }
 }
 
-/// What counts as nothing beside the rates, where no entry sets a scale: times the tolerance,
-/// their rounding.
+/// Returns the size that counts as zero relative to the rates, where no entry sets a scale; this
+/// times the tolerance is their rounding.
 fn least(visit: &Visit<'_>, rate: &[f64], sizes: &[f64]) -> DMatrix<f64> {
     const NOTHING: f64 = 1e-9;
     let rows = &visit.sizes;
@@ -165,15 +167,15 @@ fn name<'a>(visit: &Visit<'a>, along: Along, index: usize) -> &'a str {
     }
 }
 
-/// Differences, column by column, with how much the last extrapolation changed them: without
-/// bound where a kink is too near.
+/// Differences, column by column, with the change by the last extrapolation: infinite where a
+/// switching surface is too near.
 struct Differences {
     values: DMatrix<f64>,
     changes: DMatrix<f64>,
 }
 
 fn differences(visit: &Visit<'_>, point: &Point, along: Along, sizes: &[f64]) -> Differences {
-    /// Of the rate, in the difference over the largest step.
+    /// Roundings of the rate in the difference over the largest step.
     const ROUNDINGS: f64 = 8.0;
     let states = point.state.len();
     let rate = visit.rate(point);
@@ -182,7 +184,7 @@ fn differences(visit: &Visit<'_>, point: &Point, along: Along, sizes: &[f64]) ->
         changes: DMatrix::zeros(states, sizes.len()),
     };
     for (column, size) in sizes.iter().enumerate() {
-        // A mode is a whole number: nobody asks how the rate changes with it.
+        // A mode is a whole number; derivatives by it are not needed.
         let is_mode = matches!(along, Along::State) && visit.simulator.is_mode(column);
         let size = away_from_kinks(visit, point, (along, column), *size);
         let Some(size) = size.filter(|_| !is_mode) else {
@@ -210,8 +212,8 @@ fn shifted(point: &Point, along: Along, column: usize, step: f64) -> Point {
     point
 }
 
-/// A size, at most the one given, of which the largest step passes no kink and no time at which
-/// the rate is known to change.
+/// Returns a size, at most the given one, for which the largest step crosses no switching surface
+/// and no time at which the rate is known to change.
 fn away_from_kinks(
     visit: &Visit<'_>,
     point: &Point,
@@ -236,7 +238,7 @@ fn away_from_kinks(
     None
 }
 
-/// How many numbers of rate and Jacobian differ.
+/// Counts the numbers of rate and Jacobian that differ.
 fn bits(visit: &Visit<'_>) -> Outcome {
     let twin = match visit.subject.twin {
         Ok(twin) => twin,

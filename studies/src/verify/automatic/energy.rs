@@ -1,10 +1,9 @@
-//! What powers and energies tell of a machine, and what they do not.
+//! Checks of powers and energies of a machine.
 //!
-//! The account closes for any force: what a force supplies is taken as supplied, whatever its
-//! sign, so that its residual shows forces marked `conversion`, energies and powers of
-//! first-order states that do not belong together. Wrong signs show elsewhere: in power lost
-//! that is negative, in events that gain energy, and in forces that push along whichever way
-//! the machine moves.
+//! The balance closes for any force: the work of a force counts as supplied, regardless of its
+//! sign. Its residual reveals inconsistent forces marked `conversion`, and inconsistent energies
+//! and powers of first-order states. Wrong signs show elsewhere: as negative dissipation, as events
+//! that gain energy, and as forces that push along in either direction of motion.
 
 use machinist_contract::{PowerBalance, Simulator, StateKind};
 
@@ -68,8 +67,8 @@ pub(super) const FORCES: Row = Row {
     measure: forces,
 };
 
-/// As the built-in studies do, with the gradient of the energy by differences, which only
-/// sets the scale.
+/// Checks the balance as for the built-in studies, with the gradient of the energy by differences,
+/// which only sets the scale.
 fn balance(visit: &Visit<'_>) -> Outcome {
     let simulator = visit.simulator;
     let energy =
@@ -92,7 +91,7 @@ fn balance(visit: &Visit<'_>) -> Outcome {
             .map(|index| rate[index] * slope(visit.sizes[index], &|p, h| p.state[index] += h))
             .collect();
         terms.push(slope(1e-2 * visit.duration(), &|p, h| p.time += h));
-        // What has no value beside the point sets no scale.
+        // Terms without a value near the point set no scale.
         let size: f64 = terms.iter().filter(|term| term.is_finite()).map(|term| term.abs()).sum();
         let error = residual(simulator, point, size + least);
         found.take(error, || format!("Worst at {} s.", point.time));
@@ -108,12 +107,12 @@ fn account(visit: &Visit<'_>) -> Outcome {
     Outcome::Found(Found { error, place: String::new() })
 }
 
-/// What an account is measured by at least \[J\]: of what rests, or all but rests, nothing passes, and
-/// what steps and rounding err by is large beside it. Times the tolerance of the account it is
-/// what a hundred times the tolerance of a step makes of the energy where things are of typical
-/// size, and rounding. A wrong sign is off by the part itself.
+/// Returns the least reference energy of a balance \[J\]. At rest, or nearly so, no energy passes,
+/// and errors of steps and rounding are large in comparison. This times the tolerance of the
+/// balance is the effect of a hundred times the tolerance of a step on the energy at typical sizes,
+/// plus rounding. A wrong sign causes an error of the size of the part itself.
 fn small_energy(visit: &Visit<'_>) -> f64 {
-    /// Of typical moves.
+    /// Fraction of typical moves.
     const SMALL: f64 = 1e-2;
     const ROUNDINGS: f64 = 64.0;
     let simulator = visit.simulator;
@@ -134,7 +133,7 @@ fn small_energy(visit: &Visit<'_>) -> f64 {
     visit.points.iter().map(of).filter(|energy| energy.is_finite()).fold(0.0, f64::max)
 }
 
-/// A power below which nothing counts \[W\]: the energy in motion once a run.
+/// Returns a power that counts as negligible \[W\]: the energy in motion once per run.
 fn least_power(visit: &Visit<'_>) -> f64 {
     let energy = |point: &Point| {
         let energy = visit.simulator.energy(point.time, &point.state, &point.parameters);
@@ -143,9 +142,9 @@ fn least_power(visit: &Visit<'_>) -> f64 {
     visit.points.iter().map(energy).fold(0.0, f64::max) / visit.duration()
 }
 
-/// The power lost at velocities and at their negatives, half of both together. A damper that
-/// is moved at one end loses c (v - u) v of the machine's own motion, which may be negative:
-/// the mover supplies the rest. Of both directions, c v^2 is left.
+/// Checks half the sum of the powers dissipated at velocities and at their negatives. A damper with
+/// one end moved dissipates c (v - u) v of the machine's own motion, which may be negative, since
+/// the mover supplies the rest. The mean over both directions is c v^2.
 fn lost(visit: &Visit<'_>) -> Outcome {
     let simulator = visit.simulator;
     let columns = super::states(visit.run);
@@ -172,7 +171,7 @@ fn lost(visit: &Visit<'_>) -> Outcome {
     Outcome::Found(found)
 }
 
-/// Powers at a point whose velocities are so many times as large.
+/// Returns the powers at a point with velocities multiplied by a factor.
 fn power_at(simulator: &dyn Simulator<f64>, point: &Point, factor: f64) -> PowerBalance<f64> {
     let mut state = point.state.clone();
     for (index, value) in state.iter_mut().enumerate() {
@@ -211,7 +210,7 @@ fn events(visit: &Visit<'_>) -> Outcome {
     Outcome::Found(found)
 }
 
-/// Whether guards or new values change while nothing moves but time.
+/// Returns whether guards or new values change while only time moves.
 fn are_timed(visit: &Visit<'_>, point: &Point) -> bool {
     let simulator = visit.simulator;
     let sets: usize = (0..simulator.events()).map(|event| simulator.event(event).sets.len()).sum();
@@ -226,7 +225,8 @@ fn are_timed(visit: &Visit<'_>, point: &Point) -> bool {
 }
 
 fn forces(visit: &Visit<'_>) -> Outcome {
-    /// Where what grows with speed shows beside a drive that does not.
+    /// Factors of velocities; at the larger one, effects that grow with speed exceed those of a
+    /// constant drive.
     const FASTER: [f64; 2] = [1.0, 100.0];
     let simulator = visit.simulator;
     let supplied = |point: &Point, factor: f64| power_at(simulator, point, factor).supplied;
@@ -248,8 +248,8 @@ fn forces(visit: &Visit<'_>) -> Outcome {
             let least = factor * factor * least;
             let size = ahead.abs() + back.abs() + least;
             let error = if ahead.min(back) > 0.0 { ahead.min(back) / size } else { 0.0 };
-            // What is supplied to first-order states, as by a controller that goes by the speed,
-            // pushes nothing by itself.
+            // Power supplied to first-order states, as by a controller that measures the speed,
+            // exerts no force by itself.
             let error =
                 if error > 0.0 { error.min(fed(visit, point, factor, least)) } else { error };
             found.take(error, || {
@@ -264,7 +264,7 @@ fn forces(visit: &Visit<'_>) -> Outcome {
     Outcome::Found(found)
 }
 
-/// Whether energies change while nothing moves but time, as of a rope that is wound up.
+/// Returns whether energies change while only time moves, as for a rope that is wound up.
 fn has_timed_energy(visit: &Visit<'_>, point: &Point) -> bool {
     const ROUNDINGS: f64 = 64.0;
     let energy = |time: f64| visit.simulator.energy(time, &point.state, &point.parameters);
@@ -275,9 +275,9 @@ fn has_timed_energy(visit: &Visit<'_>, point: &Point) -> bool {
         || differs(now.stored, later.stored)
 }
 
-/// Power that forces give to what moves, at velocities and at their negatives together, relative
-/// to its parts: v^T M q'' and what is lost. What drives, springs and masses do one way they do
-/// not the other.
+/// Returns the power that forces supply to motion, at velocities and at their negatives together,
+/// relative to its parts: v^T M q'' and the dissipation. The powers of drives, springs and masses
+/// in both directions cancel.
 fn fed(visit: &Visit<'_>, point: &Point, factor: f64, least: f64) -> f64 {
     let simulator = visit.simulator;
     let lost = |factor: f64| power_at(simulator, point, factor).dissipated;
@@ -288,7 +288,7 @@ fn fed(visit: &Visit<'_>, point: &Point, factor: f64, least: f64) -> f64 {
     (parts.iter().sum::<f64>() / size).max(0.0)
 }
 
-/// v^T M q'' at velocities that are so many times as large.
+/// Returns v^T M q'' at velocities multiplied by a factor.
 fn push_at(visit: &Visit<'_>, point: &Point, factor: f64) -> f64 {
     let simulator = visit.simulator;
     let mut point = point.clone();
@@ -309,7 +309,7 @@ fn push_at(visit: &Visit<'_>, point: &Point, factor: f64) -> f64 {
     parts.sum()
 }
 
-/// Whether a constraint moves while nothing else does.
+/// Returns whether a constraint moves while nothing else does.
 fn are_moved(simulator: &dyn Simulator<f64>, point: &Point) -> bool {
     let mut state = point.state.clone();
     for (index, value) in state.iter_mut().enumerate() {

@@ -1,10 +1,10 @@
-//! A machine against a second derivation of its spec, which somebody else makes: studies read
-//! no specs.
+//! Comparison of a machine with a second derivation of its spec, which the caller provides, since
+//! studies do not read specs.
 
 use super::visit::Visit;
 use super::{Found, Outcome, Row};
 
-/// Time, state and parameters at which a machine is looked at.
+/// Time, state and parameters of a comparison.
 #[derive(Debug, Clone, Copy)]
 pub struct Look<'a> {
     /// t \[s\].
@@ -15,20 +15,20 @@ pub struct Look<'a> {
     pub parameters: &'a [f64],
 }
 
-/// The largest difference between a machine and its second derivation.
+/// Largest difference between a machine and its second derivation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
-    /// Relative to the sum of the sizes of what the number is put together from: of an
-    /// acceleration, to what its forces would do one by one.
+    /// Error relative to the sum of the absolute terms of the number; for an acceleration, these
+    /// are the effects of the individual forces.
     pub error: f64,
-    /// What differs most, and when.
+    /// Quantity with the largest difference, and its time.
     pub place: String,
-    /// How many numbers were compared.
+    /// Number of compared values.
     pub compared: usize,
 }
 
-/// Holds a machine against its second derivation, at places along the run and at random ones;
-/// or says why there is no such derivation.
+/// Compares a machine with its second derivation, at points along the run and at random ones; or
+/// the reason why there is no such derivation.
 pub type Independent<'a> = Result<Box<dyn Fn(&[Look<'_>]) -> Difference + 'a>, String>;
 
 pub(super) const INDEPENDENT: Row = Row {

@@ -1,39 +1,38 @@
-//! What the author of a machine wants checked: outputs or states against closed forms and
-//! data.
+//! Checks by the author of a machine: outputs or states against closed forms and data.
 
 use machinist::{Simulation, Trajectory};
 
 use super::Subject;
 use crate::verify::Verdict;
 
-/// A quantity of the run with what it should be.
+/// A quantity of the run with its reference.
 pub struct OwnCheck<'a> {
-    /// What it is called.
+    /// Name of the check.
     pub name: &'a str,
-    /// The output or state.
+    /// Name of the output or state.
     pub of: &'a str,
-    /// Where the reference is from.
+    /// Source of the reference.
     pub source: &'a str,
-    /// Largest error that passes, relative to the largest size of the reference.
+    /// Relative tolerance, as a fraction of the largest absolute value of the reference.
     pub tolerance: f64,
-    /// Largest error that passes beside that, in the unit of what is checked.
+    /// Absolute tolerance in addition, in the unit of the quantity.
     pub absolute: Option<f64>,
     /// The reference.
     pub reference: OwnReference<'a>,
 }
 
-/// Values at times.
+/// Function that returns values at times.
 pub type OfTimes<'a> = Box<dyn Fn(&[f64]) -> Vec<f64> + 'a>;
 
-/// What a quantity should be.
+/// Reference of a quantity.
 pub enum OwnReference<'a> {
-    /// A function of times, at those of the run; and its text.
+    /// A function of time with its text, evaluated at the times of the run.
     Function(&'a str, OfTimes<'a>),
     /// Times, increasing \[s\], and values.
     Values(&'a [[f64; 2]]),
 }
 
-/// The run of a machine, at the times of all its values too.
+/// Returns the run of a machine, with the times of all its values added.
 pub(super) fn with_times<'a>(subject: &Subject<'a>) -> Simulation<'a> {
     let times = subject.own.iter().flat_map(|check| match &check.reference {
         OwnReference::Function(..) => &[][..],
@@ -43,7 +42,7 @@ pub(super) fn with_times<'a>(subject: &Subject<'a>) -> Simulation<'a> {
     subject.simulation.clone().also_at(&times)
 }
 
-/// What was found: the largest difference, where it is, and the largest reference.
+/// Largest difference, its time, and the largest reference.
 #[derive(Default)]
 struct Difference {
     largest: f64,
@@ -117,7 +116,7 @@ impl OwnCheck<'_> {
         }
     }
 
-    /// Times and values of the reference, as far as they are within the run.
+    /// Returns times and values of the reference within the run.
     fn reference_at(&self, times: &[f64]) -> (Vec<f64>, Vec<f64>) {
         match &self.reference {
             OwnReference::Function(_, values) => (times.to_vec(), values(times)),
@@ -131,7 +130,7 @@ impl OwnCheck<'_> {
         }
     }
 
-    /// The largest size of the reference; of values that lie beyond the run too.
+    /// Returns the largest absolute value of the reference; data beyond the run count too.
     fn size(&self, within: &[f64]) -> f64 {
         let size = |most: f64, value: &f64| most.max(value.abs());
         match &self.reference {
@@ -148,7 +147,7 @@ impl OwnCheck<'_> {
     }
 }
 
-/// The largest difference; the first reference that is no finite number, if one is.
+/// Returns the largest difference, or the first reference that is not finite.
 fn difference(run: &Trajectory, ours: &[f64], times: &[f64], reference: &[f64]) -> Difference {
     let mut found = Difference::default();
     for (time, expected) in times.iter().zip(reference) {

@@ -1,4 +1,4 @@
-//! The run against converged ones, and how well it keeps to its constraints.
+//! The run against converged ones, and its drift from constraints.
 
 use machinist::trajectory::EnergyBalance;
 use machinist::{Method, Trajectory};
@@ -45,8 +45,8 @@ pub(super) const CONVERGENCE: Row = Row {
     measure: convergence,
 };
 
-/// Methods for references, with tight tolerances and the steps they may take: where an
-/// explicit method takes more, the machine is stiff.
+/// Methods for references, with tight tolerances and maximum numbers of steps: the machine is stiff
+/// if an explicit method takes more.
 const CANDIDATES: [(Method, f64, usize); 5] = [
     (Method::Dop853, 1e-12, 50_000),
     (Method::Radau, 1e-12, 50_000),
@@ -54,9 +54,9 @@ const CANDIDATES: [(Method, f64, usize); 5] = [
     (Method::Taylor, 1e-12, 20_000),
     (Method::Bdf, 1e-9, 100_000),
 ];
-/// Below this, references are no better than the run.
+/// Tolerance below which references are no better than the run.
 const FINEST: f64 = 1e-10;
-/// Part of the run around an event within which times are not compared: states jump there.
+/// Part of the run around an event within which times are not compared, because states jump there.
 const AROUND_EVENTS: f64 = 1e-5;
 
 /// Converged runs of unrelated methods, at most two.
@@ -88,17 +88,17 @@ impl References {
         found
     }
 
-    /// The energy account of the first.
+    /// Returns the energy balance of the first run.
     pub(super) fn account(&self) -> Option<&EnergyBalance> {
         self.runs.first().and_then(|run| run.energy_balance.as_ref())
     }
 
-    /// Events of the first.
+    /// Returns the events of the first run.
     pub(super) fn switches(&self) -> &[machinist::trajectory::Switch] {
         self.runs.first().map_or(&[], |run| &run.switches)
     }
 
-    /// Of a row that takes two, where there are fewer.
+    /// Returns the result of a row that needs two references if there are fewer.
     pub(super) fn missing(&self) -> Outcome {
         let why = self.failures.join("; ");
         let why = format!("no two methods get through the run at tight tolerances: {why}");
@@ -137,8 +137,8 @@ fn convergence(visit: &Visit<'_>) -> Outcome {
     }
 }
 
-/// max over states and times of |a - b|/(rtol (scale + max |b|)), but for times next to an
-/// event of either.
+/// Returns max over states and times of |a - b|/(rtol (scale + max |b|)), except at times near an
+/// event of either run.
 fn distance(visit: &Visit<'_>, a: &Trajectory, b: &Trajectory) -> Found {
     let near = AROUND_EVENTS * visit.duration();
     let switches: Vec<f64> = a.switches.iter().chain(&b.switches).map(|s| s.time).collect();

@@ -16,17 +16,17 @@ pub(super) const BY_DIFFERENCES: Row = Row {
     measure: by_differences,
 };
 
-/// So many parameters are varied, at so many times of the run.
+/// Number of varied parameters, and of times of the run.
 const PARAMETERS: usize = 3;
 const TIMES: usize = 20;
 const RTOL: f64 = 1e-10;
 const STEPS: usize = 20_000;
-/// What moves by less than this part of its scale may be what steps err by, which is many times
-/// the tolerance where a machine rests.
+/// Motion, relative to its scale, below which it may be an error of steps, which is many times the
+/// tolerance where a machine is at rest.
 const NOTHING: f64 = 1e3 * RTOL;
-/// What is varied, relative.
+/// Relative variation of parameters.
 const STEP: f64 = 1e-4;
-/// What a parameter does less of than this, relative to a state, no difference tells.
+/// Relative effect on a state below which differences do not resolve it.
 const LEAST: f64 = 1e-5;
 
 fn by_differences(visit: &Visit<'_>) -> Outcome {
@@ -60,7 +60,7 @@ fn compared(visit: &Visit<'_>) -> Result<Found, Outcome> {
     Ok(found)
 }
 
-/// The run with its derivatives by all parameters that are not zero, as far as there are such.
+/// Returns the run with its derivatives by all nonzero parameters that allow them.
 fn sensitivities(
     visit: &Visit<'_>,
     base: &Simulation<'_>,
@@ -83,7 +83,7 @@ fn sensitivities(
     }
 }
 
-/// The largest relative change of a state for one of a parameter.
+/// Returns the largest relative change of a state for one of a parameter.
 fn effect(visit: &Visit<'_>, (run, sizes): (&Trajectory, &[f64]), index: usize) -> f64 {
     let value = visit.subject.simulation.parameter_values()[index].abs();
     let name = visit.simulator.parameter(index).name;
@@ -112,8 +112,8 @@ fn compare(
     let slopes = |pair: &(Trajectory, Trajectory), times: f64, state: usize, row: usize| {
         (states(&pair.0)[state][row] - states(&pair.1)[state][row]) / (2.0 * times * step)
     };
-    // Between the same events: where one run has passed an event and another has not, their
-    // difference is no derivative.
+    // Runs are compared between the same events: where one run has passed an event and another has
+    // not, their difference is no derivative.
     let passed = |run: &Trajectory, time: f64| {
         run.switches.iter().filter(|switch| switch.time <= time).count()
     };
@@ -124,7 +124,7 @@ fn compare(
         let state = states(run).iter().map(|column| column[row]).collect();
         visit.guards(&Point { time: run.times[row], state, parameters })
     };
-    // Likewise on one side of what switches: a time of the run may be where it does.
+    // Runs must also be on one side of switching surfaces, at which times of the run may lie.
     let is_on_one_side = |row: usize| {
         let (mut least, mut greatest) = (side(run, 0.0, row), side(run, 0.0, row));
         for (other, times) in all {
@@ -148,7 +148,7 @@ fn compare(
         }
         for (row, slope) in rows.iter().map(|row| (*row, own[*row])) {
             let (one, two) = (slopes(&near, 1.0, state, row), slopes(&far, 2.0, state, row));
-            // As far as differences themselves are sure.
+            // Deviations count only as far as differences themselves are accurate.
             let off = ((slope - one).abs() - (one - two).abs()).max(0.0);
             found.take(off / size, || {
                 format!("Worst: {} by {name} at {} s.", column.name, run.times[row])

@@ -1,4 +1,4 @@
-//! Where a machine is looked at: along its own run, and around it.
+//! Points at which a machine is checked: along its own run and around it.
 
 use std::cell::OnceCell;
 
@@ -10,19 +10,19 @@ use super::runs::References;
 use super::{Subject, states};
 use crate::verify::machine::{Point, SplitMix};
 
-/// Places along the run; as many again lie around them.
+/// Number of points along the run; the same number lies around them.
 const PLACES: usize = 8;
-/// Columns of Jacobians that are differentiated in all, as far as eight places allow.
+/// Total number of columns of Jacobians that are differentiated, as far as eight points allow.
 const COLUMNS: usize = 1500;
-/// How far around, beside the size of a state's motion.
+/// Distance of points around the run, relative to the size of a state's motion.
 const AROUND: f64 = 0.1;
 
-/// A machine, its run, and the points to look at.
+/// A machine, its run, and the points of the checks.
 pub(super) struct Visit<'a> {
     pub(super) subject: &'a Subject<'a>,
     pub(super) simulator: &'a dyn Simulator<f64>,
     pub(super) run: &'a Trajectory,
-    /// Typical size of each state's motion: how far it goes, and at most its scale.
+    /// Typical size of each state's motion: its range, and at most its scale.
     pub(super) sizes: Vec<f64>,
     pub(super) points: Vec<Point>,
     references: OnceCell<References>,
@@ -32,7 +32,7 @@ impl<'a> Visit<'a> {
     pub(super) fn new(subject: &'a Subject<'a>, run: &'a Trajectory) -> Self {
         let simulator = subject.simulation.simulator();
         let columns = states(run);
-        // A run at a loose tolerance still tells such moves.
+        // Even a run at a loose tolerance resolves such moves.
         let nothing = run.rtol.min(1e-8);
         let sizes: Vec<f64> =
             (0..columns.len()).map(|k| size(simulator, k, columns[k], nothing)).collect();
@@ -42,7 +42,7 @@ impl<'a> Visit<'a> {
         visit
     }
 
-    /// States of the run, evenly spread, each followed by one around it.
+    /// Returns equally spaced states of the run, each followed by one around it.
     fn along_and_around(&self, columns: &[&[f64]]) -> Vec<Point> {
         let parameters = self.subject.simulation.parameter_values();
         let places = (COLUMNS / columns.len().max(1)).clamp(2, PLACES);
@@ -65,13 +65,14 @@ impl<'a> Visit<'a> {
         points
     }
 
-    /// Whether the machine has a rate there: around a state may be beyond a root or a wall.
+    /// Returns whether the rate is finite at a point: points around a state may be beyond a root or
+    /// a wall.
     fn is_defined(&self, point: &Point) -> bool {
         self.rate(point).iter().all(|value| value.is_finite())
     }
 
-    /// What changes its sign where the rate is not smooth: guards of kinks, and times from those
-    /// at which it is known to change.
+    /// Returns the values that change their sign where the rate is not smooth: guards of switching
+    /// surfaces, and times relative to those at which it is known to change.
     pub(super) fn guards(&self, point: &Point) -> Vec<f64> {
         let simulator = self.simulator;
         let mut values = vec![0.0; simulator.kinks()];
@@ -84,8 +85,8 @@ impl<'a> Visit<'a> {
         values
     }
 
-    /// Whether a point is at a time of a kink, as output times may be: which side the rate is of
-    /// rounding decides there, and for its derivatives otherwise.
+    /// Returns whether a point is at the time of a switching surface, as output times may be:
+    /// rounding then decides on which side the rate and its derivatives are evaluated.
     pub(super) fn is_at_kink(&self, point: &Point) -> bool {
         const NEAR: f64 = 1e-9;
         let near = NEAR * self.duration() + 4.0 * f64::EPSILON * point.time.abs();
@@ -94,14 +95,14 @@ impl<'a> Visit<'a> {
         signs.into_iter().any(|(before, behind)| before * behind < 0.0)
     }
 
-    /// y' at a point.
+    /// Returns y' at a point.
     pub(super) fn rate(&self, point: &Point) -> Vec<f64> {
         let mut rate = vec![0.0; point.state.len()];
         self.simulator.rate(point.time, &point.state, &point.parameters, &mut rate);
         rate
     }
 
-    /// How long the run is \[s\].
+    /// Returns the duration of the run \[s\].
     pub(super) fn duration(&self) -> f64 {
         match self.run.times.as_slice() {
             [first, .., last] => last - first,
@@ -109,14 +110,14 @@ impl<'a> Visit<'a> {
         }
     }
 
-    /// Converged runs; found when they are first asked for.
+    /// Returns converged runs, computed on first use.
     pub(super) fn references(&self) -> &References {
         self.references.get_or_init(|| References::of(self))
     }
 }
 
-/// How far a state goes in a run, and at most its scale; its scale if it stays, or moves by no more
-/// than `nothing` of it.
+/// Returns the range of a state in a run, and at most its scale; its scale if it stays, or moves by
+/// no more than `nothing` of it.
 pub(super) fn size(
     simulator: &dyn Simulator<f64>,
     index: usize,
@@ -127,13 +128,13 @@ pub(super) fn size(
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let far = greatest - least;
-    // What moves by less than the tolerance stays, as what a constraint holds at zero, or what
-    // begins at rest.
+    // A state that moves by less than the tolerance counts as constant, such as one that a
+    // constraint holds at zero, or one that starts at rest.
     let stays = far <= f64::max(1e-9 * greatest.abs().max(least.abs()), nothing * scale);
     if stays { scale } else { far.min(scale) }
 }
 
-/// The point put back onto the constraints; nothing if that fails.
+/// Returns the point projected onto the constraints; `None` if that fails.
 fn on_constraints(simulator: &dyn Simulator<f64>, point: Point) -> Option<Point> {
     let Point { time, mut state, parameters } = point;
     if let Some(constraints) = Constraints::of(simulator, &parameters) {

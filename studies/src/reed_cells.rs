@@ -9,8 +9,8 @@
 //! Cells and time steps are uniform. The steps are those of the classical Runge-Kutta method, with
 //! errors far below that of the cells. Nothing is shared with the elements of the scenes
 //! `reed_beat_up` and `reed_beat_up_one_sided`, nor with the engine: the model is an independent
-//! formulation of the study's machine, and the only one here that covers times after the fell lets
-//! go.
+//! formulation of the study's machine, and the only one by hand that remains valid when the fell
+//! lets go.
 //!
 //! Source: reed study, in its consistent reading; cells by hand.
 

@@ -52,8 +52,8 @@ use machinist::linear_analysis::LinearError;
 /// Settings of the checks.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct VerifyOptions {
-    /// Parameters set to other values, as `scene.parameter` and SI value:
-    /// `two_mass.coupling.stiffness`. They also win over what a check sets.
+    /// Overridden parameters, as `scene.parameter` and SI value: `two_mass.coupling.stiffness`.
+    /// They take precedence over settings of checks.
     pub overrides: Vec<(String, f64)>,
     /// Text that `scene: check` must contain, if given.
     pub only: Option<String>,

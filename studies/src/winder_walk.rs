@@ -1,9 +1,9 @@
 //! Choice of a sufficient model of a winder: three stages, and the map of stable winding.
 //!
 //! 1. Linear ([`spectrum`]): sufficient if every operating frequency differs from every resonance
-//!   by at least a factor of two while the package grows.
+//!    by at least a factor of two while the package grows.
 //! 2. Stiffening layer ([`layer`]): its resonances at the actual amplitude of the winder;
-//!   sufficient if operating frequencies differ from them by at least 40 %.
+//!    sufficient if operating frequencies differ from them by at least 40 %.
 //! 3. Full ([`full`]), with loss of contact, friction and growth.
 //!
 //! A walk ends at the first sufficient stage. The others are run as well, to show their cost and

@@ -1,4 +1,4 @@
-//! Extreme cases: `auto` is never wrong, no method hangs, and what is right is known.
+//! Extreme cases: `auto` is never wrong, no method hangs, and references exist.
 
 use machinist::{Method, SimulateError};
 use machinist_studies::stability::{
@@ -27,8 +27,8 @@ fn auto_is_wrong_in_no_extreme_case_and_every_truth_is_known_well_enough() {
 
 #[test]
 fn an_estimate_that_vanishes_by_chance_misleads_no_explicit_method() {
-    // A coupling that rings: a step grew by an estimate of nearly zero, and was accepted
-    // by another one, with an error of 1e5 tolerances.
+    // A coupling with fast oscillations: a step once grew by an estimate of nearly zero, and was
+    // accepted by another one with an error of 1e5 tolerances.
     let plan = Plan {
         methods: vec![Method::Dop853, Method::Auto],
         rtol: 1e-10,
@@ -43,7 +43,7 @@ fn an_estimate_that_vanishes_by_chance_misleads_no_explicit_method() {
 
 #[test]
 fn a_method_that_is_wrong_is_found_out() {
-    // States between long steps of diffsol's methods are not under control.
+    // States between long steps of diffsol's methods are not controlled.
     let plan = |method, only: &str| Plan {
         methods: vec![method],
         only: Some(only.to_owned()),
@@ -51,7 +51,7 @@ fn a_method_that_is_wrong_is_found_out() {
     };
     let found = study(&plan(Method::TrBdf2, "Prothero-Robinson: lambda = -1e8")).unwrap();
     assert_eq!(found.counts(Method::TrBdf2), [0, 0, 1], "{found:?}");
-    // An explicit method on a stiff problem runs out of steps, and says so.
+    // An explicit method on a stiff problem runs out of steps and reports that.
     let refused = study(&plan(Method::Tsit5, "Prothero-Robinson: lambda = -1e8")).unwrap();
     match &refused.rows[0].cells[0].outcome {
         Outcome::Refused { word, reason } => {
@@ -68,7 +68,7 @@ fn constraints_stay_kept_over_many_steps() {
     assert_eq!(runs.len(), 2);
     for run in runs {
         println!("{run:?}");
-        // What steps leave is mended to rounding, and does not grow.
+        // Projection removes the drift of steps to rounding, and it does not grow.
         assert!(run.steps >= 2500, "{run:?}");
         assert!(run.before > run.after && run.before < 1e-4 && run.after < 1e-13, "{run:?}");
     }
@@ -76,8 +76,8 @@ fn constraints_stay_kept_over_many_steps() {
 
 #[test]
 fn closed_forms_at_the_limit_of_rounding_beat_steps() {
-    // A million periods, and stiff couplings that ring: `exact` refuses, since rounding
-    // exceeds 1e-9, but the steps of any other method would add up to more.
+    // A million periods, and stiff couplings with fast oscillations: `exact` refuses, since
+    // rounding exceeds 1e-9, but the errors of steps of any other method would add up to more.
     let plan = |method| Plan {
         methods: vec![method],
         rtol: 1e-9,
@@ -100,13 +100,13 @@ fn a_tolerance_that_makes_no_sense_is_refused() {
 fn implicit_methods_keep_an_order_on_prothero_and_robinson_however_stiff() {
     for row in observed_orders() {
         println!("{row:?}");
-        // Not stiff: the full order, as far as it shows over steps so large.
-        // Of order 13 only rounding is left.
+        // Without stiffness the full order shows as far as steps are small enough; for order 13
+        // only rounding is left.
         match row.orders[0] {
             Some(plain) => assert!((plain - f64::from(row.nominal)).abs() < 0.2, "{row:?}"),
             None => assert!(row.nominal == 13, "{row:?}"),
         }
-        // However stiff: errors fall with the steps, or are those of rounding.
+        // With any stiffness, errors decrease with the steps, or are rounding.
         let least = row.orders.iter().flatten().fold(f64::INFINITY, |least, o| least.min(*o));
         assert!(least > 2.5, "{row:?}");
         assert!(row.errors.iter().all(|error| *error < 1e-4), "{row:?}");

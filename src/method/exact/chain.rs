@@ -33,8 +33,8 @@ pub(super) struct ChainModes {
     pub(super) eigenvalues: Vec<f64>,
     /// Eigenmodes as columns, normalized by mass.
     pub(super) shapes: DMatrix<f64>,
-    /// Largest product of neighbouring modes by mass, which would be zero: how far
-    /// rounding has mixed modes that lie close.
+    /// Largest product of neighbouring eigenmodes by mass, which should be zero: the amount by
+    /// which rounding has mixed close eigenmodes.
     pub(super) mixing: f64,
 }
 

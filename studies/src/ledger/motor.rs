@@ -29,7 +29,7 @@ fn plate(place: &'static str, held: Held) -> LedgerRow {
     LedgerRow::of(Study::SawGin, "4.1", place, held)
 }
 
-/// Numbers of the data sheet that follow from others of it.
+/// Returns numbers of the data sheet that follow from others of it.
 fn derived_rows() -> Vec<LedgerRow> {
     let (mutual, stator, rotor) = (3.957, 4.14, 4.155);
     let sigma = MOTOR_4A280M8.leakage();
@@ -69,7 +69,7 @@ fn derived_rows() -> Vec<LedgerRow> {
     .into()
 }
 
-/// Current, power factor and efficiency at the rated slip.
+/// Returns current, power factor and efficiency at the rated slip.
 fn rated_rows() -> Vec<LedgerRow> {
     let stated = NAMEPLATE_4A280M8;
     let ours = MOTOR_4A280M8.load_point(stated.slip);
@@ -123,7 +123,7 @@ fn rated_rows() -> Vec<LedgerRow> {
     ]
 }
 
-/// Effect of each printed form of the load on the coupling.
+/// Returns the effect of each printed form of the load on the coupling.
 fn gain_rows() -> Vec<LedgerRow> {
     let rated = 735.0 * std::f64::consts::PI / 30.0;
     [
@@ -157,7 +157,7 @@ fn gain_rows() -> Vec<LedgerRow> {
     .into()
 }
 
-/// Numbers that follow from parameters alone.
+/// Returns numbers that follow from parameters alone.
 fn number_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
     let (consistent, as_printed) = (motor_run_up(), saw_gin_as_printed());
     let electrical = 2.0 * std::f64::consts::PI * consistent.value("motor.supply_frequency")?;
@@ -196,8 +196,8 @@ fn number_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
     ])
 }
 
-/// Steady torques. The printed equations have a steady state only with the speed
-/// where the angle is printed, so that reading stands in the column as printed.
+/// Returns steady torques. The printed equations have a steady state only with the speed in place
+/// of the angle, so that reading is in the column as printed.
 fn torque_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
     let (consistent, as_printed) = (motor_run_up(), saw_gin_as_printed());
     let ours = |slip| torque_at_slip(&consistent, slip);
@@ -254,8 +254,8 @@ fn frequency_row() -> Result<LedgerRow, CheckFailure> {
     })
 }
 
-/// Undamped natural frequency on the coupling, from the emitted rate Jacobian at
-/// rest: sqrt of minus d(w_d' - w_2')/d(phi_d) \[rad/s\]; a twist changes as phi_d does.
+/// Returns the undamped natural frequency on the coupling, from the emitted rate Jacobian at rest:
+/// sqrt of minus d(w_d' - w_2')/d(phi_d) \[rad/s\]; a twist changes like phi_d.
 fn natural_frequency(machine: &Machine) -> Result<f64, CheckFailure> {
     let point = machine.point(&[], &[])?;
     let jacobian = machine.rate_jacobian(&point);

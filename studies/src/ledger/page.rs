@@ -1,8 +1,8 @@
-//! The rows as tables of the book.
+//! Tables of the rows for the book.
 
 use super::{LedgerRow, Study, digits};
 
-/// A heading and a table for each study, in Markdown.
+/// Returns a heading and a table for each study, in Markdown.
 #[must_use]
 pub fn page_table(rows: &[LedgerRow]) -> String {
     let table = |study: Study| {

@@ -25,7 +25,7 @@ fn of(at: &'static str, place: &'static str, held: Held) -> LedgerRow {
     LedgerRow::of(Study::Reed, at, place, held)
 }
 
-/// Scales as printed, which keep dimensions, and the consistent ones.
+/// Returns the printed scales, which have dimensions, and the consistent ones.
 fn scales() -> Vec<LedgerRow> {
     let shaft = REED_STUDY;
     let [xi, tau, alpha] = shaft.printed_scales();
@@ -78,7 +78,7 @@ fn scales() -> Vec<LedgerRow> {
     ]
 }
 
-/// The law of the drive.
+/// Returns the law of the drive.
 fn drive() -> Vec<LedgerRow> {
     let shaft = REED_STUDY;
     let row = |figure, unit, printed, as_printed, consistent: f64, verdict: &str, held| LedgerRow {
@@ -160,7 +160,8 @@ fn roots() -> Vec<LedgerRow> {
     rows.collect()
 }
 
-/// Changes by a stiffer fell, for one that only pushes and, as printed, for one that pulls too.
+/// Returns the changes by a stiffer fell, for one that only pushes and, as printed, for one that
+/// also pulls.
 fn conclusion() -> Result<Vec<LedgerRow>, CheckFailure> {
     let [_, soft, stiff] = &beats(Fell::PushesAndPulls)?;
     let [_, one_soft, one_stiff] = &beats(Fell::OnlyPushes)?;

@@ -1,4 +1,4 @@
-//! Figures of the run-up, from the scenes run in every reading.
+//! Figures of the run-up, from runs of the scenes in every reading.
 
 use super::{Held, LedgerRow, Study, compare, digits_of, reproduced};
 use crate::closed_form::printed_laws::{PEAK_ACCELERATION_TIME, acceleration};
@@ -6,34 +6,35 @@ use crate::verify::CheckFailure;
 use crate::verify::machine::{Machine, saw_gin, saw_gin_as_printed};
 
 const UNTIL: f64 = 5.0;
-/// Every 0.1 ms: a vibration of 314 rad/s then has its peak to 1e-4.
+/// Number of output times, every 0.1 ms: these resolve the peak of a vibration of 314 rad/s to
+/// 1e-4.
 const POINTS: usize = 50_001;
 const SYNCHRONOUS: f64 = 78.54;
 /// Printed maximum of the cylinder's acceleration \[rad/s^2\].
 const ACCELERATION: f64 = 8739.828;
 const EMPTY: [(&str, f64); 2] = [("load.mean", 0.0), ("load.amplitude", 0.0)];
 
-/// The runs behind the figures, all from rest over 5 s.
+/// Runs of the figures, all from rest over 5 s.
 pub(super) struct Runs {
-    /// Consistent, without load.
+    /// Consistent reading, without load.
     empty: Outcome,
     /// As printed, literally with the rotor's angle, without load.
     angle: Result<Outcome, CheckFailure>,
-    /// As printed, with the rotor's speed for its angle, without load.
+    /// As printed, with the rotor's speed in place of its angle, without load.
     speed: Result<Outcome, CheckFailure>,
 }
 
-/// What is kept of a run.
+/// Results of a run.
 pub(super) struct Outcome {
-    /// Largest size of the motor's torque \[N m\].
+    /// Largest absolute torque of the motor \[N m\].
     peak_torque: f64,
-    /// Largest size of the cylinder's acceleration \[rad/s^2\], and when \[s\].
+    /// Largest absolute acceleration of the cylinder \[rad/s^2\], and its time \[s\].
     peak_acceleration: (f64, f64),
     /// Least and largest speed of the motor \[rad/s\].
     speeds: (f64, f64),
     /// Speed of the motor at the end \[rad/s\].
     end_speed: f64,
-    /// From when on the speed stays within 1 % of the synchronous one \[s\].
+    /// Time from which on the speed stays within 1 % of the synchronous one \[s\].
     settled: Option<f64>,
 }
 
@@ -62,8 +63,8 @@ pub(super) fn rows(runs: &Runs) -> Vec<LedgerRow> {
     rows
 }
 
-/// The printed law at the printed time, and the time at which it has the printed
-/// value: it falls from 1.8435 s to 1.8445 s.
+/// Returns the printed law at the printed time, and the time at which it has the printed value: it
+/// decreases from 1.8435 s to 1.8445 s.
 fn law_row() -> LedgerRow {
     let law = acceleration(PEAK_ACCELERATION_TIME);
     let (mut low, mut high) = (1.8435, 1.8445);
@@ -100,7 +101,7 @@ fn of_law() -> LedgerRow {
     )
 }
 
-/// The discussion's peak, which is not that of the results.
+/// Returns the peak of the discussion, which differs from that of the results.
 fn rounded_row() -> LedgerRow {
     let (peak, time) = (9000.0, 1.8);
     LedgerRow {
@@ -131,8 +132,8 @@ impl Runs {
         })
     }
 
-    /// A row of one figure of the empty runs; the literal reading stands in the
-    /// column as printed, the verdict tells of the other one too.
+    /// Returns a row of one figure of the runs without load. The literal reading is in the column
+    /// as printed; the verdict also reports the other one.
     fn row(
         &self,
         figure: &'static str,
@@ -193,7 +194,7 @@ impl Outcome {
     }
 }
 
-/// Largest size of a column, and when.
+/// Returns the largest absolute value of a column, and its time.
 fn peak(times: &[f64], values: &[f64]) -> (f64, f64) {
     times.iter().zip(values).fold((0.0, 0.0), |(largest, at), (time, value)| {
         if value.abs() > largest { (value.abs(), *time) } else { (largest, at) }

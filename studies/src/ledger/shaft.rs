@@ -85,7 +85,7 @@ fn of(at: &'static str) -> LedgerRow {
     )
 }
 
-/// Numbers that only the printed density of the load takes.
+/// Returns a number that only the printed density of the load uses.
 fn number(figure: &'static str, unit: &'static str, printed: f64, ours: f64) -> LedgerRow {
     LedgerRow {
         figure,
@@ -102,13 +102,13 @@ fn number(figure: &'static str, unit: &'static str, printed: f64, ours: f64) -> 
     }
 }
 
-/// Largest sizes over the run of the scene with the distributed shaft.
+/// Largest absolute values over the run of the scene with the distributed shaft.
 struct Run {
-    /// At the driven end \[deg/m\].
+    /// Slope at the driven end \[deg/m\].
     slope: f64,
-    /// Of the whole shaft \[deg\].
+    /// Twist of the whole shaft \[deg\].
     twist: f64,
-    /// Of the speeds of both ends \[rad/s\].
+    /// Difference of the speeds of both ends \[rad/s\].
     difference: f64,
 }
 

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use super::*;
 use crate::verify::check_names;
 
-/// Runs of minutes without optimisation, done once.
+/// Rows of the ledger, whose runs take minutes without optimization and are made once.
 fn rows() -> &'static [LedgerRow] {
     static ROWS: OnceLock<Vec<LedgerRow>> = OnceLock::new();
     ROWS.get_or_init(|| ledger().expect("the consistent runs succeed"))
@@ -81,7 +81,7 @@ fn every_row_is_whole_and_is_held_by_what_there_is() {
     }
 }
 
-/// Names of test functions in the repository.
+/// Returns the names of test functions in the repository.
 fn names_of_tests() -> Vec<String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut names = Vec::new();
@@ -123,7 +123,7 @@ fn every_numbered_equation_and_figure_of_the_studies_has_a_row() {
     }
 }
 
-/// True if a place such as `figures 5, 6` or `(11), (12)` names this one.
+/// Returns whether a place such as `figures 5, 6` or `(11), (12)` names this one.
 fn stands_at(at: &str, wanted: &str, number: u32) -> bool {
     if wanted == "(" {
         return at.contains(&format!("({number})"));
@@ -155,7 +155,8 @@ fn the_book_shows_the_ledger() {
     );
 }
 
-/// True if two lines differ at most in the last digits of numbers, which processors round.
+/// Returns whether two lines differ at most in the last digits of numbers, whose rounding depends
+/// on the processor.
 fn alike(shown: &str, now: &str) -> bool {
     let words = |line: &str| {
         line.split(|c: char| c.is_whitespace() || c == ',' || c == ';' || c == '(' || c == ')')

@@ -1,5 +1,5 @@
 //! Numbers of the winder study: mobility of its holder, reactions, pressures, masses, amplitudes.
-//! The study gives none of them but the mobilities: where a number takes parameters, they are ours.
+//! The study gives only the mobilities; where a number needs parameters, they are ours.
 
 use super::{Held, LedgerRow, Study, compare, digits_of, reproduced};
 use crate::closed_form::bobbin_holder::{BobbinHolder, HOLDER};
@@ -24,7 +24,7 @@ fn of(at: &'static str, place: &'static str, held: Held) -> LedgerRow {
     LedgerRow::of(Study::Winder, at, place, held)
 }
 
-/// (13) and (14) with P = N f, and at rest with P = N k/R.
+/// Returns (13) and (14) with P = N f, and at rest with P = N k/R.
 fn reactions() -> Result<Vec<LedgerRow>, CheckFailure> {
     let machine = winder_full();
     let friction = machine.value("pair.friction")?;
@@ -62,7 +62,7 @@ fn reactions() -> Result<Vec<LedgerRow>, CheckFailure> {
     ])
 }
 
-/// Figure 4: where the post balances off its stop.
+/// Returns figure 4: the position in which the post balances off its stop.
 fn lift(figure: &'static str, share: f64) -> LedgerRow {
     LedgerRow {
         figure,
@@ -82,7 +82,7 @@ fn lift(figure: &'static str, share: f64) -> LedgerRow {
     }
 }
 
-/// (15) over the growth of the package.
+/// Returns (15) over the growth of the package.
 fn pressures() -> Result<Vec<LedgerRow>, CheckFailure> {
     let machine = winder_full();
     let rest = machine.value("holder.preload")?;
@@ -120,7 +120,7 @@ fn pressures() -> Result<Vec<LedgerRow>, CheckFailure> {
     ])
 }
 
-/// Masses by (16), and what resonance they give.
+/// Returns the masses by (16), and the resulting resonances.
 fn masses() -> Result<Vec<LedgerRow>, CheckFailure> {
     let held =
         Held::Verify("winder_linear_as_printed: reduced mass of a package of 50 mm, as printed");
@@ -151,7 +151,7 @@ fn masses() -> Result<Vec<LedgerRow>, CheckFailure> {
     ])
 }
 
-/// (20): the printed formula at the consistent mass, so that only its damping differs.
+/// Returns (20): the printed formula with the consistent mass, so that only its damping differs.
 fn amplitudes() -> [LedgerRow; 2] {
     let layer = BENCH_BOBBIN.layer_stiffness;
     let row = |figure, as_printed: f64, consistent: f64, why, held| LedgerRow {
@@ -183,7 +183,8 @@ fn amplitudes() -> [LedgerRow; 2] {
     ]
 }
 
-/// (21): the printed phase is added to the forcing's and so leads where the motion lags.
+/// Returns (21): the printed phase is added to that of the forcing, and so leads where the motion
+/// lags.
 fn phases() -> [LedgerRow; 2] {
     let row = |figure, as_printed: f64, consistent: f64, held| LedgerRow {
         figure,
@@ -212,7 +213,8 @@ fn phases() -> [LedgerRow; 2] {
     ]
 }
 
-/// (22): with a shaken drum the layer's compression presses, not the bobbin's own motion.
+/// Returns (22): with a shaken drum the pressure follows from the layer's compression, not from the
+/// bobbin's own motion.
 fn variation() -> LedgerRow {
     let by_bobbin = |harmonic: &crate::closed_form::winder::Harmonic, amplitude: f64| {
         amplitude * BENCH_BOBBIN.dynamic_layer_stiffness(harmonic.frequency)
@@ -239,7 +241,8 @@ fn variation() -> LedgerRow {
     }
 }
 
-/// The printed formula has a minus where 2 p5 is meant, and so gives no number.
+/// Returns the mobilities. The printed formula has a minus where 2 p5 is meant, and so gives no
+/// number.
 fn mobility() -> impl Iterator<Item = LedgerRow> {
     HOLDER_POSITIONS.iter().zip(MOBILITY_FIGURES).zip(PRINTED_MOBILITY).map(
         |((position, figure), printed)| {
@@ -265,7 +268,7 @@ fn mobility() -> impl Iterator<Item = LedgerRow> {
     )
 }
 
-/// In the order of [`HOLDER_POSITIONS`].
+/// Titles in the order of [`HOLDER_POSITIONS`].
 const MOBILITY_FIGURES: [&str; 5] = [
     "mobility of the bobbin holder, working, stable",
     "mobility of the bobbin holder, not winding, from working",

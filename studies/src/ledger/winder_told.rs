@@ -47,7 +47,7 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
 const SLOW: &str = "a_slow_winder_needs_no_more_than_the_linear_model";
 const FASTER: &str = "a_faster_winder_needs_the_stiffening_layer";
 
-/// Ranges of friction, and ours within them.
+/// Returns the ranges of friction, with our values within them.
 fn ranges() -> Result<Vec<LedgerRow>, CheckFailure> {
     let machine = winder_full();
     let row = |figure, unit, [low, high]: [f64; 2], name| -> Result<LedgerRow, CheckFailure> {
@@ -73,7 +73,7 @@ fn ranges() -> Result<Vec<LedgerRow>, CheckFailure> {
     ])
 }
 
-/// (fA r + k)/R over f, which the study neglects.
+/// Returns (fA r + k)/R over f, which the study neglects.
 fn tenth() -> Result<LedgerRow, CheckFailure> {
     let machine = winder_full();
     let arms = machine.value("pair.support_arm")? + machine.value("pair.rolling_arm")?;

@@ -10,7 +10,7 @@ use super::truth::Truth;
 use super::{Case, POWERS};
 use crate::closed_form::two_mass::{Motion, SAW_GIN, Torques, Twist, TwoMass};
 
-/// All of them. An absent scene leaves its cases out.
+/// Returns all cases, without those of absent scenes.
 pub(super) fn all() -> Vec<Case> {
     let parts = [
         scalar_tests(),
@@ -72,7 +72,7 @@ fn stiff_tests() -> Vec<Case> {
     van_der_pol.into_iter().chain(robertson).collect()
 }
 
-/// A run of the scene `two_mass` from a twist of `start`, under `torques`.
+/// Returns a run of the scene `two_mass` from a twist of `start`, under `torques`.
 fn two_mass(
     part: &'static str,
     name: String,
@@ -94,7 +94,7 @@ fn two_mass(
     ];
     let closed = move |t| {
         let start = Motion { driver_angle: start, ..Motion::default() };
-        // Not as a difference of angles that grow: a stiff coupling hardly twists.
+        // The twist is not a difference of growing angles, since a stiff coupling hardly twists.
         let twist = machine.twist(t, start.twist(), torques);
         let motion = machine.motion(t, start, torques);
         vec![twist.angle, motion.driver_speed, motion.driven_speed]
@@ -149,7 +149,7 @@ fn two_masses() -> Vec<Case> {
     cases.into_iter().flatten().collect()
 }
 
-/// The same motion in other units of mass, of time, or of both.
+/// Returns the same motion in other units of mass, of time, or of both.
 fn scaled_units() -> Vec<Case> {
     let units = [(1e12, 1.0), (1e-12, 1.0), (1.0, 1e12), (1.0, 1e-12), (1e12, 1e-12)];
     let cases = units.map(|(mass, time): (f64, f64)| {
@@ -179,7 +179,7 @@ fn many_periods() -> Vec<Case> {
     let frequency = undamped.natural_frequency();
     let long = [1e2, 1e4, 1e6].map(|periods: f64| {
         let until = periods * TAU / frequency;
-        // Not at whole periods only, where nothing moves.
+        // The times are not only whole periods, at which nothing moves.
         let times = vec![0.123_456_789 * until, 0.771_327_5 * until, until];
         let name = format!("{periods:.0e} periods");
         two_mass("undamped oscillation", name, undamped, (1e-2, Torques::default()), times)
@@ -197,7 +197,7 @@ fn many_periods() -> Vec<Case> {
     long.into_iter().chain(beats).flatten().collect()
 }
 
-/// Pulses of 1e-4 s and shorter, each with the same momentum.
+/// Returns pulses of 1e-4 s and shorter, each with the same momentum.
 fn pulses() -> Vec<Case> {
     let widths = [(1e-2, 1e4), (1e-4, 1e4), (1e-6, 1e4), (1e-4, 1e8), (1e-4, 1e2)];
     let cases = widths.map(|(width, stiffness): (f64, f64)| {
@@ -257,7 +257,7 @@ fn saw_gins() -> Vec<Case> {
     extremes.into_iter().map(|(stiffness, damping)| run(stiffness, damping)).collect()
 }
 
-/// Machines that nothing drives or brakes.
+/// Returns machines without drive and damping.
 fn conservative() -> Vec<Case> {
     let case = |simulator: &'static dyn Simulator<f64>, name: String, settings, until: f64| Case {
         part: "conserved energy",

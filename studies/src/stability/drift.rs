@@ -1,4 +1,4 @@
-//! How far machines come off their constraints over very many steps.
+//! Drift of machines from their constraints over very many steps.
 
 use machinist_scenes::scenes;
 use serde::Serialize;
@@ -7,9 +7,9 @@ use machinist::error::SimulateError;
 use machinist::method::Method;
 use machinist::simulate::Simulation;
 
-/// Machines held together by constraints.
+/// Machines with constraints.
 const SCENES: [&str; 2] = ["pendulum_constrained", "four_bar"];
-/// The pilot run tells how long so many steps take \[s\].
+/// End of the pilot run, which determines the time for a number of steps \[s\].
 const PILOT: f64 = 20.0;
 
 /// A run of very many steps under constraints.
@@ -21,16 +21,15 @@ pub struct LongRun {
     pub method: Method,
     /// End of the run \[s\].
     pub until: f64,
-    /// Steps taken.
+    /// Number of steps taken.
     pub steps: u64,
-    /// How far the machine was off its constraints at most before it was put back after
-    /// a step, relative to the size of its coordinates.
+    /// Largest drift before the projection after a step, relative to the size of the coordinates.
     pub before: f64,
-    /// Likewise after that.
+    /// Largest drift after projection.
     pub after: f64,
 }
 
-/// Runs of about so many steps by `auto`; an absent scene leaves its run out.
+/// Runs about `steps` steps by `auto`; a scene that is absent is left out.
 ///
 /// # Errors
 /// [`SimulateError`] of a run that stopped.
@@ -50,7 +49,7 @@ fn long_run(
         run.max_steps(usize::MAX).run()
     };
     let pilot = run(PILOT)?;
-    // Some more, for a motion without period is not the same all along.
+    // The margin allows for a motion without period, which changes along the run.
     let until = (1.05 * PILOT * steps as f64 / pilot.work.steps.max(1) as f64).max(PILOT);
     let long = run(until)?;
     let drift = long.drift.unwrap_or_default();

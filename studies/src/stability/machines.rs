@@ -1,4 +1,4 @@
-//! Problems that strain methods, written down by hand as first-order states.
+//! Problems that strain methods, written by hand as first-order states.
 //!
 //! E. Hairer, G. Wanner: Solving Ordinary Differential Equations II, sections IV.2
 //! (Dahlquist), IV.10 (van der Pol, Robertson) and IV.15 (Prothero and Robinson).
@@ -7,7 +7,7 @@ use machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
 };
 
-/// y' = f(t, y) with parameters p, all of it given as functions.
+/// Equations y' = f(t, y) with parameters p, given as functions.
 #[derive(Debug, Clone, Copy)]
 pub struct ByHand {
     /// Identifier.
@@ -18,19 +18,19 @@ pub struct ByHand {
     pub initial: &'static [f64],
     /// Typical sizes of the states.
     pub scales: &'static [f64],
-    /// Names and values of the parameters; pure numbers.
+    /// Names and values of the dimensionless parameters.
     pub parameters: &'static [(&'static str, f64)],
-    /// f(t, y, p), into the last argument.
+    /// Writes f(t, y, p) into the last argument.
     pub rate: fn(f64, &[f64], &[f64], &mut [f64]),
     /// Rows and columns of the nonzeros of df/dy.
     pub pattern: &'static [(u32, u32)],
-    /// These nonzeros.
+    /// Writes these nonzeros.
     pub jacobian: fn(f64, &[f64], &[f64], &mut [f64]),
     /// Partial derivative of f with respect to time.
     pub time_derivative: fn(f64, &[f64], &mut [f64]),
     /// Number of times at which f jumps.
     pub jumps: usize,
-    /// These times, from the parameters.
+    /// Writes these times, from the parameters.
     pub jump_times: fn(&[f64], &mut [f64]),
     /// End of a run \[s\].
     pub until: f64,
@@ -68,8 +68,8 @@ pub static PROTHERO_ROBINSON: ByHand = ByHand {
     until: 3.0,
 };
 
-/// Van der Pol: y1' = y2, y2' = ((1 - y1^2) y2 - y1)/epsilon from (2, 0); this is
-/// y'' = mu (1 - y^2) y' - y in the time t/mu, with epsilon = 1/mu^2.
+/// Van der Pol: y1' = y2, y2' = ((1 - y1^2) y2 - y1)/epsilon from (2, 0). This is y'' = mu (1 -
+/// y^2) y' - y in the time t/mu, with epsilon = 1/mu^2.
 pub static VAN_DER_POL: ByHand = ByHand {
     name: "van_der_pol",
     title: "y'' = ((1 - y^2) y' - y)/epsilon",
@@ -113,8 +113,8 @@ pub static ROBERTSON: ByHand = ByHand {
     until: 1e11,
 };
 
-/// A rotor of inertia 1 on a spring c and a damper b, at rest until a torque m acts
-/// for `width` from 0.1 s on: x'' + b x' + c x = m (s(t - 0.1) - s(t - 0.1 - width)).
+/// A rotor of inertia 1 on a spring c and a damper b, at rest until a torque m acts from 0.1 s for
+/// `width`: x'' + b x' + c x = m (s(t - 0.1) - s(t - 0.1 - width)).
 pub static PULSE: ByHand = ByHand {
     name: "pulse",
     title: "x'' + b x' + c x under a pulse of torque",
@@ -134,7 +134,7 @@ pub static PULSE: ByHand = ByHand {
     until: 0.5,
 };
 
-/// When the pulse begins \[s\].
+/// Start of the pulse \[s\].
 pub const PULSE_START: f64 = 0.1;
 
 impl Describe for ByHand {

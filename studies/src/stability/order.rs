@@ -1,4 +1,4 @@
-//! Orders of convergence that remain on the problem of Prothero and Robinson.
+//! Observed orders of convergence on the Prothero-Robinson problem.
 
 use serde::Serialize;
 
@@ -9,35 +9,35 @@ use machinist::method::fixed::{FIXED, Fixed};
 /// Values of -lambda, as powers of ten.
 pub const POWERS: [i32; 7] = [0, 2, 4, 6, 8, 10, 12];
 
-/// Orders of one implicit method with steps of one length.
+/// Orders of one implicit method with constant steps.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ObservedOrders {
-    /// The method.
+    /// Name of the method.
     pub method: &'static str,
     /// Its order on smooth problems that are not stiff.
     pub nominal: u32,
     /// Lengths of steps between which the order is measured \[s\].
     pub steps: [f64; 2],
-    /// log2 of the ratio of both errors, for lambda = -10^power of [`POWERS`]; none
-    /// where rounding is all that is left of them.
+    /// log2 of the ratio of both errors, for lambda = -10^power of [`POWERS`]; `None` where only
+    /// rounding is left.
     pub orders: Vec<Option<f64>>,
-    /// Errors with the shorter steps: the largest at the ends of steps.
+    /// Errors with the shorter steps: the largest ones at the ends of steps.
     pub errors: Vec<f64>,
 }
 
-/// Steps that are as good as exact err by less than this.
+/// Error below which steps are exact to rounding.
 const ROUNDING: f64 = 5e-14;
 /// End of the runs \[s\].
 const UNTIL: f64 = 3.0;
 
-/// Observed orders of all own implicit methods.
+/// Returns the observed orders of all own implicit methods.
 #[must_use]
 pub fn observed_orders() -> Vec<ObservedOrders> {
     FIXED.iter().filter(|method| method.is_implicit).map(observed).collect()
 }
 
 fn observed(method: &Fixed) -> ObservedOrders {
-    // So many that errors are above rounding, for the order given.
+    // Numbers of steps with errors above rounding for each order.
     let coarse = match method.order {
         0..=5 => 24,
         6..=9 => 4,
@@ -53,7 +53,7 @@ fn observed(method: &Fixed) -> ObservedOrders {
     ObservedOrders { method: method.name, nominal: method.order, steps, orders, errors }
 }
 
-/// Largest error at the ends of so many steps.
+/// Returns the largest error at the ends of steps.
 fn error(method: &Fixed, power: i32, steps: usize) -> f64 {
     let parameters = [-10f64.powi(power)];
     let system = System::new(&PROTHERO_ROBINSON, &parameters, false);

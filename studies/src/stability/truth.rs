@@ -1,4 +1,4 @@
-//! What a case's states truly are.
+//! References of the cases.
 
 use machinist_contract::Energy;
 
@@ -7,32 +7,32 @@ use machinist::error::SimulateError;
 use machinist::method::Method;
 use machinist::trajectory::Trajectory;
 
-/// How what is right in a case is known.
+/// Kind of reference of a case.
 pub(super) enum Truth {
     /// A closed form of all states at a time.
     Closed(&'static str, Box<dyn Fn(f64) -> Vec<f64>>),
-    /// Two unrelated methods at tight tolerances; each state is judged relative to
-    /// its largest value at the times judged.
+    /// Agreement of two unrelated methods at tight tolerances; each state is judged relative to its
+    /// largest value at the times of the case.
     Converged,
-    /// Nothing but that energy stays.
+    /// Conservation of energy only.
     Energy,
 }
 
-/// What is right in a case, found.
+/// Computed reference of a case.
 pub(super) struct Known {
-    /// What it is, in words.
+    /// Description.
     pub(super) name: String,
-    /// How far two ways to it agree, as errors are measured; 0 if it is exact.
+    /// Difference between two ways to the reference, in the measure of errors; 0 if it is exact.
     pub(super) agreement: f64,
-    /// The size of every state.
+    /// Size of every state.
     pub(super) sizes: Vec<f64>,
-    /// States at the times of the case; none if it is judged by energy.
+    /// States at the times of the case; `None` if it is judged by energy.
     states: Option<Vec<Vec<f64>>>,
 }
 
 impl Truth {
     /// # Errors
-    /// [`SimulateError`] of the runs behind it.
+    /// [`SimulateError`] of the reference runs.
     pub(super) fn find(&self, case: &Case) -> Result<Known, SimulateError> {
         match self {
             Self::Closed(name, at) => {
@@ -61,7 +61,7 @@ impl Known {
         Self { name, agreement: 0.0, sizes, states: Some(states) }
     }
 
-    /// The largest error of a run; NaN if it has none.
+    /// Returns the largest error of a run; NaN if it has none.
     pub(super) fn error(&self, case: &Case, run: &Trajectory) -> f64 {
         let found = states(run);
         match &self.states {
@@ -71,7 +71,7 @@ impl Known {
     }
 }
 
-/// max over times and states of |a - b|/size; NaN if anything is.
+/// Returns max over times and states of |a - b|/size; NaN if anything is NaN.
 fn distance(a: &[Vec<f64>], b: &[Vec<f64>], sizes: &[f64]) -> f64 {
     let mut largest = 0.0;
     for (a, b) in a.iter().zip(b) {
@@ -82,7 +82,7 @@ fn distance(a: &[Vec<f64>], b: &[Vec<f64>], sizes: &[f64]) -> f64 {
     largest
 }
 
-/// max over times of |E - E(first)| over the largest kinetic energy.
+/// Returns max over times of |E - E(first)| over the largest kinetic energy.
 fn drift(case: &Case, run: &Trajectory, found: &[Vec<f64>]) -> f64 {
     let simulator = case.simulator;
     let names = (0..simulator.shape().parameters).map(|index| {
@@ -98,13 +98,13 @@ fn drift(case: &Case, run: &Trajectory, found: &[Vec<f64>]) -> f64 {
     energies.iter().fold(0.0, |size, energy| worse(size, (energy.total() - first).abs())) / moving
 }
 
-/// The larger; NaN if either is.
+/// Returns the larger value; NaN if either is NaN.
 fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
 
-/// Unrelated methods for references, the best first, with tight tolerances and the
-/// steps that they may take: explicit ones only where these are few.
+/// Unrelated methods for references, the best first, with tight tolerances and maximum numbers of
+/// steps; explicit ones are used only where steps are few.
 const CANDIDATES: [(Method, f64, usize); 5] = [
     (Method::Radau, 1e-11, 20_000),
     (Method::Dop853, 1e-12, 5_000),
@@ -113,7 +113,7 @@ const CANDIDATES: [(Method, f64, usize); 5] = [
     (Method::Radau, 1e-9, 100_000),
 ];
 
-/// The first run that succeeds, and how far one of another method differs from it.
+/// Returns the first run that succeeds, with its difference from a run by another method.
 fn converged(case: &Case) -> Result<Known, SimulateError> {
     let simulator = case.simulator;
     let scales: Vec<f64> =

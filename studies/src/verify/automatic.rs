@@ -24,11 +24,11 @@ use visit::Visit;
 
 /// A machine to be checked.
 pub struct Subject<'a> {
-    /// Its run, with the parameters, the end and the tolerance that are wanted.
+    /// Its run, with the requested parameters, end and tolerance.
     pub simulation: Simulation<'a>,
-    /// The same machine run in another way, or why there is none.
+    /// The same machine in another execution, or the reason why there is none.
     pub twin: Result<&'a dyn Simulator<f64>, &'static str>,
-    /// A second derivation of its spec, or why there is none.
+    /// A second derivation of its spec, or the reason why there is none.
     pub independent: Independent<'a>,
     /// Checks of its author.
     pub own: Vec<OwnCheck<'a>>,

@@ -401,7 +401,7 @@ impl Machine {
         Ok(outputs[self.output_index(name)?])
     }
 
-    /// The point at t = 0 where states are as `settings` say, and zero otherwise.
+    /// Returns the point at t = 0 with states from `settings`, and zero otherwise.
     pub(crate) fn point(
         &self,
         parameters: &[(&str, f64)],
@@ -414,12 +414,11 @@ impl Machine {
         Ok(Point { time: 0.0, state, parameters: self.parameters(parameters)? })
     }
 
-    /// The point at which the states called `unknowns`, one or more, are at rest, all
-    /// others being as `settings` say or zero, at t = 0.
+    /// Returns the point at t = 0 at which the states named `unknowns` are at rest. All other
+    /// states are those of `settings` or zero.
     ///
-    /// Solves the emitted rates for zero by one Newton step from zero with the
-    /// emitted Jacobian: exact where they are linear in the unknowns, as those of a
-    /// motor are in its flux linkages at given speed.
+    /// Makes one Newton step from zero with the emitted rates and Jacobian. It is exact where rates
+    /// are linear in the unknowns, such as those of a motor in its flux linkages at given speed.
     pub(crate) fn steady_point(
         &self,
         parameters: &[(&str, f64)],
@@ -439,12 +438,12 @@ impl Machine {
         Ok(point)
     }
 
-    /// Points drawn evenly from the times of the scene's run and from states within
-    /// their scales, the same ones every time. Every fourth state is a hundredth as
-    /// large, so that loads are seen near standstill too.
+    /// Returns reproducible points, drawn uniformly from the times of the scene's run and from
+    /// states within their scales. Every fourth state is a hundredth as large, so that loads are
+    /// evaluated near standstill too.
     ///
-    /// Of a machine with constraints, states of its run, moved by a tenth of their scales and
-    /// put back onto the constraints: elsewhere it may be near a dead point.
+    /// For a machine with constraints, these are states of its run, moved by a tenth of their
+    /// scales and projected onto the constraints: elsewhere it may be near a dead point.
     pub(crate) fn random_points(&self, count: usize) -> Result<Vec<Point>, CheckFailure> {
         let defaults = self.real.run_defaults();
         let parameters = self.parameters(&[])?;
@@ -472,7 +471,7 @@ impl Machine {
         Ok(points)
     }
 
-    /// States at even times of the run.
+    /// Returns states at equally spaced times of the run.
     fn visited(&self, count: usize) -> Result<Vec<(f64, Vec<f64>)>, CheckFailure> {
         let run = self.simulation(&[])?.points(count.max(2)).run()?;
         let columns: Vec<&[f64]> =
@@ -481,7 +480,7 @@ impl Machine {
         Ok(run.times.iter().enumerate().map(|(sample, time)| (*time, state(sample))).collect())
     }
 
-    /// The point put back onto the constraints, if there are any: of NaN if that fails.
+    /// Returns the point projected onto the constraints, if there are any; NaN if that fails.
     pub(crate) fn on_constraints(&self, point: &Point) -> Point {
         let Point { time, mut state, parameters } = point.clone();
         if let Some(constraints) = Constraints::of(self.real, &parameters) {

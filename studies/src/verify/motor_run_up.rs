@@ -120,7 +120,7 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
-/// Largest distance of the flux linkages from the closed form over 0.3 s of
+/// Returns the largest distance of the flux linkages from the closed form over 0.3 s after
 /// switching on at constant speed.
 fn flux_transient(machine: &Machine, speed: f64) -> Result<Measured, CheckFailure> {
     let settings = [("motor.inertia", 1e30), ("initial_speed", speed)];
@@ -142,7 +142,7 @@ fn flux_transient(machine: &Machine, speed: f64) -> Result<Measured, CheckFailur
     Ok(Measured::error(relative_distance(&ours, &reference)))
 }
 
-/// At slips from -0.98 to 0.98 in steps of 0.04.
+/// Compares torques at slips from -0.98 to 0.98 in steps of 0.04.
 fn torque_curve(machine: &Machine) -> Result<Measured, CheckFailure> {
     let mut error = 0.0;
     for k in 1..=50 {
@@ -154,14 +154,15 @@ fn torque_curve(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(error))
 }
 
-/// Steady torque of the emitted equations at a slip \[N m\].
+/// Returns the steady torque of the emitted equations at a slip \[N m\].
 pub(crate) fn torque_at_slip(machine: &Machine, slip: f64) -> Result<f64, CheckFailure> {
     let settings = [("motor.omega", MOTOR_4A280M8.speed(slip))];
     let point = machine.steady_point(&[], &settings, &FLUX)?;
     machine.output(&point, "torque")
 }
 
-/// Current, cos phi and efficiency by the emitted equations: outputs and the power account.
+/// Compares current, cos phi and efficiency from the emitted equations: outputs and the power
+/// balance.
 fn rated(machine: &Machine) -> Result<Measured, CheckFailure> {
     let exact = MOTOR_4A280M8.load_point(0.02);
     let speed = MOTOR_4A280M8.speed(0.02);
@@ -178,14 +179,14 @@ fn rated(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(pairs.iter().fold(0.0, |most, (a, b)| worse(most, (a / b - 1.0).abs()))))
 }
 
-/// Breakdown slip and torque of the emitted equations.
+/// Returns breakdown slip and torque of the emitted equations.
 fn breakdown(machine: &Machine) -> Result<(f64, f64), CheckFailure> {
     maximum(0.01, 0.5, |slip| torque_at_slip(machine, slip))
 }
 
-/// Place and value of the maximum of a function with one maximum between two
-/// places, by golden section until the places differ by 1e-9; the error of the
-/// value is of second order in that.
+/// Returns place and value of the maximum of a function with one maximum between two places, by
+/// golden section search until the places differ by 1e-9. The error of the value is of second order
+/// in that.
 pub(crate) fn maximum<E>(
     mut low: f64,
     mut high: f64,
@@ -228,8 +229,9 @@ fn operating_point(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(worse(relative_distance(&ours, &exact), (speed - 1.0).abs())))
 }
 
-/// With an inertia of 1e30 kg m^2 the fluxes' eigenvalues are apart from the speed's.
-/// Those of the complex equations and their conjugates are the real system's four.
+/// Compares eigenvalues. With an inertia of 1e30 kg m^2 those of the fluxes are separate from that
+/// of the speed. The four eigenvalues of the real system are those of the complex equations and
+/// their conjugates.
 fn eigenvalues(machine: &Machine) -> Result<Measured, CheckFailure> {
     let mut error = 0.0;
     for speed in [0.0, 40.0, 76.97] {

@@ -1,5 +1,5 @@
-//! Checks of the motor in charges against the motor in flux linkages: the same
-//! machine by two ways that share no equation.
+//! Checks of the motor in charges against the motor in flux linkages: two descriptions of one
+//! machine without common equations.
 
 use num_complex::Complex64;
 
@@ -70,7 +70,7 @@ const CURRENTS: [&str; 4] = ["stator_alpha", "stator_beta", "rotor_first", "roto
 /// Speed is steady after 0.8 s.
 const UNTIL: f64 = 1.0;
 
-/// Largest distance of a column that both motors have.
+/// Compares a column that both motors have by its largest distance.
 fn run_up(machine: &Machine, name: &str) -> Result<Measured, CheckFailure> {
     let reference = motor_run_up();
     let (ours, flux) = (run(machine)?, run(&reference)?);
@@ -91,7 +91,8 @@ fn run_up_currents(machine: &Machine) -> Result<Measured, CheckFailure> {
     currents_against(machine, &ours, flux)
 }
 
-/// The closed form starts from no flux, the run from no current: the same.
+/// Compares switching on. The closed form starts without flux, the run without current, which is
+/// the same.
 fn switched_on(machine: &Machine, speed: f64) -> Result<Measured, CheckFailure> {
     let settings = [("motor.inertia", 1e30), ("initial_speed", speed)];
     let ours = machine.simulation(&settings)?.until(0.3).points(301).rtol(1e-11).run()?;
@@ -100,8 +101,8 @@ fn switched_on(machine: &Machine, speed: f64) -> Result<Measured, CheckFailure> 
     currents_against(machine, &ours, flux)
 }
 
-/// Largest distance of the currents of a run from those of flux linkages in
-/// synchronous axes, one for each of its times, all relative to the largest.
+/// Returns the largest distance of the currents of a run from those of flux linkages in synchronous
+/// axes, one for each of its times, relative to the largest current.
 fn currents_against(
     machine: &Machine,
     run: &Trajectory,

@@ -36,7 +36,7 @@ pub(super) const CHECKS: &[Check] = &[
 const ANGLES: [&str; 3] = ["chain.th_1", "chain.th_2", "chain.th_3"];
 const SPEEDS: [&str; 3] = ["chain.w_1", "chain.w_2", "chain.w_3"];
 
-/// Any angles, speeds up to 8 rad/s.
+/// Compares accelerations at any angles, with speeds up to 8 rad/s.
 fn accelerations(machine: &Machine) -> Result<Measured, CheckFailure> {
     let parameters = machine.parameters(&[])?;
     let (mut angle_at, mut speed_at) = ([0; 3], [0; 3]);

@@ -1,7 +1,7 @@
-//! Random numbers, the same ones every time.
+//! Reproducible random numbers.
 
-/// The SplitMix64 generator (Steele, Lea and Flood 2014): a few lines, the same
-/// numbers on every machine.
+/// The SplitMix64 generator (Steele, Lea and Flood 2014): a few lines, with the same numbers on
+/// every machine.
 pub(crate) struct SplitMix(pub(crate) u64);
 
 impl SplitMix {
@@ -13,12 +13,12 @@ impl SplitMix {
         z ^ (z >> 31)
     }
 
-    /// Evenly from 0 up to 1.
+    /// Returns a uniform number from 0 up to 1.
     pub(crate) fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Evenly from -1 up to 1.
+    /// Returns a uniform number from -1 up to 1.
     pub(crate) fn signed(&mut self) -> f64 {
         2.0 * self.unit() - 1.0
     }

@@ -1,4 +1,4 @@
-//! Checks of the reed on its driven shaft: frequencies, harmonic answer, motion from rest.
+//! Checks of the reed on its driven shaft: frequencies, frequency response, motion from rest.
 
 use machinist_contract::{Describe as _, Simulator as _};
 use machinist_scenes::scenes::reed_beat_up::ReedBeatUp;
@@ -13,7 +13,7 @@ use machinist::{Method, Simulation};
 /// Roots of the frequency equation in 1/T with the reed held, and free without contact.
 const HELD: [f64; 3] = [0.773_133_295_9, 2.136_006_785_8, 3.943_522_315_2];
 const FREE: [f64; 3] = [0.502_811_117_5, 1.035_664_812_3, 2.136_030_375_7];
-/// An arm that makes the reed so heavy that it stays where it is \[m\].
+/// Arm that makes the reed so heavy that it stays at rest \[m\].
 const HEAVY: f64 = 1e4;
 
 const ROUNDING: &str = "ten digits are published; the elements' own error is some 1e-13";
@@ -101,7 +101,7 @@ fn at_rest<'a>(
     Ok(Linearization::at(simulator, point)?)
 }
 
-/// Largest error of the frequencies, the first few skipped.
+/// Returns the largest error of the frequencies, except the first few.
 fn roots(
     machine: &Machine,
     settings: &[(&str, f64)],
@@ -131,7 +131,7 @@ fn in_contact(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(worst))
 }
 
-/// (K - w^2 M) x = F, F being the forces at rest when the drive is farthest out.
+/// Solves (K - w^2 M) x = F, where F contains the forces at rest when the drive is farthest out.
 fn harmonic(machine: &Machine) -> Result<Measured, CheckFailure> {
     let shaft = touching(0.5);
     let simulator = cut(10, 8)?;
@@ -172,7 +172,7 @@ fn harmonic(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(worst))
 }
 
-/// Errors of angles and of stresses, root mean squares relative to those of each.
+/// Returns root mean square errors of angles and of stresses, relative to those of each.
 fn from_rest(machine: &Machine) -> Result<[f64; 2], CheckFailure> {
     let shaft = touching(0.5);
     let drive = [shaft.drive_amplitude(), shaft.drive_frequency()];
@@ -202,8 +202,9 @@ fn from_rest(machine: &Machine) -> Result<[f64; 2], CheckFailure> {
     Ok([(errors[0] / sizes[0]).sqrt(), (errors[1] / sizes[1]).sqrt()])
 }
 
-/// Equations (6), (7) are the scene's own with G Jp = rho Jp = C0 = 1, C1 = beta, Ir = alpha,
-/// C2 = b2, l0 = xi0 and l = xi1; the drive's half period is tau0.
+/// Compares with the dimensionless equations (6), (7), which are those of the scene with G Jp = rho
+/// Jp = C0 = 1, C1 = beta, Ir = alpha, C2 = b2, l0 = xi0 and l = xi1; the drive's half period is
+/// tau0.
 fn dimensionless(machine: &Machine) -> Result<Measured, CheckFailure> {
     let shaft = touching(0.5);
     let simulator = cut(6, 4)?;
@@ -242,7 +243,7 @@ fn dimensionless(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(error))
 }
 
-/// Largest differences of angles and of stresses, relative to the largest of each.
+/// Returns the largest differences of angles and of stresses, relative to the largest of each.
 fn by_modes(machine: &Machine) -> Result<[f64; 2], CheckFailure> {
     let simulator = cut(8, 8)?;
     let modal = ModalSimulator::new(&simulator, &machine.parameters(&[])?, 57)?;

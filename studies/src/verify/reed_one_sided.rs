@@ -1,5 +1,5 @@
-//! Checks of the reed against a fell that only pushes: a row of cells, integrated by its own
-//! steps, which shares nothing with elements and engine.
+//! Checks of the reed against a fell that only pushes, by a row of cells with its own integration,
+//! which has nothing in common with elements and engine.
 
 use machinist_scenes::scenes::reed_beat_up_one_sided::ReedBeatUpOneSided;
 
@@ -9,9 +9,9 @@ use crate::reed_cells::{Fell, ReedCells};
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation, Trajectory};
 
-/// Cells of 5 mm, the reed between the two hundredth and the next.
+/// Number of cells of 5 mm; the reed is between the two hundredth and the next.
 const CELLS: usize = 350;
-/// A period of the drive \[s\].
+/// Period of the drive \[s\].
 const UNTIL: f64 = 0.0527;
 const POINTS: usize = 501;
 const ANGLES: [&str; 2] = ["shaft_angle", "reed_angle"];
@@ -65,7 +65,7 @@ fn run(
     Ok(simulation.run()?)
 }
 
-/// Angles of shaft and reed, and stress on both sides, by the cells.
+/// Returns the angles of shaft and reed, and the stresses on both sides, from the cells.
 fn by_cells(stiffness: f64, times: &[f64]) -> [Vec<f64>; 4] {
     let shaft = ReedShaft { contact_stiffness: stiffness, ..REED_STUDY };
     let model = ReedCells { shaft, fell: Fell::OnlyPushes, cells: CELLS };
@@ -98,7 +98,7 @@ fn against_cells(machine: &Machine, names: [&str; 2]) -> Result<Measured, CheckF
     Ok(Measured::error(error))
 }
 
-/// Root mean square of the difference over that of the reference.
+/// Returns the root mean square of the difference over that of the reference.
 fn mean_distance(ours: &[f64], reference: &[f64]) -> f64 {
     let pairs = ours.iter().zip(reference);
     let [off, size] = pairs.fold([0.0, 0.0], |[off, size], (ours, reference)| {

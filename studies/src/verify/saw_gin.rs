@@ -54,8 +54,8 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
-/// The states that the emitted equations share with those by hand, in the order of
-/// [`SawGinByHand::rate`]; their twist is the difference of the two angles there.
+/// States that the emitted equations have in common with those by hand, in the order of
+/// [`SawGinByHand::rate`]; the twist is the difference of both angles there.
 const SHARED: [(&str, usize); 6] = [
     ("motor.psi_sx", 0),
     ("motor.psi_sy", 1),
@@ -95,8 +95,8 @@ fn right_hand_side(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(error))
 }
 
-/// Half of the states with a twist as in a run, half with any; every fourth near
-/// standstill, where the load changes its sign.
+/// Returns a random state: half of them have a twist as in a run, half have any; every fourth is
+/// near standstill, where the load changes its sign.
 fn random_state(random: &mut SplitMix, number: usize) -> (f64, SawGinState) {
     let time = 2.0 * random.unit();
     let speed = if number.is_multiple_of(4) { 1.0 } else { 100.0 };
@@ -112,7 +112,7 @@ fn run(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(scaled_distance(machine, &trajectory, SAW_GIN)?))
 }
 
-/// Motor, coupling and load carry one torque, that of the motor's curve.
+/// Checks that motor, coupling and load carry the torque of the motor's curve.
 fn operating_point(machine: &Machine) -> Result<Measured, CheckFailure> {
     let point = Machine::point_of(&machine.linearization(&[], Place::Equilibrium)?);
     let speed = point.state[machine.state_index("motor.omega")?];

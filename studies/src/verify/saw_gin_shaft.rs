@@ -40,7 +40,7 @@ fn cut(elements: usize, order: usize) -> Result<FieldSimulator<'static, f64>, Ch
     Ok(FieldSimulator::new(&SawGinShaft, wanted)?)
 }
 
-/// The power that the load takes from a shaft turning as a whole, over its speed.
+/// Compares the power that the load takes from a shaft turning as a whole, over its speed.
 fn load_integrals(machine: &Machine) -> Result<Measured, CheckFailure> {
     const SPEED: f64 = 78.5;
     let simulator = cut(7, 3)?;

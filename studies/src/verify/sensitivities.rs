@@ -1,5 +1,5 @@
-//! Sensitivities of runs: against derivatives of closed forms, against runs in numbers that carry
-//! derivatives themselves, and against differences of runs.
+//! Sensitivities of runs: against derivatives of closed forms, runs in numbers that carry
+//! derivatives, and differences of runs.
 
 use machinist_contract::Real;
 
@@ -8,9 +8,9 @@ use crate::closed_form::Number;
 use machinist::complex_step::ComplexStep;
 use machinist::{Method, Trajectory};
 
-/// Why rows of smooth machines are as exact as they are.
+/// Justification of tolerances for smooth machines.
 pub(super) const SMOOTH: &str = "the run and its derivatives are held to 1e-12 a step";
-/// And those across events.
+/// Justification of tolerances across events.
 pub(super) const ACROSS: &str = "likewise, and events move with the parameters";
 
 impl Number for ComplexStep {
@@ -37,7 +37,7 @@ impl Number for ComplexStep {
     }
 }
 
-/// What a closed form is of: states or outputs, and parameters with their published values.
+/// Quantities of a closed form: states or outputs, and parameters with their published values.
 pub(super) struct ClosedForm<'c, const C: usize, const P: usize> {
     pub(super) settings: &'c [(&'c str, f64)],
     pub(super) columns: [&'c str; C],
@@ -46,8 +46,8 @@ pub(super) struct ClosedForm<'c, const C: usize, const P: usize> {
     pub(super) points: usize,
 }
 
-/// The largest error of d(column)/d(parameter) over a run, over the largest size of each, where
-/// the exact columns at a time are a function of the parameters.
+/// Returns the largest error of d(column)/d(parameter) over a run, relative to the largest size of
+/// each. `exact` returns the exact columns at a time as a function of the parameters.
 pub(super) fn of_closed_form<const C: usize, const P: usize>(
     machine: &Machine,
     form: &ClosedForm<'_, C, P>,
@@ -70,7 +70,7 @@ pub(super) fn of_closed_form<const C: usize, const P: usize>(
     Ok(Measured::error(error))
 }
 
-/// Largest difference over the largest size.
+/// Returns the largest difference over the largest size.
 fn off(ours: &[f64], wanted: &[f64]) -> f64 {
     super::relative_distance(ours, wanted)
 }
@@ -89,15 +89,15 @@ fn sensitivity<'t>(
     run.sensitivity(of, by).ok_or_else(missing)
 }
 
-/// Sensitivities at a few times of a smooth machine's run against runs on numbers that carry a
-/// derivative, one for each parameter, by extrapolated midpoint steps that know nothing of ours.
+/// Compares sensitivities at a few times of a smooth machine's run with runs on numbers that carry
+/// a derivative, one for each parameter, by independent extrapolated midpoint steps.
 pub(super) fn against_complex_runs(
     machine: &Machine,
     by: &[&str],
     until: f64,
 ) -> Result<Measured, CheckFailure> {
     const ROWS: usize = 8;
-    /// Steps between two rows.
+    /// Number of steps between two rows.
     const STEPS: usize = 64;
     let times: Vec<f64> = (0..=ROWS).map(|k| until * k as f64 / ROWS as f64).collect();
     let run = machine.simulation(&[])?.until(until).times(&times).rtol(1e-12);
@@ -116,7 +116,7 @@ pub(super) fn against_complex_runs(
                 None => machine.real.state(index).name,
                 Some(output) => machine.real.output(output).name,
             };
-            // An amplitude of currents that are all zero has no derivative: not at the start.
+            // The start is left out: an amplitude of currents that are all zero has no derivative.
             let values: Vec<f64> = rows.iter().skip(1).map(|row| row[index].0.re).collect();
             let wanted: Vec<f64> = rows.iter().skip(1).map(|row| row[index].derivative()).collect();
             if matters(&values, &wanted, parameters[place]) {
@@ -127,7 +127,7 @@ pub(super) fn against_complex_runs(
     Ok(Measured::error(error))
 }
 
-/// Whether a derivative is more than rounding of its column.
+/// Returns whether a derivative is more than rounding of its column.
 fn matters(values: &[f64], slopes: &[f64], parameter: f64) -> bool {
     const LEAST: f64 = 1e-6;
     let size = |all: &[f64]| all.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
@@ -136,8 +136,8 @@ fn matters(values: &[f64], slopes: &[f64], parameter: f64) -> bool {
         || size(slopes) * parameter.abs().max(1e-3) > LEAST * size(values) && size(values) > 1e-9
 }
 
-/// States and outputs at some times, by steps of Gragg's rule, extrapolated (R. Bulirsch, J. Stoer,
-/// 1966).
+/// Returns states and outputs at some times, by extrapolated steps of Gragg's rule (R. Bulirsch, J.
+/// Stoer, 1966).
 fn carried_run(
     machine: &Machine,
     parameters: &[ComplexStep],
@@ -164,7 +164,7 @@ fn carried_run(
     rows
 }
 
-/// One step: by 2, 4, .. 14 midpoint steps, to order 14.
+/// Makes one step of order 14, from 2, 4, .. 14 midpoint steps.
 fn extrapolated(
     machine: &Machine,
     parameters: &[ComplexStep],
@@ -190,7 +190,7 @@ fn extrapolated(
     table.pop().unwrap_or_default()
 }
 
-/// The modified midpoint rule.
+/// Makes steps by the modified midpoint rule.
 fn gragg(
     machine: &Machine,
     parameters: &[ComplexStep],
@@ -218,8 +218,8 @@ fn gragg(
     now.iter().zip(&ahead).map(|(a, b)| (*a + *b) * literal(0.5)).collect()
 }
 
-/// Sensitivities over a run against central differences of sixth order, of runs between the same
-/// events; parameters are varied by a share of their size.
+/// Compares sensitivities over a run with central differences of sixth order, of runs between the
+/// same events. Parameters are varied by a share of their size.
 pub(super) fn against_differences(
     machine: &Machine,
     by: &[&str],

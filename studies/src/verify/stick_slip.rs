@@ -1,4 +1,4 @@
-//! Checks of stick-slip on a belt: without the Stribeck term the exact cycle; and of its
+//! Checks of stick-slip on a belt against the exact cycle without the Stribeck term, and of its
 //! smooth twin.
 
 use super::machine;

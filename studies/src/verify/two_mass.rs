@@ -108,7 +108,7 @@ pub(super) const CHECKS: &[Check] = &[
 ];
 
 const ALGEBRA: &str = "emitted Jacobian and dense algebra of four states, near rounding";
-/// Torques in balance, so that there is an equilibrium.
+/// Balanced torques, for which an equilibrium exists.
 const BALANCED: [(&str, f64); 1] = [("drive_torque", 843.72)];
 
 const LOAD_FREQUENCY: f64 = 241.8051;
@@ -136,7 +136,7 @@ fn harmonic_transient(machine: &Machine) -> Result<Measured, CheckFailure> {
     distance(machine, &settings, start, Torques { load_amplitude: 78.78, ..CONSTANT })
 }
 
-/// Largest distance over 0.2 s of any of the states from the closed form.
+/// Returns the largest distance over 0.2 s of any state from the closed form.
 fn distance(
     machine: &Machine,
     settings: &[(&str, f64)],
@@ -170,10 +170,10 @@ fn harmonic_phase(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::absolute(-steady_harmonic(machine)?.arg(), answer.phase_lag))
 }
 
-/// A e^(-j lag) of the twist A sin(w t - lag), by the Fourier sum over one period
-/// after 0.5 s, when the transient has faded to e^-33 of its size.
+/// Returns A e^(-j lag) of the twist A sin(w t - lag), by the Fourier sum over one period after 0.5
+/// s, when the transient has decayed to e^-33 of its size.
 ///
-/// Driving and mean resisting torque are equal, so that speeds stay small.
+/// Driving torque and mean load torque are equal, so speeds stay small.
 fn steady_harmonic(machine: &Machine) -> Result<Complex64, CheckFailure> {
     const SAMPLES: u32 = 64;
     let settings = [("drive_torque", 843.72), ("load_amplitude", 78.78)];
@@ -196,7 +196,7 @@ fn static_twist(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::relative(machine.last(&trajectory, "twist")?, expected))
 }
 
-/// The one oscillation there is.
+/// Returns the single oscillation.
 fn swing(machine: &Machine) -> Result<Mode, CheckFailure> {
     let modes = machine.linearization(&BALANCED, Place::Equilibrium)?.modes()?;
     let found = modes.into_iter().find(|mode| mode.kind == ModeKind::Oscillation);
@@ -268,9 +268,9 @@ fn slopes_of_harmonic(machine: &Machine) -> Result<Measured, CheckFailure> {
     })
 }
 
-/// Twist and torque of the coupling after an initial twist, under the driving torque, and mean,
-/// amplitude and frequency of the resisting one; once more, on any numbers, the harmonic answer by
-/// what is in phase and what is in quadrature.
+/// Returns twist and torque of the coupling after an initial twist, under the driving torque, and
+/// mean, amplitude and frequency of the load torque. This is a second form for any numbers, with
+/// the harmonic response as in-phase and quadrature parts.
 fn twist_and_torque<N: Number>(
     t: f64,
     [c, b, driver, driven]: [N; 4],

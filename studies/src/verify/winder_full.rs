@@ -80,14 +80,14 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
-/// Nothing shakes the bobbin, and nothing grows.
+/// Settings without disturbances and growth.
 const STEADY: [(&str, f64); 3] =
     [("force_amplitude", 0.0), ("ovality", 0.0), ("pair.thread_area", 0.0)];
 
 const PAIR: WindingPair = WindingPair { friction: 0.18, support_arm: 4e-4, rolling_arm: 6e-4 };
 const TENSION: f64 = 0.6;
 
-/// A whole package of a thread of 57 mm^2, in 4 s.
+/// Settings for a whole package of a thread of 57 mm^2 in 4 s.
 const ROPE: [(&str, f64); 3] =
     [("force_amplitude", 0.0), ("ovality", 0.0), ("pair.thread_area", 5.7e-5)];
 
@@ -158,11 +158,11 @@ fn switches(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(counted(of_layer.count() as u64, exact))
 }
 
-/// A package sticks from a millionth above the least pressure on, and slips below.
+/// Checks that a package sticks from a millionth above the least pressure on, and slips below.
 fn adhesion(machine: &Machine) -> Result<Measured, CheckFailure> {
     let mut wrong = 0;
     for radius in [0.025, 0.03, 0.04, 0.05, 0.06] {
-        // The rule of practice is no limit of the machine's.
+        // The rule of practice is not a limit of the machine.
         let least = TENSION / (PAIR.friction - (PAIR.support_arm + PAIR.rolling_arm) / radius);
         for (share, slip) in [(1.0 - 1e-6, -1.0), (1.0 + 1e-6, 0.0)] {
             let mut settings = STEADY.to_vec();
@@ -175,8 +175,8 @@ fn adhesion(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(counted(wrong, 0))
 }
 
-/// A package sticks to a drum that speeds up or brakes until N f R is less than
-/// |Pn R + N (fa r + k) + JA e|, and slips beyond.
+/// Checks that a package sticks to a drum that speeds up or brakes until N f R is less than |Pn R +
+/// N (fa r + k) + JA e|, and slips beyond.
 fn speeding(machine: &Machine) -> Result<Measured, CheckFailure> {
     const PRESSURE: f64 = 40.0;
     let mut wrong = 0;

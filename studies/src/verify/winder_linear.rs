@@ -91,7 +91,7 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
-/// Of the equation as printed.
+/// Checks of the equation as printed.
 pub(super) const PRINTED_CHECKS: &[Check] = &[
     Check {
         name: "transient under force and drum shape, as printed",
@@ -122,7 +122,7 @@ pub(super) const PRINTED_CHECKS: &[Check] = &[
     },
 ];
 
-/// sqrt(-dv'/dx) \[rad/s\].
+/// Returns sqrt(-dv'/dx) \[rad/s\].
 pub(crate) fn natural_frequency(machine: &Machine) -> Result<f64, CheckFailure> {
     let jacobian = machine.rate_jacobian(&machine.point(&[], &[])?);
     let (x, v) = (machine.state_index("holder.x")?, machine.state_index("holder.v")?);
@@ -167,7 +167,7 @@ fn shaken(
     distance(machine, &settings, |time| motion(time, start, &forces, &shapes))
 }
 
-/// Largest distance over 0.2 s of both states from the closed form.
+/// Returns the largest distance over 0.2 s of both states from the closed form.
 fn distance(
     machine: &Machine,
     settings: &[(&str, f64)],
@@ -189,8 +189,8 @@ fn phase(machine: &Machine, answer: &Harmonic) -> Result<Measured, CheckFailure>
     Ok(Measured::absolute(steady(machine, answer.frequency)?.arg(), answer.phase))
 }
 
-/// A e^(j phase) of the part A cos(p t + phase) of the deflection, by the Fourier sum
-/// over one turn of the drum after 1.5 s, when the transient has faded to e^-33.
+/// Returns A e^(j phase) of the part A cos(p t + phase) of the deflection, by the Fourier sum over
+/// one turn of the drum after 1.5 s, when the transient has decayed to e^-33.
 fn steady(machine: &Machine, frequency: f64) -> Result<Complex64, CheckFailure> {
     const SAMPLES: u32 = 64;
     let turn = 2.0 * PI / BENCH_FORCE.frequency;

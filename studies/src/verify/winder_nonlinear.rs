@@ -1,5 +1,5 @@
-//! Checks of the bobbin on a stiffening layer: free of viscosity and disturbances it is
-//! the Duffing oscillator, without its cubic term the linear bobbin.
+//! Checks of the bobbin on a stiffening layer: without viscosity and disturbances it is the Duffing
+//! oscillator, without its cubic term the linear bobbin.
 
 use std::f64::consts::TAU;
 
@@ -70,7 +70,7 @@ fn linear_limit(machine: &Machine) -> Result<Measured, CheckFailure> {
     })
 }
 
-/// Largest distance over 0.2 s of both states from an exact motion.
+/// Returns the largest distance over 0.2 s of both states from an exact motion.
 fn distance(
     machine: &Machine,
     settings: &[(&str, f64)],
@@ -83,7 +83,7 @@ fn distance(
     Ok(Measured::error(worse(deflection, velocity)))
 }
 
-/// Over the thirtieth turn of the drum, when the transient has faded to e^-38.
+/// Compares the thirtieth turn of the drum, when the transient has decayed to e^-38.
 fn balanced(machine: &Machine) -> Result<Measured, CheckFailure> {
     let turning = BENCH_FORCE.frequency;
     let both = (&BENCH_FORCE, &BENCH_SHAPE);
@@ -109,7 +109,7 @@ fn slopes(machine: &Machine) -> Result<Measured, CheckFailure> {
             ("layer.stiffness", LAYER.stiffness - own),
             ("layer.cubic_stiffness", LAYER.cubic_stiffness),
             ("initial_deflection", amplitude),
-            // Of 1.9 kg that move.
+            // The moving mass is 1.9 kg.
             ("holder.bobbin_mass", 1.5),
         ],
         until: 0.1,

@@ -1,5 +1,4 @@
-//! A run so precise that no method's error hides in it: emitted Taylor series in
-//! numbers of 31 digits.
+//! Runs in numbers of 31 digits by emitted Taylor series, more precise than any method.
 
 use machinist_contract::Real;
 use machinist_contract::taylor::{Bends, TaylorSeries};
@@ -9,33 +8,31 @@ use crate::double_double::{DoubleDouble, Twin};
 use machinist::trajectory::{ColumnKind, Trajectory};
 use machinist_contract::taylor::value;
 
-/// Order of the series, and the size of what they leave out, relative to the largest
-/// value of each state.
+/// Order of the series and size of their remainder, relative to the largest value of each state.
 const RUNS: [(usize, f64); 2] = [(48, 1e-26), (40, 1e-23)];
-/// A run that takes more steps is given up: a machine so stiff has other references.
+/// Maximum number of steps; a machine that needs more is so stiff that other references are better.
 const MAX_STEPS: usize = 4_000;
-/// How many of the last terms a step's length is judged by: some vanish by symmetry.
+/// Number of last terms that determine the length of a step; some vanish by symmetry.
 const JUDGED: usize = 6;
-/// Largest ratio of a step to the one before.
+/// Largest ratio of a step to the previous one.
 const GROWTH: f64 = 4.0;
 
-/// States over time, and how far two runs to them agree.
+/// States over time, with the difference between two runs.
 pub(super) struct Precise {
-    /// By state, then by time.
+    /// Values by state, then by time.
     pub(super) states: Vec<Vec<f64>>,
     /// max over states of max over time |a - b|/max over time |a|.
     pub(super) agreement: f64,
 }
 
-/// The series of a machine, unless they do not tell what is ahead, or constraints or
-/// events interfere.
+/// Returns the series of a machine, unless it has corners, constraints or events.
 pub(super) fn series(machine: &dyn Twin) -> Option<&dyn TaylorSeries<DoubleDouble>> {
     let is_free = machine.events() == 0 && machine.constraints() == 0;
     machine.taylor().filter(|series| is_free && series.bends() != Bends::Corners)
 }
 
-/// What `pilot` is a run of, from the same start at the same times; none where steps
-/// are too short.
+/// Computes the run of `pilot`, from the same start at the same times; `None` if steps are too
+/// short.
 pub(super) fn solve(
     machine: &dyn Twin,
     series: &dyn TaylorSeries<DoubleDouble>,
@@ -62,7 +59,7 @@ struct Run<'a> {
     /// Times at which the right-hand side jumps, in order.
     jumps: Vec<DoubleDouble>,
     start: Vec<DoubleDouble>,
-    /// Largest values of the states; 1 for one that stays zero.
+    /// Largest absolute values of the states; 1 for a state that stays zero.
     sizes: Vec<f64>,
     times: &'a [f64],
 }
@@ -93,7 +90,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// States at all times.
+    /// Returns the states at all times.
     fn states(&self, order: usize, rtol: f64) -> Option<Vec<Vec<DoubleDouble>>> {
         let lift = DoubleDouble::literal;
         let (&first, &last) = (self.times.first()?, self.times.last()?);
@@ -102,7 +99,7 @@ impl<'a> Run<'a> {
         let mut workspace = vec![lift(0.0); self.series.series_workspace(order)];
         let mut found = Vec::with_capacity(self.times.len());
         let (mut time, mut state) = (lift(first), self.start.clone());
-        // Series of a machine at rest may have no terms to judge the first step by.
+        // Series of a machine at rest may have no terms that determine the first step.
         let mut longest = (last - first) / self.times.len() as f64;
         for _ in 0..MAX_STEPS {
             let (parameters, to) = (&self.parameters, &mut coefficients);
@@ -134,7 +131,7 @@ impl<'a> Run<'a> {
         None
     }
 
-    /// The length at which the last terms are as small as wanted.
+    /// Returns the length at which the last terms are small enough.
     fn step_length(&self, coefficients: &[DoubleDouble], rtol: f64) -> f64 {
         let orders = coefficients.chunks_exact(self.sizes.len()).enumerate();
         let length = |(order, terms): (usize, &[DoubleDouble])| {

@@ -1,4 +1,4 @@
-//! What errors are measured against.
+//! References of errors.
 
 use std::time::Duration;
 
@@ -11,33 +11,33 @@ use machinist::error::SimulateError;
 use machinist::method::Method;
 use machinist::trajectory::{ColumnKind, Trajectory};
 
-/// Tolerances at which a reference is sought, tightest first: a method that cannot
-/// go on at one may at the next.
+/// Tolerances of a reference, the tightest first: a method that stops at one may succeed at the
+/// next.
 const TIGHT: [f64; 3] = [1e-13, 1e-12, 1e-10];
-/// Tolerance of the run that tells the times and how large states are.
+/// Tolerance of the run that determines times and sizes of states.
 const PILOT: f64 = 1e-8;
-/// How many runs a reference is chosen from.
+/// Number of runs from which a reference is chosen.
 const CONFIRMING: usize = 3;
-/// A run for a reference may take so many steps.
+/// Maximum number of steps of a run for a reference.
 const MAX_STEPS: usize = 300_000;
 
-/// States over time that are nearer to the truth than what is measured by them.
+/// States over time that are more accurate than the measured runs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
-    /// What it is, in words: how it was found and how far it may be trusted.
+    /// Description: the way to the reference and its accuracy.
     pub name: String,
-    /// How far two ways to find it agree, as errors are measured. Errors below this
-    /// mean nothing.
+    /// Difference between two ways to the reference, in the measure of errors. Smaller errors have
+    /// no meaning.
     pub agreement: f64,
     states: Vec<KnownState>,
 }
 
 impl Reference {
-    /// A run of the same machine in numbers of 31 digits, where there is one and it
-    /// runs as series, else a converged run; each in no more than the limit, if there is one.
+    /// Computes a run of the same machine in numbers of 31 digits, if there is one with Taylor
+    /// series; otherwise a converged run. Each takes no longer than the limit, if there is one.
     ///
     /// # Errors
-    /// [`SimulateError`] of the last method tried if none gets through the run.
+    /// [`SimulateError`] of the last method tried if none completes the run.
     pub fn of(
         simulator: &dyn Simulator<f64>,
         twin: Option<&dyn Twin>,
@@ -47,8 +47,8 @@ impl Reference {
         precise.flatten().map_or_else(|| Self::converged(simulator, time_limit), Ok)
     }
 
-    /// By Taylor series in numbers of 31 digits; none where these do not do, or two
-    /// runs differ by more than the last digits of what is measured.
+    /// Computes a reference by Taylor series in numbers of 31 digits; `None` if that fails, or if
+    /// two runs differ by more than the last digits of measured values.
     ///
     /// # Errors
     /// [`SimulateError`] if the scene does not run at all.
@@ -75,18 +75,18 @@ impl Reference {
         Ok(Some(Self { name, agreement, states }))
     }
 
-    /// Of the three methods of highest order that get through the run at their
-    /// tightest tolerance, the two that agree best; the one of higher order counts.
+    /// Takes the three methods of highest order that complete the run at their tightest tolerance,
+    /// and of these the two that agree best; the one of higher order is the reference.
     ///
     /// # Errors
-    /// As [`Reference::of`].
+    /// As for [`Reference::of`].
     pub fn converged(
         simulator: &dyn Simulator<f64>,
         time_limit: Option<Duration>,
     ) -> Result<Self, SimulateError> {
         let mut runs: Vec<Trajectory> = Vec::new();
         let mut failure = None;
-        // `auto` would confirm the method it chose by that method.
+        // `auto` would confirm its chosen method by itself.
         let candidates = Method::compiled_in().filter(|method| *method != Method::Auto);
         let mut candidates: Vec<Method> =
             candidates.filter(|method| method.suits(simulator)).collect();
@@ -127,8 +127,8 @@ impl Reference {
         }
     }
 
-    /// max over states of max over time |y - reference|/size of the state: its largest value, or
-    /// its scale if that is only rounding.
+    /// Returns max over states of max over time |y - reference|/size of the state: its largest
+    /// value, or its scale if that value is only rounding.
     #[must_use]
     pub fn distance(&self, trajectory: &Trajectory) -> f64 {
         distance(trajectory, &self.states)

@@ -17,7 +17,7 @@ fn plan(method: Method, tolerances: &[f64]) -> Plan {
     }
 }
 
-/// Angles and speeds of two rotors under the scene's own torques, from rest.
+/// Returns angles and speeds of two rotors under the scene's own torques, from rest.
 fn closed_form_of_two_mass(times: &[f64]) -> Vec<KnownState> {
     type Quantity = (&'static str, fn(&Motion) -> f64);
     const TORQUES: Torques = Torques {

@@ -1,7 +1,7 @@
-//! Emitted C99, compiled and run: no warnings, no undefined behaviour, and the bits of the same
-//! machine in Rust.
+//! Emitted C99, compiled and run without warnings or undefined behaviour, gives the same bits as
+//! Rust.
 //!
-//! Without a C compiler the tests say so and pass; `MACHINIST_C99=all` tries every scene of
+//! Without a C compiler the tests report that and pass; `MACHINIST_C99=all` tests every scene of
 //! `specs/scenes`.
 
 mod board;
@@ -21,8 +21,8 @@ use crate::own_scene::{model_of_specs, scenes_to_try};
 use crate::wasm::{assert_same, expected};
 use compiler::{Compiler, Program};
 
-/// A motor, events and modes, branches, tables, constraints, those in modes, a motion that goes
-/// before and solves for the Jacobian, and standard parts.
+/// A motor, events and modes, branches, tables, constraints, constraints in modes, a prescribed
+/// motion that solves for the Jacobian, and standard parts.
 const SCENES: [&str; 20] = [
     "saw_gin",
     "winder_full",
@@ -54,7 +54,7 @@ fn options(real: Real, model: &Model) -> C99Options {
     C99Options { real, command: "a test".to_owned(), start, ..C99Options::default() }
 }
 
-/// Time, state and parameters away from those of the spec.
+/// Returns time, state and parameters that differ from those of the spec.
 fn sample(model: &Model, sample: usize) -> (f64, Vec<f64>, Vec<f64>) {
     let value = |index: usize| ((index * 7 + sample) as f64 * 0.37).sin();
     let parameters = model.parameters.iter().enumerate();
@@ -64,7 +64,7 @@ fn sample(model: &Model, sample: usize) -> (f64, Vec<f64>, Vec<f64>) {
     (0.02 * sample as f64, y, p)
 }
 
-/// The files of a scene with the program that drives it, compiled.
+/// Compiles the files of a scene with a driver program.
 fn compiled(compiler: &Compiler, model: &Model, options: &C99Options) -> Program {
     let files = emit(model, options).unwrap_or_else(|error| panic!("{}: {error}", model.name));
     compiler.build(&model.name, &files, &driver::text(model, options.real))
@@ -93,7 +93,7 @@ fn every_function_of_emitted_c_gives_the_bits_of_the_machine_in_rust() {
     }
 }
 
-/// The last row of a run by equal steps, and how many events there were.
+/// Returns the last row of a run with constant steps, and the number of events.
 fn end_of(program: &Program, model: &Model, steps: usize) -> (Vec<f64>, f64) {
     let step = (model.run.until - model.run.from) / steps as f64;
     let rows = program.run(step, steps, model.states.len());
@@ -106,7 +106,7 @@ fn end_of(program: &Program, model: &Model, steps: usize) -> (Vec<f64>, f64) {
     (state.clone(), events)
 }
 
-/// The largest difference of two states, each entry over its typical size.
+/// Returns the largest difference of two states, each entry over its typical size.
 fn difference(model: &Model, a: &[f64], b: &[f64]) -> f64 {
     let entries = model.states.iter().zip(a).zip(b);
     entries.fold(0.0, |most: f64, ((state, a), b)| {
@@ -115,7 +115,7 @@ fn difference(model: &Model, a: &[f64], b: &[f64]) -> f64 {
     })
 }
 
-/// The state at the end of an adaptive run, and how many events it had after its start.
+/// Returns the state at the end of an adaptive run, and the number of events after its start.
 fn adaptive(model: &Model) -> (Vec<f64>, usize) {
     let simulator = ModelSimulator::new(model.clone());
     let run = Simulation::new(&simulator).rtol(1e-11).run().expect("a run");
@@ -172,7 +172,7 @@ fn steps_of_emitted_c_find_the_events_of_the_adaptive_run() {
     }
 }
 
-/// Time and state after each of so many steps of the contract, from a start.
+/// Returns time and state after each step of the contract, from a start.
 fn steps_in_rust(
     model: &Model,
     method: StepMethod,
@@ -258,7 +258,7 @@ fn float_gives_the_operations_of_the_tapes_in_single_precision() {
     }
 }
 
-/// Results of a tape in single precision.
+/// Returns the results of a tape in single precision.
 fn single(tape: &Tape, model: &Model, (t, y, p): (f64, &[f64], &[f64])) -> Vec<f64> {
     let narrow = |numbers: &[f64]| numbers.iter().map(|&x| x as f32).collect::<Vec<f32>>();
     let (state, parameters) = (narrow(y), narrow(p));
@@ -326,7 +326,7 @@ fn no_step_calls_more_than_is_said() {
                 let is_within = row.iter().zip(&most).all(|(found, most)| found <= most);
                 assert!(is_within, "{name} by {method:?}: {row:?} of {most:?}");
             }
-            // What is usual is just what most steps do.
+            // The usual number is that of most steps.
             let usual = rows.iter().filter(|row| row[..] == usual).count();
             assert!(2 * usual > steps, "{name} by {method:?}: {usual} steps of {steps}");
         }

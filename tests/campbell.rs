@@ -9,7 +9,7 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::of_text;
 
-/// A unit `s` of two coordinates, with a line of parameters and its energies.
+/// Returns a unit `s` of two coordinates, with a line of parameters and its energies.
 fn of_two(unit: &str, parameters: &str, energies: &str) -> ModelSimulator {
     let text = format!(
         r#"
@@ -37,7 +37,8 @@ fn of_two(unit: &str, parameters: &str, energies: &str) -> ModelSimulator {
     of_text(&text, Keep::Needed)
 }
 
-/// An overhung disc at a speed, tilting two ways; k, across and polar as in [`whirl`].
+/// Returns an overhung disc at a speed, which tilts in two directions; k, across and polar as in
+/// [`whirl`].
 fn disc() -> ModelSimulator {
     of_two(
         "rad",
@@ -55,7 +56,7 @@ const ACROSS: f64 = 0.5;
 const POLAR: f64 = 0.3;
 const STIFFNESS: f64 = 2e4;
 
-/// Backward and forward whirl of the disc at a speed.
+/// Returns backward and forward whirl frequencies of the disc at a speed.
 fn whirl(speed: f64) -> [f64; 2] {
     let half = POLAR * speed / ACROSS / 2.0;
     let middle = (half * half + STIFFNESS / ACROSS).sqrt();
@@ -153,15 +154,15 @@ fn orders_are_of_a_speed_and_names_are_known() {
     assert!(said(ask("s.sped", None)).contains("did you mean `s.speed`"));
     assert!(said(ask("s.speed", Some("s.load"))).contains("`s.load` is in 1"));
     assert!(said(ask("s.load", Some("s.spee"))).contains("(did you mean `s.speed`?)"));
-    // Of a parameter that is not varied, and of a state.
+    // The speed is a parameter that is not varied, and a state.
     let by_parameter = ask("s.load", Some("s.speed")).expect("it is in rad/s");
     assert_eq!(by_parameter.speeds.as_deref(), Some(&[100.0, 100.0][..]));
     let by_state = ask("s.load", Some("s.a_dot")).expect("it is in rad/s");
     assert_eq!(by_state.speeds.as_deref(), Some(&[0.0, 0.0][..]));
 }
 
-/// Ziegler's column, M = mu \[3, 1; 1, 1\], K = \[2 k - P l, P l - k; -k, k\]:
-/// 2 mu^2 s^4 + mu (7 k - 2 P l) s^2 + k^2 = 0, which flutters from P l = (7/2 - sqrt 2) k on.
+/// Ziegler's column, M = mu \[3, 1; 1, 1\], K = \[2 k - P l, P l - k; -k, k\]: 2 mu^2 s^4 + mu (7 k
+/// - 2 P l) s^2 + k^2 = 0, which flutters from P l = (7/2 - sqrt 2) k on.
 #[test]
 fn a_column_under_a_load_that_follows_flutters_from_the_load_known_on() {
     let scene = of_two(
@@ -207,7 +208,7 @@ fn a_machine_that_is_damped_grows_nowhere_and_one_driven_by_its_damping_everywhe
     }
 }
 
-/// A torsional chain of two inertias: its frequency is that of every speed.
+/// A torsional chain of two inertias, whose frequency is the same at every speed.
 #[test]
 fn a_machine_that_does_not_depend_on_speed_is_met_by_orders_at_its_frequency_over_them() {
     let simulator = of_two(

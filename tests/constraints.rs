@@ -1,4 +1,4 @@
-//! Scenes with constraints run from their specs: started, kept to, refused by name.
+//! Scenes with constraints run from their specs: starts, projection, refusals.
 
 use machinist::constraints::{mobility, start};
 use machinist::error::Lack;
@@ -11,7 +11,7 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::of_text;
 
-/// A scene of point masses `a` and `b`, 1 kg each, with more of the scene.
+/// Returns a scene of point masses `a` and `b` of 1 kg, with additional text.
 fn scene(more: &str) -> ModelSimulator {
     let text = format!(
         r#"
@@ -71,7 +71,7 @@ fn an_impossible_position_is_refused_by_the_constraint_s_name() {
     assert!(text.contains("[m^2]"), "{text}");
 }
 
-/// Both coordinates of a mass given, to as many digits as somebody writes.
+/// Both coordinates of a mass are given, to any number of digits.
 #[test]
 fn a_start_off_by_less_than_the_tolerance_is_projected_and_told() {
     let given = |y: f64, v_y: f64| {
@@ -86,7 +86,7 @@ fn a_start_off_by_less_than_the_tolerance_is_projected_and_told() {
             let at_start = |name: &str| run.column(name).expect("a state")[0];
             let [x, y, v_x, v_y] = ["a.x", "a.y", "a.v_x", "a.v_y"].map(at_start);
             assert!((x * x + y * y - 1.0).abs() < 1e-14 && (x * v_x + y * v_y).abs() < 1e-14);
-            // The shortest move, along the rod.
+            // The projection is the shortest move, along the rod.
             assert!((y + 0.8 - off * 0.36).abs() < 1e-3 * off.abs() + 1e-15, "{y}");
             let notes = run.notes.join("\n");
             assert!(notes.contains("is projected onto them: `a.x` by"), "{notes}");
@@ -231,7 +231,7 @@ fn a_moving_constraint_supplies_what_the_energy_gains() {
 
 #[test]
 fn an_event_is_followed_by_the_impulse_of_constraints() {
-    // A mass on an incline of 45 degrees is stopped sideways: the incline stops it whole.
+    // A mass on an incline of 45 degrees is stopped sideways: the incline makes it stop completely.
     let incline = scene(
         r#"
         [constraints]
@@ -257,7 +257,7 @@ fn an_event_is_followed_by_the_impulse_of_constraints() {
     assert!((v_x - expected).abs() < 1e-8, "{v_x} for {expected}");
 }
 
-/// Natural motions about the equilibrium near the start.
+/// Returns the eigenmodes about the equilibrium near the start.
 fn modes_near_the_start(scene: &ModelSimulator) -> (Vec<f64>, Vec<Mode>) {
     use machinist_contract::Describe as _;
     let count = scene.shape().parameters;
@@ -268,7 +268,7 @@ fn modes_near_the_start(scene: &ModelSimulator) -> (Vec<f64>, Vec<Mode>) {
     (linearization.point().state.clone(), linearization.modes().expect("eigenvalues"))
 }
 
-/// Frequencies of those that oscillate.
+/// Returns the frequencies of oscillations.
 fn swings(modes: &[Mode]) -> Vec<f64> {
     let swings = modes.iter().filter(|mode| mode.kind == ModeKind::Oscillation);
     swings.map(Mode::natural_frequency).collect()
@@ -299,7 +299,7 @@ fn a_rod_by_its_velocity_swings_likewise_and_has_any_length() {
     "#;
     let (state, modes) = modes_near_the_start(&scene(text));
     let found = swings(&modes);
-    // It hangs at the length that it has on the way there.
+    // It hangs at the current length.
     let length = -state[1];
     assert!(state[0].abs() < 1e-12 && (length - 1.0).abs() < 0.05, "{state:?}");
     assert_eq!((found.len(), modes.len()), (1, 2), "{modes:?}");
@@ -307,7 +307,7 @@ fn a_rod_by_its_velocity_swings_likewise_and_has_any_length() {
     assert!(modes.iter().any(|mode| mode.kind == ModeKind::Free), "its length is free");
 }
 
-/// The scene `slider_crank` let go, its crank near the lowest place.
+/// Returns the scene `slider_crank` without drive, with its crank near the lowest position.
 pub fn slider_crank_let_go() -> ModelSimulator {
     let text = include_str!("../specs/scenes/slider_crank.toml");
     let (head, rest) = text.split_once("[constraints.drive]").expect("it is driven");
@@ -323,7 +323,7 @@ pub fn slider_crank_let_go() -> ModelSimulator {
 #[test]
 fn a_slider_crank_swings_about_its_lowest_place_as_by_hand() {
     let found = swings(&modes_near_the_start(&slider_crank_let_go()).1);
-    // There the rod moves as a whole with the crank's end: with l = 0.05 m,
+    // The rod moves as a whole with the crank's end there: with l = 0.05 m,
     // w^2 = g l (m_crank + m_rod)/2/(J + m_crank l^2/4 + (m_rod + m_slider) l^2).
     let inertia = 2e-4 + 0.8 * 0.05 * 0.05 / 4.0 + (0.6 + 1.1) * 0.05 * 0.05;
     let exact = (9.81_f64 * 0.05 * (0.8 + 0.6) / 2.0 / inertia).sqrt();
@@ -347,7 +347,8 @@ fn what_a_constraint_drives_is_in_no_equilibrium_and_the_constraint_is_named() {
     assert!(refused.to_string().contains("constraint `drive` depends on it"), "{refused}");
 }
 
-/// A pendulum of 1 m that is let go at an angle, by a rod as a constraint or by its angle.
+/// Returns a pendulum of 1 m that is released at an angle, with a rod as a constraint or by its
+/// angle.
 fn let_go(angle: f64) -> [ModelSimulator; 2] {
     let run = "[run]\nuntil = 1000.0\npoints = 1001\nrtol = 1e-10\nmethod = \"auto\"";
     let (sine, cosine) = angle.sin_cos();
@@ -414,8 +415,8 @@ fn a_pendulum_on_a_rod_keeps_its_energy_and_its_phase_for_long() {
                 let error = x.iter().zip(exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 println!("{angle} rad, {until} s, {rtol:e}: energy {drift:.1e} J, x {error:.1e} m");
                 assert!(drift < 30.0 * rtol, "{angle}, {until} s, {rtol:e}: {drift:e} J");
-                // An error of energy is one of frequency, which time adds up, the more the
-                // nearer the pendulum comes to its upper rest.
+                // An error of energy is one of frequency, which accumulates in time, the more so
+                // the nearer the pendulum comes to its upper equilibrium.
                 let phase = if angle > 2.0 { 10.0 } else { 1.0 };
                 assert!(error < phase * until * rtol, "{angle}, {until} s, {rtol:e}: {error:e} m");
             }

@@ -1,6 +1,6 @@
-//! Estimated errors of runs beside true ones, of scenes at several tolerances.
+//! Estimated errors of runs compared with true ones, for several scenes and tolerances.
 //!
-//! `MACHINIST_ERRORS=all` tries every scene of `specs/scenes` and prints the table.
+//! `MACHINIST_ERRORS=all` tests every scene of `specs/scenes` and prints the table.
 
 use machinist::error_estimate::ErrorEstimate;
 use machinist::trajectory::{Column, Switch, Trajectory};
@@ -25,15 +25,15 @@ const SCENES: [&str; 10] = [
     "parts/control/relay",
 ];
 
-/// Estimated over true errors of the columns of a run whose errors the reference resolves.
+/// Returns estimated over true errors of the columns of a run whose errors the reference resolves.
 fn ratios(
     run: &Trajectory,
     error: &ErrorEstimate,
     (truth, of_truth): &(Trajectory, ErrorEstimate),
 ) -> Vec<(f64, String)> {
-    /// A reference that is itself off by a tenth of the error tells the error to a tenth.
+    /// Minimum ratio of an error to that of the reference: the error is then known to a tenth.
     const RESOLVED: f64 = 10.0;
-    // Rounding of other columns in the unit is no error of steps.
+    // Rounding of other columns in the unit is not an error of steps.
     let rounding = |column: &Column| {
         let alike = run.columns.iter().filter(|other| other.unit == column.unit);
         16.0 * f64::EPSILON * alike.map(size).fold(0.0, f64::max)
@@ -74,7 +74,7 @@ fn estimates_are_within_a_factor_of_ten_of_the_error_and_never_a_hundred_times_t
         });
         let simulator: &dyn Simulator<f64> =
             field.as_ref().map_or_else(|| machine.single(), FieldSimulator::single);
-        // Nothing happens just at these times.
+        // No event or jump happens at exactly these times.
         let defaults = simulator.run_defaults();
         let time = |share: f64| defaults.from + share * (defaults.until - defaults.from);
         let shares = (0..100).map(|index| (f64::from(index) * 0.618_034 + 0.1).fract());

@@ -1,5 +1,5 @@
-//! Parameters from measured runs: against textbook least squares, and whether intervals hold
-//! what they promise.
+//! Parameters from measured runs: comparison with textbook least squares, and coverage of
+//! intervals.
 
 use machinist::fit::{
     End, Experiment, Fit, Found, Loss, Measured, Plan, Unknown, statistics, students_t,
@@ -20,7 +20,7 @@ pub fn experiment(times: Vec<f64>, columns: Vec<(String, Vec<f64>)>) -> Experime
     Experiment::new("run", Measured { times, columns })
 }
 
-/// Numbers of mean 0 and variance 1, normally distributed.
+/// Returns a normally distributed number of mean 0 and variance 1.
 pub fn normal(random: &mut fastrand::Rng) -> f64 {
     let radius = (-2.0 * (1.0 - random.f64()).ln()).sqrt();
     radius * (std::f64::consts::TAU * random.f64()).cos()
@@ -33,8 +33,8 @@ fn found(fit: &Fit<'_>, scale_of: &(dyn Fn(&str) -> f64 + Sync)) -> Found {
     found
 }
 
-/// Angle = torque b(t) + initial angle c(t): linear in both, so that one system of normal
-/// equations has the answer, with b and c in closed form.
+/// Angle = torque b(t) + initial angle c(t) is linear in both, so one system of normal equations
+/// gives the solution, with b and c in closed form.
 #[test]
 fn a_linear_machine_is_fitted_as_the_textbook_does() {
     let times: Vec<f64> = (1..=60).map(|k| 0.05 * f64::from(k)).collect();
@@ -59,7 +59,7 @@ fn a_linear_machine_is_fitted_as_the_textbook_does() {
     for (value, wanted) in fit.values(&found.at).iter().zip(wanted.iter()) {
         assert!((value - wanted).abs() <= 1e-9 * wanted.abs(), "{value} for {wanted}");
     }
-    // Standard errors are those of the normal equations, in units of the starts.
+    // Standard errors follow from the normal equations, in units of the starts.
     let told = statistics(&found.evaluation, Loss::Squares, (&[1.0; 2], 10.0), &[false; 2]);
     let off = &design * &wanted - &data;
     let covariance = (design.tr_mul(&design)).try_inverse().expect("regular");
@@ -70,7 +70,7 @@ fn a_linear_machine_is_fitted_as_the_textbook_does() {
     }
 }
 
-/// Shares of draws in which the 95 % intervals hold the truth.
+/// Returns the shares of draws in which the 95 % intervals contain the truth.
 fn coverage(
     simulation: &Simulation<'_>,
     unknowns: &[Unknown],
@@ -112,13 +112,13 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     ];
     let times: Vec<f64> = (1..=40).map(|k| 0.0731 * f64::from(k)).collect();
     let shares = coverage(&simulation, &unknowns, ("rotor.angle", 0.02), &times, 150);
-    // Of 150 intervals 95 %, give or take two and a half standard deviations.
+    // 95 % of 150 intervals, with a margin of two and a half standard deviations.
     assert!(shares.iter().all(|share| (0.905..=0.995).contains(share)), "{shares:?}");
 }
 
-/// Fits of noisy runs of a machine, from a start far away and another one, with scales from the
-/// residuals: intervals that hold the truth, of all there are. `cargo bench --bench twins` has more
-/// draws, starts and unknowns.
+/// Fits noisy runs of a machine, from a distant start and another one, with scales from the
+/// residuals; returns how many of all intervals contain the truth. `cargo bench --bench twins` uses
+/// more draws, starts and unknowns.
 fn twins(
     scene: &str,
     (until, outputs): (f64, [&str; 2]),
@@ -161,8 +161,8 @@ fn twins(
     (held, all)
 }
 
-/// Of 45 intervals 95 %, give or take three standard deviations; with errors that were half as
-/// large, 30 would hold the truth.
+/// 95 % of 45 intervals, with a margin of three standard deviations; with errors half as large, 30
+/// would contain the truth.
 #[test]
 fn twins_are_told_apart_from_their_noise() {
     let unknowns = [("coupling.stiffness", 2.5), ("motor.inertia", 1.8), ("motor.alpha_r", 0.6)];
@@ -175,7 +175,7 @@ fn twins_are_told_apart_from_their_noise() {
 
 #[test]
 fn what_the_data_cannot_tell_apart_is_named() {
-    // Only the product of the coupling factors of stator and rotor counts.
+    // Only the product of the coupling factors of stator and rotor has an effect.
     let scene = scenes::find_f64("saw_gin").expect("it is built in");
     let simulation = Simulation::new(scene).method(Method::Tsit5).rtol(1e-6);
     let times: Vec<f64> = (1..=30).map(|k| 0.01 * f64::from(k)).collect();

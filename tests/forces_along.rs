@@ -22,7 +22,7 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// A particle that is thrown past a pin, with something between them.
+/// Returns a particle that is thrown past a pin, with a force element between them.
 fn particle(more: &str) -> String {
     format!(
         "[scene]\nname = \"thrown\"\n[units.bob]\nunit = \"planar/particle\"\n\
@@ -61,7 +61,8 @@ fn a_spring_as_a_force_along_its_length_moves_as_one_with_an_energy() {
     }
 }
 
-/// A damper between a crank and a slide, across a gear, as a force of a unit and of the scene.
+/// Returns a damper between a crank and a slide, across a gear, as a force of a unit and of the
+/// scene.
 fn across_a_gear(more: &str) -> String {
     format!(
         "[scene]\nname = \"across\"\n[units]\n\
@@ -88,7 +89,7 @@ fn a_force_along_what_follows_by_a_gear_acts_on_what_it_follows() {
         let off = apart(column(&ours, name), column(&theirs, name));
         assert!(off < 1e-8, "{name}: {off:e}");
     }
-    // And that difference of speeds decays as 20 N s/m over the reduced mass has it.
+    // This difference of speeds decays according to 20 N s/m over the reduced mass.
     let first = 6.0 + 0.3 * (4.0_f64 / 0.05).powi(2);
     let decay = 20.0 * (1.0 / first + 1.0 / 3.0);
     let gap = |row: usize| column(&ours, "slide")[row] - column(&ours, "other")[row];

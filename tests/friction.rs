@@ -1,5 +1,5 @@
-//! `[friction.NAME]` of units and scenes: it slides, sticks and breaks away as closed forms have it,
-//! and as the standard parts that are written out by hand.
+//! `[friction.NAME]` of units and scenes: sliding, sticking and breakaway compared with closed
+//! forms and with standard parts written out by hand.
 
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -8,7 +8,7 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::of_text;
 
-/// Methods that keep to constraints.
+/// Methods that support constraints.
 const METHODS: [Method; 5] =
     [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Auto];
 
@@ -52,8 +52,8 @@ fn last(run: &Trajectory, name: &str) -> f64 {
     *run.column(name).and_then(|values| values.last()).expect("a column")
 }
 
-/// Each half swing is one of sin about a place F/k away: it ends 2 F/k nearer, and the last where
-/// the spring pulls by less than F.
+/// Each half cycle is a sine about a point F/k away: it ends 2 F/k nearer, and the last one where
+/// the spring force is less than F.
 #[test]
 fn a_sprung_block_swings_2_f_over_k_less_each_time_and_rests() {
     let block = block();
@@ -89,7 +89,7 @@ fn a_sprung_block_swings_2_f_over_k_less_each_time_and_rests() {
     }
 }
 
-/// The part that is written out by hand, with Stribeck's friction and a force that pulls to and fro.
+/// A part written out by hand, with Stribeck friction and an alternating force.
 #[test]
 fn it_moves_as_the_standard_part_does() {
     let head = |unit: &str, more: &str| {
@@ -137,7 +137,8 @@ fn it_moves_as_the_standard_part_does() {
     }
 }
 
-/// A pad between two bodies: what it takes from one it gives the other, and they end as one.
+/// A pad between two bodies: forces on them are equal and opposite, and they end with a common
+/// velocity.
 #[test]
 fn between_two_bodies_momentum_stays() {
     let machine = scene(
@@ -165,7 +166,7 @@ fn between_two_bodies_momentum_stays() {
         for (low, top) in low.iter().zip(top) {
             assert!((3.0 * low + top - 2.0).abs() < 1e-9, "{method}: {low}, {top}");
         }
-        // They are one after v/(F/m + F/M) = 1 s, at 2/(1 + 3) m/s.
+        // They move together after v/(F/m + F/M) = 1 s, at 2/(1 + 3) m/s.
         let times = run.times.iter().zip(low.iter().zip(top));
         for (time, (low, top)) in times {
             let expected = if *time < 1.0 { 2.0 - 2.0 * time } else { 0.0 };
@@ -175,8 +176,8 @@ fn between_two_bodies_momentum_stays() {
     }
 }
 
-/// On a belt whose speed is imposed: what the belt supplies is what friction gives the block and
-/// loses, by each moment.
+/// A belt with a prescribed speed: at each moment it supplies the power that friction gives to the
+/// block and dissipates.
 #[test]
 fn a_belt_supplies_what_friction_gives_and_loses() {
     let machine = scene(
@@ -222,8 +223,8 @@ fn a_belt_supplies_what_friction_gives_and_loses() {
     }
 }
 
-/// Sticking, noise of speeds at a kink ends steps; what breaks away meanwhile, elsewhere, breaks away
-/// when it should.
+/// While one part sticks, noise of speeds at a switching surface ends steps; other parts must break
+/// away at the right time meanwhile.
 #[test]
 fn what_breaks_away_beside_what_sticks_does_so_in_time() {
     let body = r#"

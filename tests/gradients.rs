@@ -1,4 +1,5 @@
-//! Gradients in reverse: against sensitivities along the same steps, and a closed form.
+//! Gradients by the adjoint method, compared with sensitivities along the same steps and a closed
+//! form.
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::improve::{Expression, gradient};
@@ -9,7 +10,7 @@ use machinist_scenes::{bench, scenes};
 
 use crate::common::Oscillator;
 
-/// Pulls by every state and output, of any sign, at some of the times.
+/// Returns random pulls by every state and output at some of the times.
 fn pulls(run: &Trajectory, columns: usize, seed: u64) -> Vec<Pull> {
     let mut random = fastrand::Rng::with_seed(seed);
     let columns = &run.columns[..columns];
@@ -25,7 +26,7 @@ fn pulls(run: &Trajectory, columns: usize, seed: u64) -> Vec<Pull> {
     pulls.collect()
 }
 
-/// The largest difference from sums over sensitivities, over what the sums are made of.
+/// Returns the largest difference from sums over sensitivities, relative to their terms.
 fn off_sensitivities(run: &Simulation<'_>, seed: u64) -> f64 {
     let simulator = run.simulator();
     let shape = simulator.shape();
@@ -42,7 +43,7 @@ fn off_sensitivities(run: &Simulation<'_>, seed: u64) -> f64 {
         for (index, pull) in pulls.iter().enumerate() {
             let name = format!("d({})/d({})", pull.column, slope.name);
             let own: Vec<_> = forwards.columns.iter().filter(|c| c.name == name).collect();
-            // An output may have the name of a state, and is found behind it.
+            // An output may have the name of a state, and is found after it.
             let own = own[usize::from(own.len() > 1 && index >= shape.states())];
             for (pull, value) in pull.slopes.iter().zip(&own.values) {
                 sum += pull * value;
@@ -60,7 +61,8 @@ fn off_sensitivities(run: &Simulation<'_>, seed: u64) -> f64 {
 
 #[test]
 fn they_are_sums_over_sensitivities_along_the_same_steps() {
-    // A load at a time that is a parameter, a linear machine, a mass matrix that moves.
+    // A load at a time that is a parameter, a linear machine, a mass matrix that depends on the
+    // state.
     let cases = [
         (scenes::find_f64("saw_gin"), 1.4),
         (scenes::find_f64("two_mass"), 0.3),
@@ -90,7 +92,7 @@ fn of_fields_too() {
     }
 }
 
-/// The final angle of an oscillator by its initial one: a decaying cosine and sine.
+/// The final angle of an oscillator as a function of its initial one: a decaying cosine and sine.
 #[test]
 fn the_end_of_an_oscillator_moves_as_its_closed_form_says() {
     let run = Simulation::new(&Oscillator).method(Method::Dop853).rtol(1e-12).until(0.6).points(2);
@@ -116,8 +118,8 @@ fn the_end_of_an_oscillator_moves_as_its_closed_form_says() {
     assert!((found - wanted).abs() < 1e-11, "{found} for {wanted}");
 }
 
-/// An extreme, a mean, an end, and a parameter itself: in reverse, and by sensitivities of an implicit
-/// method.
+/// An extreme, a mean, a final value, and a parameter itself: by the adjoint method, and by
+/// sensitivities of an implicit method.
 #[test]
 fn expressions_have_the_derivatives_that_sensitivities_give() {
     let text =

@@ -1,4 +1,4 @@
-//! Parts held by static friction do not move: in starts in equilibrium, and in modes.
+//! Parts held by static friction stay at rest in starts in equilibrium and in eigenmodes.
 
 use machinist::Simulation;
 use machinist::linear_analysis::{Linearization, Mode, ModeKind, Place, operating_point};
@@ -11,7 +11,7 @@ use crate::own_scene::of_text;
 const MASS: f64 = 1.0;
 const STIFFNESS: f64 = 1000.0;
 
-/// A carriage that friction holds, and a load on a spring beside it that is pushed.
+/// Returns a carriage held by friction, and a load beside it on a spring that is pushed.
 fn carriage(damping: f64, push: f64, at: f64) -> ModelSimulator {
     of_text(
         &format!(
@@ -52,7 +52,7 @@ fn carriage(damping: f64, push: f64, at: f64) -> ModelSimulator {
     )
 }
 
-/// The state at the start of a run in equilibrium.
+/// Returns the state at the start of a run in equilibrium.
 fn start(simulator: &dyn Simulator<f64>, name: &str) -> f64 {
     let run = Simulation::new(simulator).in_equilibrium(true).run().expect("it starts");
     run.column(name).expect("a state")[0]
@@ -81,7 +81,7 @@ fn modes(simulator: &dyn Simulator<f64>, place: Place) -> Vec<Mode> {
     Linearization::at(simulator, point).expect("finite").modes().expect("modes")
 }
 
-/// One oscillation, of these, and nothing else.
+/// Asserts that the eigenmodes are one oscillation with these values.
 fn assert_one(modes: &[Mode], natural: f64, ratio: f64) {
     let [mode] = modes else { panic!("{modes:?}") };
     assert_eq!(mode.kind, ModeKind::Oscillation);
@@ -101,7 +101,7 @@ fn a_machine_that_friction_holds_has_the_modes_of_what_is_left_to_move() {
     }
 }
 
-/// A drum that a brake holds, with a load on a rope below it.
+/// Returns a drum held by a brake, with a load on a rope below it.
 fn drum(normal_force: f64) -> ModelSimulator {
     of_text(
         &format!(
@@ -155,7 +155,7 @@ fn a_load_below_a_braked_drum_swings_on_its_rope_alone() {
     }
     let hangs = start(&simulator, "load.x") - start(&simulator, "drum.phi") * 0.2;
     assert!((hangs + 500.0 * 9.81 / 8e5).abs() < 1e-9, "{hangs}");
-    // An open brake leaves the drum to turn: no equilibrium, for the load falls.
+    // With an open brake the drum turns: there is no equilibrium, since the load falls.
     let open = drum(0.0);
     assert!(operating_point(&Simulation::new(&open), Place::Equilibrium).is_err());
     let point = operating_point(&Simulation::new(&open), Place::Initial).expect("the start");
@@ -163,7 +163,7 @@ fn a_load_below_a_braked_drum_swings_on_its_rope_alone() {
     let [free, turns, swings] = &modes[..] else { panic!("{modes:?}") };
     let kinds = [free.kind, turns.kind, swings.kind];
     assert_eq!(kinds, [ModeKind::Free, ModeKind::Free, ModeKind::Oscillation]);
-    // With the inertia of the drum at the rope, J/r^2, as a second mass.
+    // The inertia of the drum at the rope, J/r^2, acts as a second mass.
     let reduced = 1.0 / (1.0 / 500.0 + 0.04 / 3.0);
     assert!((swings.natural_frequency() / (8e5_f64 / reduced).sqrt() - 1.0).abs() < 1e-9);
     assert_eq!(open.shape().coordinates, 2);

@@ -1,4 +1,4 @@
-//! A program interpreted is the simulator that is emitted from it.
+//! An interpreted program equals the emitted simulator.
 
 #[path = "../codegen/tests/support/mod.rs"]
 mod support;
@@ -12,7 +12,7 @@ use emitted::Pendulum;
 use machinist_contract::{Describe, Simulator};
 use machinist_model::ModelSimulator;
 
-/// Times, states and parameters between the table's knots and beyond its ends.
+/// Returns times, states and parameters between the table's knots and beyond its ends.
 fn inputs() -> impl Iterator<Item = (f64, [f64; 3], [f64; 6])> {
     (0..200_u32).map(|index| {
         let x = f64::from(index) * 0.37;
@@ -28,7 +28,7 @@ fn filled(length: usize, write: impl FnOnce(&mut [f64])) -> Vec<u64> {
     values.into_iter().map(f64::to_bits).collect()
 }
 
-/// Everything a simulator computes, as bits.
+/// Returns everything that a simulator computes, as bits.
 fn numbers(s: &impl Simulator<f64>, (t, y, p): &(f64, [f64; 3], [f64; 6])) -> Vec<Vec<u64>> {
     let (energy, balance) = (s.energy(*t, y, p), s.power_balance(*t, y, p));
     let energy = [energy.kinetic, energy.potential, energy.stored];
@@ -89,8 +89,8 @@ fn a_state_of_another_length_is_refused() {
     interpreted.rate(0.0, &[0.0; 4], &[1.0; 6], &mut [0.0; 3]);
 }
 
-/// Machine code is called again without comparing lengths with what it reads, as long as they are
-/// what they were.
+/// Machine code is called again without checking the lengths of its inputs as long as they are
+/// unchanged.
 #[test]
 fn lengths_are_checked_at_later_calls_as_at_the_first() {
     let simulator = ModelSimulator::new(support::pendulum());

@@ -1,5 +1,5 @@
-//! Rates with kinks and jumps, by `abs`, `min`, `max` and `sign`: steps end where they are, and
-//! no digit is lost there. What chatters says so.
+//! Rates with switching surfaces, by `abs`, `min`, `max` and `sign`: steps end at them without loss
+//! of accuracy, and chattering is reported.
 
 use std::cell::Cell;
 
@@ -14,7 +14,7 @@ use crate::own_scene::{of_specs, of_text};
 const OWN: [Method; 6] =
     [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Taylor, Method::Auto];
 
-/// A block of 1 kg with a potential and a force of x, v, t, thrown at 1 m/s.
+/// Returns a block of 1 kg with a potential and a force of x, v, t, thrown at 1 m/s.
 fn block(potential: &str, force: &str) -> ModelSimulator {
     let text = format!(
         r#"
@@ -54,7 +54,7 @@ fn run(block: &ModelSimulator, method: Method, rtol: f64, set: &[(&str, f64)]) -
     run.run().unwrap_or_else(|error| panic!("{method} at {rtol:e}, {set:?}: {error}"))
 }
 
-/// Largest difference of x and v.
+/// Returns the largest difference of x and v.
 fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     ["block.x", "block.v"].iter().fold(0.0, |most: f64, name| {
         let values = [a, b].map(|run| run.column(name).expect("a state"));
@@ -63,8 +63,8 @@ fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     })
 }
 
-/// Ten tolerances from 1e-3 to 1e-10 and all own methods, each within so many tolerances of
-/// two runs that agree.
+/// Compares runs at ten tolerances from 1e-3 to 1e-10 and all own methods with two runs that agree,
+/// in units of the tolerance.
 fn keeps_its_digits(block: &ModelSimulator, set: &[(&str, f64)], most: f64) {
     let exact = run(block, Method::Dop853, 1e-13, set);
     let other = run(block, Method::Radau, 1e-12, set);
@@ -104,7 +104,7 @@ fn forces_that_jump_with_state_or_time_keep_their_digits() {
     keeps_its_digits(&block, &[], 300.0);
 }
 
-/// As a controller's limit does when what is wanted jumps.
+/// The limit of a controller acts like this when the set point jumps.
 #[test]
 fn limits_that_a_jump_in_time_puts_far_behind_keep_their_digits() {
     let wanted = "1.6 [N]*step(t, 3 [s]) - 2 [N]*step(t, 6 [s]) - 0.5 [N s/m]*v";
@@ -138,7 +138,7 @@ fn friction_by_sign_stops_at_once_where_it_sticks() {
     assert!(last.zip(first).is_some_and(|(last, first)| last - first < 1e-5), "{times:?}");
 }
 
-/// What a spring with preload does to a body that it holds, and to one beside.
+/// A preloaded spring acts like this on a body that it holds, and on one beside.
 #[test]
 fn rest_on_a_kink_is_told_soon_by_all_methods() {
     for (potential, force) in [
@@ -162,7 +162,7 @@ fn rest_on_a_kink_is_told_soon_by_all_methods() {
     }
 }
 
-/// A puck on a table, which stops: its friction turns with its way.
+/// A puck on a table, which stops: the friction direction changes with its motion.
 #[test]
 fn plane_friction_stops_soon_where_it_sticks() {
     let text = r#"
@@ -202,7 +202,7 @@ fn plane_friction_stops_soon_where_it_sticks() {
 fn without_kinks_there_are_no_guards() {
     let smooth = block("stiffness*x^2/2", "0.3 [N]*cos(1.3 [rad/s]*t)*tanh(v/(1 [m/s]))");
     assert_eq!(smooth.kinks(), 0);
-    // Known times are no guards: the run is cut there.
+    // Known times are not guards: the run is divided there.
     let timed = block("stiffness*x^2/2", "1 [N]*max(t/(1 [s]) - 5, 0) + 1 [N]*abs(t/(2 [s]) - 3)");
     assert_eq!((timed.kinks(), timed.shape().discontinuities), (0, 2));
     let mut times = [0.0; 2];
@@ -216,7 +216,7 @@ fn defaults(machine: &dyn Simulator<f64>) -> Vec<f64> {
     (0..machine.shape().parameters).map(|index| machine.parameter_default(index)).collect()
 }
 
-/// dg/dt along the motion, by differences.
+/// Returns dg/dt along the motion, by differences.
 fn by_differences(machine: &dyn Simulator<f64>, time: f64, state: &[f64], h: f64) -> Vec<f64> {
     let parameters = defaults(machine);
     let mut rate = vec![0.0; state.len()];
@@ -284,7 +284,7 @@ fn emitted_scenes_know_their_kinks() {
     assert!((rates[0] - expected[0]).abs() < 1e-6 * (1.0 + expected[0].abs()), "{rates:?}");
 }
 
-/// v^2 grows by twice the work of each bump, which is passed within a thousandth of its period.
+/// v^2 grows by twice the work of each bump, which lasts a thousandth of its period.
 #[test]
 fn bumps_that_are_passed_and_passed_back_within_a_step_are_not_stepped_over() {
     let bumpy = block("0", "max(200 [N]*(cos(20 [1/m]*x) - 0.9999), 0 [N])");
@@ -311,14 +311,14 @@ fn what_comes_to_rest_at_a_limit_does_not_chatter_there() {
     for method in OWN {
         for rtol in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
             let last = run(&limited, method, rtol, &[]).last("block.v").expect("a state");
-            // Half of the first two seconds, and all of eight.
+            // Half of the first two seconds, and all of the other eight.
             assert!((last - 10.0).abs() < 1e3 * rtol, "{method} at {rtol:e}: {last}");
         }
     }
 }
 
-/// `abs` of a frequency that comes to zero with a horizontal tangent where the run ends: by
-/// then it is rounding, of what it has been long before.
+/// `abs` of a frequency that approaches zero with a horizontal tangent at the end of the run: it is
+/// then rounding of its earlier values.
 #[test]
 fn a_ramp_that_ends_at_zero_does_not_chatter() {
     let scene = of_specs("parts/electrical/converter", Keep::Needed);
@@ -344,7 +344,8 @@ fn a_ramp_that_ends_at_zero_does_not_chatter() {
 
 #[test]
 fn a_run_all_of_whose_steps_end_at_kinks_is_left_when_it_is_told_to() {
-    // Where x is 0 already, v turns at every zero of the sine, far more often than steps need.
+    // Where x is already 0, v changes sign at every zero of the sine, far more often than steps
+    // need.
     let block = block("0 [J]", "1 [N]*abs(sin(1e4 [1/s]*t + 0.1))");
     for method in [Method::Tsit5, Method::Dop853, Method::Taylor, Method::Radau] {
         let asked = Cell::new(0);

@@ -1,4 +1,4 @@
-//! `auto` steps as loosely as it is asked to where errors of steps do not add up, and nowhere else.
+//! `auto` steps at loose tolerances only where errors of steps do not add up.
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation, Sweep, Trajectory};
@@ -12,19 +12,20 @@ use machinist_scenes::{bench, scenes};
 use crate::common::HardSpring;
 use crate::own_scene::{folder_of_specs, of_specs, specs_in};
 
-/// Tolerances asked for; the last two are those that steps keep to in any case.
+/// Requested tolerances; the last two are those that steps keep in any case.
 const ASKED: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
-/// Runs that are looser than these are held to a multiple of the tolerance.
+/// Number of loosest tolerances; all others are compared with a multiple of the tolerance.
 const ANY_CASE: usize = 3;
 
-/// Takes a hundred thousand steps at 1e-11: a tenth of its run tells as much.
+/// Scene with a hundred thousand steps at 1e-11, of which a tenth of its run is enough.
 const LONG: &str = "classics/ring_modulator";
 
 fn by_auto(simulator: &dyn Simulator<f64>, rtol: f64) -> Simulation<'_> {
     Simulation::new(simulator).rtol(rtol).method(Method::Auto)
 }
 
-/// The largest difference of a state, over what it is at most, or its scale if that is more.
+/// Returns the largest difference of a state over its largest value, or its scale if that is
+/// larger.
 fn error(simulator: &dyn Simulator<f64>, run: &Trajectory, exact: &Trajectory) -> f64 {
     let of_state = |index: usize| {
         let (found, exact) = (&run.columns[index].values, &exact.columns[index].values);
@@ -36,7 +37,7 @@ fn error(simulator: &dyn Simulator<f64>, run: &Trajectory, exact: &Trajectory) -
     states.map(of_state).fold(0.0, f64::max)
 }
 
-/// Errors of a scene over the tolerance, with the steps of each run.
+/// Returns the errors of a scene over the tolerance, with the steps of each run.
 fn errors(name: &str, simulator: &dyn Simulator<f64>) -> [(f64, u64); ASKED.len()] {
     let run = |rtol| {
         let mut run = by_auto(simulator, rtol);
@@ -53,7 +54,7 @@ fn errors(name: &str, simulator: &dyn Simulator<f64>) -> [(f64, u64); ASKED.len(
     })
 }
 
-/// `cargo test -p machinist-tests --test suite loose:: -- --nocapture` prints all of them.
+/// `cargo test -p machinist-tests --test suite loose:: -- --nocapture` prints all errors.
 #[test]
 fn errors_of_loose_runs_are_tens_of_tolerances_or_no_more_than_those_of_tight_ones() {
     let root = folder_of_specs();
@@ -91,7 +92,7 @@ fn a_run_of_many_steps_begins_anew_with_tighter_ones() {
     assert!(run(1e-3, 100.0).notes[0].ends_with("tolerance of 1e-3"));
     let [loose, tight, exact] = [1e-3, 1e-5, 1e-12].map(|rtol| run(rtol, 3000.0));
     assert_eq!(loose.notes, tight.notes);
-    // What was tried is counted, and is little.
+    // Steps of rejected attempts are counted, and are few.
     let tried = loose.work.steps - tight.work.steps;
     assert!(tried > 0 && tried < tight.work.steps / 10, "{tried} of {}", tight.work.steps);
     let [loose, tight] = [loose, tight].map(|run| error(&HardSpring, &run, &exact));

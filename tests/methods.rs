@@ -1,5 +1,5 @@
-//! What the methods of this crate do that none other need do: stiff machines
-//! against each other, tolerances that are kept, choices that are told.
+//! Special properties of the methods of this crate: stiff machines compared with each other,
+//! tolerances that are kept, choices that are reported.
 
 use std::cell::RefCell;
 
@@ -40,7 +40,7 @@ fn errors_keep_to_the_tolerance_from_loose_to_tight() {
             let found = error(&HardSpring, &run, &reference) / rtol;
             println!("{method} {rtol:.0e}: {found:.2} rtol, {} steps", run.work.steps);
             assert!(found < 15.0, "{method} at {rtol:e} errs by {found} times the tolerance");
-            // Steps of `auto` are never looser than 1e-5.
+            // Tolerances of `auto` are never looser than 1e-5.
             if method != Method::Auto || rtol < 2e-5 {
                 (least, most) = (found.min(least), found.max(most));
             }
@@ -50,7 +50,7 @@ fn errors_keep_to_the_tolerance_from_loose_to_tight() {
     }
 }
 
-/// Order that shows in errors against numbers of steps: least squares of logarithms.
+/// Returns the observed order from errors against numbers of steps, by least squares of logarithms.
 fn order_by_steps(points: &[(u64, f64)]) -> f64 {
     let logs: Vec<(f64, f64)> =
         points.iter().map(|(steps, error)| ((*steps as f64).ln(), error.ln())).collect();
@@ -63,7 +63,7 @@ fn order_by_steps(points: &[(u64, f64)]) -> f64 {
 
 #[test]
 fn methods_of_fixed_order_show_it_in_errors_against_steps() {
-    // The steps of diffsol's methods cannot be told; bdf and radau change their order.
+    // The steps of diffsol's methods cannot be counted; bdf and radau change their order.
     let base = Simulation::new(&HardSpring).points(2);
     let reference = base.clone().method(Method::Dop853).rtol(1e-14).run().unwrap();
     for (method, order, tightest) in [
@@ -97,7 +97,7 @@ fn errors_of_taylor_keep_to_the_tolerance_from_loose_to_tight() {
         for power in 3..=12 {
             let rtol = 10f64.powi(-power);
             let run = base.clone().method(Method::Taylor).rtol(rtol).run().unwrap();
-            // Rounding adds up to so much, in this run and in the reference.
+            // Accumulated rounding in this run and in the reference.
             let found = (error(simulator, &run, &reference) - 5e-13).max(0.1 * rtol) / rtol;
             println!("{name} {rtol:.0e}: {found:.2} rtol, {} steps", run.work.steps);
             (least, most) = (found.min(least), found.max(most));
@@ -153,8 +153,8 @@ fn two_unrelated_methods_agree_on_robertson() {
 
 #[test]
 fn rosenbrock_keeps_its_order_near_a_stiff_equilibrium() {
-    // Prothero and Robinson: y' = -L (y - cos t) - sin t, from y = cos t. Methods
-    // that are not made for it lose all orders but one or two.
+    // Prothero and Robinson: y' = -L (y - cos t) - sin t, from y = cos t. Methods not designed for
+    // it lose all orders but one or two.
     let scalar = Simulation::new(&PROTHERO_ROBINSON).parameter("lambda", -1e5).unwrap();
     for (method, most) in [(Method::Rodas5p, 100), (Method::Radau, 60)] {
         let run = scalar.clone().method(method).rtol(1e-6).run().unwrap();
@@ -166,7 +166,7 @@ fn rosenbrock_keeps_its_order_near_a_stiff_equilibrium() {
 
 #[test]
 fn states_between_the_ends_of_long_steps_keep_to_the_tolerance() {
-    // The stiffer, the longer the steps that end right: up to the whole run at once.
+    // The stiffer the problem, the longer the accepted steps, up to the whole run at once.
     for power in [4, 6, 8, 10, 12] {
         let lambda = -10f64.powi(power);
         let scalar = Simulation::new(&PROTHERO_ROBINSON).parameter("lambda", lambda).unwrap();
@@ -188,7 +188,7 @@ fn auto_says_what_it_chose_and_why() {
     let run = |simulator: &dyn Simulator<f64>, rtol| {
         Simulation::new(simulator).method(Method::Auto).rtol(rtol).run().unwrap().notes
     };
-    // Few steps are as loose as they may be; many would add up.
+    // A few steps may be as loose as allowed; errors of many would add up.
     assert_eq!(run(&HardSpring, 1e-2), ["starts with dop853, for a relative tolerance of 1e-3"]);
     let long = Simulation::new(&HardSpring).until(1000.0).method(Method::Auto).rtol(1e-2);
     let notes = long.run().unwrap().notes;
@@ -226,10 +226,10 @@ fn auto_leaves_series_where_they_are_held_by_stability() {
     let base = Simulation::new(simulator).parameter("coupling.stiffness", 1e5).unwrap();
     let base = base.until(0.1).points(11);
     let cases = [
-        // So stiff that it is clear from the start.
+        // The problem is so stiff that this is detected at the start.
         (1e6, 1e-5, "starts with rodas5p", 200),
         (1e6, 1e-6, "starts with radau", 200),
-        // And not so clear.
+        // The stiffness is less obvious.
         (4.6e4, 1e-5, "rodas5p instead of taylor", 1000),
         (5.1e4, 1e-6, "radau instead of taylor", 1000),
     ];
@@ -247,7 +247,7 @@ fn auto_leaves_series_where_they_are_held_by_stability() {
 
 #[test]
 fn auto_returns_to_the_explicit_method_when_stiffness_ends() {
-    // Decays at 1e5 until about t = 1, at 1 from then on, and is driven all along.
+    // The rate of decay is 1e5 until about t = 1, then 1, with a constant excitation.
     let scalar = Scalar::new(
         |t, y| (1.0 + 1e5 / (1.0 + (40.0 * (t - 1.0)).exp())) * ((5.0 * t).sin() - y),
         |t, _| -(1.0 + 1e5 / (1.0 + (40.0 * (t - 1.0)).exp())),
@@ -266,8 +266,8 @@ fn auto_returns_to_the_explicit_method_when_stiffness_ends() {
 
 #[test]
 fn auto_doubts_an_explicit_method_whose_steps_rounding_keeps_short() {
-    // Contacts of a hundred tons a metre between plates that move by micrometres a second: what is
-    // rounded of their forces is an error before a step is unstable.
+    // Contacts of a hundred tons per metre between plates that move by micrometres per second:
+    // rounding of their forces causes an error before a step is unstable.
     let preload = of_specs("msl/preload", Keep::Needed);
     let run = |method, rtol| Simulation::new(&preload).method(method).rtol(rtol).run().unwrap();
     let exact = run(Method::Radau, 1e-12);
@@ -276,14 +276,15 @@ fn auto_doubts_an_explicit_method_whose_steps_rounding_keeps_short() {
         println!("{:?} {:?}", auto.notes, auto.work);
         let is_doubted = |note: &String| note.contains("steps stayed near what stability allows");
         assert!(auto.notes.iter().any(is_doubted), "{:?}", auto.notes);
-        // Without doubt there are millions of them.
+        // Without the check there would be millions of steps.
         assert!(auto.work.steps < 20_000, "{:?}", auto.work);
         let found = error(&preload, &auto, &exact);
         assert!(found < 100.0 * rtol, "{found:e} at {rtol:e}");
     }
 }
 
-/// A hard spring whose damper fails after a second, as an expression says that goes from 1 to 0.
+/// Returns a hard spring whose damper fails after a second, according to an expression that goes
+/// from 1 to 0.
 fn hard_spring_once_damped(failing: &str) -> ModelSimulator {
     let text = format!(
         r#"
@@ -320,7 +321,7 @@ fn doubts_cost_little_where_accuracy_holds_steps_near_what_is_stable() {
     let is_doubted = |note: &&String| note.contains("steps stayed near what stability allows");
     let doubts = auto.notes.iter().filter(is_doubted).count();
     assert!((1..8).contains(&doubts), "{:?}", auto.notes);
-    // Of steps by series there are none.
+    // There are no steps by series.
     assert!(auto.work.factorizations < auto.work.steps / 20, "{:?}", auto.work);
 }
 
@@ -346,7 +347,7 @@ fn auto_is_about_as_cheap_as_the_explicit_method_where_nothing_is_stiff() {
     let simulation = Simulation::new(&HardSpring).rtol(1e-6).points(2);
     let explicit = simulation.clone().method(Method::Dop853).run().unwrap();
     let auto = simulation.method(Method::Auto).run().unwrap();
-    // It looks once whether anything is stiff.
+    // It checks once whether anything is stiff.
     assert_eq!(Work { jacobian_evaluations: 1, ..explicit.work }, auto.work);
 }
 
@@ -383,7 +384,7 @@ fn a_jacobian_that_is_not_finite_is_named() {
         match Simulation::new(&scalar).method(method).run() {
             Err(SimulateError::Stopped { cause: StopCause::NotFinite { what }, time, .. }) => {
                 assert_eq!(what, "the Jacobian of the rate of `y`", "{method}");
-                // The last step before ends where it would begin to be none.
+                // The last step before ends where the argument would become negative.
                 assert!(time > from - 1e-12 && time < from + 0.2, "{method} stops at {time}");
             }
             other => panic!("{method}: {other:?}"),
@@ -412,7 +413,7 @@ fn steps_that_lead_nowhere_near_the_end_stop_long_before_the_limit() {
         let StopCause::TooSlowPace { step, steps } = cause else { panic!("{method}: {cause}") };
         assert!(time < 1e-9 && steps * step > 0.99, "{method} at {time}: {steps} of {step}");
     }
-    // Whoever may leave it before its end need not mean that to be reached.
+    // A check that may end the run early does not require the end to be reached.
     let asked = std::cell::Cell::new(0);
     let told = || {
         asked.set(asked.get() + 1);
@@ -421,7 +422,7 @@ fn steps_that_lead_nowhere_near_the_end_stop_long_before_the_limit() {
     let left = Simulation::new(&scalar).method(Method::Tsit5).until_told(&told).run();
     let Err(SimulateError::Stopped { cause, .. }) = left else { panic!("it runs") };
     assert_eq!(cause, StopCause::Interrupted);
-    // A million steps and more are no such thing.
+    // A million steps and more are not a failure.
     let scalar = Scalar::new(|t, y| -1e6 * (y - t.cos()), |_, _| -1e6, 2.0);
     let run = Simulation::new(&scalar).method(Method::Tsit5).until(1.0).run().expect("a run");
     assert!(run.work.steps > 200_000, "{} steps", run.work.steps);
@@ -439,7 +440,7 @@ fn steps_so_many_that_their_errors_add_up_are_told_of() {
 }
 
 thread_local! {
-    /// When rates were asked for.
+    /// Times at which rates were evaluated.
     static ASKED: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
 }
 
@@ -456,14 +457,14 @@ fn first_steps_are_those_of_the_book() {
     const UNTIL: f64 = 3.5;
     type Rate = fn(f64, f64) -> f64;
     let cases: [(Rate, f64, f64); 9] = [
-        // By the change of the rate, by the rate, by the guess, by the span.
+        // The limit is the change of the rate, the rate, the guess, and the span.
         (|t, y| asked(t, -3.0 * y), 2.0, 1e-7),
         (|t, y| asked(t, -3.0 * y * y), 2.0, 1e-7),
         (|t, _| asked(t, 5.0), 2.0, 1e-7),
         (|t, y| asked(t, -100.0 * y), 2.0, 0.2),
         (|t, _| asked(t, 1.0), 8.0, 1e3),
         (|t, _| asked(t, 0.02), 8.0, 1e3),
-        // From rest, without a rate, without either.
+        // Starts at rest, without a rate, and without either.
         (|t, y| asked(t, 1.0 - y), 0.0, 1e-7),
         (|t, y| asked(t, 2.0 - y), 2.0, 1e-7),
         (|t, _| asked(t, 0.0), 0.0, 1e-7),
@@ -485,7 +486,7 @@ fn first_steps_are_those_of_the_book() {
         let largest = d1.max(d2);
         let h1 = if largest <= 1e-15 { 1e-6 } else { (0.01 / largest).powf(0.2) };
         let first = h1.min(100.0 * h0).min(UNTIL - FROM);
-        // The guess, then the second stage.
+        // The guess comes first, then the second stage.
         let found = [later.next(), later.next()].map(|time| time.unwrap());
         for (found, expected) in found.into_iter().zip([h0, 0.161 * first]) {
             assert!((found / expected - 1.0).abs() < 1e-6, "{y}: {found} {expected}");

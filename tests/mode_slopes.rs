@@ -1,5 +1,5 @@
-//! Derivatives of modes by parameters: against closed forms, and against differences of modes
-//! whose equilibrium was looked for anew.
+//! Derivatives of eigenmodes by parameters: compared with closed forms, and with differences of
+//! eigenmodes at new equilibria.
 
 use machinist::Simulation;
 use machinist::linear_analysis::{
@@ -30,8 +30,8 @@ fn slopes_at(run: &Simulation<'_>, place: Place, point: Point, by: &[&str]) -> (
     (modes, slopes)
 }
 
-/// Largest error of all modes' slopes by all parameters, relative to the eigenvalue's size over
-/// the parameter's, against differences of sixth order of `modes_at`.
+/// Returns the largest error of all eigenmodes' derivatives by all parameters, relative to the
+/// eigenvalue's size over the parameter's, against differences of sixth order of `modes_at`.
 fn off_differences(
     values: &[f64],
     (modes, slopes): (&[Mode], &Slopes),
@@ -112,7 +112,7 @@ fn two_masses_have_the_slopes_of_their_closed_form() {
     }
 }
 
-/// A mass on a spring that stiffens, under a constant force.
+/// Returns a mass on a hardening spring under a constant force.
 fn hard_spring() -> ModelSimulator {
     of_text(
         r#"
@@ -182,7 +182,7 @@ fn an_equilibrium_that_moves_takes_its_frequencies_along() {
 fn a_gin_that_runs_agrees_with_differences_of_its_modes_by_every_parameter() {
     let names: Vec<&str> = (0..SawGin.shape().parameters)
         .map(|index| SawGin.parameter(index).name)
-        // Turns of the load pass with time, which is held.
+        // The load turns with time, which is held.
         .filter(|name| *name != "motor.supply_phase")
         .collect();
     for (stiffness, load, ratio) in [(23_065.2, 843.72, 1.0), (4e3, 500.0, 1.3), (2e5, 60.0, 0.6)] {
@@ -233,7 +233,7 @@ fn within_constraints_they_agree_with_differences_and_closed_forms() {
     };
     let off = off_differences(&parameters, (&modes, &slopes), &modes_at, |_| 1e-3);
     assert!(off < 1e-8, "{off}");
-    // w goes with the root of gravity, of all bodies at once.
+    // w is proportional to the root of gravity, for all bodies together.
     let swing = modes.iter().position(|mode| mode.kind == ModeKind::Oscillation).expect("one");
     let found = slopes[swing].as_ref().expect("simple");
     let of_gravity = names.iter().zip(found).filter(|(name, _)| name.ends_with("gravity"));
@@ -267,7 +267,7 @@ fn along_a_run_they_agree_with_differences_of_the_run() {
     }
 }
 
-/// Two masses, each on a spring of its own.
+/// Returns two masses, each on a separate spring.
 fn two_springs() -> ModelSimulator {
     of_text(
         r#"
@@ -308,7 +308,7 @@ fn eigenvalues_that_are_not_alone_are_told_and_not_differentiated() {
     let run = Simulation::new(&scene);
     let (_, same) = slopes(&run, Place::Equilibrium, &["a.stiffness"]);
     assert_eq!(same, [Err(NoSlope::Repeated(vec![1])), Err(NoSlope::Repeated(vec![0]))]);
-    // Apart by a millionth they are alone.
+    // With a difference of a millionth they are separate.
     let apart = run.clone().parameter("a.stiffness", 50.0 * (1.0 + 1e-6)).expect("known");
     let (modes, apart) = slopes(&apart, Place::Equilibrium, &["a.stiffness"]);
     let wanted = modes[1].natural_frequency() / (2.0 * 50.0 * (1.0 + 1e-6));
@@ -318,7 +318,7 @@ fn eigenvalues_that_are_not_alone_are_told_and_not_differentiated() {
     let critical = run.parameter("a.damping", 20.0).expect("known");
     let (modes, critical) = slopes(&critical, Place::Equilibrium, &["a.stiffness"]);
     for (mode, slopes) in modes.iter().zip(&critical) {
-        // The eigenvalue -5 is double: one swing all but still, or two decays.
+        // The eigenvalue -5 is double: one very slow oscillation, or two decays.
         if (mode.real + 5.0).abs() < 1e-3 {
             assert!(matches!(slopes, Err(NoSlope::Defective | NoSlope::Repeated(_))), "{slopes:?}");
         } else {
@@ -334,7 +334,7 @@ fn what_cannot_be_told_is_refused_by_name() {
     let of = |by: &str| PointSlopes::of(&run, Place::Equilibrium, &point, &[by]).expect_err("none");
     let error = of("coupling.stifness").to_string();
     assert!(error.contains("did you mean `coupling.stiffness`"), "{error}");
-    // With one torque more, two masses speed up for ever.
+    // With one more torque, two masses accelerate for ever.
     let error = of("drive_torque");
     assert!(matches!(error, LinearError::LosesEquilibrium { .. }), "{error}");
 }

@@ -1,4 +1,4 @@
-//! Instabilities that set in on the way: implicit methods, to which fast growth looks like
+//! Instabilities that set in during a run: implicit methods, for which fast growth looks like
 //! decay, stop where it begins.
 
 use machinist::{Method, Simulation, Trajectory};
@@ -21,14 +21,14 @@ fn run(block: &ModelSimulator, method: Method, rtol: f64, set: &[(&str, f64)]) -
     run.run().unwrap_or_else(|error| panic!("{method} at {rtol:e}, {set:?}: {error}"))
 }
 
-/// Largest difference of x \[m\].
+/// Returns the largest difference of x \[m\].
 fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     let [a, b] = [a, b].map(|run| run.column("block.x").expect("a state"));
     a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
 }
 
-/// Fifteen tolerances, five settings: steps that fail where it lets go are a warning, from which
-/// on errors are held stricter, for what is left of them grows a thousandfold.
+/// Fifteen tolerances and five settings: steps that fail at the breakaway are a warning, after
+/// which errors are controlled more tightly, since the remaining error grows a thousandfold.
 #[test]
 fn what_sticks_on_a_belt_lets_go_in_time() {
     let block = of_text(LUGRE, Keep::All);
@@ -59,7 +59,7 @@ fn what_sticks_on_a_belt_lets_go_in_time() {
     }
 }
 
-/// The scale of bristles that say none is what they do to the block.
+/// Bristles without a scale get one from their effect on the block.
 #[test]
 fn a_state_that_acts_strongly_gets_a_scale_by_what_it_does() {
     let block = of_text(LUGRE, Keep::All);

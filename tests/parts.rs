@@ -26,7 +26,7 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::of_specs;
 
-/// Those that keep to constraints.
+/// Methods that support constraints.
 const METHODS: [Method; 5] =
     [Method::Dop853, Method::Tsit5, Method::Radau, Method::Rodas5p, Method::Auto];
 
@@ -42,12 +42,12 @@ fn specs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs")
 }
 
-/// The example of a part.
+/// Returns the example of a part.
 fn example(name: &str, keep: Keep) -> ModelSimulator {
     of_specs(&format!("parts/{name}"), keep)
 }
 
-/// A run at other values of parameters and other starts, with 1e-10 unless it says so.
+/// Runs with other values of parameters and other starts, at a tolerance of 1e-10 unless changed.
 fn run(scene: &ModelSimulator, set: &[(&str, f64)], start: &[(&str, f64)]) -> Trajectory {
     let mut simulation = Simulation::new(scene).rtol(1e-10);
     for (name, value) in set {
@@ -73,7 +73,7 @@ fn column<'a>(run: &'a Trajectory, name: &str) -> &'a [f64] {
     run.column(name).unwrap_or_else(|| panic!("no column {name}"))
 }
 
-/// Largest difference from a closed form over its largest value.
+/// Returns the largest difference from a closed form over its largest value.
 fn off(run: &Trajectory, name: &str, exact: impl Fn(f64) -> f64) -> f64 {
     let expected: Vec<f64> = run.times.iter().map(|time| exact(*time)).collect();
     let size = expected.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
@@ -81,7 +81,7 @@ fn off(run: &Trajectory, name: &str, exact: impl Fn(f64) -> f64) -> f64 {
     differences.fold(0.0, |most: f64, off| if off.is_nan() { off } else { most.max(off) }) / size
 }
 
-/// The time of an event that happens once.
+/// Returns the time of an event that happens once.
 fn time_of(run: &Trajectory, event: &str) -> f64 {
     let times: Vec<f64> =
         run.switches.iter().filter(|switch| switch.event == event).map(|s| s.time).collect();
@@ -89,7 +89,7 @@ fn time_of(run: &Trajectory, event: &str) -> f64 {
     times[0]
 }
 
-/// Small steps of Heun's method.
+/// Integrates by small steps of Heun's method.
 fn by_small_steps<const N: usize>(
     mut state: [f64; N],
     until: f64,
@@ -108,7 +108,7 @@ fn by_small_steps<const N: usize>(
     state
 }
 
-/// Force of a contact pressed by `depth`, which `rate` lets grow: k depth, and a damper that
+/// Returns the force of a contact with a depth and its rate: k depth, and a damper whose force
 /// never exceeds it.
 fn contact(stiffness: f64, damping: f64, depth: f64, rate: f64) -> f64 {
     let elastic = stiffness * depth.max(0.0);
@@ -131,8 +131,8 @@ fn every_unit_of_a_folder_is_in_the_library_with_an_example() {
     assert!(parts().count() >= 40);
 }
 
-/// Balance of power, Jacobians and much else are checked of every example by `verify`, in the
-/// tests of the program.
+/// The power balance, Jacobians and more of every example are checked by `verify`, in the tests of
+/// the program.
 #[test]
 fn every_example_moves() {
     let is_still = |part: &LibraryUnit| {

@@ -1,8 +1,8 @@
-//! Places near where scenes start, in all modes and with other parameters.
+//! Points near the starts of scenes, in all modes and with other parameters.
 
 use machinist_contract::Simulator;
 
-/// Numbers of a scene at a place.
+/// Numbers of a scene at a point.
 pub struct Place {
     pub time: f64,
     pub state: Vec<f64>,

@@ -1,4 +1,4 @@
-//! `mod(x, y)`: what is left beyond multiples, and motions that it makes jump.
+//! `mod(x, y)`: remainders, and motions in which it jumps.
 
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -6,11 +6,11 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::{of_text, refusal};
 
-/// Those that end steps where a rate jumps.
+/// Methods that end steps where a rate jumps.
 const METHODS: [Method; 6] =
     [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Taylor, Method::Auto];
 
-/// A mass of 2 kg, with a force on it.
+/// Returns a mass of 2 kg with a force on it.
 fn pushed(force: &str, outputs: &str) -> String {
     format!(
         "[scene]\nname = \"pushed\"\n[units.cart]\nunit = \"translational/mass\"\n\
@@ -44,7 +44,7 @@ fn a_remainder_is_that_of_euclid() {
     let beyond = |x: f64, y: f64| x - y * (x / y).floor();
     for (row, t) in run.times.iter().enumerate() {
         let at = |name: &str| column(&run, name)[row];
-        // At a multiple itself rounding decides on which side it is.
+        // At a multiple, rounding decides on the side.
         let off = (at("a") - (3.0 * t - 2.5).rem_euclid(0.7)).abs();
         assert!(off.min((off - 0.7).abs()) < 1e-14 && at("a") > -1e-14, "{t}: {}", at("a"));
         assert!((at("b") - (1.0 - t).rem_euclid(0.25)).abs() < 1e-14);
@@ -57,7 +57,7 @@ fn a_remainder_is_that_of_euclid() {
     }
 }
 
-/// F = 8 N/s mod(t, 0.3 s): of each tooth an impulse of 0.36 N s, and a way.
+/// F = 8 N/s mod(t, 0.3 s): each tooth adds an impulse of 0.36 N s and a displacement.
 #[test]
 fn a_sawtooth_over_time_is_followed_exactly() {
     let scene = of_text(&pushed("8 [N/s]*mod(t, 0.3 [s])", ""), Keep::Needed);
@@ -74,7 +74,7 @@ fn a_sawtooth_over_time_is_followed_exactly() {
     for method in METHODS {
         let run = run(&scene, method);
         for (row, t) in run.times.iter().enumerate() {
-            // Where a tooth ends the reference may be on either side, which is the same.
+            // At the end of a tooth the reference may be on either side, which makes no difference.
             let (x, v) = exact(*t);
             let off = (column(&run, "x")[row] - x).abs().max((column(&run, "v")[row] - v).abs());
             assert!(off < 1e-8, "{method} at {t}: {off:e}");
@@ -82,7 +82,8 @@ fn a_sawtooth_over_time_is_followed_exactly() {
     }
 }
 
-/// F = 40 N/m mod(x, p): over each pitch the energy grows by 40 p^2/2, between by that of the rest.
+/// F = 40 N/m mod(x, p): over each pitch the energy grows by 40 p^2/2, and between by that of the
+/// remainder.
 #[test]
 fn a_force_that_repeats_along_a_way_does_its_work() {
     let scene = of_text(&pushed("40 [N/m]*mod(cart.x, pitch)", ""), Keep::Needed);

@@ -1,4 +1,4 @@
-//! First-order states and modes that are the scene's own, against closed forms.
+//! First-order states and modes of the scene itself, against closed forms.
 
 use machinist::{Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -90,7 +90,7 @@ fn a_controller_and_a_sum_of_losses_need_no_unit() {
         rest + (-half * t).exp() * swing
     };
     assert!(off(&run, "integral_of_error", z) < 1e-8);
-    // What is lost is what the force supplied less what moves.
+    // The lost energy is the supplied work minus the kinetic energy.
     let rows = run.times.len();
     let column = |name: &str| run.column(name).expect("a column");
     let mut supplied = 0.0;
@@ -103,7 +103,7 @@ fn a_controller_and_a_sum_of_losses_need_no_unit() {
     assert!((column("losses")[rows - 1] - 1.0 - (supplied - kept)).abs() < 1e-4 * supplied);
 }
 
-/// The same with the states in a unit of their own.
+/// The same with states in a separate unit.
 #[test]
 fn states_of_a_scene_are_those_of_a_unit_bit_for_bit() {
     let own = of_text(&format!("{DRIVE}{RUN}"), Keep::Needed);

@@ -1,4 +1,4 @@
-//! Taylor series that are emitted are those of the model, to high orders.
+//! Emitted Taylor series equal those of the model, to high orders.
 
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
@@ -11,7 +11,7 @@ use crate::place::Place;
 
 const ORDER: usize = 20;
 
-/// Coefficients from order 0 on, of all states each.
+/// Returns the coefficients from order 0 on, for all states each.
 fn coefficients(series: &dyn TaylorSeries<f64>, at: &Place) -> Vec<f64> {
     let Place { time, state, parameters } = at;
     let mut coefficients = vec![0.0; (ORDER + 1) * state.len()];

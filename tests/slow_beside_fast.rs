@@ -1,4 +1,5 @@
-//! Slow motions of machines that have fast ones too: frequencies against exact counts of eigenvalues.
+//! Slow motions of machines that also have fast ones: frequencies against exact counts of
+//! eigenvalues.
 
 use machinist::linear_analysis::{Linearization, ModeKind, Point, SecondOrder};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -9,14 +10,16 @@ use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
 
 use crate::own_scene::of_text;
 
-/// Masses in a row with springs between them, and at both ends to the ground if these are not zero.
+/// Masses in a row with springs between them, and from both ends to the ground if these are not
+/// zero.
 struct Chain {
     masses: Vec<f64>,
     springs: Vec<f64>,
 }
 
 impl Chain {
-    /// Springs are small whole numbers times powers of two, so that their sums are exact.
+    /// Returns springs that are small whole numbers times powers of two, so that their sums are
+    /// exact.
     fn random(rng: &mut fastrand::Rng, decades: i32) -> Self {
         let count = rng.usize(2..9);
         let bits = 10 * decades / 3;
@@ -39,8 +42,8 @@ impl Chain {
         })
     }
 
-    /// Eigenvalues of K x = w^2 M x below a number: changes of sign of the leading determinants of
-    /// K - w^2 M, in exact arithmetic.
+    /// Counts the eigenvalues of K x = w^2 M x below a number, by changes of sign of the leading
+    /// determinants of K - w^2 M in exact arithmetic.
     fn count_below(&self, square: &BigRational) -> usize {
         let exact = |value: f64| BigRational::from_float(value).expect("finite");
         let (mut before, mut last) = (BigRational::zero(), exact(1.0));
@@ -56,7 +59,7 @@ impl Chain {
         changes
     }
 
-    /// True if w is the frequency of a number, from 0, to a relative error.
+    /// Returns whether w is the frequency with this index, to a relative error.
     fn is_frequency(&self, number: usize, w: f64, error: f64) -> bool {
         let square = |factor: f64| {
             let w = BigRational::from_float(w * factor).expect("finite");

@@ -1,4 +1,4 @@
-//! States that move far less than their absolute tolerance takes them for are told of.
+//! States that move far less than their absolute tolerance assumes are reported.
 
 use machinist::Simulation;
 use machinist_codegen::mechanics::reduce::Keep;
@@ -7,7 +7,7 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::of_text;
 
-/// A pendulum, so that no closed form solves it, let go at an angle; a second one hangs still.
+/// Returns a pendulum, which has no closed form, released at an angle, and a second one at rest.
 fn pendulums(start: &str, more: &str) -> ModelSimulator {
     let text = format!(
         r#"
@@ -89,7 +89,7 @@ fn bristles_are_weighed_by_what_they_do_wherever_they_stand_in_the_state() {
         );
         of_text(&text, keep)
     };
-    // The position is left out; only integrated, behind the rest; in front of it.
+    // The position is left out; only integrated, after the others; before them.
     let cases = [("", Keep::Needed, 0), ("x = \"s.x\"", Keep::Needed, 1), ("", Keep::All, 1)];
     for (more, keep, positions) in cases {
         let scene = block(more, keep);

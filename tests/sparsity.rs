@@ -1,4 +1,4 @@
-//! Jacobians store nothing that is zero but for rounding.
+//! Sparse Jacobians contain no entries that are zero except for rounding.
 
 use machinist_contract::{Real, Simulator, SparsityPattern};
 use machinist_scenes::{bench, scenes};
@@ -6,11 +6,11 @@ use machinist_studies::double_double::DoubleDouble;
 
 use crate::place::Place;
 
-/// Places at which an entry is looked at: near where the scene starts, in all
-/// modes, and with other parameters.
+/// Number of points at which an entry is evaluated: near the start of the scene, in all modes, and
+/// with other parameters.
 const PLACES: u64 = 24;
 
-/// Nonzeros of dy'/dy, then of dy'/dp.
+/// Returns the nonzeros of dy'/dy, then of dy'/dp.
 fn nonzeros<R: Real>(at: &Place, scene: &dyn Simulator<R>) -> Vec<R> {
     let to = |values: &[f64]| values.iter().map(|v| R::literal(*v)).collect::<Vec<R>>();
     let (time, state, parameters) = (R::literal(at.time), to(&at.state), to(&at.parameters));
@@ -23,7 +23,7 @@ fn nonzeros<R: Real>(at: &Place, scene: &dyn Simulator<R>) -> Vec<R> {
     by_state
 }
 
-/// Entries that are rounding in double and vanish in 31 digits, wherever they are not zero.
+/// Counts entries that are rounding in double precision and vanish in 31 digits at all points.
 fn zeros_in_disguise(scene: &dyn Simulator<f64>, twin: &dyn Simulator<DoubleDouble>) -> usize {
     let places: Vec<(Vec<f64>, Vec<f64>)> = (0..PLACES)
         .map(|seed| Place::near_the_start(scene, seed))

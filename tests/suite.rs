@@ -1,4 +1,5 @@
-//! What users rely on, one module a subject; `cargo test --test suite events::` runs one.
+//! Tests of features for users, one module per subject; `cargo test --test suite events::` runs
+//! one.
 
 mod common;
 mod output_times;

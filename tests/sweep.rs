@@ -1,4 +1,4 @@
-//! Many variants at once are what they are one by one, to the last bit.
+//! Sweeps of many variants equal single runs to the last bit.
 
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
@@ -15,7 +15,7 @@ use machinist_scenes::scenes::{
     bouncing_mass, pendulum_chain, saw_gin, two_mass, winder_nonlinear,
 };
 
-/// What one run after another gives.
+/// Returns the results of single runs, one after another.
 fn one_by_one<'a, S: Sweepable>(
     machine: &'a S,
     name: &str,
@@ -32,7 +32,7 @@ fn one_by_one<'a, S: Sweepable>(
     runs.collect()
 }
 
-/// The numbers of a run, column after column.
+/// Returns the numbers of a run, column after column.
 fn columns(run: &VariantRun) -> Vec<f64> {
     let of = |rows: &[Vec<f64>]| -> Vec<f64> {
         let width = rows.first().map_or(0, Vec::len);
@@ -70,7 +70,7 @@ fn spread(from: f64, until: f64, count: usize) -> Vec<f64> {
 
 #[test]
 fn lanes_give_the_bits_of_single_runs_whatever_the_threads() {
-    // More than a chunk, and no multiple of the lanes; jumps at times of their own.
+    // More variants than a chunk, not a multiple of the lanes, with jumps at different times.
     assert_same(&saw_gin::SawGin, "coupling.stiffness", &spread(1e3, 1e5, 75), |run| {
         run.until(0.15).points(4).rtol(1e-7).method(Method::Taylor)
     });
@@ -87,8 +87,8 @@ fn lanes_give_the_bits_of_single_runs_whatever_the_threads() {
 
 #[test]
 fn auto_in_lanes_gives_the_bits_of_single_runs() {
-    // It looks within steps; and it leaves Taylor's method where the coupling is stiff, in
-    // some variants from the start.
+    // `auto` checks within steps, and leaves Taylor's method where the coupling is stiff, in some
+    // variants from the start.
     assert_same(&saw_gin::SawGin, "coupling.stiffness", &spread(1e3, 1e9, 75), |run| {
         run.until(0.3).points(4).rtol(1e-6).method(Method::Auto)
     });
@@ -109,7 +109,7 @@ fn auto_in_lanes_gives_the_bits_of_single_runs() {
         if changes { changed += 1 } else { stayed += 1 }
     }
     assert!(changed >= 3 && stayed > 3, "{changed} change the method, {stayed} do not");
-    // Looser than its steps, linear, with sums beyond what series are for, with events.
+    // Tolerances looser than those of steps, linear machines, sums too long for series, and events.
     assert_same(&pendulum_chain::PendulumChain, "chain.l_1", &spread(0.5, 2.0, 11), |run| {
         run.until(1.0).points(7).rtol(1e-3).method(Method::Auto)
     });
@@ -122,7 +122,7 @@ fn auto_in_lanes_gives_the_bits_of_single_runs() {
     });
 }
 
-/// A model, two at a time.
+/// A model with two variants at a time.
 struct InPairs(ModelSimulator);
 
 impl Sweepable for InPairs {
@@ -194,7 +194,7 @@ fn a_variant_that_cannot_be_run_leaves_the_others_alone() {
 
 #[test]
 fn what_leaves_doubles_stops_as_alone_and_leaves_its_neighbours() {
-    // Torques are squares of fluxes, which are as the voltage.
+    // Torques are squares of fluxes, which are proportional to the voltage.
     let values = [220.0, 1e80, 1e153, 230.0, 1e155, 1e200, 1e290, 240.0, 1e154, 250.0];
     let of = |run: Simulation<'static>| run.until(0.02).points(3).method(Method::Taylor);
     for rtol in [1e-3, 1e-9] {
@@ -220,7 +220,7 @@ fn what_leaves_doubles_stops_as_alone_and_leaves_its_neighbours() {
                 (in_lanes, alone) => panic!("{value:e}: {in_lanes:?}, alone {alone:?}"),
             }
         }
-        // The others are as those of the study.
+        // The other variants are like those of the study.
         assert!((3..=6).contains(&stopped), "{stopped} at {rtol:e}");
     }
 }
@@ -230,7 +230,7 @@ fn a_variant_whose_steps_lead_nowhere_stops_as_alone_and_leaves_its_neighbours()
     fn each(run: Simulation<'_>) -> Simulation<'_> {
         run.until(0.5).points(2).rtol(1e-6).max_steps(2_000_000).method(Method::Taylor)
     }
-    // Steps of some 1e-14 of the run; and some that are many, but end.
+    // Steps of some 1e-14 of the run, and runs with many steps that end.
     let values = [1e4, 1e28, 1e13, 2e4];
     let machine =
         InPairs(ModelSimulator::compiled_at_once(model_of_specs("saw_gin", Keep::Needed)));

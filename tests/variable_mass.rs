@@ -1,5 +1,4 @@
-//! Kinetic energy that depends on first-order states: momentum, and what becomes of the
-//! energy.
+//! Kinetic energy that depends on first-order states: momentum and energy.
 
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -75,7 +74,7 @@ fn what_sand_takes_to_be_carried_along_is_in_the_account() {
     let run = Simulation::new(&cart()).with_energy_balance(true).run().expect("it runs");
     let balance = run.energy_balance.as_ref().expect("it was asked for");
     assert!(balance.max_residual_relative() < 1e-11, "{balance:?}");
-    // Push times way would be more than what is supplied.
+    // Push times distance would be more than the supplied energy.
     let energy = run.last("energy.total").expect("an energy");
     let supplied = balance.supplied.last().copied().unwrap_or_default();
     assert!(

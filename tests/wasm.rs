@@ -1,4 +1,4 @@
-//! Machines as pages run them against machines interpreted, to the last bit where the host has
+//! Machines as run by web pages compared with interpreted ones, to the last bit where the host uses
 //! our own functions.
 
 #[path = "../model/tests/support/hosted.rs"]
@@ -13,8 +13,8 @@ use machinist_model::wasm::module;
 
 use crate::own_scene::model_of_specs;
 
-/// A motor, events and branches, tables, constraints, those in modes, a motion that goes before
-/// and solves for the Jacobian, parts of the library.
+/// A motor, events and branches, tables, constraints, constraints in modes, a prescribed motion
+/// that solves for the Jacobian, parts of the library.
 const SCENES: [&str; 10] = [
     "saw_gin",
     "winder_full",
@@ -58,7 +58,7 @@ fn every_function_of_a_machine_gives_the_same_bits() {
 }
 
 pub(crate) fn assert_same(what: &str, found: &[f64], expected: &[f64]) {
-    // Zeros that a substitution would carry through are none: their signs may differ.
+    // Signed zeros count as equal: a substitution may change their signs.
     let bits = |value: f64| (value + 0.0).to_bits();
     for (index, (a, b)) in found.iter().zip(expected).enumerate() {
         let is_same = bits(*a) == bits(*b) || (a.is_nan() && b.is_nan());
@@ -66,7 +66,7 @@ pub(crate) fn assert_same(what: &str, found: &[f64], expected: &[f64]) {
     }
 }
 
-/// Results of a simulator for a function of the table, by its name.
+/// Returns the results of a simulator for a function of the table, by its name.
 pub(crate) fn expected(
     s: &dyn Simulator<f64>,
     function: &str,

@@ -1,4 +1,4 @@
-//! How much work runs take: the counters of every scene, held against the table of the book.
+//! Work of runs: counters of every scene, compared with the table in the book.
 
 mod table;
 
@@ -14,11 +14,11 @@ use table::{Row, Table};
 
 use crate::own_scene::{folder_of_specs, of_specs, specs_in};
 
-/// The page that is the table.
+/// Page with the table.
 const PAGE: &str = "docs/book/src/work.md";
 
-/// Methods that are held on every emitted scene without fields: `auto` seldom takes some of them,
-/// and there they take a few seconds in all.
+/// Methods that are checked on every emitted scene without fields: `auto` seldom chooses some of
+/// them, and they take only a few seconds in total there.
 const OWN: [Method; 5] =
     [Method::Tsit5, Method::Dop853, Method::Taylor, Method::Rodas5p, Method::Radau];
 
@@ -41,7 +41,7 @@ fn no_scene_takes_more_work_than_the_book_says() {
     );
 }
 
-/// Paths of all scenes below `specs/scenes`, without their ending.
+/// Returns the paths of all scenes below `specs/scenes`, without extension.
 fn names() -> Vec<String> {
     let root = folder_of_specs();
     let name = |path: PathBuf| {
@@ -53,7 +53,7 @@ fn names() -> Vec<String> {
     names
 }
 
-/// A scene by `auto`, and by our other methods if that is cheap.
+/// Returns the rows of a scene by `auto`, and by our other methods if that is cheap.
 fn rows_of(name: &str) -> Vec<Row> {
     let of_kit = name.strip_prefix("bench/");
     if let Some(simulator) = of_kit.map_or_else(|| scenes::find_f64(name), bench::find_f64) {
@@ -70,7 +70,7 @@ fn rows_of(name: &str) -> Vec<Row> {
     vec![row(name, Method::Auto, &simulator)]
 }
 
-/// A run as the scene's spec says, but for the method.
+/// Runs with the settings of the scene's spec, except for the method.
 fn row(name: &str, method: Method, simulator: &dyn Simulator<f64>) -> Row {
     let run = Simulation::new(simulator).method(method).run();
     let run = run.unwrap_or_else(|error| panic!("{name} by {}: {error}", method.name()));

@@ -1,4 +1,4 @@
-//! Emitted C on microcontrollers, by QEMU: the bits of the host, and what a step takes.
+//! Emitted C on microcontrollers in QEMU: bits compared with the host, and cost of a step.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -8,15 +8,15 @@ use machinist_codegen::emit::c99::{C99File, Real};
 const PROGRAM: &str = include_str!("board/board.c");
 const SCRIPT: &str = include_str!("board/board.ld");
 
-/// A microcontroller that QEMU has.
+/// A microcontroller that QEMU emulates.
 pub struct Board {
-    /// Its processor.
+    /// Name of its processor.
     pub processor: &'static str,
     unit: &'static str,
     machine: &'static str,
 }
 
-/// A Cortex-M4F, which computes `double` by software, and a Cortex-M7 with a unit for it.
+/// A Cortex-M4F, which computes `double` in software, and a Cortex-M7 with a hardware unit for it.
 pub const BOARDS: [Board; 2] = [
     Board { processor: "cortex-m4", unit: "fpv4-sp-d16", machine: "mps2-an386" },
     Board { processor: "cortex-m7", unit: "fpv5-d16", machine: "mps2-an500" },
@@ -27,9 +27,9 @@ const QEMU: &str = "qemu-system-arm";
 
 /// Result of a run on a board.
 pub struct Ran {
-    /// The state at the end.
+    /// State at the end.
     pub state: Vec<f64>,
-    /// Events.
+    /// Number of events.
     pub events: u64,
     /// Bytes of the code and constants of the scene, without libraries.
     pub code: u64,
@@ -37,11 +37,11 @@ pub struct Ran {
     pub ram: u64,
     /// Bytes of stack.
     pub stack: u64,
-    /// Instructions of a step, on average and at most.
+    /// Instructions per step, mean and maximum.
     pub instructions: [u64; 2],
 }
 
-/// True if QEMU and a compiler with a C library for these processors are installed.
+/// Returns whether QEMU and a compiler with a C library for these processors are installed.
 pub fn are_here() -> bool {
     let is_here = |name: &&str| {
         let quiet = Command::new(name).arg("--version").stdout(Stdio::null()).status();
@@ -55,11 +55,11 @@ pub fn are_here() -> bool {
     missing.is_none()
 }
 
-/// True if the compiler has a C library, which Debian packs apart.
+/// Returns whether the compiler has a C library, which Debian packages separately.
 fn has_library() -> bool {
     let mut command = Command::new(GCC);
     command.args(["-print-file-name=nosys.specs"]).stderr(Stdio::null());
-    // A file that is not there is answered by its bare name.
+    // For a missing file, the compiler prints the bare name.
     let found = command.output().map(|output| output.stdout).unwrap_or_default();
     Path::new(String::from_utf8_lossy(&found).trim()).is_absolute()
 }
@@ -68,7 +68,7 @@ fn has_library() -> bool {
 const INSTRUCTIONS_A_TICK: u64 = 40;
 
 impl Board {
-    /// Runs a scene by so many steps of a length.
+    /// Runs a scene with constant steps.
     pub fn run(
         &self,
         (name, files, real): (&str, &[C99File], Real),
@@ -136,7 +136,7 @@ impl Board {
     }
 }
 
-/// Output of a command, which must succeed.
+/// Returns the output of a command, which must succeed.
 fn run(command: &mut Command, folder: &Path) -> String {
     let output = command.current_dir(folder).output().expect("a program that is here");
     let said = String::from_utf8_lossy(&output.stdout).into_owned();

@@ -1,4 +1,4 @@
-//! C compilers of this machine, and programs they make.
+//! C compilers of this machine, and their programs.
 
 use std::io::{Read as _, Write as _};
 use std::path::Path;
@@ -6,20 +6,20 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use machinist_codegen::emit::c99::C99File;
 
-/// Warnings that are errors.
+/// Warnings that count as errors.
 const STRICT: [&str; 6] = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"];
 
-/// The compilers that are here.
+/// Available compilers.
 pub struct Compiler {
-    /// Makes the programs.
+    /// Name of the compiler that builds the programs.
     first: String,
-    /// Only looks at the sources.
+    /// Names of compilers that only check the sources.
     others: Vec<String>,
     sanitizes: bool,
 }
 
 impl Compiler {
-    /// `gcc`, with `clang` beside it if that is here too; nothing, and word of it, if there is no
+    /// Returns `gcc`, together with `clang` if available; `None`, with a message, if there is no
     /// compiler.
     pub fn found() -> Option<Self> {
         let is_here = |name: &&str| {
@@ -43,7 +43,7 @@ impl Compiler {
         Some(compiler)
     }
 
-    /// The same, that only makes programs: warnings and undefined behaviour are looked for elsewhere.
+    /// Disables the search for warnings and undefined behaviour, which is done elsewhere.
     pub fn plain(self) -> Self {
         Self { others: Vec::new(), sanitizes: false, ..self }
     }
@@ -57,7 +57,8 @@ impl Compiler {
         command.output().is_ok_and(|output| output.status.success())
     }
 
-    /// Calls of functions in each of `steps` steps, by a program that counts `counted` functions.
+    /// Counts the calls of functions in each of `steps` steps, by a program for `counted`
+    /// functions.
     pub fn count(
         &self,
         (name, files, driver): (&str, &[C99File], &str),
@@ -80,7 +81,7 @@ impl Compiler {
         output.stdout.chunks_exact(8 * counted).map(|row| numbers(row).collect()).collect()
     }
 
-    /// Compiles the files of a scene without a warning, with a program around them, and starts it.
+    /// Compiles the files of a scene and a driver program without warnings, and starts it.
     pub fn build(&self, name: &str, files: &[C99File], driver: &str) -> Program {
         let folder = tempfile::tempdir().expect("a folder");
         for file in files {
@@ -119,7 +120,7 @@ fn run(mut command: Command, folder: &Path) {
     assert!(output.status.success(), "{command:?}:\n{said}");
 }
 
-/// A program that answers numbers by numbers.
+/// A running program that answers numbers with numbers.
 pub struct Program {
     child: Child,
     input: Option<ChildStdin>,
@@ -140,8 +141,7 @@ impl Program {
         Self { child, input, output, folder }
     }
 
-    /// Runs the machine by equal steps: time, state of so many entries and number of events, after
-    /// each.
+    /// Runs the machine with constant steps; returns time, state and number of events after each.
     pub fn run(&self, step: f64, steps: usize, states: usize) -> Vec<(f64, Vec<f64>, f64)> {
         let mut command = Command::new(self.folder.path().join("program"));
         let output = command.args([format!("{step:e}"), steps.to_string()]).output();
@@ -162,7 +162,7 @@ impl Program {
         input.write_all(&bytes).and_then(|()| input.flush()).expect("a program that reads");
     }
 
-    /// Waits for so many numbers.
+    /// Waits for a number of values.
     pub fn receive(&mut self, count: usize) -> Vec<f64> {
         let mut bytes = vec![0; 8 * count];
         self.output.read_exact(&mut bytes).expect("a program that answers");

@@ -1,6 +1,6 @@
-//! A program around emitted C: reads time, state and parameters as binary numbers, and writes
-//! what every function gives. With a step and a number of steps as arguments it runs the machine,
-//! and writes time, state and what the step gave after each.
+//! A driver program for emitted C: it reads time, state and parameters as binary numbers, and
+//! writes the results of every function. With a step and a number of steps as arguments it runs the
+//! machine, and writes time, state and results after each step.
 
 use std::fmt::Write as _;
 
@@ -8,18 +8,18 @@ use machinist_codegen::emit::c99::Real;
 use machinist_model::Model;
 use machinist_model::functions::{FunctionRow, Gives, Reads};
 
-/// The functions that are emitted, in the order in which the program calls them.
+/// Returns the emitted functions, in the order in which the program calls them.
 pub fn functions(model: &Model) -> Vec<&'static FunctionRow> {
     model.functions().filter(|row| (row.results)(model) > 0).collect()
 }
 
-/// The program.
+/// Returns the source text of the program.
 pub fn text(model: &Model, real: Real) -> String {
     let (name, real) = (&model.name, real.name());
     let [states, parameters] = [model.states.len(), model.parameters.len()];
     let count = 1 + states + parameters;
     let read = |what: &str, first: usize, count: usize| {
-        // Members are all of one type, one behind the other.
+        // All members have the same type and are contiguous.
         let mut text = String::new();
         if count > 0 {
             let _ = writeln!(text, "        for (k = 0; k < {count}; ++k) {{");
@@ -83,8 +83,8 @@ pub fn text(model: &Model, real: Real) -> String {
 pub const COUNTED: [&str; 6] =
     ["rate", "rate_jacobian", "guards", "guard_rates", "resets", "discontinuities"];
 
-/// A program that steps, and writes how often each step has called these functions; a compiler
-/// that notes calls calls it.
+/// Returns a program that steps and writes the number of calls of these functions in each step, for
+/// a compiler that records calls.
 pub fn counting(model: &Model) -> String {
     let name = &model.name;
     let mut text = format!(

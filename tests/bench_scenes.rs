@@ -22,14 +22,14 @@ const K_R: f64 = 0.952;
 const K_S: f64 = 0.956;
 const SIGMA: f64 = 1.0 - K_R * K_S;
 
-/// Rate in the model's order, of time and of the state in that order.
+/// Rate in the model's order, as a function of time and state in that order.
 type Rate = Box<dyn Fn(f64, &[f64]) -> Vec<f64>>;
 
 fn model(key: &str) -> Model {
     Model::find(key).expect("an emitted scene")
 }
 
-/// Rates of the model's states: derivatives of the outputs along the rate.
+/// Returns the rates of the model's states: derivatives of the outputs along the rate.
 fn rates(model: &Model, time: f64, state: &[f64]) -> Vec<f64> {
     let parameters = model.parameters();
     let mut rate = vec![f64::NAN; state.len()];
@@ -39,7 +39,7 @@ fn rates(model: &Model, time: f64, state: &[f64]) -> Vec<f64> {
     }
     let simulator = bench::find::<ComplexStep>(&model.scene).expect("an emitted scene");
     let parameters: Vec<ComplexStep> = parameters.into_iter().map(ComplexStep::literal).collect();
-    // Outputs are linear in the states, so one state at a time adds up.
+    // Outputs are linear in the states, so contributions of single states add up.
     let mut rates = vec![0.0; simulator.shape().outputs];
     for (index, rate) in rate.iter().enumerate() {
         let seeded = |(place, value): (usize, &f64)| {
@@ -100,7 +100,7 @@ fn assert_runs_until(key: &str, until: f64) {
     assert_eq!((span.from.to_bits(), span.until.to_bits()), (0, until.to_bits()), "{key}");
 }
 
-/// Rates of the fluxes, and the torque.
+/// Returns the rates of the fluxes, and the torque.
 fn motor(y: &[f64], w: f64) -> (Vec<f64>, f64) {
     let (a, r, slip) = (W0 * 0.115, W0 * 0.0858, W0 - 4.0 * w);
     let fluxes = vec![
@@ -113,7 +113,7 @@ fn motor(y: &[f64], w: f64) -> (Vec<f64>, f64) {
     (fluxes, torque)
 }
 
-/// Load over the sign of the speed.
+/// Returns the load, divided by the sign of the speed.
 fn load(t: f64, middle: f64) -> f64 {
     let speed = PI * 735.0 / 30.0;
     (843.72 + 78.78 * (PI * speed * t).sin()) / (1.0 + (-(t - middle) / 0.02).exp())

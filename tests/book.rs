@@ -1,5 +1,5 @@
-//! Rust of the book's chapters, compiled and run as documentation tests.
-// Blocks say which file they are; see the tests of the book.
+//! Rust code of the book's chapters, compiled and run as documentation tests.
+// Blocks name their files; see the tests of the book.
 #![allow(rustdoc::invalid_codeblock_attributes)]
 
 /// Calling simulators.

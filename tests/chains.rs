@@ -1,4 +1,4 @@
-//! Exact solutions of fields, beside steps.
+//! Exact solutions of fields, compared with stepping methods.
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation, Trajectory};
@@ -16,7 +16,7 @@ fn run(simulator: &dyn Simulator<f64>, method: Method, until: f64, rtol: f64) ->
     run.run().unwrap_or_else(|error| panic!("{}: {error}", method.name()))
 }
 
-/// Largest difference of any state, relative to its largest size over the run.
+/// Returns the largest difference of any state, relative to its largest value over the run.
 fn distance(simulator: &dyn Simulator<f64>, a: &Trajectory, b: &Trajectory) -> f64 {
     let states = simulator.shape().states();
     let columns = a.columns.iter().zip(&b.columns).take(states);

@@ -1,5 +1,5 @@
-//! Problems of the literature against their published values, at a loose and at a tight
-//! tolerance; `cargo test -p machinist-tests classics -- --nocapture` prints the errors.
+//! Problems of the literature against their published values, at a loose and a tight tolerance;
+//! `cargo test -p machinist-tests classics -- --nocapture` prints the errors.
 
 use std::path::Path;
 
@@ -10,8 +10,8 @@ use machinist_model::{Check, Reference};
 
 use crate::own_scene::of_specs;
 
-/// Errors at tolerances of 1e-6 and 1e-10 that are not exceeded: by how much those of single
-/// steps grow until the reference's time is the problem's own.
+/// Maximum errors at tolerances of 1e-6 and 1e-10: errors of single steps grow by a
+/// problem-dependent factor until the time of the reference.
 const SCENES: [(&str, [f64; 2]); 11] = [
     ("arenstorf", [1e-5, 2e-8]),
     ("cycloid", [1e-7, 1e-11]),
@@ -58,7 +58,7 @@ fn every_classic_is_held_against_something() {
     assert_eq!(found, SCENES.map(|(name, _)| name.to_owned()));
 }
 
-/// When a check asks.
+/// Returns the times of a check.
 fn times(check: &Check) -> Vec<f64> {
     match &check.reference {
         Reference::Values(rows) => rows.iter().map(|[time, _]| *time).collect(),
@@ -66,14 +66,14 @@ fn times(check: &Check) -> Vec<f64> {
     }
 }
 
-/// Largest error, relative to the largest size of the reference.
+/// Returns the largest error, relative to the largest value of the reference.
 fn error(run: &Trajectory, check: &Check, parameters: &[f64]) -> f64 {
     let times = times(check);
     let values: Vec<f64> = match &check.reference {
         Reference::Values(rows) => rows.iter().map(|[_, value]| *value).collect(),
         Reference::Closed(closed) => closed.values(&times, parameters),
     };
-    // What returns to zero is measured by what it was.
+    // A quantity that returns to zero is measured by its earlier values.
     let size = values.iter().map(|value| value.abs()).fold(0.0, f64::max);
     let size = if size > 0.0 { size } else { 1.0 };
     let column = run.column(&check.of).expect("what is checked");

@@ -1,4 +1,4 @@
-//! What a program does not ask for is not compiled into it.
+//! Features that a program does not request are not compiled into it.
 
 mod common;
 
@@ -9,8 +9,7 @@ use std::process::Command;
 use common::HardSpring;
 use machinist::{Method, SimulateError, Simulation};
 
-/// Names of the crates that a set of features of this crate links, by Cargo's own
-/// account.
+/// Returns the names of the crates that a set of features of this crate links, according to Cargo.
 fn linked(features: &str) -> BTreeSet<String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let tree = Command::new(cargo)

@@ -7,7 +7,7 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::of_text;
 
-/// A block under a constant load that meets a unit of the library.
+/// Returns a block under a constant load that meets a unit of the library.
 fn scene(contact: &str) -> ModelSimulator {
     let text = format!(
         r#"
@@ -83,11 +83,11 @@ const LAYER: &str = r#"
     closed = "stop.closed"
 "#;
 
-/// The same numbers at every run.
+/// Reproducible random numbers.
 struct Dice(u64);
 
 impl Dice {
-    /// Between 0 and 1.
+    /// Returns a number between 0 and 1.
     fn roll(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963);
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
@@ -97,7 +97,7 @@ impl Dice {
         low + (high - low) * self.roll()
     }
 
-    /// Evenly over the orders of magnitude.
+    /// Returns a number uniform in its order of magnitude.
     fn order(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }
@@ -131,7 +131,7 @@ impl Case {
         Self { mass, load: load * sign(dice), stiffness, damping, distance, x, v }
     }
 
-    /// So many periods of the contact, and of the fall onto it.
+    /// Returns several periods of the contact and of the fall onto it.
     fn span(&self) -> f64 {
         let period = std::f64::consts::TAU * (self.mass / self.stiffness).sqrt();
         let fall = (self.distance - self.x).abs() / self.v.abs();
@@ -139,14 +139,14 @@ impl Case {
         (20.0 * period).max(2.0 * fall).min(20.0 * period + fall + pull)
     }
 
-    /// Static compression and depth of impact, without any damping.
+    /// Returns static compression and depth of impact, without damping.
     fn deepest(&self, fastest: f64) -> f64 {
         let still = self.load.max(0.0) / self.stiffness;
         let impact = (still * still + self.mass * fastest * fastest / self.stiffness).sqrt();
         self.distance + still + impact
     }
 
-    /// Largest speed at which it can arrive.
+    /// Returns the largest possible speed of impact.
     fn fastest(&self) -> f64 {
         let fall = (self.distance - self.x).max(0.0) * self.load.abs();
         let start = (self.x - self.distance).max(0.0);
@@ -171,7 +171,7 @@ impl Case {
         simulation
     }
 
-    /// Small steps of the law F = max(0, k c + d v) for c > 0, by Heun's method.
+    /// Integrates the law F = max(0, k c + d v) for c > 0 by small steps of Heun's method.
     fn by_small_steps(&self, steps: usize) -> [f64; 2] {
         let rate = |[x, v]: [f64; 2]| {
             let compression = x - self.distance;
@@ -196,7 +196,7 @@ fn runs() -> usize {
     std::env::var("MACHINIST_CONTACT_RUNS").ok().and_then(|runs| runs.parse().ok()).unwrap_or(500)
 }
 
-/// Runs cases, and gives what is wrong with them.
+/// Runs cases, and returns their errors.
 fn sweep(contact: &str, place: &str, damper: &str, with_reference: bool) {
     let block = scene(contact);
     let mut dice = Dice(1);
@@ -205,7 +205,7 @@ fn sweep(contact: &str, place: &str, damper: &str, with_reference: bool) {
     for number in 0..runs {
         let mut case = Case::new(&mut dice);
         if contact == LAYER {
-            // What swells against hardly any viscosity is stiff.
+            // An expansion against very low viscosity is stiff.
             let critical = 2.0 * (case.mass * case.stiffness).sqrt();
             case.damping = case.damping.max(0.03 * critical);
         }

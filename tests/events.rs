@@ -1,4 +1,4 @@
-//! Events of scenes run from their specs: found, once each, by every method that watches.
+//! Events of scenes run from their specs: each is found once by every method that monitors events.
 
 use machinist::error::StopCause;
 use machinist::method::{Problem, System};
@@ -9,7 +9,8 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::of_text;
 
-/// A scene of one unit `ball` of coordinate `x`, mass 1 kg, with more of the unit.
+/// Returns a scene of one unit `ball` with coordinate `x` and mass 1 kg, with additional text of
+/// the unit.
 fn scene(more: &str) -> ModelSimulator {
     let text = format!(
         r#"
@@ -47,7 +48,7 @@ const FALLS: &str = r#"
     set = { v = "-restitution*v", count = "count + 1" }
 "#;
 
-/// A swing x = cos t, with events.
+/// Returns an oscillation x = cos t with events.
 fn swings(events: &str) -> ModelSimulator {
     scene(&format!(
         "[define.ball.energy]\nkinetic = \"1 [kg]*v^2/2\"\n\
@@ -162,7 +163,7 @@ fn an_event_that_leaves_the_mode_of_another_keeps_it_from_happening_too() {
     assert_eq!(run.last("ball.count"), Some(0.0));
 }
 
-/// Balls of 1 kg in a row that hit without loss, each from a place at a speed.
+/// Returns balls of 1 kg in a row that collide without loss, each with position and speed.
 fn row(balls: &[(f64, f64)]) -> ModelSimulator {
     let masses = (0..balls.len()).map(|k| {
         format!("[units.b{k}]\nunit = \"translational/mass\"\nparameters = {{ mass = 1.0 }}\n")
@@ -309,7 +310,7 @@ fn a_ball_at_rest_on_the_guard_that_starts_downwards_bounces_at_once() {
     assert!(run.last("ball.x").is_some_and(|x| x > 0.0));
 }
 
-/// A slider on a belt at rest, pulled by a spring.
+/// Returns a slider on a belt at rest, pulled by a spring.
 fn slider() -> ModelSimulator {
     let text = r#"
         [scene]
@@ -345,7 +346,7 @@ fn a_block_that_is_thrown_slides_and_is_braked() {
                 .expect("it runs");
             let began = run.column("slip").expect("an output")[0];
             assert_eq!(began.to_bits(), f64::to_bits(slip), "{method}");
-            // Braked by mu N/m until it stands.
+            // The friction mu N/m brakes it to rest.
             let way = speed * f64::abs(speed) / (2.0 * 0.25 * 10.0);
             let x = run.last("x").expect("an output");
             assert!((x - way).abs() < 1e-7, "{method}, {speed}: {x} for {way}");
@@ -378,7 +379,7 @@ fn a_block_that_is_pulled_beyond_its_limit_at_the_start_slides() {
 #[test]
 fn a_start_that_modes_cannot_set_right_is_refused_by_name() {
     let slider = slider();
-    // It slides forth, but is said to slide back: ending that would stop it at once.
+    // It slides forwards, but its mode says backwards: ending that mode would stop it at once.
     let run = Simulation::new(&slider).initial_state(&[0.0, 3.0, -1.0]).run();
     let refused = run.expect_err("it contradicts").to_string();
     assert!(refused.contains("`slider.ends_back`"), "{refused}");

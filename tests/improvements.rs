@@ -1,4 +1,4 @@
-//! Designs improved: optima against closed forms, derivatives against differences.
+//! Optimization of designs: optima against closed forms, derivatives against differences.
 
 use machinist::fit::Unknown;
 use machinist::improve::{End, Expression, Found, Improvement, Inequality, Values, check};
@@ -15,7 +15,7 @@ fn unknown(name: &str, start: f64, bounds: (f64, f64)) -> Unknown {
     Unknown { name: name.to_owned(), start, bounds }
 }
 
-/// A search from the starts of the unknowns: values, what is told there, costs, end.
+/// Searches from the starts of the unknowns; returns values, expressions, costs and end.
 fn improved(
     simulation: &Simulation<'_>,
     unknowns: &[Unknown],
@@ -37,8 +37,8 @@ fn improved(
     (values, told, costs, found)
 }
 
-/// Largest error of the derivatives of expressions, relative to their size, against differences
-/// of fourth order of what is told.
+/// Returns the largest error of the derivatives of expressions, relative to their size, against
+/// differences of fourth order.
 fn off_differences(
     simulation: &Simulation<'_>,
     unknowns: &[Unknown],
@@ -109,12 +109,12 @@ fn through_events_they_do_as_well() {
     // The height after the first bounce is e^2 h, its time sqrt(2 h/g) (1 + e).
     let off = off_differences(&run, &unknowns, &["final(x)", "final(v)"], 1e-4);
     assert!(off < 1e-7, "{off}");
-    // Sums over samples feel when a bounce passes one.
+    // Sums over samples change when a bounce passes one.
     let off = off_differences(&run, &unknowns, &["mean(x)"], 1e-2);
     assert!(off < 1e-3, "{off}");
 }
 
-/// A mass that arrives with a speed and is caught by a spring.
+/// Returns a mass that arrives with a speed and is stopped by a spring.
 fn buffer() -> ModelSimulator {
     of_text(
         r#"
@@ -166,7 +166,8 @@ fn the_softest_spring_that_stops_a_mass_in_time_is_that_of_the_closed_form() {
         let cost = 2.0 * wanted / limit;
         assert!((costs[0] / cost - 1.0).abs() < 1e-3, "{costs:?} for {cost}");
     }
-    // The same by a force from above: max(k x) = v sqrt(k m) <= F, for the shortest way.
+    // The same with an upper limit of the force: max(k x) = v sqrt(k m) <= F, for the shortest
+    // travel.
     let unknowns = [unknown("wagon.stiffness", 3e4, (1e4, 1e6))];
     let (values, ..) = improved(&run, &unknowns, "max(way)", &["max(force) <= 12e3"]);
     assert!((values[0] / (12e3_f64.powi(2) / (500.0 * 4.0)) - 1.0).abs() < 1e-6, "{values:?}");
@@ -185,7 +186,8 @@ fn what_cannot_be_met_ends_where_it_is_missed_by_the_least() {
     assert!(told.sides.iter().any(|(left, right)| left > right));
 }
 
-/// A mass on a spring with a smaller one on a spring and a damper upon it, after a blow.
+/// Returns a mass on a spring with a smaller one attached by a spring and a damper, after an
+/// impact.
 fn absorber() -> ModelSimulator {
     of_text(
         r#"
@@ -249,8 +251,8 @@ fn a_vibration_absorber_is_tuned_as_warburton_has_it() {
 
 #[test]
 fn two_peaks_that_compete_are_lowered_together() {
-    // After a blow a stiff spring answers with a high force, a soft one with a long way; each
-    // counted by its size they are least where both are the same: 4000 x = k x.
+    // After an impact, a stiff spring causes a high force, a soft one a long travel. The maximum of
+    // both, each over its size, is least where both are equal: 4000 x = k x.
     let scene = buffer();
     let run = Simulation::new(&scene);
     let unknowns = [unknown("wagon.stiffness", 9e4, (5e3, 1e6))];

@@ -1,4 +1,4 @@
-//! What specs may say, each construct against a closed form or the same machine written out.
+//! Constructs of specs, each compared with a closed form or the same machine written out.
 
 use machinist::{Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -7,7 +7,7 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::{of_files, of_text, refusal};
 
-/// A scene of a unit `s`, with what is said of the scene in dotted keys, and of the unit.
+/// Returns a scene of a unit `s`, with text for the scene in dotted keys, and text for the unit.
 fn scene(scene: &str, unit: &str, run: &str) -> String {
     let own = if scene.contains("units.s =") { "" } else { "units.s = { unit = \"s\" }\n" };
     format!("{own}{scene}\n[scene]\nname = \"own\"\n[run]\n{run}\n[define.s]\n{unit}")
@@ -15,7 +15,7 @@ fn scene(scene: &str, unit: &str, run: &str) -> String {
 
 const RUN: &str = "until = 1.0\npoints = 101\nrtol = 1e-10\nmethod = \"auto\"";
 
-/// A mass on its own, pushed by a force of the unit.
+/// Returns a mass pushed by a force of the unit.
 fn pushed(force: &str, outputs: &str) -> String {
     let unit = format!(
         "coordinates.x = {{ unit = \"m\", velocity = \"v\" }}\n\
@@ -37,7 +37,7 @@ fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
     run.column(name).unwrap_or_else(|| panic!("no column {name}"))
 }
 
-/// The largest distance of a column from a function of time.
+/// Returns the largest distance of a column from a function of time.
 fn off(run: &Trajectory, name: &str, exact: impl Fn(f64) -> f64) -> f64 {
     let values = run.times.iter().zip(column(run, name));
     values.map(|(t, value)| (value - exact(*t)).abs()).fold(0.0, f64::max)
@@ -379,7 +379,7 @@ const SPRING: &str = "[define.r]\n\
     inputs.free = { unit = \"m\" }\n\
     energy.potential = \"k*(to - from - free)^2/2\"";
 
-/// Five masses between four springs, as rows.
+/// Returns five masses between four springs, as rows.
 fn rows() -> String {
     let outputs = (1..=5).map(|i| format!("outputs.x{i} = \"mass[{i}].x\""));
     let scene = [
@@ -395,7 +395,7 @@ fn rows() -> String {
     scene.map(str::to_owned).into_iter().chain(outputs).collect::<Vec<_>>().join("\n")
 }
 
-/// The same machine, each mass and spring by itself.
+/// Returns the same machine with each mass and spring by itself.
 fn written_out() -> String {
     let mut lines = vec!["units.s = { unit = \"s\" }".to_owned()];
     let (mut joints, mut forces) = (Vec::new(), Vec::new());

@@ -1,4 +1,4 @@
-//! Chains of a hundred rotors and more, whose modes come by banded matrices.
+//! Chains of a hundred rotors and more, whose eigenmodes follow from banded matrices.
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -21,7 +21,7 @@ const INERTIA: f64 = 2.0;
 const STIFFNESS: f64 = 5e3;
 const DAMPING: f64 = 0.5;
 
-/// Rotors on couplings, each a unit, that turn freely; a brake may hold the first back.
+/// Returns freely turning rotors on couplings, each a unit; a brake may act on the first.
 fn rotors(brake: Option<f64>) -> String {
     let mut text = "[scene]\nname = \"rotors\"\nsource = \"Textbook.\"\n".to_owned();
     for k in 0..ROTORS {
@@ -59,7 +59,7 @@ fn a_chain_that_turns_freely_has_the_frequencies_and_damping_of_the_closed_form(
     for keep in [Keep::All, Keep::Needed] {
         let rotors = of_text(&rotors(None), keep);
         let run = Simulation::new(&rotors);
-        // It turns on with the momentum it has: a hundred and twentieth of what one had.
+        // It continues to turn with its momentum: a hundred and twentieth of what one rotor had.
         let point = operating_point(&run, Place::Equilibrium).expect("it turns on");
         let speeds = &point.state[point.state.len() - ROTORS..];
         assert!(speeds.iter().all(|speed| (speed * ROTORS as f64 - 1.0).abs() < 1e-6));
@@ -95,8 +95,8 @@ fn a_chain_that_is_driven_runs_at_the_speed_of_its_drive() {
     assert!((sum / trace - 1.0).abs() < 1e-12, "{sum} {trace}");
 }
 
-/// An undamped shaft of so many elements of order 1, held at one end, at rest without its torque's
-/// twist.
+/// Returns an undamped shaft of elements of order 1, held at one end, at rest without the twist of
+/// its torque.
 fn shaft(elements: usize) -> (FieldSimulator<'static, f64>, Point) {
     let wanted = Discretisation { elements: Some(elements), order: Some(1) };
     let shaft = FieldSimulator::new(&ShaftStepTorque, wanted).expect("elements");
@@ -128,7 +128,7 @@ fn a_shaft_of_more_states_than_full_matrices_take_twists_and_vibrates_as_the_clo
         let expected = nodes * (f64::from(2 * k - 1) * PI / (4.0 * ELEMENTS as f64)).sin();
         assert_eq!((mode.kind, mode.shape.len()), (ModeKind::Oscillation, 2 * ELEMENTS));
         let off = (mode.imaginary / expected - 1.0).abs();
-        // Frequencies far below the highest have the rounding of its square.
+        // Frequencies far below the highest have the rounding error of its square.
         assert!(off < 1e-15 * (ELEMENTS * ELEMENTS) as f64, "{k}: {off:e}");
         assert!(mode.real.abs() < 1e-12 * nodes && mode.residual < 1e-13);
     }

@@ -1,5 +1,5 @@
-//! Coordinates without inertia that constraints hold: the machine is as regular as if they had
-//! never been coordinates, whatever its sizes and units.
+//! Coordinates without inertia that constraints determine: the machine is as regular as without
+//! these coordinates, for any sizes and units.
 
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -9,7 +9,7 @@ use crate::own_scene::{of_text, refusal};
 
 const METHODS: [Method; 4] = [Method::Dop853, Method::Rodas5p, Method::Radau, Method::Auto];
 
-/// A crank with inertia, a rod without mass, a slider with mass; both equations of the loop
+/// Returns a crank with inertia, a rod without mass, a slider with mass; both equations of the loop
 /// are scaled by `scale`.
 fn slider_crank(scale: f64) -> ModelSimulator {
     let text = format!(
@@ -100,7 +100,8 @@ fn a_rod_without_mass_turns_with_its_crank_by_the_energy_alone() {
     }
 }
 
-/// A machine of coordinates x and y, m, with a kinetic energy, a potential and constraints.
+/// Returns a machine of coordinates x and y, in m, with a kinetic energy, a potential and
+/// constraints.
 fn of_two(kinetic: &str, potential: &str, constraints: &str) -> String {
     format!(
         r#"
@@ -133,7 +134,7 @@ fn of_two(kinetic: &str, potential: &str, constraints: &str) -> String {
     )
 }
 
-/// Largest difference of x and y from what they should be.
+/// Returns the largest difference of x and y from their exact values.
 fn error_of_two(text: &str, exact: impl Fn(f64) -> [f64; 2]) -> f64 {
     let scene = of_text(text, Keep::Needed);
     let run = Simulation::new(&scene).run().expect("it swings");
@@ -161,7 +162,7 @@ fn a_lever_of_one_mass_at_the_sum_of_its_ends_swings_as_by_hand() {
 
 #[test]
 fn a_mass_of_zero_in_the_spec_is_none() {
-    // As a pendulum of y alone: x = 3 y has a mass that the spec sets to zero.
+    // A pendulum of y alone: x = 3 y has a mass that the spec sets to zero.
     let with = |constraints: &str| {
         of_two("mass*y_dot^2/2 + none*x_dot^2/2", "stiffness*x^2/2", constraints)
     };
@@ -200,7 +201,7 @@ fn a_motion_that_neither_inertia_nor_constraint_decides_is_refused_by_name() {
     );
     let said = refusal(&apart);
     assert!(said.contains("coordinate `s.y` has no inertia"), "{said}");
-    // T of x and y alike, and a constraint that does not tell them apart.
+    // T depends on x and y alike, and a constraint does not distinguish them.
     let together = of_two(
         "mass*(x_dot + y_dot)^2/2",
         "stiffness*x^2/2",
@@ -208,7 +209,7 @@ fn a_motion_that_neither_inertia_nor_constraint_decides_is_refused_by_name() {
     );
     let said = refusal(&together);
     assert!(said.contains("`s.x`, `s.y` can move without kinetic energy"), "{said}");
-    // Held while a mode lasts.
+    // The constraint holds during a mode.
     let while_stuck = of_two(
         "mass*x_dot^2/2",
         "stiffness*(x - y)^2/2",

@@ -1,4 +1,4 @@
-//! Forces that last a thousandth or a millionth of a run, from rest: no method steps over them.
+//! Forces that last a thousandth or a millionth of a run, from rest: no method may step over them.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,7 +11,7 @@ use crate::own_scene::{of_files, of_text};
 const OWN: [Method; 6] =
     [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Taylor, Method::Auto];
 
-/// A block on a hardening spring, at rest for 100 s but for a force.
+/// Returns a block on a hardening spring, at rest for 100 s except for a force.
 fn text(force: &str) -> String {
     format!(
         r#"
@@ -55,10 +55,10 @@ fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     })
 }
 
-/// What the force leaves behind it, `impulse` [N s], is there, and all methods agree on it.
+/// Checks that the force leaves its `impulse` [N s], and that all methods agree.
 fn is_seen(block: &ModelSimulator, set: [f64; 2], impulse: f64) {
     let exact = run(block, Method::Dop853, 1e-13, set);
-    // Behind a blow of no time the energy is that of its impulse.
+    // After a very short pulse the energy is that of its impulse.
     let (x, v) = (exact.column("block.x").expect("x"), exact.column("block.v").expect("v"));
     let last = x.len() - 1;
     let energy = v[last].powi(2) / 2.0 + x[last].powi(2) / 2.0 + x[last].powi(4) / 4.0;
@@ -88,7 +88,7 @@ fn a_bell_is_seen_from_rest() {
 
 #[test]
 fn a_bell_multiplied_out_is_seen_as_well() {
-    // Its exponent is known to the rounding of t^2 over the width squared only.
+    // The exponent is accurate only to the rounding of t^2 over the width squared.
     let bell = "1 [N]*exp(-(t^2 - 2*t*centre + centre^2)/width^2)";
     let block = of_text(&text(bell), Keep::Needed);
     for method in OWN {
@@ -115,14 +115,14 @@ fn pulses_by_smooth_steps_are_seen_from_rest() {
 
 #[test]
 fn a_pulse_in_a_table_is_seen_from_rest() {
-    // Fine knots far to both sides, so that the spline does not swing between coarse ones.
+    // Fine knots far to both sides prevent oscillations of the spline between coarse ones.
     let fine = (0..=80).map(|k| (f64::from(k) - 40.0, if k == 40 { 1.0 } else { 0.0 }));
     let mut rows = vec!["time [1],load [N]".to_owned(), "-1e5,0".to_owned()];
     rows.extend(fine.map(|(time, load)| format!("{time},{load}")));
     rows.push("1e5,0".to_owned());
     let scene = text(r#"table("pulse.csv", "load", (t - centre)/width)"#);
     let block = of_files(&[("scene.toml", &scene), ("pulse.csv", &rows.join("\n"))], Keep::Needed);
-    // The integral of the cardinal natural spline over its knots is 1 but for what is cut off.
+    // The integral of the cardinal natural spline over its knots is 1 except for what is cut off.
     for set in PLACES {
         is_seen(&block, set, 0.1);
     }
@@ -130,21 +130,21 @@ fn a_pulse_in_a_table_is_seen_from_rest() {
 
 #[test]
 fn a_pulse_in_every_turn_is_seen_from_rest() {
-    // Bells about 1, 2, 3.. s, as those of a crank; so many that no list of times has them all.
+    // Bells about 1, 2, 3.. s, as those of a crank; no list of times contains all of them.
     let pulses = [
         "exp((cos(2*pi*(t - centre)/(1 [s])) - 1)/(2*pi*width/1 [s])^2*2)",
         "exp(-((mod(t - centre + 0.5 [s], 1 [s]) - 0.5 [s])/width)^2)",
     ];
     for pulse in pulses {
         let text = text(&format!("1 [N]*{pulse}"));
-        // Nothing holds the block, and blows add up.
+        // The block is free, so impulses add up.
         let text = text.replace("1 [N/m]*x^2/2 + 1 [N/m^3]*x^4/4", "0 [J]");
         let block = of_text(&text, Keep::Needed);
         for width in [1e-2, 1e-3, 1e-5] {
             let expected = 100.0 * 0.1 * std::f64::consts::PI.sqrt();
             for method in OWN {
                 let v = run(&block, method, 1e-6, [0.3, width]).last("block.v").expect("a state");
-                // The first of them is no bell but to the width squared; `radau` errs by up to its
+                // The first one is a bell only to order width squared; `radau` errs by up to its
                 // tolerance in each of the hundred.
                 let error = (v / expected - 1.0).abs();
                 let allowed = if method == Method::Radau { 1e-3 } else { 1e-4 };
@@ -157,8 +157,8 @@ fn a_pulse_in_every_turn_is_seen_from_rest() {
     }
 }
 
-/// A torque for a moment of each turn, whose work is known, on a rotor that is free but for it: all
-/// methods see every one of them.
+/// A torque for a moment of each turn, with known work, on an otherwise free rotor: all methods see
+/// every pulse.
 #[test]
 fn a_pulse_in_every_turn_of_a_rotor_is_seen() {
     let text = r#"
@@ -188,7 +188,7 @@ fn a_pulse_in_every_turn_of_a_rotor_is_seen() {
         coordinate = "x"
         expression = "1 [N]*pulse/width"
     "#;
-    // What a pulse has over a turn, but to the width squared.
+    // Integral of a pulse over a turn, to order width squared.
     let pulses = [
         ("exp((cos(phi - 2) - 1)/width^2)", TAU.sqrt()),
         ("1/(1 + (2*sin(phi/2 - 1)/width)^2)^2", PI / 2.0),
@@ -209,7 +209,8 @@ fn a_pulse_in_every_turn_of_a_rotor_is_seen() {
                 .map(|name| run.last(name).expect("a state"));
             let turns = ((phi - 2.0) / TAU).ceil();
             let what = format!("{method}, {width:e}, {torque}: {pulse}: {v} after {turns}");
-            // Without a torque so many blows at one speed; else the speed has all work.
+            // Without a torque there are equal pulses at one speed; otherwise the speed contains
+            // all work.
             let (found, expected) = if torque == 0.0 {
                 (v, turns * area / TAU)
             } else {
@@ -221,7 +222,8 @@ fn a_pulse_in_every_turn_of_a_rotor_is_seen() {
     }
 }
 
-/// A mass of 1 kg with a damper of 1 N s/m under a force of 1 N that turns its sign: its speed.
+/// Returns the speed of a mass of 1 kg with a damper of 1 N s/m under a force of 1 N that changes
+/// its sign.
 fn chopped(rate: f64, duty: f64, until: f64) -> f64 {
     let mut ends: Vec<f64> = (0..=(rate * until) as usize + 1)
         .flat_map(|k| [k as f64 / rate, (k as f64 + duty) / rate])
@@ -235,7 +237,7 @@ fn chopped(rate: f64, duty: f64, until: f64) -> f64 {
     })
 }
 
-/// A block with a damper under a force that turns its sign as a sawtooth passes a share of it.
+/// Returns a block with a damper under a force that changes its sign as a sawtooth crosses a level.
 fn compared_with_a_sawtooth() -> ModelSimulator {
     let text = text("0 [N]")
         .replace("1 [N/m]*x^2/2 + 1 [N/m^3]*x^4/4", "0 [J]")
@@ -252,7 +254,7 @@ fn compared_with_a_sawtooth() -> ModelSimulator {
 #[test]
 fn what_is_compared_with_a_sawtooth_switches_at_both_of_its_ends() {
     let block = compared_with_a_sawtooth();
-    // Runs that end with a turn and others; turns that begin with the run, the other way round.
+    // Runs that end with a period and others; periods that begin with the run, and the opposite.
     for rate in [25.0, 77.0, 100.0, 125.0, 400.0, 1e3, -100.0] {
         for method in OWN {
             let v = run(&block, method, 1e-8, [rate, 0.3]).last("block.v").expect("a state");
@@ -263,7 +265,7 @@ fn what_is_compared_with_a_sawtooth_switches_at_both_of_its_ends() {
     }
 }
 
-/// Where the sawtooth jumps, what it is compared with does not move the switch, and its own pace
+/// Where the sawtooth jumps, the compared value does not move the switching time, but its own rate
 /// does.
 #[test]
 fn derivatives_go_through_both_ends_of_a_sawtooth() {

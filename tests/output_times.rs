@@ -7,7 +7,7 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::{of_text, refusal};
 
-/// A mass on a spring, from rest at 1 m: x = cos(omega t).
+/// Returns a mass on a spring, from rest at 1 m: x = cos(omega t).
 fn swing(run: &str) -> String {
     swing_as_is(&format!("{run}\nrtol = 1e-10\nmethod = \"dop853\""))
 }
@@ -42,7 +42,7 @@ fn a_run_tells_what_there_is_at_the_times_of_a_list() {
     let run = Simulation::new(&scene).run().expect("it runs");
     assert_eq!(run.times, [0.0, 0.1, std::f64::consts::TAU / 5.0, 2.0]);
     assert_exact(&run);
-    // What others see of it.
+    // Public defaults of the run.
     assert_eq!(scene.run_defaults().until.to_bits(), 2.0_f64.to_bits());
     assert_eq!(scene.run_defaults().times.len(), scene.run_defaults().points);
 }

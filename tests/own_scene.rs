@@ -1,4 +1,4 @@
-//! Machines of one's own, for tests of the runtime: from a spec to a simulator.
+//! Custom machines for tests of the runtime: from a spec to a simulator.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -8,12 +8,12 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_model::{Model, ModelSimulator};
 
-/// The folder `specs/scenes`.
+/// Returns the folder `specs/scenes`.
 pub fn folder_of_specs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes")
 }
 
-/// Scenes that a test tries: some by default, or all where an environment variable is `all`.
+/// Returns the scenes for a test: some by default, or all if an environment variable is `all`.
 pub fn scenes_to_try(variable: &str, some: &[&str]) -> Vec<String> {
     if std::env::var(variable).is_ok_and(|which| which == "all") {
         let folder = folder_of_specs();
@@ -26,7 +26,7 @@ pub fn scenes_to_try(variable: &str, some: &[&str]) -> Vec<String> {
     some.iter().map(|name| (*name).to_owned()).collect()
 }
 
-/// Files of all scenes of a folder and of those within it, sorted.
+/// Returns the files of all scenes of a folder and its subfolders, sorted.
 pub fn specs_in(folder: &Path) -> Vec<PathBuf> {
     let (mut folders, mut files) = (vec![folder.to_owned()], Vec::new());
     while let Some(folder) = folders.pop() {
@@ -43,35 +43,35 @@ pub fn specs_in(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// Models of scenes of the folder `specs/scenes` that some test has asked for, or is waiting for.
+/// Models of scenes of the folder `specs/scenes` that tests have requested.
 type Derived = BTreeMap<(String, Keep), Arc<OnceLock<Model>>>;
 static DERIVED: Mutex<Derived> = Mutex::new(Derived::new());
 
-/// The model of a scene of the folder `specs/scenes`, such as `msl/first`: derived once, however
-/// many tests ask for it.
+/// Returns the model of a scene of the folder `specs/scenes`, such as `msl/first`. It is derived
+/// once for all tests.
 pub fn model_of_specs(name: &str, keep: Keep) -> Model {
     let key = (name.to_owned(), keep);
     let model = Arc::clone(DERIVED.lock().expect("models").entry(key).or_default());
     model.get_or_init(|| of_path(&folder_of_specs().join(format!("{name}.toml")), keep)).clone()
 }
 
-/// That scene.
+/// Returns that scene as a simulator.
 pub fn of_specs(name: &str, keep: Keep) -> ModelSimulator {
     ModelSimulator::new(model_of_specs(name, keep))
 }
 
-/// The scene of a spec in one file.
+/// Returns the scene of a spec in one file.
 pub fn of_text(text: &str, keep: Keep) -> ModelSimulator {
     of_files(&[("scene.toml", text)], keep)
 }
 
-/// The scene of the first of some files, which stand in one folder.
+/// Returns the scene of the first of some files in one folder.
 pub fn of_files(files: &[(&str, &str)], keep: Keep) -> ModelSimulator {
     let folder = written(files);
     ModelSimulator::new(of_path(&folder.path().join(files[0].0), keep))
 }
 
-/// What is said of a spec in one file that is refused.
+/// Returns the message for a refused spec in one file.
 pub fn refusal(text: &str) -> String {
     let folder = written(&[("scene.toml", text)]);
     let refused = pipeline::generate(&folder.path().join("scene.toml"), Keep::Needed);

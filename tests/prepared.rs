@@ -1,4 +1,4 @@
-//! What parameters alone decide is computed once a run and changes no bit.
+//! Constants of the parameters are computed once per run without a change of any bit.
 
 use machinist::complex_step::dense;
 use machinist::field::{Discretisation, FieldSimulator};
@@ -12,7 +12,7 @@ use nalgebra::DMatrix;
 use crate::own_scene::model_of_specs;
 use crate::place::Place;
 
-/// A motor's many constants, branches, factors that move with the state, a solve in a loop,
+/// A motor with many constants, branches, factors that depend on the state, a solution in a loop,
 /// constraints.
 const SCENES: [&str; 5] =
     ["saw_gin", "winder_full", "pendulum_chain", "winder_linkage", "slider_crank"];
@@ -28,7 +28,7 @@ fn assert_same_bits(what: &str, ours: &[f64], theirs: &[f64]) {
     assert_eq!(bits(ours), bits(theirs), "{what}: {ours:?} for {theirs:?}");
 }
 
-/// The tapes as they were derived, and those that read constants.
+/// Tapes as derived, and tapes that read constants.
 #[test]
 fn rate_and_jacobian_by_constants_are_those_of_the_whole_tape_to_the_last_bit() {
     for name in SCENES {
@@ -39,14 +39,15 @@ fn rate_and_jacobian_by_constants_are_those_of_the_whole_tape_to_the_last_bit() 
     }
 }
 
-/// What is between the nodes of all these is linear, and its part of the Jacobian a constant.
+/// The fields of these scenes are linear, so their part of the Jacobian is constant.
 #[test]
 fn of_fields_too_to_the_last_bit() {
     let scenes = scenes::FIELD_NAMES.iter().map(|name| (*name, scenes::find_field_f64(name)));
     let bench = bench::FIELD_NAMES.iter().map(|name| (*name, bench::find_field_f64(name)));
     for (name, scene) in scenes.chain(bench) {
         let scene = scene.expect("built in");
-        // Elements of order 1 have a way of their own for rates; of few, no node is between two.
+        // Elements of order 1 have a special method for rates; with few elements, no node lies
+        // between two others.
         let mut cuts = vec![(12, 1), (12, 2), (12, 3)];
         let all_few = (1..6).map(|elements| (elements, 1));
         cuts.extend(all_few.filter(|cut| FieldSimulator::new(scene, wanted(*cut)).is_ok()));
@@ -98,7 +99,7 @@ fn assert_same(name: &str, scene: &dyn Simulator<f64>) {
     }
 }
 
-/// Machine code of both Jacobians at once against the tape of each.
+/// Machine code of both Jacobians at once, compared with the tape of each.
 #[test]
 fn compiled_at_once_too_to_the_last_bit() {
     for name in ["saw_gin", "winder_linkage"] {
@@ -126,8 +127,8 @@ fn compiled_at_once_too_to_the_last_bit() {
     }
 }
 
-/// What one function gives of both, against the function of dy'/dy, to the last bit, and against
-/// central differences of the rate in 31 digits, which leave nothing but the rounding of ours.
+/// The function for both Jacobians is compared with that of dy'/dy, to the last bit, and with
+/// central differences of the rate in 31 digits, whose error is below our rounding.
 #[test]
 fn emitted_jacobians_at_once_are_the_slopes_of_the_rate() {
     let of_scenes =
@@ -155,7 +156,7 @@ fn emitted_jacobians_at_once_are_the_slopes_of_the_rate() {
             for (ours, slopes) in ours.iter().zip(&slopes) {
                 for (row, slopes) in slopes.row_iter().enumerate() {
                     let off = (ours.row(row) - slopes).amax();
-                    // Where all of a row is zero, differences have a rounding of their own.
+                    // Where a whole row is zero, differences have a rounding error of their own.
                     let allowed = 1e-10 * slopes.amax() + 1e-16 * largest;
                     assert!(off <= allowed, "{name}: {off:e}, not {allowed:e}, in row {row}");
                 }
@@ -166,7 +167,7 @@ fn emitted_jacobians_at_once_are_the_slopes_of_the_rate() {
     assert!(looked_at > 20, "{looked_at} scenes");
 }
 
-/// dy'/dy and dy'/dp by central differences of the rate in 31 digits.
+/// Returns dy'/dy and dy'/dp by central differences of the rate in 31 digits.
 fn differences(twin: &dyn Simulator<DoubleDouble>, at: &Place) -> [DMatrix<f64>; 2] {
     let to = |values: &[f64]| -> Vec<DoubleDouble> {
         values.iter().map(|value| DoubleDouble::literal(*value)).collect()

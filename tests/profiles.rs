@@ -1,4 +1,4 @@
-//! Profiles of the likelihood: intervals of linear machines, and of textbook data.
+//! Profile likelihood: intervals of linear machines, and of textbook data.
 
 use machinist::fit::{Experiment, Fit, Fitted, Noise, Plan, Profile, Unknown};
 use machinist::{Method, Simulation};
@@ -24,7 +24,7 @@ fn ends(profile: &Profile) -> [f64; 2] {
     profile.confidence_95.map(|end| end.unwrap_or_else(|| panic!("{:?}", profile.open)))
 }
 
-/// Asserts both ends, relative to the size of the interval.
+/// Checks both ends, relative to the size of the interval.
 fn assert_interval(profile: &Profile, wanted: [f64; 2], tolerance: f64) {
     let found = ends(profile);
     for (found, end) in found.iter().zip(wanted) {
@@ -47,7 +47,7 @@ fn a_linear_machine_has_the_intervals_of_its_standard_errors() {
     for (profile, found) in profiles(&fit).iter().zip(&findings.parameters) {
         let wanted = found.confidence_95.expect("it is told");
         assert_interval(profile, wanted, 1e-6);
-        // And tau is a straight line of the slope of the standard error.
+        // tau is a straight line with the slope of the standard error.
         let error = found.standard_error.expect("it is told");
         for point in &profile.points {
             let straight = (point.value - found.value) / error;
@@ -99,7 +99,8 @@ velocity = "v"
 kinetic = "1 [kg]*v^2/2"
 "#;
 
-/// The sum of squares at a concentration of half velocity, the best velocity being linear.
+/// Returns the sum of squares for a concentration of half velocity, with the best velocity, which
+/// is linear.
 fn sum_at_half(half: f64) -> f64 {
     let share = |x: f64| x / (half + x);
     let (mut products, mut squares) = (0.0, 0.0);
@@ -111,7 +112,7 @@ fn sum_at_half(half: f64) -> f64 {
     PUROMYCIN.iter().map(|(x, y)| (y - best * share(*x)).powi(2)).sum()
 }
 
-/// Where a function passes zero between two places.
+/// Returns the zero of a function between two places.
 fn zero(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
     for _ in 0..200 {
         let middle = f64::midpoint(a, b);
@@ -129,7 +130,7 @@ fn intervals_of_puromycin_are_the_published_ones() {
     let unknowns = [unknown("velocity", 150.0, (10.0, 1000.0)), unknown("half", 0.2, (1e-3, 10.0))];
     let fit = Fit::new(&simulation, &unknowns, &experiments);
     let [velocity, half] = &profiles(&fit)[..] else { panic!("two") };
-    // What `confint` of R's `nls` prints, by splines through points of its profiles.
+    // The values are printed by `confint` of R's `nls`, by splines through points of its profiles.
     assert_interval(velocity, [197.302_128_48, 229.290_064_90], 2e-4);
     assert_interval(half, [0.046_925_17, 0.086_159_95], 2e-4);
     // And by elimination: S(half) = S_min + t^2 s^2, with t of 10 degrees of freedom.
@@ -142,7 +143,7 @@ fn intervals_of_puromycin_are_the_published_ones() {
 
 #[test]
 fn sides_that_do_not_end_say_why() {
-    // Only the product of the coupling factors of stator and rotor counts.
+    // Only the product of the coupling factors of stator and rotor has an effect.
     let scene = scenes::find_f64("saw_gin").expect("it is built in");
     let simulation = Simulation::new(scene).method(Method::Tsit5).rtol(1e-6);
     let times: Vec<f64> = (1..=30).map(|k| 0.01 * f64::from(k)).collect();
@@ -165,14 +166,14 @@ fn sides_that_do_not_end_say_why() {
         assert_eq!(profile.confidence_95, [None; 2], "{profile:?}");
         let why = profile.open.clone().map(Option::unwrap_or_default);
         assert!(why.iter().all(|why| why.contains("bound")), "{why:?}");
-        // The other one makes up for it, as far as it may.
+        // The other factor compensates it, within its bounds.
         assert!(profile.points.iter().all(|point| point.tau.abs() < 2.0));
     }
     let [low, high] = ends(&found[2]);
     assert!(low < 4.2 && 4.2 < high && high - low < 2.0, "{low} .. {high}");
 }
 
-/// A run with a heavy rotor and one with a light one: the same spring, known noise.
+/// Returns runs with a heavy and a light rotor: the same spring, known noise.
 fn two_runs(noise: &Noise) -> [Experiment; 2] {
     let times: Vec<f64> = (1..=40).map(|k| 0.05 * f64::from(k)).collect();
     let mut random = fastrand::Rng::with_seed(5);
@@ -207,11 +208,11 @@ fn experiments_with_settings_of_their_own_are_fitted_together() {
     }
     let names: Vec<&str> = findings.outputs.iter().map(|output| &*output.experiment).collect();
     assert_eq!(names, ["heavy", "light"]);
-    // Residuals over what noise says are of size 1, and told in their unit.
+    // Residuals over the known noise are of size 1, and reported in their unit.
     for output in &findings.outputs {
         assert!((0.7..1.4).contains(&(output.rms / output.scale)), "{output:?}");
     }
-    // With the settings of one for both, nothing fits.
+    // With the settings of one experiment for both, nothing fits.
     let wrong = experiments.map(|run| Experiment { given: Vec::new(), ..run });
     let fit = Fit::new(&simulation, &unknowns, &wrong);
     let findings = fit.findings(&solved(&fit));
@@ -233,7 +234,7 @@ fn values_that_are_noisier_count_less() {
     assert!(error(&unknown_noise) > 10.0 * error(&known));
 }
 
-/// Threads change nothing, to the last bit.
+/// Threads do not change results, to the last bit.
 #[test]
 fn threads_find_the_same() {
     let experiments = two_runs(&Noise::constant(1e-2));

@@ -1,4 +1,4 @@
-//! Small motions of what rolls: constraints of velocities that depend on positions.
+//! Small motions of rolling bodies: constraints of velocities that depend on positions.
 
 use machinist::Simulation;
 use machinist::linear_analysis::{Linearization, Mode, ModeKind, Place, operating_point};
@@ -8,7 +8,8 @@ use num_complex::Complex64;
 
 use crate::own_scene::of_text;
 
-/// A ball on a turntable about its centre, on springs and dampers; m k, m d of these.
+/// A ball on a turntable about its centre, on springs and dampers with stiffness m k and damping m
+/// d.
 const BALL: &str = r#"
     [scene]
     name = "ball"
@@ -42,7 +43,7 @@ const BALL: &str = r#"
     expression = "y_dot + R*a_dot - W*x"
     "#;
 
-/// A wheel behind a kingpin that is drawn along, the kingpin on a spring across.
+/// A wheel behind a moving kingpin, with the kingpin on a lateral spring.
 const CASTER: &str = r#"
     [scene]
     name = "caster"

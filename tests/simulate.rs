@@ -1,4 +1,4 @@
-//! Runs against closed forms, and every way a run can be refused.
+//! Runs against closed forms, and all kinds of refusal.
 
 use std::f64::consts::PI;
 use std::sync::atomic::AtomicBool;
@@ -13,7 +13,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
 use machinist_scenes::scenes;
 
-/// Largest error of the oscillator's angle \[rad\] over all output times.
+/// Returns the largest error of the oscillator's angle \[rad\] over all output times.
 fn oscillator_error(trajectory: &Trajectory) -> f64 {
     let angle = trajectory.column("rotor.angle").unwrap();
     let errors =
@@ -21,15 +21,14 @@ fn oscillator_error(trajectory: &Trajectory) -> f64 {
     errors.fold(0.0, f64::max)
 }
 
-/// A step's error of h^(p+1) held at the tolerance leaves an error of the run of
-/// h^p: the tolerance to the power p/(p + 1).
+/// Returns the allowed error of a run: if an error h^(p+1) of each step is kept at the tolerance,
+/// the error of the run is h^p, the tolerance to the power p/(p + 1).
 fn allowed(method: Method, rtol: f64) -> f64 {
     let order = f64::from(method.order().min(4));
     30.0 * rtol.powf(order / (order + 1.0))
 }
 
-/// The methods that can run this simulator: one written as a closure has no
-/// Taylor series.
+/// Returns the methods that can run this simulator: one written as a closure has no Taylor series.
 fn methods_for(simulator: &dyn Simulator<f64>) -> impl Iterator<Item = Method> {
     Method::compiled_in().filter(|method| method.suits(simulator))
 }
@@ -55,7 +54,7 @@ fn every_method_follows_the_closed_form_in_proportion_to_its_tolerance() {
 
 #[test]
 fn a_jump_costs_no_accuracy_because_the_run_stops_there() {
-    // y' = 1 before 1/3, 1000 from then on: a step across it would err by O(1000 h).
+    // y' = 1 before 1/3, 1000 afterwards: a step across that time would err by O(1000 h).
     const JUMP: f64 = 1.0 / 3.0;
     let mut scalar = Scalar::new(|t, _| if t < JUMP { 1.0 } else { 1000.0 }, |_, _| 0.0, 0.0);
     scalar.jumps = &[JUMP];
@@ -244,7 +243,7 @@ fn a_run_takes_what_the_user_adjusts() {
     let still = by_name.parameter("torque", 0.0).unwrap().initial_state(&[1.5, 0.0]);
     let still = still.from(1.0).until(2.0).run().unwrap();
     assert_eq!((still.times[0], still.last("rotor.angle")), (1.0, Some(1.5)));
-    // An absolute tolerance as tight as a relative one is worth steps.
+    // An absolute tolerance as tight as a relative one costs steps.
     let loose = base.clone().atol(&[1e-2, 1e-2]).run().unwrap();
     let tight = base.atol(&[1e-12, 1e-12]).run().unwrap();
     assert!(loose.work.steps < tight.work.steps);
@@ -313,7 +312,7 @@ fn a_solution_that_explodes_stops_with_the_time_it_explodes_at() {
 
 #[test]
 fn a_rate_that_turns_nan_is_named() {
-    // y' = -sqrt(y) - 1 reaches zero and would go on into the root of a negative number.
+    // y' = -sqrt(y) - 1 reaches zero and would continue into the root of a negative number.
     let scalar = Scalar::new(|_, y| -y.sqrt() - 1.0, |_, y| -0.5 / y.sqrt(), 0.25);
     for method in methods_for(&scalar) {
         match refusal(&Simulation::new(&scalar).method(method)) {
@@ -334,8 +333,8 @@ fn a_rate_that_turns_nan_is_named() {
 
 #[test]
 fn a_trial_step_into_nan_is_repeated_shorter() {
-    // The root is real all along the solution, y = 1 - t^2/4 for t < 2, and steps
-    // that overshoot its end must not stop a run that keeps short of it.
+    // The root is real all along the solution, y = 1 - t^2/4 for t < 2, and steps that overshoot
+    // its end must not stop a run that ends before.
     let scalar = Scalar::new(|_, y| -(1.0 - y).sqrt() - 1e-9, |_, y| 0.5 / (1.0 - y).sqrt(), 0.0);
     for method in methods_for(&scalar) {
         let run = Simulation::new(&scalar).method(method).until(1.0).run();
@@ -360,7 +359,7 @@ fn a_jump_that_is_not_declared_still_ends() {
 
 #[test]
 fn a_long_run_is_not_stopped_by_newtons_failures_adding_up() {
-    // A kick every tenth of a second, not declared, upsets Newton's iteration each time.
+    // An undeclared jump every tenth of a second disturbs Newton's iteration each time.
     let scalar = Scalar::new(
         |t, y| -100.0 * (y.powi(3) - if (t * 10.0) as i64 % 2 == 0 { 1.0 } else { -8.0 }),
         |_, y| -300.0 * y * y,
@@ -391,7 +390,7 @@ fn a_run_far_from_time_zero_ends_on_time() {
     }
 }
 
-/// A logarithm of what becomes negative, and one of what always is.
+/// A logarithm of a value that becomes negative, and one of a value that always is.
 #[test]
 fn outputs_that_are_no_numbers_are_told_of() {
     let text = r#"

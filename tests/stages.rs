@@ -1,4 +1,4 @@
-//! Events that share a guard, inertias that jump, events beside fields and limits of runs, by all
+//! Events with a common guard, inertias that jump, events beside fields, and limits of runs, by all
 //! methods against closed forms.
 
 use machinist::field::{Discretisation, FieldSimulator};
@@ -11,7 +11,7 @@ use crate::own_scene::of_text;
 const OWN: [Method; 6] =
     [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Taylor, Method::Auto];
 
-/// A mass on a line, with what its unit has.
+/// Returns a mass on a line, with the given unit text.
 fn mass(kinetic: &str, definition: &str) -> ModelSimulator {
     let text = format!(
         r#"

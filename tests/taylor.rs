@@ -1,5 +1,5 @@
-//! Taylor's method on what is hard for it: series whose last coefficients vanish,
-//! branches, tables, jumps, and the energy account.
+//! Difficult cases for Taylor's method: series whose last coefficients vanish, branches, tables,
+//! jumps, and the energy balance.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -27,7 +27,7 @@ fn run(simulation: Simulation<'_>, method: Method, rtol: f64) -> Trajectory {
     simulation.method(method).rtol(rtol).run().expect("a run to its end")
 }
 
-/// Largest difference of the states of two runs, each over its scale.
+/// Returns the largest difference of the states of two runs, each over its scale.
 fn difference(simulator: &dyn Simulator<f64>, a: &Trajectory, b: &Trajectory) -> f64 {
     let of_state = |index: usize| {
         let (name, scale) = (simulator.state(index).name, simulator.state_scale(index));
@@ -53,7 +53,7 @@ fn errors_follow_the_tolerance_over_nine_decades() {
     }
 }
 
-/// Energy of the double pendulum of `coupled`.
+/// Returns the energy of the double pendulum of `coupled`.
 fn energy([q_0, q_1, w_0, w_1]: [f64; 4]) -> f64 {
     let kinetic = w_0 * w_0 + 0.5 * w_1 * w_1 + (q_0 - q_1).cos() * w_0 * w_1;
     kinetic - 9.80665 * (2.0 * q_0.cos() + q_1.cos())
@@ -61,7 +61,7 @@ fn energy([q_0, q_1, w_0, w_1]: [f64; 4]) -> f64 {
 
 #[test]
 fn a_chain_let_go_from_symmetric_rest_does_not_leap() {
-    // Level and at rest, coefficients vanish at three orders of four.
+    // In a horizontal position at rest, three of four coefficients vanish.
     let start = [FRAC_PI_2, FRAC_PI_2, 0.0, 0.0];
     for rtol in [1e-3, 1e-5, 1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
         let simulation = Simulation::new(&coupled::Coupled).initial_state(&start).until(5.0);

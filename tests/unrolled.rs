@@ -1,5 +1,5 @@
-//! The generic element of a field against the same chain written out, node by node,
-//! as an ordinary machine: all of it goes through Symbolica once more.
+//! The generic element of a field against the same chain written out, node by node, as an ordinary
+//! machine, which also passes through Symbolica.
 
 use std::fmt::Write as _;
 
@@ -11,7 +11,7 @@ use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
 
 use crate::own_scene::of_text;
 
-/// A field with everything that may vary, an inner port and machines at two of three.
+/// A field with everything that may vary, an inner port and machines at two of three ports.
 const BENT: &str = r#"
 [scene]
 name = "bent"
@@ -67,8 +67,8 @@ rtol = 1e-8
 method = "radau"
 "#;
 
-/// Densities of a field with its parameters, and what holds its ports in addition, by
-/// the node's coordinate: kinetic, potential, force.
+/// Densities of a field with its parameters, and the additional energies and forces at its ports,
+/// by the node's coordinate: kinetic, potential, force.
 struct Chain {
     kinetic: &'static str,
     potential: &'static str,
@@ -116,7 +116,7 @@ const OF_SHAFT: Chain = Chain {
     ],
 };
 
-/// Puts expressions for names.
+/// Replaces names by expressions.
 fn put(text: &str, names: &[(&str, String)]) -> String {
     let mut result = String::new();
     let mut rest = text;
@@ -135,7 +135,7 @@ fn put(text: &str, names: &[(&str, String)]) -> String {
     result
 }
 
-/// The scene with every node a coordinate q0, q1, ... and every sum written out.
+/// Returns the scene with every node a coordinate q0, q1, ... and every sum written out.
 fn written_out(chain: &Chain, x: &[f64], order: usize) -> String {
     let lobatto = Lobatto::new(order);
     let rule = lobatto.rule();
@@ -207,7 +207,7 @@ fn written_out(chain: &Chain, x: &[f64], order: usize) -> String {
     text
 }
 
-/// Largest difference over largest entry.
+/// Returns the largest difference over the largest entry.
 fn distance(ours: &[f64], known: &[f64]) -> f64 {
     assert_eq!(ours.len(), known.len());
     let size = known.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
@@ -215,7 +215,7 @@ fn distance(ours: &[f64], known: &[f64]) -> f64 {
     largest / size
 }
 
-/// dy'/dy, row by row.
+/// Returns dy'/dy, row by row.
 fn jacobian(s: &dyn Simulator<f64>, (t, y, p): (f64, &[f64], &[f64])) -> Vec<f64> {
     let pattern = s.rate_jacobian_pattern();
     let mut values = vec![0.0; pattern.entries.len()];
@@ -231,7 +231,7 @@ fn parameters(s: &dyn Simulator<f64>) -> Vec<f64> {
     (0..s.shape().parameters).map(|index| s.parameter_default(index)).collect()
 }
 
-/// Rates and Jacobians of both at states that look random.
+/// Compares rates and Jacobians of both at pseudorandom states.
 fn agree(scene: &dyn FieldScene<f64>, chain: &Chain, order: usize) {
     let wanted = Discretisation { elements: Some(6), order: Some(order) };
     let simulator = FieldSimulator::new(scene, wanted).unwrap();
@@ -241,7 +241,7 @@ fn agree(scene: &dyn FieldScene<f64>, chain: &Chain, order: usize) {
     let q = parameters(&twin);
     let n = x.len();
     assert_eq!((n, simulator.shape().states()), (6 * order + 1, twin.shape().states()));
-    // Node by node, the place of its coordinate among the field's.
+    // Index of each node's coordinate among those of the field.
     let numbers: Vec<f64> = (0..2 * n).map(|index| index as f64).collect();
     let places: Vec<usize> = simulator.values(0, &numbers).iter().map(|v| *v as usize).collect();
     let places: Vec<usize> = places.iter().copied().chain(places.iter().map(|v| v + n)).collect();
@@ -267,7 +267,7 @@ fn agree(scene: &dyn FieldScene<f64>, chain: &Chain, order: usize) {
         assert!((ours.total() / known.total() - 1.0).abs() < 1e-13);
         let balance = simulator.power_balance(t, &y, &p);
         let known = twin.power_balance(t, &of_twin, &q);
-        // Powers are sums of what acts on the nodes, which cancels.
+        // Powers are sums of forces at the nodes, which cancel.
         let mut forces = vec![0.0; n];
         simulator.forcing(t, &y, &p, &mut forces);
         let size: f64 = forces.iter().zip(&y[n..]).map(|(force, rate)| (force * rate).abs()).sum();

@@ -1,5 +1,5 @@
-//! Models whose bytes were damaged: refused with a reason, or run without a panic, to the same
-//! bits by interpreter and machine code. Shared as `mutation` is.
+//! Models with damaged bytes: refused with a reason, or run without a panic, with the same bits by
+//! interpreter and machine code. Shared like `mutation`.
 #![allow(dead_code, reason = "every test takes what it needs")]
 
 use std::fmt::Debug;
@@ -12,10 +12,10 @@ use serde::ser::{Serialize, SerializeTuple, Serializer};
 
 use super::mutation::damage_bytes;
 
-/// Mark, version, length and hash.
+/// Length of the header: mark, version, length and hash.
 const HEADER: usize = 60;
 
-/// Bytes that are written as they are.
+/// Bytes that are written unchanged.
 struct Raw<'a>(&'a [u8]);
 
 impl Serialize for Raw<'_> {
@@ -26,7 +26,7 @@ impl Serialize for Raw<'_> {
     }
 }
 
-/// A model damaged within, so that its hash is right again; now and then the file itself.
+/// Returns a model damaged inside with a correct hash; sometimes the file itself is damaged.
 pub fn damaged(rng: &mut Rng, model: &[u8], other: &[u8]) -> Vec<u8> {
     if rng.u32(0..20) == 0 {
         return damage_bytes(rng, model, other);
@@ -38,7 +38,7 @@ pub fn damaged(rng: &mut Rng, model: &[u8], other: &[u8]) -> Vec<u8> {
     seal(MARK, &Raw(&content))
 }
 
-/// What must hold of any bytes; whether they are a model.
+/// Checks the rule for any bytes; returns whether they are a model.
 pub fn refused_or_run(bytes: &[u8]) -> Result<bool, String> {
     match read(bytes) {
         Ok(stamped) => run(stamped.model).map(|()| true),
@@ -49,11 +49,11 @@ pub fn refused_or_run(bytes: &[u8]) -> Result<bool, String> {
     }
 }
 
-/// Every function of a model, called both ways.
+/// Calls every function of a model in both ways.
 pub fn run(model: Model) -> Result<(), String> {
     let interpreted = ModelSimulator::interpreted(model.clone());
     let compiled = ModelSimulator::compiled_at_once(model);
-    // What describes it need only be there.
+    // Descriptions only have to exist.
     let told = described(&interpreted);
     if told.is_empty() {
         return Err("describes nothing".to_owned());
@@ -82,7 +82,7 @@ fn described(simulator: &ModelSimulator) -> String {
     text
 }
 
-/// Every function of a model at a state made of its own initial one.
+/// Returns the results of every function of a model at a state derived from its initial one.
 fn numbers<R: Lane>(simulator: &ModelSimulator, shift: f64) -> Vec<(&'static str, Vec<f64>)> {
     let shape = simulator.shape();
     let zero = R::literal(0.0);

@@ -21,7 +21,7 @@ pub fn oscillator_state(time: f64) -> [f64; 2] {
     [angle + OFFSET, speed]
 }
 
-/// Angle and speed of 2 q'' + 0.8 q' + 50 q = 0 from a given start.
+/// Returns angle and speed of 2 q'' + 0.8 q' + 50 q = 0 from a given start.
 fn free_motion(time: f64, [angle, speed]: [f64; 2]) -> [f64; 2] {
     let (decay, frequency) = (0.2, (25.0f64 - 0.04).sqrt());
     let (sin, cos) = (frequency * time).sin_cos();

@@ -1,7 +1,8 @@
-//! Inputs made by damaging good ones, what they may not do, and the smallest that does it.
+//! Inputs made by damaging valid ones, rules for their treatment, and the smallest input that
+//! breaks a rule.
 //!
-//! Shared by the tests of crates that must not depend on one another: each takes this file in as
-//! a module. Nothing here knows specs, models or the command line.
+//! Shared by the tests of crates that must not depend on one another: each includes this file as a
+//! module. Nothing here depends on specs, models or the command line.
 #![allow(dead_code, reason = "every test takes what it needs")]
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -12,35 +13,35 @@ use std::time::{Duration, Instant};
 
 use fastrand::Rng;
 
-/// How many inputs to try, in place of the few of ordinary tests.
+/// Environment variable with the number of inputs, in place of the small one of ordinary tests.
 const ROUNDS: &str = "MACHINIST_FUZZ";
-/// Where to begin, in place of what is always tried.
+/// Environment variable with the first seed, in place of the usual one.
 const SEED: &str = "MACHINIST_FUZZ_SEED";
-/// Faults of different words after which a loop stops.
+/// Number of different faults after which a loop stops.
 const FAULTS: usize = 12;
-/// What shrinking an input may take.
+/// Time limit for shrinking an input.
 const SHRINKING: Duration = Duration::from_secs(20);
-/// Bytes by which the most memory this process ever had may grow by one input.
+/// Maximum growth, in bytes, of this process's peak memory due to one input.
 const ROOM: u64 = 1 << 30;
 
-/// What must hold of an input: whether it is taken, else refused; or what is wrong.
+/// A rule for an input: returns whether it is accepted or refused, or what is wrong.
 pub type Rule = Arc<dyn Fn(&[u8]) -> Result<bool, String> + Send + Sync>;
 
 /// A loop over inputs.
 pub struct Fuzz {
-    /// What is tried, as file names of inputs that fail begin.
+    /// Name of the tested subject, with which the names of files of failing inputs begin.
     pub name: &'static str,
-    /// Inputs of an ordinary test.
+    /// Number of inputs of an ordinary test.
     pub few: usize,
-    /// What an input may take; asked for a second time, as the machine may be busy.
+    /// Time limit for an input; it is checked a second time, since the machine may be busy.
     pub patience: Duration,
 }
 
 impl Fuzz {
-    /// Holds inputs against a rule. One that breaks it is made smaller and written to a file.
+    /// Tests inputs by a rule. An input that breaks it is shrunk and written to a file.
     ///
     /// # Panics
-    /// With all that was found, and how to find it again.
+    /// With all faults found, and how to reproduce them.
     pub fn run(&self, make: impl Fn(&mut Rng) -> Vec<u8>, rule: &Rule) {
         let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
         let rounds = number(ROUNDS).unwrap_or(self.few as u64);
@@ -80,8 +81,8 @@ impl Fuzz {
         assert!(told.is_empty(), "{}:\n{}", self.name, told.join("\n"));
     }
 
-    /// Writes an input where it outlives this process: of what ends the process, such as a
-    /// stack that overflows, `last` is the input.
+    /// Writes an input to a file that outlives this process: if the process ends, for example by a
+    /// stack overflow, `last` is the input.
     fn keep(&self, label: &str, input: &[u8]) -> PathBuf {
         let folder = std::env::temp_dir().join("machinist-fuzz");
         let file = folder.join(format!("{}-{label}.txt", self.name));
@@ -96,14 +97,14 @@ impl Fuzz {
         }
     }
 
-    /// On a thread of its own, so that what hangs is left behind.
+    /// Runs on a separate thread, so that a hanging test can be left behind.
     fn attempt_once(&self, input: &[u8], rule: &Rule) -> Result<bool, String> {
         let (sender, receiver) = channel();
         let (input, rule) = (input.to_vec(), Arc::clone(rule));
         let (start, memory) = (Instant::now(), peak());
         std::thread::spawn(move || {
             let answer = catch_unwind(AssertUnwindSafe(|| rule(&input)));
-            // Nobody listens after a hang.
+            // After a timeout, no receiver is left.
             let _ = sender.send(answer.unwrap_or_else(|panic| Err(words(&*panic))));
         });
         let answer = match receiver.recv_timeout(self.patience * 10) {
@@ -121,7 +122,7 @@ impl Fuzz {
         Ok(is_taken)
     }
 
-    /// Leaves out lines, then pieces of lines, as long as the same fault stays.
+    /// Removes lines, then pieces of lines, as long as the fault stays the same.
     fn shrink(&self, input: Vec<u8>, kind: &str, rule: &Rule) -> Vec<u8> {
         let fails =
             |input: &[u8]| self.attempt(input, rule).is_err_and(|fault| kind_of(&fault) == kind);
@@ -148,7 +149,7 @@ impl Fuzz {
     }
 }
 
-/// A fault without its numbers, so that equal ones are told once.
+/// Returns a fault without its numbers, so that equal ones are reported once.
 fn kind_of(fault: &str) -> String {
     fault.chars().filter(|c| !c.is_ascii_digit()).take(80).collect()
 }
@@ -159,7 +160,7 @@ fn words(panic: &(dyn std::any::Any + Send)) -> String {
     format!("panics: {}", text.unwrap_or("without words"))
 }
 
-/// The most memory this process ever had, where the system tells.
+/// Returns the peak memory of this process, where the system reports it.
 fn peak() -> u64 {
     static LOCK: Mutex<()> = Mutex::new(());
     let _alone = LOCK.lock();
@@ -173,13 +174,13 @@ fn lines(input: &[u8]) -> Vec<Vec<u8>> {
     input.split_inclusive(|byte| *byte == b'\n').map(<[u8]>::to_vec).collect()
 }
 
-/// Words and numbers whole, everything else byte by byte.
+/// Returns words and numbers as wholes, everything else byte by byte.
 pub fn tokens(input: &[u8]) -> Vec<Vec<u8>> {
     let is_word = |byte: &u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'.');
     input.chunk_by(|a, b| is_word(a) && is_word(b)).map(<[u8]>::to_vec).collect()
 }
 
-/// Numbers at and beyond the ends of what there are.
+/// Numbers at and beyond the limits of their types.
 pub const EXTREMES: &[&str] = &[
     "0",
     "-0.0",
@@ -313,7 +314,8 @@ const SNIPPETS: &[&str] = &[
     "sign(0)",
 ];
 
-/// Every text file of some folders below a root and those within them, in the order of their paths.
+/// Returns every text file of some folders below a root and their subfolders, in the order of
+/// paths.
 pub fn texts(root: &str, folders: &[&str], ending: &str) -> Vec<String> {
     let mut open: Vec<PathBuf> =
         folders.iter().map(|folder| Path::new(root).join(folder)).collect();
@@ -332,7 +334,7 @@ pub fn texts(root: &str, folders: &[&str], ending: &str) -> Vec<String> {
     files.iter().filter_map(|file| std::fs::read_to_string(file).ok()).collect()
 }
 
-/// Some damage to a text; `other` is a text to take pieces of.
+/// Damages a text; `other` is a text to take pieces from.
 pub fn damage(rng: &mut Rng, text: &[u8], other: &[u8]) -> Vec<u8> {
     let mut text = text.to_vec();
     for _ in 0..=[0, 0, 0, 1, 1, 2, 4, 9][rng.usize(0..8)] {
@@ -341,7 +343,7 @@ pub fn damage(rng: &mut Rng, text: &[u8], other: &[u8]) -> Vec<u8> {
     text
 }
 
-/// Other numbers in some places of a text, at and beyond the ends of what there are or of any size.
+/// Replaces numbers in some places of a text by extreme ones or ones of any size.
 pub fn other_numbers(rng: &mut Rng, text: &[u8]) -> Vec<u8> {
     let mut text = text.to_vec();
     for _ in 0..=rng.u32(0..3) {
@@ -387,7 +389,7 @@ fn damage_once(rng: &mut Rng, text: &[u8], other: &[u8]) -> Vec<u8> {
     }
 }
 
-/// Some damage to bytes that are no text.
+/// Damages bytes that are not text.
 pub fn damage_bytes(rng: &mut Rng, bytes: &[u8], other: &[u8]) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     if bytes.is_empty() {
@@ -412,13 +414,13 @@ pub fn damage_bytes(rng: &mut Rng, bytes: &[u8], other: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// The beginning of one and the end of another, either maybe nothing.
+/// Returns the beginning of one input and the end of another, either possibly empty.
 pub fn splice(rng: &mut Rng, one: &[u8], other: &[u8]) -> Vec<u8> {
     let [from, to] = [one.len(), other.len()].map(|length| rng.usize(0..=length));
     [&one[..from], &other[to..]].concat()
 }
 
-/// A number of any size.
+/// Returns a number of any size.
 pub fn any_number(rng: &mut Rng) -> f64 {
     match rng.u32(0..4) {
         0 => f64::from_bits(rng.u64(..)),
@@ -428,7 +430,7 @@ pub fn any_number(rng: &mut Rng) -> f64 {
     }
 }
 
-/// A random expression of the spec language over some names.
+/// Returns a random expression of the spec language over some names.
 pub fn expression(rng: &mut Rng, names: &[String], depth: usize) -> String {
     if depth == 0 || rng.u32(0..6) == 0 {
         return match rng.u32(0..5) {
@@ -460,7 +462,7 @@ pub fn expression(rng: &mut Rng, names: &[String], depth: usize) -> String {
     }
 }
 
-/// One of some.
+/// Returns a random element.
 pub fn pick<'a, T>(rng: &mut Rng, from: &'a [T]) -> Option<&'a T> {
     (!from.is_empty()).then(|| &from[rng.usize(0..from.len())])
 }
@@ -492,7 +494,7 @@ fn replace_token(
     parts.concat()
 }
 
-/// What stands between the quotes of a line.
+/// Replaces the text between the quotes of a line.
 fn replace_quoted(rng: &mut Rng, text: &[u8], by: &[&str]) -> Vec<u8> {
     let mut parts = lines(text);
     let quotes = |line: &[u8]| line.split(|byte| *byte == b'"').count() > 2;
@@ -515,7 +517,7 @@ fn swap_tokens(rng: &mut Rng, text: &[u8]) -> Vec<u8> {
     parts.concat()
 }
 
-/// A line dropped, doubled, moved, or taken from elsewhere; or some lines.
+/// Drops, duplicates, moves or inserts a line or several lines.
 fn of_lines(rng: &mut Rng, text: &[u8], other: &[u8]) -> Vec<u8> {
     let (mut parts, others) = (lines(text), lines(other));
     if parts.is_empty() || others.is_empty() {
@@ -548,7 +550,7 @@ fn insert(rng: &mut Rng, text: &[u8], piece: &[u8]) -> Vec<u8> {
     parts.concat()
 }
 
-/// Something repeated very often in one place.
+/// Repeats something very often in one place.
 fn nest(rng: &mut Rng, text: &[u8]) -> Vec<u8> {
     let pieces = ["(", "-", "sin(", "[", "{a=", "a.", "^2", "+1", "*2", "1e", "9", "\n", "x", "\""];
     let piece = pieces[rng.usize(0..pieces.len())];

@@ -1,19 +1,19 @@
-//! A table of work as a page shows it, and how two of them differ.
+//! The table of work on a page, and its comparison.
 
 use machinist::Method;
 use machinist::method::Work;
 
-/// What marks the line before the table and the line after it in a page.
+/// Marks on the lines before and after the table in a page.
 const MARKS: [&str; 2] = ["<!-- table of work -->", "<!-- end of it -->"];
 const HEAD: &str = "| scene | method | steps | rejected | rates | Jacobians | factorizations | \
                     Newton iterations | events |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
-/// As the head of the table.
+/// Counters, as in the head of the table.
 const COUNTERS: [&str; 7] =
     ["steps", "rejected", "rates", "Jacobians", "factorizations", "Newton iterations", "events"];
 
-/// A counter may differ by this part of what it was,
+/// Relative tolerance of a counter.
 const PART: f64 = 0.05;
-/// or by so many.
+/// Absolute tolerance of a counter.
 const FEW: f64 = 2.0;
 
 /// Work of one run.
@@ -47,7 +47,7 @@ impl Row {
         Self { scene: scene.to_owned(), method: method.name().to_owned(), counts }
     }
 
-    /// Of a line such as `| saw_gin | auto | 147 | ...`.
+    /// Parses a line such as `| saw_gin | auto | 147 | ...`.
     fn read(line: &str) -> Self {
         let cells = line.trim_matches('|').split('|').map(str::trim).collect::<Vec<_>>();
         let [scene, method, counts @ ..] = cells.as_slice() else { panic!("no row: {line}") };
@@ -62,7 +62,7 @@ impl Row {
         format!("| {} | {} | {counts} |\n", self.scene, self.method)
     }
 
-    /// What is worse than it was told, or better.
+    /// Returns the counters that are worse or better than before.
     fn differences(&self, told: &Self) -> Vec<String> {
         let of = |((what, was), is): ((&str, u64), u64)| {
             let more = is as f64 - was as f64;
@@ -88,22 +88,22 @@ pub struct Table {
 }
 
 impl Table {
-    /// The table of a page.
+    /// Reads the table of a page.
     pub fn read(page: &str) -> Self {
         let [_, table, _] = parts(page);
         let lines = table.strip_prefix(HEAD).expect("the head of the table").lines();
         Self { rows: lines.map(Row::read).collect() }
     }
 
-    /// The page with this table.
+    /// Returns the page with this table.
     pub fn put_into(&self, page: &str) -> String {
         let [before, _, after] = parts(page);
         let lines: String = self.rows.iter().map(Row::line).collect();
         format!("{before}{HEAD}{lines}{after}")
     }
 
-    /// What differs from a table by more than may be, scenes that it lacks, and those that it has
-    /// too many.
+    /// Returns the differences to a table beyond the tolerance, missing scenes, and superfluous
+    /// ones.
     pub fn differences(&self, told: &Self) -> Vec<String> {
         let find = |rows: &[Row], row: &Row| {
             let is_it = |other: &&Row| (&other.scene, &other.method) == (&row.scene, &row.method);
@@ -120,7 +120,7 @@ impl Table {
     }
 }
 
-/// What stands before the table, the table, what stands after it.
+/// Returns the text before the table, the table, and the text after it.
 fn parts(page: &str) -> [&str; 3] {
     let [start, end] = MARKS.map(|mark| page.find(mark).unwrap_or_else(|| panic!("no {mark}")));
     let start = start + MARKS[0].len() + "\n\n".len();

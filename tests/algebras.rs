@@ -1,5 +1,5 @@
-//! Models derived by our own algebra, without Symbolica: the same machines, by equations that
-//! may be written otherwise.
+//! Models derived by our own algebra, without Symbolica: the same machines, possibly with equations
+//! in another form.
 
 use std::path::Path;
 
@@ -18,7 +18,7 @@ use machinist_studies::double_double::DoubleDouble;
 
 use crate::own_scene::{folder_of_specs, specs_in};
 
-/// Rounding beside the size of what numbers are put together from.
+/// Rounding relative to the size of the terms of a number.
 const LIMIT: f64 = 3e-12;
 /// Random places of each scene.
 const PLACES: usize = 3;
@@ -27,13 +27,13 @@ fn checked(path: &Path) -> LagrangianSystem {
     pipeline::check(path).unwrap_or_else(|errors| panic!("{}", errors.render()))
 }
 
-/// The simulator that our own algebra gives.
+/// Returns the simulator that our own algebra gives.
 fn plain(system: &LagrangianSystem) -> ModelSimulator {
     let model = pipeline::compile_by(Algebra::Plain, system.clone(), Keep::Needed);
     ModelSimulator::new(model.unwrap_or_else(|errors| panic!("{}", errors.render())))
 }
 
-/// Largest difference to the second derivation, relative to what it is put together from.
+/// Returns the largest difference from the second derivation, relative to the terms.
 fn deviation(system: &LagrangianSystem, simulator: &dyn Simulator<f64>) -> f64 {
     let comparison = Comparison::new(system, simulator, DoubleDouble::to_f64);
     let comparison = comparison.unwrap_or_else(|error| panic!("{}: {error}", system.name));
@@ -44,7 +44,8 @@ fn deviation(system: &LagrangianSystem, simulator: &dyn Simulator<f64>) -> f64 {
     found.error
 }
 
-/// That of a system with fields, cut into few elements, and how many entries its Jacobian has.
+/// Returns that of a system with fields, divided into few elements, and the number of entries of
+/// its Jacobian.
 fn deviation_of_fields(system: &LagrangianSystem, simulator: &ModelSimulator) -> (f64, usize) {
     let (written_out, elements) = elements::written_out(system).expect("elements");
     let cut = Discretisation { elements: Some(elements), order: None };
@@ -53,7 +54,7 @@ fn deviation_of_fields(system: &LagrangianSystem, simulator: &ModelSimulator) ->
     (deviation(&written_out, &simulator), entries)
 }
 
-/// A shaft of elements of this order with a rotor at its end and this law.
+/// Returns a shaft with elements of this order, a rotor at its end and this law.
 fn shaft_of(law: &str, order: usize) -> LagrangianSystem {
     let text = format!(
         r#"
@@ -160,7 +161,7 @@ fn every_scene_is_what_its_energies_say() {
     }
 }
 
-/// At a tolerance of 1e-12.
+/// Runs at a tolerance of 1e-12.
 fn run(simulator: &dyn Simulator<f64>) -> Trajectory {
     let run = Simulation::new(simulator).rtol(1e-12).run();
     run.unwrap_or_else(|error| panic!("{}: {error}", simulator.name()))

@@ -1,5 +1,4 @@
-//! Forces that are there only near a place, far narrower than the way that a body goes: no method
-//! steps over them.
+//! Forces near a place, far narrower than the path of a body: no method steps over them.
 
 use std::f64::consts::PI;
 
@@ -12,7 +11,8 @@ use crate::own_scene::of_text;
 const OWN: [Method; 6] =
     [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Taylor, Method::Auto];
 
-/// A body of 1 kg whose place pushes another one, and where it starts with which speed.
+/// Returns a body of 1 kg whose position determines a force on another one, with its initial
+/// position and speed.
 fn pair(potential: &str, push: &str, (x, v): (f64, f64), until: f64) -> ModelSimulator {
     let text = format!(
         r#"
@@ -51,12 +51,13 @@ fn run(pair: &ModelSimulator, method: Method, rtol: f64, width: f64) -> Trajecto
     run.run().unwrap_or_else(|error| panic!("{method} at {rtol:e}, {width:e}: {error}"))
 }
 
-/// Whether far away there is no series, so that runs take too many steps: which is told.
+/// Returns whether the function has no series far away, so that runs take too many steps and report
+/// that.
 fn overflows(method: Method, bell: &str) -> bool {
     method == Method::Taylor && ["cosh", "/(1 + exp"].iter().any(|part| bell.contains(part))
 }
 
-/// Between two places, in widths from the middle, what is below a bell.
+/// Integral of a bell between two places, in widths from the middle.
 type Area = fn(f64, f64) -> f64;
 
 #[test]
@@ -121,7 +122,7 @@ fn what_a_spring_carries_past_a_bell_feels_it_each_time() {
 #[test]
 fn a_hill_holds_a_body_up_or_throws_it_back() {
     let pair = pair("height*exp(-((x - place)/width)^2)", "0", (0.0, 1.0), 100.0);
-    // What the way over it takes longer, by Simpson's rule.
+    // Delay by the bell, by Simpson's rule.
     let delay = |height: f64| {
         let of = |s: f64| 1.0 / (1.0 - 2.0 * height * (-s * s).exp()).sqrt() - 1.0;
         let step = 1e-3;
@@ -149,7 +150,7 @@ fn a_hill_holds_a_body_up_or_throws_it_back() {
     }
 }
 
-/// The force of which is a bell, whatever the potential is like.
+/// The force is a bell, for any potential.
 #[test]
 fn a_step_of_a_potential_slows_a_body_or_throws_it_back() {
     for step in ["1/(1 + exp((place - x)/width))", "(1 + tanh((x - place)/width))/2"] {
@@ -168,8 +169,8 @@ fn a_step_of_a_potential_slows_a_body_or_throws_it_back() {
     }
 }
 
-/// One to three hills, valleys and steps of random places and widths, in a valley of two
-/// coordinates; where it starts, at which speeds.
+/// Returns one to three hills, valleys and steps of random places and widths, in a valley of two
+/// coordinates, with start and speeds.
 fn random_landscape(random: &mut fastrand::Rng) -> String {
     let mut between = |low: f64, high: f64| low + (high - low) * random.f64();
     let start = [between(-4.0, 4.0), between(-3.0, 3.0), between(-3.0, 3.0)];
@@ -241,7 +242,7 @@ fn bodies_move_through_random_landscapes_alike_by_all_methods() {
         };
         let off = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
         let exact = at(Method::Dop853, 1e-12).expect("a run");
-        // What just gets over a hill, or just does not, no tolerance decides.
+        // The tolerance does not determine whether a body just gets over a hill.
         if off(at(Method::Dop853, 1e-8).expect("a run"), exact) > 1e-6 {
             continue;
         }

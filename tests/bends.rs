@@ -9,7 +9,8 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::of_text;
 
-/// x'' + x = cos(1.3 t) - 0.2 `law`, where the law turns at v = 0 within `width`.
+/// Returns x'' + x = cos(1.3 t) - 0.2 `law`, where the law changes its sign at v = 0 within
+/// `width`.
 fn rubbing(law: &str) -> ModelSimulator {
     let text = format!(
         r#"

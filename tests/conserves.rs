@@ -1,4 +1,4 @@
-//! Conservation of energy, read from the structure of the powers.
+//! Conservation of energy, determined from the structure of the powers.
 
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Describe as _;
@@ -6,7 +6,7 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::{of_specs, of_text};
 
-/// A pendulum on a rod, with more of its energy.
+/// Returns a pendulum on a rod, with additional energy terms.
 fn bob(more: &str) -> ModelSimulator {
     of_text(
         &format!(
@@ -39,7 +39,7 @@ fn bob(more: &str) -> ModelSimulator {
     )
 }
 
-/// The parameters of a machine, drag at a value.
+/// Returns the parameters of a machine, with the drag at a value.
 fn with_drag(machine: &ModelSimulator, drag: f64) -> Vec<f64> {
     let value = |index: usize| match machine.parameter(index).name {
         "p.drag" => drag,

@@ -1,4 +1,4 @@
-//! Starts in equilibrium: where closed forms say they are, and nothing moves from there.
+//! Starts in equilibrium: compared with closed forms, and without motion afterwards.
 
 #![expect(clippy::float_cmp, reason = "modes, and what is zero exactly")]
 
@@ -10,7 +10,7 @@ use machinist_model::{ModelSimulator, file};
 
 use crate::own_scene::{of_specs, of_text, refusal};
 
-/// A mass that hangs on a spring with a cubic part.
+/// Returns a mass that hangs on a spring with a cubic part.
 fn hung(initial: &str) -> String {
     format!(
         r#"
@@ -41,7 +41,7 @@ fn hung(initial: &str) -> String {
     )
 }
 
-/// The real root of k x + c x^3 = -m g, by Cardano's formula.
+/// Returns the real root of k x + c x^3 = -m g, by Cardano's formula.
 fn hangs_at([mass, gravity, stiffness, cubic]: [f64; 4]) -> f64 {
     let (p, q) = (stiffness / cubic, mass * gravity / cubic);
     let root = (q * q / 4.0 + p * p * p / 27.0).sqrt();
@@ -49,14 +49,14 @@ fn hangs_at([mass, gravity, stiffness, cubic]: [f64; 4]) -> f64 {
     larger - p / (3.0 * larger)
 }
 
-/// Largest move of a column, relative to its size, or to `least` if that is larger.
+/// Returns the largest move of a column, relative to its size, or to `least` if that is larger.
 fn move_of(run: &Trajectory, name: &str, least: f64) -> f64 {
     let values = run.column(name).expect("a column");
     let size = values.iter().fold(least, |most, value| most.max(value.abs()));
     values.iter().fold(0.0, |most: f64, value| most.max((value - values[0]).abs())) / size
 }
 
-/// What does not drift stands still.
+/// Asserts that all states without drift are at rest.
 fn assert_still(simulator: &dyn Simulator<f64>, run: &Trajectory) {
     for (index, column) in run.of_kind(ColumnKind::State).enumerate() {
         let moves = match simulator.state_kind(index) {
@@ -109,7 +109,7 @@ fn models_keep_the_wish_and_a_run_may_have_one_of_its_own() {
     let same = run(&simulator);
     let [a, b] = [&asked, &same].map(|run| run.column("x").expect("x")[0]);
     assert!((a / b - 1.0).abs() < 1e-12);
-    // A state of the caller's is where a run starts.
+    // A run starts in a state given by the caller.
     let own = Simulation::new(&simulator).initial_state(&[0.2, 0.0]).run().expect("it runs");
     assert_eq!(own.column("x").expect("x")[0].to_bits(), 0.2_f64.to_bits());
     let near = Simulation::new(&simulator).initial_state(&[0.2, 0.0]).in_equilibrium(true);
@@ -117,7 +117,7 @@ fn models_keep_the_wish_and_a_run_may_have_one_of_its_own() {
     assert!((found / b - 1.0).abs() < 1e-12);
 }
 
-/// A pendulum that a torque tilts, by its angle and by x and y on a rod.
+/// Returns a pendulum tilted by a torque, described by its angle or by x and y on a rod.
 fn tilted(by_angle: bool, initial: &str) -> String {
     let (coordinates, energy, extra, output) = if by_angle {
         (
@@ -281,7 +281,7 @@ fn a_motor_under_load_starts_at_the_speed_its_curve_gives() {
         for (found, exact) in found.iter().zip([speed, torque / 1.1, torque / 900.0]) {
             assert!((found / exact - 1.0).abs() < 1e-9, "{found} {exact} at {voltage} V");
         }
-        // What is named stays where nothing asks it to move: the twist is in the rotor's angle.
+        // Named states move only if required: the twist is in the rotor's angle.
         assert!((found[3] - 0.3).abs() < 1e-12, "{}", found[3]);
         for name in ["speed", "current", "twist"] {
             assert!(move_of(&run, name, 1.0) < 1e-5, "{name} {:e}", move_of(&run, name, 1.0));

@@ -1,4 +1,4 @@
-//! Linear machines solved without steps, beside methods that step.
+//! Linear machines solved without steps, compared with methods that step.
 
 use machinist::error::StopCause;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
@@ -9,12 +9,12 @@ use machinist_scenes::scenes;
 
 use crate::own_scene::of_text;
 
-/// The machine of a spec in one file, nothing left out.
+/// Returns the machine of a spec in one file, with nothing left out.
 fn machine(text: &str) -> ModelSimulator {
     of_text(text, Keep::All)
 }
 
-/// One mass on a spring and a damper, driven by a force.
+/// Returns a mass on a spring and a damper, driven by a force.
 fn oscillator(mass: f64, damping: f64, stiffness: f64, force: &str) -> ModelSimulator {
     machine(&format!(
         r#"
@@ -52,7 +52,7 @@ method = "auto"
     ))
 }
 
-/// Rotors in a row; damping in proportion to stiffness, or not.
+/// Returns rotors in a row, with damping proportional to stiffness or not.
 fn chain(damping: f64) -> ModelSimulator {
     machine(&format!(
         r#"
@@ -92,7 +92,7 @@ fn run(simulator: &dyn Simulator<f64>, method: Method, rtol: f64) -> Trajectory 
     run.unwrap_or_else(|error| panic!("{method}: {error}"))
 }
 
-/// Largest difference of a state, relative to the largest value of it.
+/// Returns the largest difference of a state, relative to its largest value.
 fn distance(a: &Trajectory, b: &Trajectory) -> f64 {
     let pairs = a.columns.iter().zip(&b.columns);
     let of_column = pairs.map(|(a, b)| {
@@ -103,7 +103,7 @@ fn distance(a: &Trajectory, b: &Trajectory) -> f64 {
     of_column.fold(0.0, f64::max)
 }
 
-/// Asserts that the solution is that of a method that steps.
+/// Asserts that the solution agrees with a method that steps.
 fn assert_right(name: &str, simulator: &dyn Simulator<f64>, by: &str) {
     let exact = run(simulator, Method::Exact, 1e-9);
     let stepped = run(simulator, Method::Radau, 1e-13);
@@ -240,7 +240,7 @@ fn machines_that_are_not_linear_are_refused_by_exact_and_stepped_by_auto() {
 
 #[test]
 fn an_exponential_that_would_lose_the_tolerance_is_refused_and_auto_steps() {
-    // Two bodies on a damper that is not in proportion: too stiff for too long.
+    // Two bodies on a damper that is not proportional: too stiff for too long a time.
     let mut parameters: Vec<f64> = {
         let simulator = chain(0.5);
         (0..simulator.shape().parameters).map(|i| simulator.parameter_default(i)).collect()

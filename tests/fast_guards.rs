@@ -1,5 +1,5 @@
-//! Guards that jump, that go to and fro many times within a step, and windows of a sawtooth that are
-//! narrower than looks are apart: each passing is counted once, by every method.
+//! Guards that jump, that oscillate many times within a step, and windows of a sawtooth that are
+//! narrower than evaluations are apart: each zero crossing is counted once, by every method.
 
 use std::f64::consts::PI;
 
@@ -119,7 +119,7 @@ fn no_passing_of_a_fast_guard_is_stepped_over() {
     counts(&scene(unit, ""), &[1e-4, 1e-6, 1e-9], expected, "an encoder");
 }
 
-/// A hundredth and a thousandth of each turn: the share of the time for which it is on.
+/// On for a hundredth and a thousandth of each turn: the share of the time.
 #[test]
 fn narrow_windows_of_a_sawtooth_are_not_stepped_over() {
     for share in [1e-2, 1e-3] {
@@ -148,7 +148,7 @@ fn narrow_windows_of_a_sawtooth_are_not_stepped_over() {
     }
 }
 
-/// The duty follows the current: the comparison crosses once a period, the faster for it, and
+/// The duty cycle follows the current: the comparison crosses once per period, faster for it, and
 /// does not chatter.
 #[test]
 fn pulses_whose_width_follows_what_they_drive_do_not_chatter() {

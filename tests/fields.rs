@@ -1,5 +1,5 @@
-//! Scenes with fields, cut into elements: methods against each other, emitted code
-//! against interpreted, the numbers that are refused.
+//! Scenes with fields, divided into elements: comparison of methods, of emitted and interpreted
+//! code, and refused numbers.
 
 use machinist::error::StopCause;
 use machinist::field::{Discretisation, FieldError, FieldSimulator, MAX_ELEMENTS};
@@ -64,8 +64,8 @@ mod emitted {
     use machinist_codegen::mechanics::reduce::Keep;
     use machinist_codegen::pipeline;
 
-    /// The emitted scene with so many elements, without the hash of its spec and with
-    /// the number put back, and the time that took.
+    /// Returns the emitted scene with a number of elements, without the hash of its spec and with
+    /// the number restored, and the time that took.
     fn emitted(elements: &str) -> (String, Duration) {
         let specs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs");
         let spec = std::fs::read_to_string(specs.join("scenes/shaft_with_rotors.toml")).unwrap();
@@ -104,7 +104,7 @@ mod emitted {
     }
 }
 
-/// A port may be anywhere on its field, and not beyond it: there is no machine, and no number.
+/// A port may be anywhere on its field. Beyond it there is no machine, and the result is NaN.
 #[test]
 fn a_port_beyond_the_end_of_its_field_is_refused() {
     let text = r#"

@@ -1,4 +1,4 @@
-//! Steps of a fixed length against closed forms: orders, also over times at which the rate jumps.
+//! Fixed steps compared with closed forms: orders, also across times at which the rate jumps.
 //!
 //! Emitted C takes the same steps: see [`crate::c99`].
 
@@ -8,7 +8,7 @@ use machinist_model::Elimination;
 
 use crate::common::{Oscillator, oscillator_state};
 
-/// The largest difference of [`Oscillator`] from its closed form after so many steps over 2 s.
+/// Returns the largest difference of [`Oscillator`] from its closed form after steps over 2 s.
 fn error(method: FixedMethod<'_>, steps: usize) -> f64 {
     let parameters: Vec<f64> = (0..5).map(|index| Oscillator.parameter_default(index)).collect();
     let machine = FixedSteps {

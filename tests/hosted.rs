@@ -1,4 +1,4 @@
-//! Runs that a host cuts into pieces are the runs they are pieces of.
+//! Runs that a host divides into pieces equal undivided runs.
 
 use std::cell::RefCell;
 

@@ -13,9 +13,9 @@ use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
 
-/// Rounding of emitted code beside the size of what its numbers are put together from.
+/// Rounding of emitted code relative to the size of the terms of its numbers.
 const LIMIT: f64 = 1e-12;
-/// Random places of each scene.
+/// Number of random points of each scene.
 const PLACES: usize = 20;
 
 fn spec(name: &str) -> PathBuf {

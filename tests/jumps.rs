@@ -1,5 +1,5 @@
-//! Speeds that constraints impose and that jump: the impulse is that of the constraints' forces,
-//! its work is supplied, and every method has it at every tolerance.
+//! Prescribed speeds that jump: the impulse is that of the constraint forces, its work is supplied,
+//! and every method obtains it at every tolerance.
 
 use machinist::hosted::{Beginning, Hosted, Reached};
 use machinist::{Method, Simulation, Trajectory};
@@ -15,7 +15,7 @@ const KEEPING: [Method; 5] =
 const GRAVITY: f64 = 9.81;
 const LENGTH: f64 = 1.5;
 
-/// A pendulum on a cart that moves with a speed.
+/// Returns a pendulum on a cart with a prescribed speed.
 fn trolley(speed: &str) -> ModelSimulator {
     let text = format!(
         r#"
@@ -59,7 +59,7 @@ fn run(scene: &ModelSimulator, set: &[(&str, f64)], method: Method, rtol: f64) -
     run.unwrap_or_else(|error| panic!("{set:?}, {method} at {rtol:e}: {error}"))
 }
 
-/// Two states after steps of Runge and Kutta, so many a second.
+/// Integrates two states by Runge-Kutta steps.
 fn carried(
     rate: impl Fn(f64, [f64; 2]) -> [f64; 2],
     mut y: [f64; 2],
@@ -132,7 +132,7 @@ fn a_cart_whose_speed_changes_within_a_moment_swings_its_pendulum() {
     }
 }
 
-/// No list of times has these: they are found on the way.
+/// No list of times contains these jumps: they are found during the run.
 #[test]
 fn a_cart_whose_speed_jumps_to_and_fro_swings_its_pendulum() {
     let scene = trolley("piecewise(sin(3 [rad/s]*t) < share, 0 [m/s], size)");
@@ -145,7 +145,7 @@ fn a_cart_whose_speed_jumps_to_and_fro_swings_its_pendulum() {
     }
 }
 
-/// Also where the speed itself has no jump: a place has a corner.
+/// The same holds without a jump of the speed itself: a position has a corner.
 #[test]
 fn a_rope_that_is_wound_from_a_moment_on_keeps_the_angular_momentum_of_its_load() {
     let text = r#"
@@ -181,7 +181,7 @@ fn a_rope_that_is_wound_from_a_moment_on_keeps_the_angular_momentum_of_its_load(
     }
 }
 
-/// A place that is imposed with a corner, and one that jumps: x'' = k (u - x)/m.
+/// A prescribed position with a corner, and one that jumps: x'' = k (u - x)/m.
 #[test]
 fn what_a_spring_hangs_on_may_move_with_corners_and_jumps() {
     let scene = |place: &str| {
@@ -215,7 +215,7 @@ fn what_a_spring_hangs_on_may_move_with_corners_and_jumps() {
     }
 }
 
-/// Where the pendulum is at last, by the size and the time of jumps.
+/// Returns the final position of the pendulum for a size and a time of jumps.
 type Swing<'s> = &'s dyn Fn(f64, f64) -> f64;
 
 /// Sensitivities by the time of a jump and by its size, against differences of the swing.
@@ -315,7 +315,7 @@ fn a_host_s_runs_go_through_jumps_of_imposed_speeds() {
     }
 }
 
-/// Friction that sticks has no force without bound, and the run says so instead of pulling along.
+/// Sticking friction cannot exert an infinite force, and the run reports that instead of following.
 #[test]
 fn a_speed_that_jumps_is_not_followed_by_friction() {
     let text = r#"
@@ -349,7 +349,8 @@ fn a_speed_that_jumps_is_not_followed_by_friction() {
     }
 }
 
-/// A corner of what holds, over which the machine goes by itself: what is across is lost, and told.
+/// A corner of a constraint over which the machine moves by itself: the transverse motion is lost,
+/// and this is reported.
 #[test]
 fn a_corner_of_what_holds_takes_energy_and_is_told() {
     let text = r#"

@@ -21,7 +21,7 @@ use nalgebra::DMatrix;
 
 use crate::own_scene::of_text;
 
-/// Two masses under torques that are in balance.
+/// Returns two masses under balanced torques.
 fn two_mass() -> Simulation<'static> {
     let run = Simulation::new(&TwoMass).parameter("drive_torque", 843.72);
     run.expect("the scene has it")
@@ -392,7 +392,7 @@ fn a_machine_answers_within_constraints_as_it_does_by_its_angle() {
     assert!(matches!(refused, LinearError::MovesConstraint { .. }), "{refused}");
 }
 
-/// A mass of 2 kg on a spring of 800 N/m, 20 rad/s.
+/// Returns a mass of 2 kg on a spring of 800 N/m, 20 rad/s.
 fn oscillator() -> ModelSimulator {
     let text = r#"
         [scene]

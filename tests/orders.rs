@@ -1,4 +1,4 @@
-//! Measured orders of convergence: one row a method.
+//! Measured orders of convergence, one row per method.
 
 use crate::common::HardSpring;
 use machinist::method::System;
@@ -6,16 +6,16 @@ use machinist::method::fixed::{FIXED, Fixed};
 use machinist_contract::Simulator;
 use machinist_studies::stability::machines::ByHand;
 
-/// A problem whose solution is known well enough.
+/// A problem with a sufficiently accurate solution.
 struct Problem {
     simulator: &'static (dyn Simulator<f64> + Sync),
     start: [f64; 2],
     until: f64,
-    /// States at the start and at so many equal times after it.
+    /// Returns states at the start and at equally spaced times after it.
     exact: fn(usize) -> Vec<Vec<f64>>,
 }
 
-/// The oscillator that hardens, against many steps of the eighth order.
+/// The hardening oscillator, compared with many steps of the eighth order.
 static HARD: Problem =
     Problem { simulator: &HardSpring, start: [1.0, 0.5], until: 8.0, exact: hard_states };
 
@@ -60,11 +60,11 @@ fn forced_states(times: usize) -> Vec<Vec<f64>> {
 struct Row {
     problem: &'static Problem,
     dense_order: f64,
-    /// Two numbers of steps between which the order shows, above rounding.
+    /// Two numbers of steps between which the order is measured, above rounding.
     steps: [usize; 2],
 }
 
-/// How far off the measured orders may be.
+/// Tolerance of measured orders.
 const WITHIN: f64 = 0.2;
 
 /// One for each of [`FIXED`].

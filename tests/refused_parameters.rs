@@ -1,4 +1,4 @@
-//! Values of parameters with which a spec would be refused are refused by runs too.
+//! Runs refuse parameter values that would be refused in a spec.
 
 use machinist::linear_analysis::{Place, operating_point};
 use machinist::sweep::{InLanes, Sweep, Sweepable};
@@ -47,7 +47,7 @@ fn geared(ratio: &str, of_joint: &str, base: &str) -> String {
     )
 }
 
-/// Each with a value that its spec refuses.
+/// Returns machines, each with a value that its spec refuses.
 fn machines() -> Vec<(ModelSimulator, &'static str, f64, &'static str)> {
     let of = |ratio: &str, of_joint: &str| of_text(&geared(ratio, of_joint, "4"), Keep::Needed);
     vec![
@@ -85,7 +85,7 @@ fn a_run_refuses_what_its_spec_would_refuse() {
     }
 }
 
-/// A model, two variants at a time or one.
+/// A model with two variants at a time or one.
 struct Swept(ModelSimulator, bool);
 
 impl Sweepable for Swept {

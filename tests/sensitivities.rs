@@ -41,7 +41,8 @@ fn differences(
     (0..runs[0].0.len()).map(column).collect()
 }
 
-/// The largest error of all sensitivities by `by` over all times, over the largest size of each.
+/// Returns the largest error of all sensitivities by `by` over all times, over the largest size of
+/// each.
 fn off_differences(
     scene: &dyn Simulator<f64>,
     adjusted: &dyn Fn(Simulation<'_>) -> Simulation<'_>,
@@ -65,8 +66,8 @@ fn off_differences(
         let size = own.iter().chain(differences).fold(0.0_f64, |most, value| most.max(value.abs()));
         let off = own.iter().zip(differences).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         let scale = column.values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-        // What is zero but for rounding, as a coordinate that constraints hold, tells nothing, and
-        // what hardly matters nothing that differences could tell.
+        // A column that is zero except for rounding, such as a constrained coordinate, determines
+        // nothing, and neither does an effect too small for differences.
         if scale > 1e-9 && size * value > 1e-6 * scale {
             worst = worst.max(off / size);
             if off / size > 1e-6 {
@@ -221,7 +222,7 @@ fn bounces_have_the_derivatives_of_their_closed_form() {
     }
 }
 
-/// A slider on a rough floor stops after v0^2/(2 mu g), and stays.
+/// A slider on a rough floor stops after v0^2/(2 mu g), and stays at rest.
 #[test]
 fn a_slider_stops_where_its_closed_form_does() {
     let run = Simulation::new(built_in("coulomb_oscillator")).rtol(1e-12).method(Method::Dop853);
@@ -320,9 +321,9 @@ fn stiff_machines_are_carried_by_radau() {
     }
 }
 
-/// Of emitted code and of models, by parameters of the field, of the machine beside it and of where
-/// ports are. The gin's shaft is made soft: twists of a stiff one are rounding in differences, and so are runs
-/// at 1e-12 or over smaller steps of a parameter.
+/// Emitted code and models, by parameters of the field, of the attached machine and of the places
+/// of ports. The gin's shaft is made soft: twists of a stiff one are rounding in differences, and
+/// so are runs at 1e-12 or over smaller steps of a parameter.
 #[test]
 fn scenes_with_fields_agree_with_differences() {
     type Case<'c> = (&'c str, f64, &'c [&'c str], Method, f64);
@@ -354,7 +355,7 @@ fn scenes_with_fields_agree_with_differences() {
     }
 }
 
-/// With a softer cylinder, where there is one.
+/// Returns the run with a softer cylinder, where there is one.
 fn softened(run: Simulation<'_>) -> Simulation<'_> {
     run.clone().parameter("saws.shear_modulus", 8e6).unwrap_or(run)
 }

@@ -1,4 +1,4 @@
-//! Modes about steady rotations in coordinates that turn with them, against closed forms.
+//! Eigenmodes about steady rotations in coordinates that turn with them, against closed forms.
 
 use machinist::Simulation;
 use machinist::linear_analysis::{Linearization, Mode, ModeKind, Place, operating_point};
@@ -13,7 +13,7 @@ const AXIAL: f64 = 0.0005;
 const MASS: f64 = 0.5;
 const ARM: f64 = 0.04;
 
-/// A heavy top by its unit quaternion, spinning upright, pushed a little.
+/// Returns a heavy top described by its unit quaternion, spinning upright, slightly disturbed.
 fn top(spin: f64, push: f64) -> ModelSimulator {
     of_text(
         &format!(
@@ -179,7 +179,7 @@ fn a_conical_pendulum_wobbles_as_its_closed_form_says() {
     }
 }
 
-/// A machine at rest has no rotation to be seen from.
+/// A machine at rest has no rotation.
 #[test]
 fn a_machine_at_rest_has_the_modes_of_rest() {
     let top = top(0.0, 0.0);

@@ -1,4 +1,4 @@
-//! Units made of units: each the same machine as its parts written out.
+//! Units made of units: each equals the machine with its parts written out.
 
 use machinist::Method;
 use machinist_codegen::mechanics::reduce::Keep;
@@ -175,7 +175,7 @@ joints = [{ connect = ["spring.b", "disc.a"] }]
 initial."disc.omega" = 0.25
 "#;
 
-/// Six discs on six springs, one behind the other.
+/// Returns six discs on six springs in a row.
 fn written_out() -> String {
     // What each level says of the speeds: train, scene, cell; then train, train, cell.
     let speeds = [1.0, 3.0, 0.25, 1.0, 7.0, 0.25];

@@ -64,7 +64,7 @@ fn a_loop_of_a_mass_and_a_pid_controller_moves_by_its_matrix() {
     }
 }
 
-/// The integral of a controller whose error of 1 asks for more than its limit.
+/// Asserts the integral of a controller whose error of 1 requires more than its limit.
 fn assert_integral_is_led_back(unit: &str, inputs: &str) {
     let text = format!(
         r#"
@@ -143,7 +143,7 @@ fn a_rate_limiter_rises_along_a_ramp_and_arrives_as_a_lag() {
     }
 }
 
-/// Of a lag towards 30 or 0 between 19.5 and 20.5, times by logarithms.
+/// Switching times of a lag towards 30 or 0 between 19.5 and 20.5, from logarithms.
 #[test]
 fn a_relay_on_a_lag_switches_in_its_period() {
     let scene = example("control/relay", Keep::Needed);

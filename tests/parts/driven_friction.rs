@@ -1,5 +1,5 @@
-//! Friction on a shaft whose motion is imposed: it slides on to the other side where the speed
-//! passes zero, sticks where the drive rests, and the drive gives what it takes.
+//! Friction on a shaft with prescribed motion: it reverses where the speed crosses zero, sticks
+//! where the drive rests, and the drive supplies its losses.
 
 use std::f64::consts::PI;
 
@@ -128,12 +128,12 @@ fn friction_on_a_driven_shaft_slides_on_where_its_speed_passes_zero() {
     }
 }
 
-/// What a drive does that rests now and then: its speed, and when it begins and ends to rest.
+/// A drive that rests at times: its speed, and the times at which it starts and stops.
 struct Drive {
     unit: &'static str,
     speed: fn(f64) -> f64,
     rests: &'static [(f64, f64)],
-    /// How exactly the times are told: smoother ones leave zero more slowly.
+    /// Accuracy of the times: smoother drives leave zero more slowly.
     within: f64,
 }
 
@@ -179,7 +179,7 @@ const DRIVES: [Drive; 5] = [
     },
 ];
 
-/// A part and its friction at a speed.
+/// A part and its friction torque at a speed.
 struct Part {
     unit: &'static str,
     joint: &'static str,

@@ -50,7 +50,7 @@ rtol = 1e-10
 method = "auto"
 "#;
 
-/// Where the integral time is the plant's, the loop is of first order.
+/// If the integral time equals that of the plant, the loop is of first order.
 #[test]
 fn a_loop_whose_controller_cancels_the_lag_answers_a_step_as_its_closed_form() {
     let scene = of_text(LOOP, Keep::Needed);
@@ -69,7 +69,7 @@ fn a_loop_whose_controller_cancels_the_lag_answers_a_step_as_its_closed_form() {
     }
 }
 
-/// Currents of dq for good: the steady state of its two equations at a speed.
+/// Steady dq currents: the stationary solution of its two equations at a speed.
 #[test]
 fn a_synchronous_motor_settles_where_its_currents_and_its_load_say() {
     let scene = example("electrical/pmsm", Keep::Needed);
@@ -247,15 +247,15 @@ fn an_amplifier_gives_what_it_is_asked_for_up_to_its_limit() {
     }
 }
 
-/// Height of the slider of the press at an angle of its crank, and its slope.
+/// Returns the height of the press's slider at an angle of its crank, and its slope.
 fn height(angle: f64) -> (f64, f64) {
     let (sin, cos) = angle.sin_cos();
     let along = (0.25f64.powi(2) - (0.05 * cos).powi(2)).sqrt();
     (0.05 * sin - along, 0.05 * cos - 0.0025 * sin * cos / along)
 }
 
-/// What is decided while things slip and stick is the same by any method: when the belt grips,
-/// how far the press turns, and where and by what it is held.
+/// Results that depend on slipping and sticking are the same by any method: the time at which the
+/// belt grips, the travel of the press, and where and by what it is held.
 #[test]
 fn a_press_of_standard_parts_starts_works_and_stops() {
     let scene = of_specs("drives/press", Keep::Needed);

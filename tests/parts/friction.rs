@@ -1,4 +1,4 @@
-//! Friction that sticks exactly: when it locks, what it holds, and when it lets go.
+//! Friction with exact sticking: times of sticking, holding forces, and breakaway.
 
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -15,7 +15,7 @@ fn orders(low: f64, high: f64, count: i32) -> impl Iterator<Item = f64> {
     (0..count).map(move |k| low * (high / low).powf(f64::from(k) / f64::from(count - 1)))
 }
 
-/// A rotor that brakes from a speed, and is then pulled at by a torque that grows.
+/// Returns a rotor that brakes from a speed, and is then loaded by a growing torque.
 fn braked() -> ModelSimulator {
     of_text(
         r#"
@@ -172,7 +172,7 @@ fn a_sprung_mass_turns_and_rests_where_coulomb_says() {
     }
 }
 
-/// The initial state with the body at a place.
+/// Returns the initial state with the body at a position.
 fn place(scene: &ModelSimulator, x: f64) -> Vec<f64> {
     use machinist_contract::{Describe, Simulator};
     let mut state = vec![0.0; scene.shape().states()];
@@ -280,7 +280,7 @@ fn a_clutch_that_locks_and_slips_often_loses_no_energy_it_should_not() {
     assert!(largest <= 6.0 * 1.000_001, "{largest}");
 }
 
-/// A chain of masses on a rough guide, pulled by springs from one end.
+/// Returns a chain of masses on a rough guide, pulled by springs from one end.
 fn chain(count: usize) -> String {
     use std::fmt::Write as _;
     let mut text = String::from("[scene]\nname = \"rough_chain\"\n[units.hand]\n");
@@ -331,7 +331,7 @@ fn a_rough_chain_starts_body_after_body_without_chattering() {
     assert!(residual < 1e-6, "{residual:e}");
 }
 
-/// What b would have to do to overtake a is imposed otherwise.
+/// The force with which b would overtake a is prescribed in another form.
 #[test]
 fn a_one_way_clutch_between_imposed_motions_that_it_forbids_is_refused_by_name() {
     let text = r#"
@@ -591,7 +591,7 @@ fn a_clutch_that_sticks_takes_a_motion_from_the_modes() {
     }
 }
 
-/// Where a falling function passes zero, by halving.
+/// Returns the zero of a decreasing function, by bisection.
 fn root(mut low: f64, mut high: f64, falls: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..200 {
         let middle = low + 0.5 * (high - low);

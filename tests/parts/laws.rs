@@ -6,7 +6,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 
 use super::{by_small_steps, column, contact, example, off, run};
 
-/// Ratios, stiffnesses and the like over orders of magnitude, the same at every run.
+/// Returns ratios, stiffnesses and the like over orders of magnitude, the same in every run.
 fn sweep(low: f64, high: f64, count: i32) -> impl Iterator<Item = f64> {
     (0..count).map(move |k| low * (high / low).powf(f64::from(k) / f64::from(count - 1)))
 }
@@ -67,7 +67,8 @@ fn a_spring_with_a_damper_decays_as_it_should() {
     }
 }
 
-/// Quarter period of x'' = -k x - c x^3 from rest at x0, by the arithmetic-geometric mean.
+/// Returns the quarter period of x'' = -k x - c x^3 from rest at x0, by the arithmetic-geometric
+/// mean.
 fn quarter_period(k: f64, c: f64, x0: f64) -> f64 {
     // T/4 = K(m)/sqrt(k + c x0^2) with m = c x0^2/(2 (k + c x0^2)), K = pi/(2 agm(1, sqrt(1 - m))).
     let square = k + c * x0 * x0;

@@ -1,4 +1,4 @@
-//! Parts that lose power: gears with losses, what slips, bristles and oil.
+//! Parts that lose power: lossy gears, slipping parts, bristles and oil.
 
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -178,7 +178,7 @@ fn a_gear_that_locks_itself_holds_its_load_and_another_lets_it_fall() {
     assert!(column(&run, "motor").iter().all(|w| w.abs() < 1e-13), "it creeps");
 }
 
-/// Two rotors on a part that slips, the first pulled ever harder.
+/// Returns two rotors on a slipping part, the first with a growing torque.
 fn pulled(unit: &str, outputs: &str) -> String {
     format!(
         r#"

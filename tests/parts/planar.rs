@@ -12,7 +12,7 @@ use machinist_studies::closed_form::slider_crank::{SLIDER_CRANK, SliderCrank};
 use super::{METHODS, by_small_steps, column, contact, example, off, run};
 use crate::own_scene::of_specs;
 
-/// A run at other values of parameters, by a method and to a tolerance.
+/// Runs with other values of parameters, by a method and a tolerance.
 fn run_by(
     scene: &ModelSimulator,
     set: &[(&str, f64)],
@@ -31,7 +31,7 @@ fn run_by(
     simulation.run().unwrap_or_else(|error| panic!("{set:?} {method} {rtol:e}: {error}"))
 }
 
-/// A quarter of the period of a pendulum of w^2 = g/l, let go at an angle from hanging.
+/// Returns a quarter of the period of a pendulum with w^2 = g/l, released at an angle from hanging.
 fn quarter(frequency: f64, angle: f64) -> f64 {
     let (mut a, mut b): (f64, f64) = (1.0, (0.5 * angle).cos());
     for _ in 0..40 {
@@ -408,7 +408,7 @@ fn balls_that_meet_exchange_their_momentum() {
     }
 }
 
-/// Of two rods, by Lagrange's equations in two angles.
+/// Motion of two rods, by Lagrange's equations in two angles.
 #[test]
 fn a_double_pendulum_moves_as_by_its_two_angles() {
     let scene = example("planar/revolute", Keep::Needed);
@@ -450,7 +450,7 @@ fn what_is_thrown_flies_in_a_parabola_and_turns_on() {
     }
 }
 
-/// A link that turns over: the pin carries weight and what turns.
+/// A link that turns over: the pin carries weight and centrifugal force.
 #[test]
 fn a_pin_in_the_frame_carries_a_link() {
     let scene = example("planar/anchor", Keep::Needed);

@@ -1,5 +1,5 @@
-//! Friction on what is shaken: a part on a vibrating feeder sticks and slides in every turn, and
-//! some slides end before they are seen in the parts of a step.
+//! Friction on shaken parts: a part on a vibrating feeder sticks and slides in every period, and
+//! some slides end before they are noticed between the points of a step.
 
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -85,7 +85,7 @@ impl Feeder {
         of_text(text, Keep::Needed)
     }
 
-    /// What the trough presses with over the mass, and its first and second integrals.
+    /// Returns the normal force of the trough over the mass, with its first and second integrals.
     fn pressed(&self, time: f64) -> [f64; 3] {
         let (steady, angle) = (GRAVITY * self.incline.cos(), self.pace * time + self.phase);
         [
@@ -95,7 +95,7 @@ impl Feeder {
         ]
     }
 
-    /// What the part needs of friction over the mass to go with the trough.
+    /// Returns the friction force over the mass that the part needs to move with the trough.
     fn needed(&self, time: f64) -> f64 {
         GRAVITY * self.incline.sin() - self.along * self.pace * self.pace * (self.pace * time).sin()
     }
@@ -105,8 +105,8 @@ impl Feeder {
         [self.along * angle.sin(), self.along * self.pace * angle.cos()]
     }
 
-    /// Place and speed after `from`, where these are known, of a part that slides this `way`, or
-    /// sticks if that is 0.
+    /// Returns position and speed after `from`, where these are known, of a part that slides in the
+    /// direction `way`, or sticks if that is 0.
     fn goes(&self, way: f64, (from, [place, speed]): (f64, [f64; 2]), time: f64) -> [f64; 2] {
         if way == 0.0 {
             return [place + self.trough(time)[0] - self.trough(from)[0], self.trough(time)[1]];
@@ -123,8 +123,8 @@ impl Feeder {
         ]
     }
 
-    /// Places at times, by closed forms between the ends of slides, which are found on a fine
-    /// grid and bisected.
+    /// Returns positions at times, by closed forms between the ends of slides, which are found on a
+    /// fine grid and bisected.
     fn places(&self, times: &[f64]) -> Vec<f64> {
         let grid = std::f64::consts::TAU / self.pace / 4000.0;
         let (mut way, mut known) = (-1.0, (0.0, [0.0; 2]));
@@ -194,8 +194,8 @@ fn a_part_on_a_vibrating_feeder_sticks_and_slides_in_every_turn() {
     }
 }
 
-/// The part lets go as what it needs of friction outgrows what it has, and has it again before it
-/// is seen to have moved.
+/// The part breaks away as the required friction exceeds the available one, and sticks again before
+/// a motion is noticed.
 #[test]
 fn slides_that_last_a_moment_end() {
     let scene = Feeder::scene();

@@ -9,7 +9,7 @@ use machinist_model::ModelSimulator;
 use super::{METHODS, by_small_steps, column, contact, example, off, run};
 use crate::own_scene::of_text;
 
-/// Lift of the cam over its largest, and its slope, at an angle from the nose.
+/// Returns the lift of the cam over its largest, and its slope, at an angle from the nose.
 fn law(angle: f64) -> (f64, f64) {
     let base = 1.0 - f64::cos(1.2);
     let way = ((angle.cos() - f64::cos(1.2)) / base).clamp(0.0, 1.0);
@@ -96,7 +96,7 @@ fn a_follower_moves_on_its_cam_and_off_it_as_by_small_steps() {
     }
 }
 
-/// Of a stiff contact: it stays on the cam as long as the spring holds what the cam would leave.
+/// With a stiff contact, the follower stays on the cam as long as the spring is strong enough.
 #[test]
 fn a_follower_lifts_off_at_the_speed_at_which_its_spring_is_too_weak() {
     let scene = of_text(CAM, Keep::Needed);
@@ -129,7 +129,7 @@ fn a_cam_by_a_table_is_the_cam_of_its_law_turn_after_turn() {
     }
 }
 
-/// Work of the load within half its width about the middle, by Simpson's rule.
+/// Returns the work of the load within half its width about the middle, by Simpson's rule.
 fn work(width: f64, until: f64) -> f64 {
     let base = 1.0 - f64::cos(width);
     let torque = |angle: f64| {
@@ -223,7 +223,8 @@ fn a_chain_shakes_its_load_by_its_polygon() {
     }
 }
 
-/// What holds a load by a rope about a drum may be e^(friction wrap) times weaker, and no more.
+/// The force that holds a load by a rope about a drum may be smaller by a factor up to e^(friction
+/// wrap).
 #[test]
 fn a_rope_about_a_drum_slides_where_euler_and_eytelwein_say() {
     let scene = example("translational/capstan", Keep::Needed);

@@ -1,4 +1,4 @@
-//! Several friction parts that stick on one shaft: which of them carries what is a choice, the
+//! Several friction parts that stick on one shaft: the distribution of forces is a choice, the
 //! motion is not.
 
 use machinist::{Method, Simulation, Trajectory};
@@ -8,7 +8,8 @@ use machinist_model::ModelSimulator;
 use super::{METHODS, column, time_of};
 use crate::own_scene::of_text;
 
-/// Brakes of 5 N m, 10 N m and so on, on a rotor of 2 kg m^2 that a growing torque of 3 N m/s turns.
+/// Returns brakes of 5 N m, 10 N m and so on, on a rotor of 2 kg m^2 driven by a torque that grows
+/// by 3 N m/s.
 fn brakes(count: usize, parameters: &str) -> ModelSimulator {
     let units = (1..=count).map(|k| {
         format!(

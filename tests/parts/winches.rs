@@ -1,5 +1,5 @@
-//! A winch with a gear that has losses: what its motor takes, what its brake holds, and that no
-//! run creeps while something comes to rest.
+//! A winch with a lossy gear: power of its motor, holding by its brake, and no run with tiny steps
+//! while something comes to rest.
 
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -8,7 +8,7 @@ use machinist_model::ModelSimulator;
 use super::{METHODS, column};
 use crate::own_scene::of_text;
 
-/// The scene of the specs, after changes of its text.
+/// Returns the scene of the specs, after changes of its text.
 fn winch(changes: &[(&str, &str)]) -> ModelSimulator {
     let mut text = include_str!("../../specs/scenes/drives/winch.toml").to_owned();
     for (from, to) in changes {
@@ -21,7 +21,7 @@ fn winch(changes: &[(&str, &str)]) -> ModelSimulator {
 /// When what the brake leaves alone with the gear has come to rest \[s\]: the scene ends before.
 const LONG: f64 = 9.0;
 
-/// Mean of a column from one time until another.
+/// Returns the mean of a column between two times.
 fn mean(run: &Trajectory, name: &str, from: f64, until: f64) -> f64 {
     let values = run.times.iter().zip(column(run, name));
     let within = values.filter(|(time, _)| (from..until).contains(*time));
@@ -29,8 +29,8 @@ fn mean(run: &Trajectory, name: &str, from: f64, until: f64) -> f64 {
     found.iter().sum::<f64>() / found.len() as f64
 }
 
-/// The load is held in turn by the motor, which lifts by what the gear loses more, and by the
-/// brake, which holds the load alone.
+/// The motor and the brake hold the load in turn: the motor also supplies the losses of the gear,
+/// the brake holds the load alone.
 #[test]
 fn a_winch_of_standard_parts_lifts_and_holds_its_load() {
     let scene = winch(&[]);
@@ -59,7 +59,7 @@ fn a_winch_of_standard_parts_lifts_and_holds_its_load() {
     }
 }
 
-/// What the gear gets and loses.
+/// Power into the gear, and its losses.
 const POWERS: (&str, &str) = (
     "[outputs]\n",
     "[outputs]\nlost = \"gear.loss\"\ngiven = { expression = \"motor.torque*motor.omega\", unit = \"W\" }\n",
@@ -76,7 +76,7 @@ struct Lift {
 }
 
 impl Lift {
-    /// Runs it in no more than some steps, and holds it against what the efficiency says.
+    /// Runs within some steps, and compares with the efficiency.
     fn check(self, scene: &ModelSimulator) {
         const STEPS: usize = 30_000;
         let Self { method, rtol, efficiency, mass } = self;
@@ -91,7 +91,7 @@ impl Lift {
         let torque = mass * 9.81 * 0.25;
         let lifting = torque / 20.0 / 0.6 / efficiency;
         let found = mean(&run, "current", 2.0, 3.0);
-        // What oscillates on the rope has not died out.
+        // Oscillations on the rope have not decayed yet.
         assert!((found - lifting).abs() < 0.03 * lifting, "{self:?}: {found} for {lifting}");
         let lost = mean(&run, "lost", 2.0, 3.0) / mean(&run, "given", 2.0, 3.0);
         assert!((lost - (1.0 - efficiency)).abs() < 0.02, "{self:?}: {lost} lost");

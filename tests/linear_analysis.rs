@@ -272,8 +272,8 @@ fn a_soft_spring_beside_a_stiff_one_is_no_free_motion() {
     }
 }
 
-/// Three machines of one motion: a damped pendulum on a cart that a spring holds, by its angle and by
-/// the place of its bob on a rod, both with a first-order force on the cart.
+/// Returns a damped pendulum on a cart that a spring holds, by its angle or by the position of its
+/// bob on a rod, both with a first-order force on the cart.
 fn cart_and_bob(by_angle: bool) -> String {
     let head = r#"
         [scene]

@@ -418,8 +418,8 @@ fn friction_of_a_slider_lets_its_crank_through_dead_points() {
     }
 }
 
-/// Parts along a line, behind a screw, and a gear with losses between a drive and a load: events at zeros
-/// of the speed, and what is lost is what the drive gives and the load does not take.
+/// Parts along a line, behind a screw, and a lossy gear between a drive and a load: events are at
+/// zeros of the speed, and losses are the power of the drive minus that of the load.
 #[test]
 fn every_part_with_friction_can_be_driven() {
     let scene = |units: &str, joints: &[[&str; 2]], events: &str| {

@@ -1,4 +1,4 @@
-//! The four-link bobbin holder at rest at work: N and Q by balances of moments.
+//! The four-link bobbin holder at rest in operation: N and Q from balances of moments.
 //!
 //! With D the pin of plate and strut, K the contact of bobbin and drum, T that of post
 //! and stop, R the force of the strut on the plate, n along the centres from drum to
@@ -16,7 +16,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::roots::turning_point;
 
-/// Places and masses, as the scene's spec has them; see there.
+/// Dimensions and masses, as in the scene's spec.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BobbinHolder {
     /// Length of the post OC \[m\].
@@ -59,34 +59,35 @@ pub const HOLDER: BobbinHolder = BobbinHolder {
 };
 
 const GRAVITY: f64 = 9.81;
-/// Within this the bobbin reaches the drum \[rad\].
+/// Upper bound of the angle at which the bobbin reaches the drum \[rad\].
 const LARGEST_LIFT: f64 = 0.3;
 
 impl BobbinHolder {
-    /// N and Q \[N\]; NaN if the package does not reach the drum.
+    /// Returns N and Q \[N\]; NaN if the package does not reach the drum.
     #[must_use]
     pub fn forces(&self) -> [f64; 2] {
         self.balances().forces(self.winding_force, 0.0)
     }
 
-    /// N and Q \[N\] where the drum holds the bobbin by a share of its pressure, P = share N:
-    /// the friction f of a turning drum, or k/R of a bobbin that rolls at rest, to the left over
-    /// the drum if above zero. Equations (11) to (14) of the study: Q is largest for f and least
-    /// for -f.
+    /// Returns N and Q \[N\] where the drum drags the bobbin by a share of its pressure, P = share
+    /// N: the friction f of a turning drum, or k/R of a bobbin that rolls at rest; positive to the
+    /// left over the drum. Equations (11) to (14) of the study: Q is largest for f and least for
+    /// -f.
     #[must_use]
     pub fn forces_by_share(&self, share: f64) -> [f64; 2] {
         self.balances().forces(0.0, share)
     }
 
-    /// Angle \[rad\] by which the post stands off its stop in the unstable working position, the
-    /// bobbin on a drum that drags it by a share of its pressure: below it the post falls onto its
-    /// stop, above it lifts away. It is where the post would rest on a stop without pressing it.
+    /// Returns the angle \[rad\] between the post and its stop in the unstable working position,
+    /// with the bobbin on a drum that drags it by a share of its pressure. Below this angle the
+    /// post falls onto its stop, above it lifts away. The post would rest there on a stop without
+    /// pressing it.
     #[must_use]
     pub fn unstable_lift(&self, share: f64) -> f64 {
         turning_point(0.0, LARGEST_LIFT, |lift| self.lifted(lift).forces_by_share(share)[1] > 0.0)
     }
 
-    /// The holder with its stop as much farther up.
+    /// Returns the holder with its stop moved up by this distance.
     #[must_use]
     pub fn lifted(&self, lift: f64) -> Self {
         let (sin, cos) = lift.sin_cos();
@@ -122,8 +123,8 @@ impl BobbinHolder {
         }
     }
 
-    /// Angles of post and plate \[rad\] where the post is on its stop and the package on the
-    /// drum, neither giving.
+    /// Returns the angles of post and plate \[rad\] where the post is on its stop and the package
+    /// on the drum, without deflection.
     #[must_use]
     pub fn working_angles(&self) -> [f64; 2] {
         let post = self.stop[1].atan2(self.stop[0]);
@@ -152,7 +153,8 @@ impl BobbinHolder {
         ]
     }
 
-    /// A, where the circles about C and B meet, to the left of the way from C to B.
+    /// Returns A, the intersection of the circles about C and B to the left of the direction from C
+    /// to B.
     fn axle_place(&self, c: [f64; 2]) -> [f64; 2] {
         let to_c = self.axle[0].hypot(self.axle[1]);
         let to_b = self.radii[0] + self.radii[1];
@@ -164,7 +166,7 @@ impl BobbinHolder {
         [c[0] + along * x - across * y, c[1] + along * y + across * x]
     }
 
-    /// Force of the strut on the plate at D.
+    /// Returns the force of the strut on the plate at D.
     fn strut_on_plate(&self, d: [f64; 2], cylinder_mass: f64, rod_mass: f64) -> [f64; 2] {
         let (x, y) = (self.foot[0] - d[0], self.foot[1] - d[1]);
         let length = x.hypot(y);
@@ -172,7 +174,7 @@ impl BobbinHolder {
         let [stiffness, free] = self.spring;
         let push = stiffness * (free - (length - self.strut));
         let half = 0.5 * self.strut;
-        // What D gives the strut: along it, from D to E, and across, to the left of that.
+        // Force of D on the strut: along it, from D to E, and across, to the left of that.
         let along = push + GRAVITY * cylinder_mass * y;
         let weights = cylinder_mass * (length - half) + rod_mass * half;
         let across = GRAVITY * weights * x / length;
@@ -198,7 +200,7 @@ impl Balances {
     }
 }
 
-/// Moment about a point of a force at another.
+/// Returns the moment about a point of a force at another.
 fn moment(about: [f64; 2], at: [f64; 2], force: [f64; 2]) -> f64 {
     (at[0] - about[0]) * force[1] - (at[1] - about[1]) * force[0]
 }

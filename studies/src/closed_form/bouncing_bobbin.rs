@@ -1,23 +1,23 @@
-//! Bobbin on a linear layer that only pushes: contact and flight, stitched where the one ends
-//! and the other begins.
+//! Bobbin on a linear layer that only pushes: exact motions in contact and in flight, joined at the
+//! transitions.
 //!
 //! ```text
 //! contact:  m x'' + h (x' - Y') + c_p x + c (x - Y) = F
 //! flight:   m x'' + c_p x + N0 = F         s = -N0/c + (s0 + N0/c) e^(-c t/h)
 //! ```
 //!
-//! Contact ends where N = N0 + c (Y - x) + h (Y' - x') falls to zero; then the layer swells by
-//! itself, s being its compression, until Y - x has come up to s again. Both motions are exact,
-//! as [`BobbinOscillator::motion`] has them; the times between them are solved for.
+//! Contact ends where N = N0 + c (Y - x) + h (Y' - x') falls to zero. Then the layer recovers by
+//! itself, with its compression s, until Y - x equals s again. Both motions are exact, as in
+//! [`BobbinOscillator::motion`]; the times of the transitions are solved for.
 //!
 //! Source: by hand.
 
 use super::winder::{BobbinOscillator, Deflection, Harmonic};
 
-/// Bobbin, layer, spring, and what presses and shakes them.
+/// Bobbin, layer and spring, with pressure and disturbances.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BouncingBobbin {
-    /// In contact.
+    /// Bobbin in contact.
     pub bobbin: BobbinOscillator,
     /// N0, pressure at rest \[N\].
     pub preload: f64,
@@ -27,7 +27,7 @@ pub struct BouncingBobbin {
     pub shape: Harmonic,
 }
 
-/// A motion at one time.
+/// Motion at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounced {
     /// x and x'.
@@ -39,9 +39,9 @@ pub struct Bounced {
 }
 
 impl BouncingBobbin {
-    /// The motion from rest in contact at t = 0, at ascending times \[s\], and how often
-    /// contact ended or began until the last of them. Contacts and flights shorter than
-    /// 0.1 ms may be overlooked.
+    /// Returns the motion from rest in contact at t = 0, at ascending times \[s\], and the number
+    /// of transitions until the last of them. Contacts and flights shorter than 0.1 ms may be
+    /// missed.
     #[must_use]
     pub fn motion(&self, times: &[f64]) -> (Vec<Bounced>, usize) {
         let mut phase =
@@ -89,7 +89,8 @@ impl BouncingBobbin {
         Bounced { deflection, surface, pressure }
     }
 
-    /// When contact or flight ends, if before `last`: above zero where it lasts.
+    /// Returns the end of contact or flight, if it is before `last`; the function is positive while
+    /// the phase lasts.
     fn end_of(&self, phase: &Phase, last: f64) -> Option<f64> {
         const STEP: f64 = 1e-4;
         let lasts = |time: f64| {
@@ -114,7 +115,7 @@ impl BouncingBobbin {
     }
 }
 
-/// A stretch of contact or of flight.
+/// A phase of contact or of flight.
 struct Phase {
     from: f64,
     is_flight: bool,
@@ -122,7 +123,7 @@ struct Phase {
     surface: f64,
 }
 
-/// The harmonic with time counted from `time`.
+/// Returns the harmonic with time counted from `time`.
 fn later(harmonic: Harmonic, time: f64) -> Harmonic {
     Harmonic { phase: harmonic.phase + harmonic.frequency * time, ..harmonic }
 }

@@ -28,7 +28,7 @@ pub struct CoulombOscillator<N = f64> {
 }
 
 impl<N: Number> CoulombOscillator<N> {
-    /// Position \[m\] and velocity \[m/s\] at time t \[s\] after let go at X \[m\].
+    /// Returns position \[m\] and velocity \[m/s\] at time t \[s\] after release at X \[m\].
     #[must_use]
     pub fn motion(&self, t: f64, start: N) -> (N, N) {
         let frequency = (self.stiffness / self.mass).sqrt();
@@ -45,7 +45,7 @@ impl<N: Number> CoulombOscillator<N> {
         (x, N::literal(0.0))
     }
 
-    /// Half cycles until the mass rests.
+    /// Returns the number of half cycles until the mass rests.
     #[must_use]
     pub fn half_cycles(&self, start: N) -> usize {
         let (mut x, mut count) = (start, 0);

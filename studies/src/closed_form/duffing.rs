@@ -26,7 +26,7 @@ pub struct Duffing<N = f64> {
 }
 
 impl<N: Number> Duffing<N> {
-    /// Position \[m\] and velocity \[m/s\] at time t \[s\] after let go at X \[m\].
+    /// Returns position \[m\] and velocity \[m/s\] at time t \[s\] after release at X \[m\].
     #[must_use]
     pub fn motion(&self, t: f64, amplitude: N) -> (N, N) {
         let frequency = self.frequency(amplitude);
@@ -63,7 +63,7 @@ fn middle<N: Number>(a: N, b: N) -> N {
     N::literal(0.5) * (a + b)
 }
 
-/// Both means until they meet; six steps suffice, since each squares the distance.
+/// Returns the common limit of both means; six steps suffice, since each squares the distance.
 fn arithmetic_geometric_mean<N: Number>(mut a: N, mut b: N) -> N {
     for _ in 0..6 {
         (a, b) = (middle(a, b), (a * b).sqrt());

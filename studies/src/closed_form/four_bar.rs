@@ -1,4 +1,4 @@
-//! A four-bar linkage: Freudenstein's equation, and its speed by the energy it keeps.
+//! A four-bar linkage: Freudenstein's equation, and its speed from conservation of energy.
 //!
 //! Crank a, coupler b, rocker c, base d along the line from which angles count; the
 //! rocker's angle p follows from the crank's angle th by
@@ -40,8 +40,7 @@ pub struct FourBar {
 }
 
 impl FourBar {
-    /// Angles of coupler and rocker at the crank's angle \[rad\]; NaN where it does not
-    /// reach.
+    /// Returns the angles of coupler and rocker at the crank's angle \[rad\]; NaN out of reach.
     #[must_use]
     pub fn angles(&self, crank: f64) -> (f64, f64) {
         let [a, b, c] = [self.crank, self.coupler, self.rocker].map(|bar| bar.length);

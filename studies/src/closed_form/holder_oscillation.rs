@@ -22,7 +22,7 @@ use super::bobbin_holder::{BobbinHolder, HOLDER};
 
 const GRAVITY: f64 = 9.81;
 
-/// The holder with what a motion takes besides.
+/// The holder with the additional data of its motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SwingingHolder {
     /// Dimensions, masses and spring.
@@ -38,7 +38,7 @@ pub struct SwingingHolder {
     pub contact_damping: f64,
 }
 
-/// The machine of the scene `winder_holder_drop`, once it has settled.
+/// The machine of the scene `winder_holder_drop`, at rest.
 pub const SWINGING_HOLDER: SwingingHolder = SwingingHolder {
     holder: HOLDER,
     inertias: [2.7e-3, 2.5e-3, 3.6e-4, 2.4e-4],
@@ -47,7 +47,7 @@ pub const SWINGING_HOLDER: SwingingHolder = SwingingHolder {
     contact_damping: 1500.0,
 };
 
-/// A quantity with its slopes by both angles and their slopes.
+/// A quantity with its first and second derivatives by both angles.
 #[derive(Debug, Clone, Copy)]
 struct Bent {
     value: f64,
@@ -55,7 +55,7 @@ struct Bent {
     bend: Matrix2<f64>,
 }
 
-/// A point with its slopes by both angles, and those by one angle twice.
+/// A point with its derivatives by both angles, and second derivatives by each angle.
 #[derive(Debug, Clone, Copy)]
 struct Place {
     at: Vector2<f64>,
@@ -63,7 +63,7 @@ struct Place {
     bends: [Vector2<f64>; 2],
 }
 
-/// Everything at two angles.
+/// All quantities at two angles.
 struct Position {
     mass: Matrix2<f64>,
     damping: Matrix2<f64>,
@@ -71,7 +71,7 @@ struct Position {
 }
 
 impl SwingingHolder {
-    /// Angles of post and plate \[rad\] at rest on both contacts.
+    /// Returns the angles of post and plate \[rad\] at rest on both contacts.
     #[must_use]
     pub fn rest(&self) -> [f64; 2] {
         let mut angles = self.holder.working_angles();
@@ -83,8 +83,8 @@ impl SwingingHolder {
         angles
     }
 
-    /// Both eigenvalues \[1/s\] with imaginary part not negative of small oscillations about
-    /// that, by size.
+    /// Returns both eigenvalues \[1/s\] with nonnegative imaginary part of small oscillations about
+    /// rest, in ascending order of size.
     #[must_use]
     pub fn eigenvalues(&self) -> Vec<Complex<f64>> {
         let Position { mass, damping, potential } = self.position(self.rest());
@@ -150,7 +150,7 @@ impl SwingingHolder {
         Position { mass, damping, potential }
     }
 
-    /// A point of the plate, from C towards D and to the right of that.
+    /// Returns a point of the plate, given along the direction from C to D and to the right of it.
     fn place(&self, [post, plate]: [f64; 2], [along, across]: [f64; 2]) -> Place {
         let c = self.holder.post * Vector2::new(post.cos(), post.sin());
         let (sin, cos) = plate.sin_cos();
@@ -163,7 +163,7 @@ impl SwingingHolder {
         let [post, plate, cylinder, rod] = self.inertias;
         let way = Vector2::from(foot) - pin.at;
         let across = turned(way.normalize());
-        // By each angle, how the strut turns and its halves move.
+        // Rotation of the strut and motion of its halves, by each angle.
         let turns = pin.slopes.map(|slope| -across.dot(&slope) / way.norm());
         let half = 0.5 * self.holder.strut;
         let of_rod = turns.map(|turn| -half * turn * across);
@@ -202,7 +202,7 @@ impl Bent {
         self.bend += factor * other.bend;
     }
 
-    /// Half the stiffness times the square of a way.
+    /// Adds half the stiffness times the square of a displacement.
     fn add_spring(&mut self, stiffness: f64, way: &Self) {
         let Self { value, slopes, bend } = *way;
         self.value += 0.5 * stiffness * value * value;
@@ -261,7 +261,7 @@ mod tests {
 
     #[test]
     fn it_rests_by_the_balances_of_moments() {
-        // Contacts far stiffer give less than a thousandth of a millimetre.
+        // Much stiffer contacts deflect by less than a thousandth of a millimetre.
         let hard = SwingingHolder { contact_stiffness: 1e9, ..SWINGING_HOLDER };
         let [post, plate] = hard.rest();
         let bobbin = hard.place([post, plate], HOLDER.axle);

@@ -64,7 +64,7 @@ pub const MOTOR_4A280M8: InductionMotor = InductionMotor {
     alpha_r: 0.0858,
 };
 
-/// What the maker states of a motor.
+/// Data sheet of a motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nameplate {
     /// Rated power \[W\].

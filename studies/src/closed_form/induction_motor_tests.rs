@@ -12,7 +12,7 @@ fn assert_close(ours: f64, reference: f64, tolerance: f64) {
     assert!((ours - reference).abs() <= tolerance, "{ours} against {reference}");
 }
 
-/// Right-hand side in four real equations, written once more.
+/// Returns the right-hand side as four real equations in a second formulation.
 fn real_rates(y: [f64; 4], speed: f64) -> [f64; 4] {
     let [x1, y1, x2, y2] = y;
     let w0 = 2.0 * PI * 50.0;

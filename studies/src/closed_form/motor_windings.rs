@@ -61,8 +61,8 @@ pub struct MotorWindings {
     pub pole_pairs: f64,
 }
 
-/// Currents of stator and rotor \[A\], as amplitudes of phase quantities; which axes
-/// they are in is said where they are made.
+/// Currents of stator and rotor \[A\], as amplitudes of phase quantities; the axes depend on the
+/// function that returns them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Currents {
     /// i_s.

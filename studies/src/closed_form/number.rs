@@ -1,4 +1,4 @@
-//! Numbers that closed forms are of: `f64`, or such that carry a derivative.
+//! Number types of closed forms: `f64`, and types that carry a derivative.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -11,22 +11,22 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// A constant.
+    /// Returns a constant.
     fn literal(value: f64) -> Self;
-    /// Its value alone, by which cases are told apart.
+    /// Returns the value alone, which decides between cases.
     fn value(self) -> f64;
-    /// Square root.
+    /// Returns the square root.
     #[must_use]
     fn sqrt(self) -> Self;
-    /// Exponential.
+    /// Returns the exponential.
     #[must_use]
     fn exp(self) -> Self;
-    /// Sine and cosine.
+    /// Returns sine and cosine.
     fn sin_cos(self) -> (Self, Self);
-    /// Arcus sine.
+    /// Returns the arcsine.
     #[must_use]
     fn asin(self) -> Self;
-    /// Arcus tangent.
+    /// Returns the arctangent.
     #[must_use]
     fn atan(self) -> Self;
 }

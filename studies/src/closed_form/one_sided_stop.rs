@@ -1,5 +1,5 @@
-//! Mass on a spring with an elastic stop on one side: sinusoids, stitched where the
-//! stop is touched and left.
+//! Mass on a spring with an elastic stop on one side: sinusoids, joined at the times of contact and
+//! separation.
 //!
 //! ```text
 //! m x'' + k x + s max(x - d, 0) = 0
@@ -24,19 +24,19 @@ pub struct OneSidedStop {
     pub stop: f64,
 }
 
-/// A motion at one time.
+/// Motion at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stitched {
     /// Position \[m\].
     pub x: f64,
     /// Velocity \[m/s\].
     pub v: f64,
-    /// How often the stop was touched or left until then.
+    /// Number of contacts and separations until then.
     pub switches: usize,
 }
 
 impl OneSidedStop {
-    /// The motion at time t \[s\] after let go at `start` \[m\], in front of the stop.
+    /// Returns the motion at time t \[s\] after release at `start` \[m\], in front of the stop.
     #[must_use]
     pub fn motion(&self, t: f64, start: f64) -> Stitched {
         let (mut x, mut v, mut left, mut switches) = (start, 0.0, t, 0);

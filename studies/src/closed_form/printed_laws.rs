@@ -1,5 +1,5 @@
-//! The formulas the saw-gin study prints for its distributed shaft, typed in
-//! literally, to find out which evaluation gives its figures.
+//! The formulas that the saw-gin study prints for its distributed shaft, entered literally, to find
+//! the evaluation that gives its figures.
 //!
 //! The study sets the acceleration of the shaft to a fitted law (3),
 //! `phi_tt = 200 e^(2.05 t) cos 75 t`, spreads the load as q x with
@@ -52,7 +52,7 @@ pub struct PrintedShaft {
     pub polar_moment: f64,
     /// Radius R of the saw discs \[m\].
     pub disc_radius: f64,
-    /// Arc of the discs that works \[rad\].
+    /// Working arc of the discs \[rad\].
     pub arc: f64,
     /// Mean load Mm \[N m\].
     pub load_mean: f64,
@@ -75,12 +75,12 @@ pub const SAW_GIN_SHAFT: PrintedShaft = PrintedShaft {
     nominal_speed: PI * 735.0 / 30.0,
 };
 
-/// How the printed formulas are evaluated.
+/// Evaluation of the printed formulas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reading {
-    /// As printed: rho = J/l, load terms whole.
+    /// As printed: rho = J/l, complete load terms.
     AsPrinted,
-    /// The one that gives the printed figures: rho = J, load terms halved.
+    /// Evaluation that gives the printed figures: rho = J, load terms halved.
     OfTheFigures,
 }
 
@@ -128,7 +128,7 @@ impl PrintedShaft {
         self.load_mean * self.length / (2.0 * self.disc_radius * self.arc)
     }
 
-    /// rho phi_tt \[N m/m\] and q \[N m/m^2\] of the formulas, as the reading has them.
+    /// Returns rho phi_tt \[N m/m\] and q \[N m/m^2\] of the formulas in a reading.
     fn terms(&self, t: f64, reading: Reading) -> [f64; 2] {
         let load = (self.load_mean + self.load_amplitude * (PI * self.nominal_speed * t).cos())
             / (self.disc_radius * self.arc * self.length);

@@ -83,12 +83,12 @@ pub const DRIVE_SPEED: f64 = 30.0;
 /// Its half period tau0, in units of T.
 pub const DRIVE_HALF_PERIOD: f64 = 80.0;
 
-/// What the reed does.
+/// Constraint of the reed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reed {
     /// ur = 0.
     Held,
-    /// It moves.
+    /// The reed moves.
     Free,
 }
 

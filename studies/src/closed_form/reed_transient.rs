@@ -1,4 +1,4 @@
-//! The reed's shaft from rest under the drive U sin(w t), as a series of its modes.
+//! The reed's shaft from rest under the drive U sin(w t), as a series of its eigenmodes.
 //!
 //! Every mode phi_k, 1 at the drive, with the mass m_k = int phi_k^2 dxi + alpha ur_k^2,
 //! obeys eta'' + s^2 eta = U sin(w tau)/m_k. The parts in sin(w tau) add up to the steady
@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 
 use super::{DrivenReed, Reed, ReedShaft};
 
-/// The motion from rest, by so many modes.
+/// Motion from rest, as a finite series.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReedTransient {
     steady: DrivenReed,
@@ -30,7 +30,7 @@ struct Mode {
     reed: f64,
 }
 
-/// What moves, at one time.
+/// Motion and stresses at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReedMotion {
     /// u at the reed's place \[rad\].
@@ -42,8 +42,8 @@ pub struct ReedMotion {
 }
 
 impl ReedTransient {
-    /// From rest at t = 0, u0 = U sin(w t), w \[rad/s\]; three modes or more, none of them
-    /// at the drive's frequency.
+    /// Creates the series for a start from rest at t = 0, u0 = U sin(w t), w \[rad/s\]; there are
+    /// at least three eigenmodes, none of them at the drive's frequency.
     #[must_use]
     pub fn new(
         shaft: &ReedShaft,
@@ -65,7 +65,7 @@ impl ReedTransient {
         Self { steady, amplitude, modes: (1..=modes).map(mode).collect() }
     }
 
-    /// The motion at t \[s\].
+    /// Returns the motion at t \[s\].
     #[must_use]
     pub fn at(&self, t: f64) -> ReedMotion {
         let shaft = &self.steady.shaft;
@@ -85,7 +85,7 @@ impl ReedTransient {
         ReedMotion { shaft_angle, reed_angle, stress }
     }
 
-    /// Bounds of what the modes left out add to the shaft's angle \[rad\] and to the stress
+    /// Returns bounds of the remainder of the series in the shaft's angle \[rad\] and in the stress
     /// before the reed \[Pa\].
     ///
     /// Between drive and reed |phi_k| <= (1 + 1/s^2)^(1/2) and

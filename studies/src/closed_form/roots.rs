@@ -1,12 +1,12 @@
-//! Roots to the last bit.
+//! Roots accurate to the last bit.
 
-/// The place between `low` and `high` at which `is_below` turns from true to false,
-/// by bisection until the interval holds no number between its ends.
+/// Returns the place between `low` and `high` at which `is_below` turns from true to false, by
+/// bisection until the interval contains no number between its ends.
 pub(super) fn turning_point(low: f64, high: f64, is_below: impl Fn(f64) -> bool) -> f64 {
     let (mut low, mut high) = (low, high);
     loop {
         let middle = f64::midpoint(low, high);
-        // Also where an end is NaN.
+        // This also ends if an end is NaN.
         if !(low < middle && middle < high) {
             return high;
         }

@@ -1,5 +1,4 @@
-//! The equations of the saw gin written down by hand, against which the derived
-//! and emitted ones are held.
+//! The equations of the saw gin written by hand, for comparison with the derived and emitted ones.
 //!
 //! ```text
 //! psi_sx' = Um - w0 a_s psi_sx + w0 a_s Kr psi_rx + w0 psi_sy
@@ -28,12 +27,12 @@ pub struct SawGinState {
     pub cylinder: [f64; 2],
 }
 
-/// A rate, and the largest size among the terms it is the sum of.
+/// A rate, and the largest absolute value of its terms.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sum {
     /// The sum, in the unit of the state per second.
     pub value: f64,
-    /// Largest absolute value of a term: what rounding errors are relative to.
+    /// Largest absolute value of a term, to which rounding errors are relative.
     pub largest_term: f64,
 }
 
@@ -42,7 +41,7 @@ pub struct Sum {
 pub struct SawGinByHand;
 
 impl SawGinByHand {
-    /// Rates at time t \[s\], in the order psi_sx, psi_sy, psi_rx, psi_ry, phi_d, w_d,
+    /// Returns the rates at time t \[s\], in the order psi_sx, psi_sy, psi_rx, psi_ry, phi_d, w_d,
     /// phi_2, w_2.
     #[must_use]
     pub fn rate(&self, t: f64, state: &SawGinState) -> [Sum; 8] {
@@ -70,7 +69,7 @@ impl SawGinByHand {
     }
 }
 
-/// Mean and harmonic part of the load's torque \[N m\].
+/// Returns mean and harmonic part of the load's torque \[N m\].
 fn load(t: f64, speed: f64) -> [f64; 2] {
     let engagement = 1.0 / (1.0 + (-(t - 1.2) / 0.02).exp());
     let nominal = PI * 735.0 / 30.0;

@@ -33,7 +33,7 @@ pub struct Shaft {
 pub const SAW_GIN_SHAFT: Shaft =
     Shaft { stiffness: 8e10 * 9.817e-6, density: 1.244 / 2.322, length: 2.322 };
 
-/// How a torque M spreads along the shaft; both integrate to M.
+/// Distribution of a torque M along the shaft; both integrate to M.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LoadDensity {
     /// M/l.
@@ -51,7 +51,7 @@ pub enum Support {
     Free,
 }
 
-/// Rotation and what comes of it at one place and time.
+/// Rotation, speed and torque at one place and time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wave {
     /// phi \[rad\].
@@ -215,8 +215,8 @@ pub fn kelvin_voigt_ratio(frequency: f64, damping_time: f64) -> f64 {
     damping_time * frequency / 2.0
 }
 
-/// What is left at time t \[s\] of a mode let go at size 1:
-/// q'' + d w^2 q' + w^2 q = 0, q(0) = 1, q'(0) = 0; above ratio 1 without oscillation.
+/// Returns the value at time t \[s\] of an eigenmode released at 1: q'' + d w^2 q' + w^2 q = 0,
+/// q(0) = 1, q'(0) = 0; there is no oscillation above a damping ratio of 1.
 #[must_use]
 pub fn kelvin_voigt_decay(t: f64, frequency: f64, damping_time: f64) -> f64 {
     let square = frequency * frequency;

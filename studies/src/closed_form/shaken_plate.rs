@@ -1,4 +1,4 @@
-//! Mass bouncing on a plate that shakes, one bounce a period.
+//! Mass bouncing on a shaken plate, with one bounce per period.
 //!
 //! ```text
 //! plate A sin w t     flight T = 2 pi/w     leaves and arrives with V = g T/2
@@ -26,20 +26,20 @@ pub struct ShakenPlate {
 }
 
 impl ShakenPlate {
-    /// Time between impacts, 2 pi/w \[s\].
+    /// Returns the time between impacts, 2 pi/w \[s\].
     #[must_use]
     pub fn period(&self) -> f64 {
         TAU / self.frequency
     }
 
-    /// Time of the first impact from 0 on \[s\]; NaN if there is no such orbit.
+    /// Returns the time of the first impact after 0 \[s\]; NaN if there is no such orbit.
     #[must_use]
     pub fn first_impact(&self) -> f64 {
         let speed = self.launch() * (1.0 - self.restitution) / (1.0 + self.restitution);
         (speed / (self.amplitude * self.frequency)).acos() / self.frequency
     }
 
-    /// Height \[m\] and velocity \[m/s\] of the mass on the orbit at time t \[s\].
+    /// Returns height \[m\] and velocity \[m/s\] of the mass on the orbit at time t \[s\].
     #[must_use]
     pub fn motion(&self, t: f64) -> (f64, f64) {
         let height = self.amplitude * (self.frequency * self.first_impact()).sin();
@@ -49,7 +49,7 @@ impl ShakenPlate {
         (height + (launch - 0.5 * fallen) * flown, launch - fallen)
     }
 
-    /// Impacts from 0 until t \[s\].
+    /// Returns the number of impacts from 0 until t \[s\].
     #[must_use]
     pub fn impacts(&self, t: f64) -> usize {
         ((t - self.first_impact()) / self.period() + 1.0).floor() as usize

@@ -9,7 +9,7 @@
 //!
 //! with centres of mass in the middle of crank and rod; the slider stays level.
 //!
-//! Source: textbook; nothing of it uses multipliers.
+//! Source: textbook; the derivation does not use multipliers.
 
 /// Lengths, masses and the speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,8 +48,8 @@ pub struct SliderCrankState {
 }
 
 impl SliderCrank {
-    /// The motion where the crank is at `angle` \[rad\]. NaN if the rod is shorter than
-    /// the crank and does not reach.
+    /// Returns the motion where the crank is at `angle` \[rad\]; NaN if the rod is too short to
+    /// reach.
     #[must_use]
     pub fn at(&self, angle: f64) -> SliderCrankState {
         let Self { crank: r, rod: l, gravity: g, speed: w, .. } = *self;

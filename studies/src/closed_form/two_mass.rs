@@ -74,7 +74,7 @@ pub struct Motion {
     pub driven_speed: f64,
 }
 
-/// Answer to a harmonic torque: theta = amplitude sin(w t + p - phase_lag).
+/// Response to a harmonic torque: `theta = amplitude sin(w t + p - phase_lag)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HarmonicResponse {
     /// Amplitude of the twist \[rad\].

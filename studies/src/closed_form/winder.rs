@@ -1,19 +1,19 @@
-//! Bobbin on a drum, linear layer of yarn: transient and steady answer to
-//! harmonics of force and drum shape.
+//! Bobbin on a drum with a linear layer of yarn: transient and steady response to harmonics of
+//! force and drum shape.
 //!
 //! ```text
 //! m q'' + h (q' - Y') + c_p q + c (q - Y) = F(t)      (consistent)
 //! m q'' + h q' + (c + c_p) q = F(t) + c Y(t)          (printed)
 //! ```
 //!
-//! A harmonic F = Re(F e^(j p t)) or Y = Re(Y e^(j p t)) is answered by
+//! The response to a harmonic F = Re(F e^(j p t)) or Y = Re(Y e^(j p t)) is
 //!
 //! ```text
 //! q = Re(F e^(j p t)/Z)    q = Re(Y (c + j h p) e^(j p t)/Z)    Z = c + c_p - m p^2 + j h p
 //! ```
 //!
-//! and the whole motion is the sum of these and the free decay of what they leave at
-//! the start. At worst phases amplitudes add up.
+//! and the complete motion is the sum of these and the free decay of the initial deviation. At
+//! worst phases, amplitudes add up.
 //!
 //! Source: winder study; solution by hand.
 
@@ -51,10 +51,10 @@ pub const BENCH_FORCE: Harmonic = Harmonic { amplitude: 25.0, frequency: 110.0, 
 /// Drum-shape disturbance of the bench winder \[m\]; ours.
 pub const BENCH_SHAPE: Harmonic = Harmonic { amplitude: 2e-4, frequency: 220.0, phase: 0.0 };
 
-/// amplitude cos(frequency t + phase).
+/// A harmonic, amplitude cos(frequency t + phase).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Harmonic {
-    /// In the unit of what is harmonic.
+    /// Amplitude, in the unit of the quantity.
     pub amplitude: f64,
     /// Angular frequency p \[rad/s\].
     pub frequency: f64,
@@ -94,7 +94,8 @@ impl BobbinOscillator {
         self.motion_of(t, start, forces, &to_shapes.collect::<Vec<_>>())
     }
 
-    /// The same by the study's equation of motion, whose forcing by the shape is c Y alone.
+    /// Computes the same by the study's equation of motion, whose forcing by the shape is c Y
+    /// alone.
     #[must_use]
     pub fn motion_as_printed(
         &self,
@@ -157,7 +158,7 @@ impl BobbinOscillator {
         self.answer(layer, shape)
     }
 
-    /// The same as the study's equation of motion has it: forcing c Y alone.
+    /// Computes the same by the study's equation of motion, with forcing c Y alone.
     #[must_use]
     pub fn answer_to_shape_as_printed(&self, shape: &Harmonic) -> Harmonic {
         self.answer(Complex64::from(self.layer_stiffness), shape)

@@ -134,7 +134,7 @@ pub fn package_speed(drum_speed: f64, drum_radius: f64, radius: f64, slip: f64) 
 /// A position of the four-link bobbin holder, by its links and pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct HolderPosition {
-    /// What the machine does in it.
+    /// Name of the operating state.
     pub name: &'static str,
     /// n, moving links.
     pub links: i32,

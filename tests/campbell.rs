@@ -161,8 +161,8 @@ fn orders_are_of_a_speed_and_names_are_known() {
     assert_eq!(by_state.speeds.as_deref(), Some(&[0.0, 0.0][..]));
 }
 
-/// Ziegler's column, M = mu \[3, 1; 1, 1\], K = \[2 k - P l, P l - k; -k, k\]: 2 mu^2 s^4 + mu (7 k
-/// - 2 P l) s^2 + k^2 = 0, which flutters from P l = (7/2 - sqrt 2) k on.
+/// Ziegler's column, M = mu \[3, 1; 1, 1\], K = \[2 k - P l, P l - k; -k, k\]: 2 mu^2 s^4 +
+/// mu (7 k - 2 P l) s^2 + k^2 = 0, which flutters from P l = (7/2 - sqrt 2) k on.
 #[test]
 fn a_column_under_a_load_that_follows_flutters_from_the_load_known_on() {
     let scene = of_two(

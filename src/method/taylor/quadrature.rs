@@ -7,8 +7,8 @@ pub(in crate::method) struct Gauss {
 }
 
 impl Gauss {
-    /// Creates a rule: roots of the Legendre polynomial by Newton's iteration, weights `2/((1 -
-    /// x^2) P'(x)^2)`.
+    /// Creates a rule: roots of the Legendre polynomial by Newton's iteration, weights
+    /// `2/((1 - x^2) P'(x)^2)`.
     pub(in crate::method) fn new(points: usize) -> Self {
         let n = points as f64;
         let point = |index: usize| {

@@ -47,8 +47,8 @@ pub(super) struct Tolerance {
     judges: (usize, Judges),
 }
 
-/// Pairs `(a, b)` for each of the last coefficients, from the last one back: log2 of the step is `a
-/// - b log2(size)`.
+/// Pairs `(a, b)` for each of the last coefficients, from the last one back: log2 of the step is
+/// `a - b log2(size)`.
 pub(super) type Judges = [(f64, f64); JUDGED];
 
 impl Tolerance {

@@ -489,7 +489,7 @@ pub struct Unsuitable {
     pub scene: String,
     /// Name of the method.
     pub method: &'static str,
-    /// What the method does not support.
+    /// Feature that the method does not support.
     pub lack: Lack,
     /// Names of the methods that support it.
     pub known: String,

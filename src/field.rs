@@ -161,9 +161,9 @@ impl<R: Real> Scene<'_, R> {
 
 /// Way in which the elements of a field are evaluated.
 enum Law {
-    /// By constants between nodes, computed once per run.
+    /// Constants between nodes, computed once per run.
     Section(Section),
-    /// Once per element.
+    /// Evaluation once per element.
     Chain(Chain),
     /// Point by point, with the places of the entries of every element, by u and by u'.
     Any { places: Vec<[u32; 2]> },

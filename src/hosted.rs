@@ -43,7 +43,7 @@ pub struct Standing {
     ends: (f64, f64),
     rtol: f64,
     atol: Vec<f64>,
-    /// Whether the host steps the run.
+    /// True if the host steps the run.
     is_stepped: bool,
     memory: Memory,
 }
@@ -56,7 +56,7 @@ pub struct Beginning<'b> {
     pub until: f64,
     /// Relative tolerance, above 0 and at most 1.
     pub rtol: f64,
-    /// Whether the host steps the run by its own method; otherwise it is [carried](Hosted::carry).
+    /// True if the host steps the run by its own method; otherwise it is [carried](Hosted::carry).
     pub is_stepped: bool,
     /// State at the start; entries that are not given are guesses, and so are all entries if an
     /// equilibrium is searched for.
@@ -64,7 +64,7 @@ pub struct Beginning<'b> {
     /// Returns whether a state is given. Constraints do not move such states, and an equilibrium
     /// moves them no further than necessary.
     pub is_given: &'b dyn Fn(usize) -> bool,
-    /// Whether to begin in the equilibrium near the state, as `Simulation::in_equilibrium` does.
+    /// True to begin in the equilibrium near the state, as `Simulation::in_equilibrium` does.
     pub in_equilibrium: bool,
 }
 

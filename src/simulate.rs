@@ -77,7 +77,7 @@ pub struct Simulation<'a> {
     initial_state: Option<Vec<f64>>,
     /// Entries of the initial state that replace those of the spec.
     initial_values: Vec<(usize, f64)>,
-    /// Whether to search for an equilibrium near the start; `None` stands for the spec's setting.
+    /// True to search for an equilibrium near the start; `None` stands for the spec's setting.
     in_equilibrium: Option<bool>,
     from: f64,
     until: f64,

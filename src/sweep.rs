@@ -92,7 +92,7 @@ pub struct VariantRun {
 pub struct Wanted {
     /// Indices of outputs; indices beyond the outputs stand for states.
     pub places: Vec<usize>,
-    /// Whether to keep the least and the greatest value over the output times instead of the last
+    /// True to keep the least and the greatest value over the output times instead of the last
     /// value.
     pub extremes: bool,
 }

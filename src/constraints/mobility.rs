@@ -24,15 +24,15 @@ pub struct Mobility {
 pub struct Redundant {
     /// Name of the constraint.
     pub constraint: String,
-    /// Whether it holds only in modes.
+    /// True if it holds only in modes.
     pub in_modes: bool,
-    /// Whether it holds only in modes, and the constraints it repeats hold always.
+    /// True if it holds only in modes, and the constraints it repeats hold always.
     pub is_led: bool,
     /// Names of the constraints it repeats; none if no coordinate can change it.
     pub repeats: Vec<String>,
-    /// Whether it is at an extremum: no coordinate changes it at the state, but one does nearby.
+    /// True if it is at an extremum: no coordinate changes it at the state, but one does nearby.
     pub is_level: bool,
-    /// Whether the motion does not depend on the distribution of forces: it holds in modes, and
+    /// True if the motion does not depend on the distribution of forces: it holds in modes, and
     /// none of them prescribes a motion. Its force is then 0, and the others carry all of it.
     pub is_shared: bool,
 }

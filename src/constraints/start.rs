@@ -80,7 +80,7 @@ pub fn start(
 pub(crate) struct FreeMoves {
     /// Indices of the entries that move.
     pub(crate) entries: Vec<usize>,
-    /// Whether the residuals alone determine the moves.
+    /// True if the residuals alone determine the moves.
     pub(crate) is_determined: bool,
     scales: Vec<f64>,
     weighed: SVD<f64, Dyn, Dyn>,

@@ -76,7 +76,7 @@ pub(super) struct Counts {
     sections: usize,
     segments: usize,
     jacobian: usize,
-    /// Whether machine and fields are linear and without switches.
+    /// True if machine and fields are linear and without switches.
     pub jacobian_is_constant: bool,
 }
 

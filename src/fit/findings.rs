@@ -44,7 +44,7 @@ pub struct FoundParameter {
     pub standard_error: Option<f64>,
     /// Confidence interval of 95 %.
     pub confidence_95: Option<[f64; 2]>,
-    /// Whether the estimate is at a bound.
+    /// True if the estimate is at a bound.
     pub is_at_bound: bool,
 }
 
@@ -74,7 +74,7 @@ pub struct OutputResidual {
     pub largest: f64,
     /// Divisor of the residuals: a standard deviation, or the root mean square of all.
     pub scale: f64,
-    /// Whether the residuals are small enough to be errors of the runs.
+    /// True if the residuals are small enough to be errors of the runs.
     pub is_rounding: bool,
     /// Correlation of each residual with the next. This and the following are null if there are too
     /// few residuals.

@@ -17,7 +17,7 @@ const OF_MEDIAN: f64 = 1.4826;
 /// Settings of a fit.
 #[derive(Debug, Clone, Copy)]
 pub struct Plan<'a> {
-    /// Whether to reduce the weight of outliers by Huber's loss.
+    /// True to reduce the weight of outliers by Huber's loss.
     pub is_robust: bool,
     /// Number of starts, at least one.
     pub starts: usize,

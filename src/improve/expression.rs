@@ -142,7 +142,7 @@ pub struct Inequality {
     pub left: Expression,
     /// Right side.
     pub right: Expression,
-    /// Whether the left side must not exceed the right side; otherwise the reverse.
+    /// True if the left side must not exceed the right side; otherwise the reverse.
     pub is_at_most: bool,
 }
 

@@ -14,7 +14,7 @@ pub struct NumberGradient {
     pub value: f64,
     /// The run and the derivatives by parameters and initial values.
     pub gradient: Gradient,
-    /// Whether the adjoint method was used, which includes initial values.
+    /// True if the adjoint method was used, which includes initial values.
     pub is_in_reverse: bool,
     /// Names by which there is no derivative, with reasons.
     pub left_out: Vec<(String, String)>,

@@ -19,7 +19,7 @@ use crate::sorting::sort_ascending;
 pub struct Campbell {
     /// Name of the parameter, or `speed`.
     pub parameter: String,
-    /// Whether the diagram is over a speed on which the machine does not depend, instead of a
+    /// True if the diagram is over a speed on which the machine does not depend, instead of a
     /// parameter.
     pub is_over_speed: bool,
     /// Unit of the parameter.

@@ -371,7 +371,7 @@ struct Shapes {
     /// A with states measured by their scales.
     matrix: SparseRows,
     norm: f64,
-    /// Whether eigenvalue zero may be double, so that A A x is zero instead of A x.
+    /// True if eigenvalue zero may be double, so that A A x is zero instead of A x.
     has_double_zeros: bool,
 }
 

@@ -151,7 +151,7 @@ impl Search<'_> {
 pub(crate) struct SteadyTangents {
     /// One column for each direction.
     pub(crate) state: DMatrix<f64>,
-    /// Whether the equations determine the state, so that the guess does not matter.
+    /// True if the equations determine the state, so that the guess does not matter.
     pub(crate) is_determined: bool,
 }
 

@@ -37,7 +37,7 @@ pub(super) struct Within {
     basis: DMatrix<f64>,
     /// L, with L T = 1.
     dual: DMatrix<f64>,
-    /// Whether there are constraints of velocities.
+    /// True if there are constraints of velocities.
     steers: bool,
 }
 

@@ -58,7 +58,7 @@ struct Checkpoint {
     step: usize,
     /// Start and end of its segment \[s\].
     stretch: (f64, f64),
-    /// Whether it is at the start of the segment.
+    /// True if it is at the start of the segment.
     begins: bool,
     state: Vec<f64>,
 }

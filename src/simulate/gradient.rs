@@ -23,7 +23,7 @@ pub struct Slope {
     pub name: String,
     /// Its unit.
     pub unit: String,
-    /// Whether it belongs to a parameter.
+    /// True if it belongs to a parameter.
     pub is_parameter: bool,
     /// Value of the parameter or state in the run, in its unit.
     pub at: f64,

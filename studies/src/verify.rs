@@ -86,7 +86,7 @@ pub struct Verdict {
     pub tolerance: f64,
     /// Justification of the tolerance.
     pub reason: Cow<'static, str>,
-    /// Whether the error is at most the tolerance; also true for a row that is left out. A row that
+    /// True if the error is at most the tolerance; also true for a row that is left out. A row that
     /// was not checked does not pass.
     pub pass: bool,
     /// Value found, for checks of one number.

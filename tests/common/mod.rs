@@ -9,7 +9,7 @@ pub use hard_spring::HardSpring;
 pub use oscillator::Oscillator;
 pub use scalar::Scalar;
 
-/// Closed form of [`Oscillator`] with its default parameters: angle and speed.
+/// Returns the closed form of [`Oscillator`] with its default parameters: angle and speed.
 pub fn oscillator_state(time: f64) -> [f64; 2] {
     const START: f64 = 0.7;
     const OFFSET: f64 = 30.0 / 50.0;

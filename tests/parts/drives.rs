@@ -184,7 +184,7 @@ rtol = 1e-9
 method = "auto"
 "#;
 
-/// What is settled, by the equivalent circuit: (R_s + j w L_s) I_s + j w M I_r = U,
+/// Steady state, by the equivalent circuit: (R_s + j w L_s) I_s + j w M I_r = U,
 /// (R_r + j s L_r) I_r + j s M I_s = 0 for the slip speed s.
 #[test]
 fn an_induction_motor_on_a_converter_settles_as_its_equivalent_circuit() {

@@ -27,7 +27,7 @@ pub(super) struct Carried {
     start: Vec<f64>,
     /// States of the stages, one after another.
     states: Vec<f64>,
-    /// Whether the first stage is known as the last one of the previous step.
+    /// True if the first stage is known as the last one of the previous step.
     pub(super) has_first_stage: bool,
     pub(super) has_extra_stages: bool,
 }

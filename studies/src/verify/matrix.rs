@@ -16,7 +16,7 @@ pub(super) struct Weights<'a> {
     pub(super) rows: &'a [f64],
     /// Typical sizes of the variables of the columns.
     pub(super) columns: &'a [f64],
-    /// Whether constraints couple all coordinates.
+    /// True if constraints couple all coordinates.
     pub(super) is_constrained: bool,
     /// y' at the point.
     pub(super) rate: &'a [f64],

@@ -2,8 +2,8 @@
 //!
 //! Polynomials are given by their coefficients of powers of t. Late in a run these cancel: in
 //! `((t - 30)/0.01)^5` they are larger than 1e17. The waves are therefore compared with the rate of
-//! the machine at rest, b(t) = f(t, 0), at times within the piece. Where they differ, the polynomials
-//! are determined from b itself, in powers of the time since the start of the piece.
+//! the machine at rest, b(t) = f(t, 0), at times within the piece. Where they differ, the
+//! polynomials are determined from b itself, in powers of the time since the start of the piece.
 
 use nalgebra::{Complex, DMatrix, DVector};
 

@@ -59,7 +59,7 @@ pub(super) struct Lane {
     milestone: Milestone,
     /// Computing time spent.
     time_spent: Duration,
-    /// Whether the variant has taken too many loose steps.
+    /// True if the variant has taken too many loose steps.
     pub(super) is_over: bool,
 }
 

@@ -265,8 +265,8 @@ fn what_is_compared_with_a_sawtooth_switches_at_both_of_its_ends() {
     }
 }
 
-/// Where the sawtooth jumps, the compared value does not move the switching time, but its own rate
-/// does.
+/// The compared value does not move the switching time at which the sawtooth jumps, but its own
+/// rate does.
 #[test]
 fn derivatives_go_through_both_ends_of_a_sawtooth() {
     let block = compared_with_a_sawtooth();

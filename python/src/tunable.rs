@@ -2,8 +2,9 @@
 
 use machinist_contract::Simulator;
 
-/// Whether a parameter may change between two segments of a run and has an effect there: rate,
-/// outputs, events or times of discontinuities depend on it, constraints do not. Parameters that
+/// Returns, for each parameter, whether it may change between two segments of a run and has an
+/// effect there: rate, outputs, events or times of discontinuities depend on it, constraints do
+/// not. Parameters that
 /// affect only the start or the constraints are not tunable.
 ///
 /// Every function is evaluated at the start with the parameter set to NaN; a NaN result shows a

@@ -23,7 +23,7 @@ pub(super) struct Line {
     inner: Vec<Inner>,
     /// Nodes at the bounds.
     bounds: Vec<Bound>,
-    /// Whether f_1 depends on u_x and on u_xt, and the last of these on which it does.
+    /// True where f_1 depends on u_x and on u_xt; next, the last of these on which it does.
     by_slopes: [bool; 2],
     last_kind: usize,
 }

@@ -87,7 +87,7 @@ impl InverseIteration {
 struct Factors {
     /// U.
     upper: DMatrix<Complex64>,
-    /// Whether rows k and k + 1 are swapped, and the multiple of row k subtracted from the next.
+    /// For each k: true if rows k and k + 1 are swapped, and the multiple of row k subtracted from the next.
     steps: Vec<(bool, Complex64)>,
 }
 

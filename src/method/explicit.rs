@@ -347,7 +347,7 @@ impl OneStep for ExplicitSteps<'_> {
     /// applies to pairs whose dense output has stages of its own, which the error of the step does
     /// not include.
     ///
-    /// Where a fast motion has decayed to the last bit, the error of a step hundreds of its time
+    /// Once a fast motion has decayed to the last bit, the error of a step hundreds of its time
     /// constants long is small, but stages beyond its end amplify rounding by as much.
     fn error_between(&mut self, is_sampled: bool) -> f64 {
         /// Factor for the difference, which is an order larger than the error of a state.

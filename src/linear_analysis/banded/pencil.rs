@@ -11,7 +11,7 @@ use num_complex::Complex64;
 pub(super) struct Pencil {
     /// Half-bandwidth of T.
     width: usize,
-    /// Whether each row belongs to a coordinate; the others belong to first-order states.
+    /// True for rows that belong to a coordinate; the others belong to first-order states.
     is_coordinate: Vec<bool>,
     /// A_0 and A_1, with 2 width + 1 columns around the diagonal in each row.
     constant: Vec<f64>,

@@ -151,9 +151,9 @@ struct Rows {
 fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
     /// Bound of the remainder of a row of length 1 that counts as rounding.
     const NOTHING: f64 = 1e-9;
-    /// The same bound for a constraint that holds in modes, by the accuracy of event times: a
-    /// larger force would be needed to use a smaller remainder. The factorization for forces uses
-    /// the same bound.
+    /// The same bound for a constraint that holds in modes, by the accuracy of event times. A
+    /// constraint with a smaller remainder would act with a huge force. The factorization for
+    /// forces uses the same bound.
     const NEARLY: f64 = 1e-6;
     let scales = constraints.scales(Level::Positions);
     let mut basis: Vec<DVector<f64>> = Vec::new();

@@ -228,7 +228,7 @@ fn what_a_scene_is_made_of_is_shown_without_deriving_it() {
         "push 5 N amplitude of the force",
         "hammer.mass 3 kg mass (not tunable)",
         "anvil.touched 0 1 1 once it was touched",
-        "place m place",
+        "place m position",
         "start place = 0.5 at 0 s within 1e-9",
         "0 s to 0.1 s, 11 points, rtol 1e-8, method dop853",
     ] {

@@ -786,7 +786,7 @@ fn a_winder_that_makes_no_sense_is_refused() {
 fn parts_are_listed_searched_and_shown() {
     let all = answer(&["parts"]);
     assert!(all.contains("rotational/gear") && all.contains("translational/rope"), "{all}");
-    let clutches = answer(&["parts", "Clutch", "break-away"]);
+    let clutches = answer(&["parts", "Clutch", "breakaway"]);
     assert!(clutches.contains("rotational/clutch") && !clutches.contains("gear"), "{clutches}");
     let shown = answer(&["parts", "show", "rotational/rack"]);
     for word in ["(radius)*phi", "pitch radius of the pinion", "unit = \"rotational/rack\""] {

@@ -94,13 +94,13 @@ fn a_machine_of_ones_own_gets_a_page_of_its_own() {
     let winch = folder.path().join("winch.toml");
     // Text of users is escaped, even if it looks like a tag.
     let spec = include_str!("../../specs/scenes/drives/winch.toml");
-    let spec = spec.replace("A winch lifts a load", "A <b>winch</b> lifts a load");
+    let spec = spec.replace("Winch that lifts", "<b>Winch</b> that lifts");
     fs::write(&winch, spec).expect("written");
     let out = folder.path().join("out");
     answer(&["report", text(&winch), "--no-times", "--out", text(&out)]);
     assert_eq!(names_in(&out), ["machines"]);
     let page = page(&out.join("machines/winch.html"));
-    assert!(page.contains("A &lt;b&gt;winch&lt;/b&gt; lifts") && !page.contains("<b>winch"));
+    assert!(page.contains("&lt;b&gt;Winch&lt;/b&gt; that lifts") && !page.contains("<b>Winch"));
     for part in ["<title>rope: Rope that can go slack</title>", "brake.closes"] {
         assert!(page.contains(part), "the page lacks {part}");
     }

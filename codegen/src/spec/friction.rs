@@ -100,7 +100,7 @@ impl Written {
 
     fn mode(&self) -> StateSpec {
         let initial = Spanned { value: Literal::of_integer(OPEN.into()), span: self.name.span };
-        let doc = "-1 while it slides back, 0 while it sticks, 1 while it slides forth, 2 while it is open";
+        let doc = "-1 sliding backward, 0 sticking, 1 sliding forward, 2 open";
         event::mode_called(self.called("slip"), Some(Formula::Number(initial)), doc.to_owned())
     }
 
@@ -120,9 +120,9 @@ impl Written {
         let cases = [back, sliding(), stuck, zero, forth, negative(sliding()), open];
         let slide = call("piecewise", cases, self.name.span);
         let what = [
-            ("sliding", self.sliding.clone(), "size of the friction while it slides"),
-            ("breakaway", breakaway, "largest friction while it sticks"),
-            ("slide", slide, "friction while it slides"),
+            ("sliding", self.sliding.clone(), "magnitude of the sliding friction"),
+            ("breakaway", breakaway, "largest friction while sticking"),
+            ("slide", slide, "friction while sliding"),
         ];
         what.map(|(suffix, ast, doc)| self.definition(self.called(suffix), ast, doc))
     }
@@ -132,7 +132,7 @@ impl Written {
             name: self.called("grip"),
             expression: self.speed.clone(),
             when: self.when(STUCK),
-            doc: "while it sticks there is no sliding".to_owned(),
+            doc: "zero slip speed while sticking".to_owned(),
             friction: Some(self.name.clone()),
         }
     }
@@ -143,8 +143,8 @@ impl Written {
         let [grip, breakaway] = ["grip", "breakaway"].map(|suffix| self.ast(self.called(suffix)));
         let above = sum([grip.clone(), negative(breakaway.clone())]);
         let below = sum([grip, breakaway]);
-        let begins = "friction begins: it slides, or sticks at once";
-        let opens = "there is nothing that could hold";
+        let begins = "friction sets in: sliding or sticking";
+        let opens = "friction ends";
         let (rising, falling) = (Direction::Rising, Direction::Falling);
         let mut events = vec![
             self.event("closes", (holds(), rising), OPEN, self.begins(), begins),
@@ -153,15 +153,15 @@ impl Written {
             self.event("opens_forth", (holds(), falling), FORTH, self.number(OPEN), opens),
         ];
         for (suffix, direction, from, doc) in [
-            ("ends_back", rising, BACK, "it has slid back, and is at rest"),
-            ("ends_forth", falling, FORTH, "it has slid forth, and is at rest"),
+            ("ends_back", rising, BACK, "backward sliding ends"),
+            ("ends_forth", falling, FORTH, "forward sliding ends"),
         ] {
             let guard = (self.speed.clone(), direction);
             events.push(self.event(suffix, guard, from, self.number(STUCK), doc));
         }
         for (suffix, guard, to, doc) in [
-            ("breaks_back", (above, rising), BACK, "it holds no longer, and slides back"),
-            ("breaks_forth", (below, falling), FORTH, "it holds no longer, and slides forth"),
+            ("breaks_back", (above, rising), BACK, "breakaway, backward"),
+            ("breaks_forth", (below, falling), FORTH, "breakaway, forward"),
         ] {
             events.push(self.event(suffix, guard, STUCK, self.number(to), doc));
         }

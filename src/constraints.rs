@@ -22,7 +22,9 @@ use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
+use crate::method::Held;
 pub use lasting::{Lasting, lasting};
+
 pub use mobility::{Mobility, Redundant, mobility};
 use saddle::Saddle;
 pub use start::start;
@@ -45,7 +47,8 @@ pub struct Drift {
 /// Constraints of a simulator at given parameters.
 pub struct Constraints<'a> {
     simulator: &'a dyn Simulator<f64>,
-    parameters: &'a [f64],
+    /// Parameters and slots, with relations as a run holds them, or live.
+    parameters: Held,
     coordinates: usize,
     count: usize,
     drift: Cell<Drift>,
@@ -74,9 +77,14 @@ pub enum Level {
 }
 
 impl<'a> Constraints<'a> {
-    /// Returns the constraints of a simulator; `None` if it has none.
+    /// Returns the constraints of a simulator, with live relations; `None` if it has none.
     #[must_use]
-    pub fn of(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64]) -> Option<Self> {
+    pub fn of(simulator: &'a dyn Simulator<f64>, parameters: &[f64]) -> Option<Self> {
+        Self::held(simulator, &Held::live(simulator, parameters))
+    }
+
+    /// Returns the same with relations as a run holds them.
+    pub(crate) fn held(simulator: &'a dyn Simulator<f64>, parameters: &Held) -> Option<Self> {
         let (count, coordinates) = (simulator.constraints(), simulator.shape().coordinates);
         if count == 0 {
             return None;
@@ -84,7 +92,7 @@ impl<'a> Constraints<'a> {
         let drift = Cell::default();
         let found = Self {
             simulator,
-            parameters,
+            parameters: parameters.clone(),
             coordinates,
             count,
             drift,
@@ -211,7 +219,7 @@ impl<'a> Constraints<'a> {
         }
         let Sparse::Here(saddle) = &mut *sparse else { return None };
         let mut values = vec![0.0; mass.len()];
-        self.simulator.mass_matrix(time, state, self.parameters, &mut values);
+        self.simulator.mass_matrix(time, state, &self.parameters.all(), &mut values);
         if !saddle.factor(mass.iter().zip(&values), matrix.iter().zip(slopes)) {
             *sparse = Sparse::Never;
             return None;
@@ -261,7 +269,7 @@ impl<'a> Constraints<'a> {
         let (n, m) = (self.coordinates, self.count);
         let pattern = self.simulator.mass_matrix_pattern();
         let mut values = vec![0.0; pattern.entries.len()];
-        self.simulator.mass_matrix(time, state, self.parameters, &mut values);
+        self.simulator.mass_matrix(time, state, &self.parameters.all(), &mut values);
         let mut system = DMatrix::zeros(n + m, n + m);
         for ((row, column), value) in pattern.entries.iter().zip(&values) {
             system[(*row as usize, *column as usize)] = *value;
@@ -290,7 +298,7 @@ impl<'a> Constraints<'a> {
     /// Returns the entries of G at a state, in the order of its pattern.
     pub(crate) fn slopes(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; self.simulator.constraint_matrix_pattern().entries.len()];
-        self.simulator.constraint_matrix(time, state, self.parameters, &mut values);
+        self.simulator.constraint_matrix(time, state, &self.parameters.all(), &mut values);
         values
     }
 
@@ -309,10 +317,10 @@ impl<'a> Constraints<'a> {
         let mut values = vec![0.0; self.count];
         match level {
             Level::Positions => {
-                self.simulator.constraint_values(time, state, self.parameters, &mut values);
+                self.simulator.constraint_values(time, state, &self.parameters.all(), &mut values);
             }
             Level::Velocities => {
-                self.simulator.constraint_rates(time, state, self.parameters, &mut values);
+                self.simulator.constraint_rates(time, state, &self.parameters.all(), &mut values);
             }
         }
         DVector::from_vec(values)

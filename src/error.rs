@@ -327,11 +327,12 @@ pub enum StopCause {
          through that. Hint: let the inertia change smoothly"
     )]
     InertiaJumps,
-    /// The rate of a state chatters across a value to which the state is driven from both sides.
+    /// A motion would slide along the surface of a relation, but cannot.
     #[error(
-        "`{state}` chatters at {value:e}: its rate jumps from one side of that to the other and \
-         drives it back from both. Hint: dry friction by `sign`, most often; write it as \
-         `[friction.NAME]`, which sticks, or smooth it, as the unit `friction_slider_smooth` does"
+        "`{state}` is driven back to {value:e} from both sides, and no unique motion along that \
+         surface exists: the comparison stands in the kinetic energy or in a constraint, its \
+         force is multiplied with another one that switches there, or sensitivities are asked \
+         for. Hint: dry friction is best written as `[friction.NAME]`"
     )]
     Chattering {
         /// Name of the state.
@@ -339,18 +340,11 @@ pub enum StopCause {
         /// Value at which it chatters, in its unit.
         value: f64,
     },
-    /// A state rests where its force jumps and pushes it back from both sides.
-    #[error(
-        "`{state}` rests at {value:e}, where the force on it jumps and pushes it back from both \
-         sides: nothing but that jump holds it, and it goes to and fro across it without end. \
-         Hint: hold it by a mode of its own while what pulls is less than the jump, or make the \
-         jump a steep slope, as of `sqrt(x^2 + e^2)` for `abs(x)`"
-    )]
-    RestsOnKink {
-        /// Name of the state.
+    /// A sliding motion cannot be projected back onto its surface.
+    #[error("`{state}` has left the surface along which it slid, and cannot be put back")]
+    OffSurface {
+        /// Name of a state.
         state: String,
-        /// Value at which it rests, in its unit.
-        value: f64,
     },
     /// Events follow one another without end (Zeno).
     #[error(

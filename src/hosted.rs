@@ -136,8 +136,15 @@ impl Standing {
 
     /// Returns whether an indicator is the guard of an active event; otherwise it is constant.
     #[must_use]
-    pub fn is_watched(&self, indicator: usize) -> bool {
-        self.memory.is_watched(indicator)
+    pub fn is_watched(&self, simulator: &dyn Simulator<f64>, indicator: usize) -> bool {
+        self.memory.is_watched(simulator, indicator)
+    }
+
+    /// Returns the parameters with relations as the run holds them between events: rates with these
+    /// are smooth.
+    #[must_use]
+    pub fn held_parameters(&self, parameters: &[f64]) -> Vec<f64> {
+        self.memory.parameters(parameters)
     }
 
     /// Returns whether events were found that are still to be executed.
@@ -216,6 +223,27 @@ impl<'a> Hosted<'a> {
     pub fn indicate(&self, standing: &Standing, values: &mut [f64]) {
         let (time, state) = (standing.within(standing.time), &standing.state[..]);
         standing.memory.indicators((self.simulator, self.parameters), (time, state), values);
+    }
+
+    /// Computes y' at the current state of the run, with relations as the run holds them: smooth
+    /// between events.
+    pub fn rate(&self, standing: &Standing, rate: &mut [f64]) {
+        let (time, state) = (standing.within(standing.time), &standing.state[..]);
+        if standing.memory.is_sliding() {
+            let system = System::new(self.simulator, self.parameters, false);
+            standing.memory.hold(&system);
+            system.state_rate(time, state, rate);
+        } else {
+            let parameters = standing.held_parameters(self.parameters);
+            self.simulator.rate(time, state, &parameters, rate);
+        }
+    }
+
+    /// Returns the derivative of an indicator by its guard, which has this value.
+    #[must_use]
+    pub fn indicator_slope(&self, standing: &Standing, indicator: usize, guard: f64) -> f64 {
+        let relation = indicator.checked_sub(self.simulator.events());
+        relation.map_or(1.0, |index| standing.memory.slope(self.simulator, index, guard))
     }
 
     /// Examines the state after a step of the host. Returns whether events have to be executed now,

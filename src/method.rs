@@ -1,8 +1,7 @@
 //! The table of integration methods, and the one function that runs any of them.
 //!
-//! To add a method: write one file in `src/method/` with a type that is an
-//! [`Integrator`], and add one row to the table below. `of` is the Cargo feature
-//! of its family, or `always`.
+//! To add a method, write one file in `src/method/` with a type that is an [`Integrator`], and add
+//! one row to the table below. `of` is the Cargo feature of its family, or `always`.
 
 #[cfg(feature = "implicit")]
 pub(crate) mod auto;
@@ -18,6 +17,7 @@ mod explicit;
 pub(crate) mod faithful;
 #[cfg(feature = "implicit")]
 pub mod fixed;
+mod held;
 mod jump;
 mod lanes;
 pub(crate) mod loose;
@@ -38,6 +38,7 @@ pub(crate) mod reverse;
 #[cfg(feature = "implicit")]
 mod rosenbrock;
 pub(crate) mod sensitivity;
+pub(crate) mod sliding;
 #[cfg(feature = "implicit")]
 mod sparse;
 #[cfg(feature = "implicit")]
@@ -59,13 +60,14 @@ use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
 use crate::method::sensitivity::Passing;
 use crate::trajectory::Switch;
 use faithful::faithful_tolerances;
+pub(crate) use held::Held;
 pub(crate) use jump::just_behind;
 pub(crate) use one_step::{OneStep, Trial};
 pub use stretch::{Samples, Stretch};
 pub(crate) use stretch::{cut, within};
 pub use system::{System, Work};
 pub use watch::Watch;
-pub(crate) use watch::{Happened, Memory, identically_zero};
+pub(crate) use watch::{Front, Happened, Memory, identically_zero};
 
 methods! {
     /// Backward differentiation formulas of orders 1 to 5, quasi-constant step; for stiff machines.
@@ -94,13 +96,13 @@ methods! {
 
 /// An integration method: carries a state over one smooth stretch of a run.
 ///
-/// Sealed: the methods are those of the table, and what a method is given may grow.
+/// Sealed: the methods are those of the table, and the arguments of a method may grow.
 pub trait Integrator: sealed::Sealed {
-    /// Carries `state` from `stretch.from` to `stretch.until`, and pushes the
-    /// state at every time that `samples` asks for on the way.
+    /// Carries `state` from `stretch.from` to `stretch.until`, and pushes the state at every time
+    /// that `samples` requests on the way.
     ///
     /// # Errors
-    /// [`Stopped`] where the method cannot go on; `state` is then unspecified.
+    /// [`Stopped`] if the method cannot continue; `state` is then unspecified.
     fn integrate(
         &self,
         stretch: &Stretch<'_>,
@@ -110,22 +112,22 @@ pub trait Integrator: sealed::Sealed {
 }
 
 mod sealed {
-    /// Of the methods of the table.
+    /// Implemented by the methods of the table only.
     pub trait Sealed {}
 }
 use sealed::Sealed;
 
-/// Time and cause of an integration that could not go on.
+/// Time and cause of an integration that could not continue.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stopped {
     /// Time reached \[s\].
     pub time: f64,
-    /// Why.
+    /// Cause.
     pub cause: StopCause,
 }
 
-/// What to integrate, checked beforehand: all values finite, `from < until`,
-/// times within the run and sorted, lengths right, tolerances positive.
+/// A problem to integrate, checked beforehand: all values are finite, `from < until`, times are
+/// within the run and sorted, lengths are right, and tolerances are positive.
 pub struct Problem<'a> {
     /// The equations.
     pub system: &'a System<'a>,
@@ -133,7 +135,7 @@ pub struct Problem<'a> {
     pub from: f64,
     /// End time \[s\].
     pub until: f64,
-    /// Times at which the state is wanted, sorted \[s\].
+    /// Times at which the state is requested, sorted \[s\].
     pub times: &'a [f64],
     /// State at the start.
     pub initial: Vec<f64>,
@@ -143,25 +145,25 @@ pub struct Problem<'a> {
     pub rtol: f64,
     /// Absolute tolerance of every state.
     pub atol: Vec<f64>,
-    /// Largest number of steps.
+    /// Maximum number of steps.
     pub max_steps: usize,
 }
 
 impl Problem<'_> {
-    /// States at the wanted times, one row after another.
+    /// Returns the states at the requested times, one row after another.
     ///
-    /// The run is cut at the jumps and the method starts anew at each: no step
-    /// straddles one, so that a jump costs no order of accuracy. Likewise at events.
+    /// The run is divided at jumps, and the method restarts at each. No step crosses a jump, so a
+    /// jump costs no order of accuracy. The same holds at events.
     ///
     /// # Errors
-    /// [`Stopped`] where the method cannot go on; at the start if it is not made for
-    /// such a machine or not compiled in.
+    /// [`Stopped`] if the method cannot continue; at the start if it is not made for such a machine
+    /// or not compiled in.
     pub fn integrate(&self, method: Method) -> Result<Run, Stopped> {
         let (run, stopped) = self.integrate_kept(method);
         stopped.map_or(Ok(run), Err)
     }
 
-    /// As [`Problem::integrate`], with all that there is where the method cannot go on:
+    /// Does the same as [`Problem::integrate`]. If the method cannot continue, it also returns the
     /// rows until then.
     #[must_use]
     pub fn integrate_kept(&self, method: Method) -> (Run, Option<Stopped>) {
@@ -177,10 +179,10 @@ impl Problem<'_> {
         (Run { rows: samples.into_rows(), switches, taken }, stopped)
     }
 
-    /// Sets the modes of a start right, and nothing else.
+    /// Corrects the modes of a start, and nothing else.
     ///
     /// # Errors
-    /// [`StopCause::Contradiction`] if they contradict each other, or something else than modes
+    /// [`StopCause::Contradiction`] if they contradict each other, or if anything other than modes
     /// would have to change.
     #[cfg(feature = "linear")]
     pub(crate) fn settle(&self, state: &mut [f64]) -> Result<(), Stopped> {
@@ -199,7 +201,7 @@ impl Problem<'_> {
         let watch = watch.as_ref();
         let tangents = self.system.tangents();
         if let Some(watch) = watch {
-            // Modes that were set right may hold what was free.
+            // Corrected modes may hold what was free.
             self.system.constrain(self.from, &mut state)?;
             if let Some(tangents) = tangents {
                 let happened = watch.happened();
@@ -213,8 +215,8 @@ impl Problem<'_> {
         self.go_on((method, integrator), watch, &mut state, samples, false).map(|_| ())
     }
 
-    /// Carries a state that is under watch from start to end; if it is to halt at events, gives
-    /// the time of the first, which has then been found and not happened.
+    /// Carries a watched state from start to end. If it is to halt at events, returns the time of
+    /// the first event, which has then been found and not yet applied.
     ///
     /// # Errors
     /// As [`Problem::integrate`].
@@ -229,7 +231,7 @@ impl Problem<'_> {
         self.go_on((method, self.integrator(method)?), watch, state, &mut samples, halts)
     }
 
-    /// The method, if it is made for such a machine and compiled in.
+    /// Returns the method, if it is made for such a machine and compiled in.
     fn integrator(&self, method: Method) -> Result<&'static (dyn Integrator + Sync), Stopped> {
         method.check(self.system.simulator()).map_err(|unsuitable| Stopped {
             time: self.from,
@@ -241,7 +243,7 @@ impl Problem<'_> {
         })
     }
 
-    /// [`Problem::carry_on`], with samples on the way.
+    /// Does the same as [`Problem::carry_on`], with samples on the way.
     fn go_on(
         &self,
         (method, integrator): (Method, &dyn Integrator),
@@ -262,12 +264,8 @@ impl Problem<'_> {
                     stretch.leap(state, samples);
                     continue;
                 }
-                if stretch.from <= ends[0]
-                    && let Some(behind) = stretch.behind_jump(state)
-                {
-                    Stretch { until: behind, ..stretch }.leap(state, samples);
-                    from = behind;
-                    continue;
+                if let Some(watch) = stretch.watch.filter(|_| stretch.from <= ends[0]) {
+                    watch.jump_in_time(&stretch, state)?;
                 }
                 let tighter = faithful_tolerances(method, &stretch, state);
                 let stretch = stretch.at_tolerances(tighter.as_ref());
@@ -275,7 +273,10 @@ impl Problem<'_> {
                     integrator.integrate(&stretch, state, samples)?;
                     continue;
                 };
-                watch.start_stretch(&stretch, state);
+                watch.start_stretch(&stretch, stretch.step_rtol(method), state);
+                // No series exists along a surface.
+                let is_by_series = method == Method::Taylor && self.system.is_sliding();
+                let integrator = if is_by_series { &explicit::Dop853 } else { integrator };
                 if !watch.turns(&stretch, stretch.from, state) {
                     integrator.integrate(&stretch, state, samples)?;
                 }
@@ -288,7 +289,8 @@ impl Problem<'_> {
         Ok(None)
     }
 
-    /// What jumps in time as a stretch starts: speeds that constraints impose, and sensitivities.
+    /// Applies jumps in time at the start of a stretch: velocities that constraints prescribe, and
+    /// sensitivities.
     fn jump(&self, (from, until): (f64, f64), state: &mut [f64]) -> Result<(), Stopped> {
         let before = state.to_vec();
         let (front, behind) = (from.next_down(), just_behind(from, until));
@@ -304,8 +306,8 @@ impl Problem<'_> {
         }
     }
 
-    /// Does what events say where the method stopped for some, and gives the time.
-    /// Energy that is lost there counts as dissipated.
+    /// Applies the events for which the method stopped, and returns the time. Energy lost there
+    /// counts as dissipated.
     fn switch(
         &self,
         stretch: &Stretch<'_>,
@@ -315,17 +317,29 @@ impl Problem<'_> {
         let states = self.system.states();
         let before = state[..states].to_vec();
         let Some(time) = watch.switch(state)? else { return Ok(None) };
+        let is_of_time = watch.changes_with_time(time, &before);
+        let allowed = (self.rtol, &self.atol[..]);
+        let energy = |state: &[f64]| {
+            let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
+            simulator.energy(time, &state[..states], parameters).total()
+        };
+        let switched = energy(state);
+        let has_moved = watch.has_changed_relations()
+            && self.system.go_along(time, is_of_time, allowed, state)?;
+        // A velocity jump in `go_along` accounts for its own energy.
+        let own = switched - energy(state);
         self.system.constrain(time, state)?;
         if let Some(tangents) = self.system.tangents() {
-            let (earlier, front) = tangents.front();
-            let time = stretch.within(time);
-            let passing = Passing { time, before: &before, front: (earlier, &front) };
-            tangents.switch(stretch, watch, &passing, &watch.happened(), state)?;
+            let passing = Passing { time: stretch.within(time), before: &before };
+            let happened = watch.happened();
+            if happened.applied.is_empty() {
+                tangents.cross(stretch, watch, &passing, (state, has_moved))?;
+            } else {
+                tangents.switch(stretch, watch, &passing, &happened, state)?;
+            }
         }
         if state.len() > states {
-            let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
-            let energy = |state: &[f64]| simulator.energy(time, state, parameters).total();
-            let lost = energy(&before) - energy(&state[..states]);
+            let lost = energy(&before) - energy(state) - own;
             state[states + 1] += lost;
             state[states + 2] += lost.abs();
         }
@@ -333,14 +347,14 @@ impl Problem<'_> {
     }
 }
 
-/// What a method makes of a problem.
+/// Result of a method for a problem.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// States at the wanted times, one row after another.
+    /// States at the requested times, one row after another.
     pub rows: Vec<f64>,
     /// Events that happened, in order.
     pub switches: Vec<Switch>,
-    /// How many of the wanted times were reached: all, unless the method stopped.
+    /// Number of requested times reached: all, unless the method stopped.
     pub taken: usize,
 }
 
@@ -349,20 +363,20 @@ struct Row {
     order: u32,
     implicit: bool,
     doc: &'static str,
-    /// The Cargo feature that it takes.
+    /// The Cargo feature that it requires.
     feature: Option<&'static str>,
-    /// Nothing without that feature.
+    /// `None` without that feature.
     integrator: Option<&'static (dyn Integrator + Sync)>,
 }
 
 impl Method {
-    /// Absolute tolerances of a run, as much tighter as the relative tolerance of its steps is.
+    /// Returns absolute tolerances, tightened in proportion to the relative tolerance of steps.
     pub(crate) fn tightened(atol: &[f64], rtol: f64, step_rtol: f64) -> Vec<f64> {
         let tighter = (step_rtol / rtol).min(1.0);
         atol.iter().map(|atol| tighter * atol).collect()
     }
 
-    /// Who looks at the steps of variants in lanes.
+    /// Returns the overseer of the steps of variants in lanes.
     #[cfg(feature = "sweep")]
     #[cfg_attr(
         not(feature = "implicit"),
@@ -380,48 +394,49 @@ impl Method {
         }
     }
 
-    /// The name that specs and the command line use.
+    /// Returns the name that specs and the command line use.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.row().name
     }
 
-    /// Order of convergence; the highest, where it varies; 0 of a method without steps.
+    /// Returns the order of convergence: the highest if it varies, and 0 for a method without
+    /// steps.
     #[must_use]
     pub fn order(self) -> u32 {
         self.row().order
     }
 
-    /// Whether each step solves equations, and so copes with stiffness.
+    /// Returns whether each step solves equations, so that the method copes with stiffness.
     #[must_use]
     pub fn is_implicit(self) -> bool {
         self.row().implicit
     }
 
-    /// Whether the Cargo feature of the method's family is on.
+    /// Returns whether the Cargo feature of the method's family is enabled.
     #[must_use]
     pub fn is_compiled_in(self) -> bool {
         self.row().integrator.is_some()
     }
 
-    /// The Cargo feature that the method takes; nothing if it is always there.
+    /// Returns the Cargo feature that the method requires; `None` if it is always available.
     #[must_use]
     pub fn feature(self) -> Option<&'static str> {
         self.row().feature
     }
 
-    /// Every method that is compiled in, in the order of the table.
+    /// Returns every method that is compiled in, in the order of the table.
     pub fn compiled_in() -> impl Iterator<Item = Self> {
         Self::ALL.iter().copied().filter(|method| method.is_compiled_in())
     }
 
-    /// One line for people.
+    /// Returns a description in one line.
     #[must_use]
     pub fn doc(self) -> &'static str {
         self.row().doc.trim()
     }
 
-    /// The method of this name.
+    /// Returns the method of this name.
     ///
     /// # Errors
     /// [`UnknownMethod`], which lists the known names and proposes the nearest.
@@ -457,7 +472,7 @@ impl Serialize for Method {
     }
 }
 
-/// One row a method: the variant with its line of doc, and what is known of it.
+/// One row per method: the variant with its line of doc, and its properties.
 macro_rules! methods {
     ($(#[doc = $doc:literal] $variant:ident {
         name: $name:literal, order: $order:literal, implicit: $implicit:literal,
@@ -504,8 +519,8 @@ macro_rules! feature_of {
 }
 use feature_of;
 
-/// The integrator of a row, if its feature is on. One arm a feature, for `cfg` takes
-/// a literal only.
+/// The integrator of a row, if its feature is enabled. There is one arm per feature, because `cfg`
+/// takes only a literal.
 macro_rules! integrator_of {
     (always, $integrator:expr) => {
         Some(&$integrator)

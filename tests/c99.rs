@@ -242,6 +242,7 @@ fn float_gives_the_operations_of_the_tapes_in_single_precision() {
     let Some(compiler) = Compiler::found() else { return };
     for name in ["saw_gin", "stick_slip", "four_bar", "winder_nonlinear", "parts/sources/fan"] {
         let model = model_of_specs(name, Keep::Needed);
+        let live = model.live();
         let mut program = compiled(&compiler, &model, &options(Real::Float, &model));
         for index in 0..4 {
             let (t, y, p) = sample(&model, index);
@@ -251,7 +252,7 @@ fn float_gives_the_operations_of_the_tapes_in_single_precision() {
                 if model.solve(row.id).is_some() || model.reads_motion(row.id) {
                     continue;
                 }
-                let wanted = single((row.tape)(&model), &model, (t, &y, &p));
+                let wanted = single((row.tape)(&live), &live, (t, &y, &p));
                 assert_same(&format!("{name} in float: {}", row.name), &found, &wanted);
             }
         }

@@ -421,25 +421,6 @@ fn what_grows_beyond_numbers_stops_every_method_with_its_name() {
 }
 
 #[test]
-fn friction_by_sign_that_chatters_is_named_with_what_to_do() {
-    let ball = scene(
-        "[define.ball.energy]\nkinetic = \"1 [kg]*v^2/2\"\n\
-         potential = \"1 [N/m]*x^2/2\"\n\
-         [[define.ball.forces]]\ncoordinate = \"x\"\nexpression = \"-2 [N]*sign(v)\"",
-    );
-    for method in [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Auto] {
-        let run = from_height(&ball, method).rtol(1e-6).max_steps(3000).run();
-        let stopped = run.expect_err("it chatters");
-        let SimulateError::Stopped { cause, .. } = &stopped else { panic!("{stopped}") };
-        assert!(
-            matches!(cause, StopCause::Chattering { state, .. } if state == "ball.v"),
-            "{method}: {cause}"
-        );
-        assert!(cause.to_string().contains("friction_slider"));
-    }
-}
-
-#[test]
 fn a_root_that_begins_at_zero_does_not_cost_steps() {
     let ball = scene(
         "[define.ball.energy]\nkinetic = \"1 [kg]*v^2/2\"\n\

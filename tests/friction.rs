@@ -282,3 +282,61 @@ fn what_breaks_away_beside_what_sticks_does_so_in_time() {
         }
     }
 }
+
+/// The brake's limit is 10 N m. At loose tolerances those of the stiff shaft's angles are worth more
+/// than what the drive pulls above it.
+#[test]
+fn a_brake_that_is_too_weak_at_the_start_lets_go_at_any_tolerance() {
+    let scene = of_text(
+        r#"
+        [scene]
+        name = "overloaded"
+        [units.drive]
+        unit = "sources/torque"
+        inputs = { torque = "torque" }
+        [units.motor]
+        unit = "rotational/inertia"
+        parameters = { inertia = 0.1 }
+        [units.shaft]
+        unit = "rotational/spring_damper"
+        parameters = { stiffness = 1e7, damping = 1e3 }
+        [units.rotor]
+        unit = "rotational/inertia"
+        parameters = { inertia = 1 }
+        [units.brake]
+        unit = "rotational/brake"
+        parameters = { friction = 1 }
+        inputs = { normal_force = "10 [N]" }
+        [[joints]]
+        connect = ["drive.a", "motor.a"]
+        [[joints]]
+        connect = ["motor.b", "shaft.a"]
+        [[joints]]
+        connect = ["shaft.b", "rotor.a"]
+        [[joints]]
+        connect = ["rotor.b", "brake.a"]
+        [parameters]
+        torque = { value = 15, unit = "N m" }
+        [initial]
+        "motor.phi" = "torque/shaft.stiffness"
+        [run]
+        until = 2
+        points = 3
+        "#,
+        Keep::All,
+    );
+    for stiffness in [1e6, 1e7, 1e9] {
+        for (torque, speed) in [(9.0, 0.0), (10.5, 1.0 / 1.1), (15.0, 10.0 / 1.1)] {
+            for rtol in [1e-3, 1e-5, 1e-6, 1e-7, 1e-9] {
+                for method in [Method::Auto, Method::Radau] {
+                    let run = Simulation::new(&scene).method(method).rtol(rtol);
+                    let run = run.parameter("shaft.stiffness", stiffness).expect("a parameter");
+                    let run = run.parameter("torque", torque).expect("a parameter").run();
+                    let found = run.expect("a run").last("rotor.omega").expect("a state");
+                    let what = format!("{method} at {rtol:e}, {stiffness:e}, {torque} N m");
+                    assert!((found - speed).abs() < 2e-3, "{what}: {found} and not {speed}");
+                }
+            }
+        }
+    }
+}

@@ -213,11 +213,12 @@ fn auto_starts_with_series_where_they_tell_what_is_ahead() {
         let base = Simulation::new(simulator).method(Method::Auto).rtol(rtol).points(2);
         base.until(0.01).run().unwrap().notes[0].clone()
     };
-    for name in ["pendulum_chain", "winder_nonlinear", "motor_run_up", "saw_gin"] {
+    // The last one has branches, which steps hold.
+    for name in
+        ["pendulum_chain", "winder_nonlinear", "motor_run_up", "saw_gin", "stick_slip_smooth"]
+    {
         assert_eq!(first(name, 1e-6), "starts with taylor, for a relative tolerance of 1e-6");
     }
-    let note = first("stick_slip_smooth", 1e-6);
-    assert!(note.starts_with("starts with dop853") && note.contains("branches"), "{note}");
 }
 
 #[test]
@@ -274,7 +275,10 @@ fn auto_doubts_an_explicit_method_whose_steps_rounding_keeps_short() {
     for rtol in [1e-10, 1e-11] {
         let auto = run(Method::Auto, rtol);
         println!("{:?} {:?}", auto.notes, auto.work);
-        let is_doubted = |note: &String| note.contains("steps stayed near what stability allows");
+        let is_doubted = |note: &String| {
+            note.contains("steps stayed near what stability allows")
+                || note.starts_with("starts with radau")
+        };
         assert!(auto.notes.iter().any(is_doubted), "{:?}", auto.notes);
         // Without the check there would be millions of steps.
         assert!(auto.work.steps < 20_000, "{:?}", auto.work);
@@ -475,7 +479,8 @@ fn first_steps_are_those_of_the_book() {
         ASKED.take();
         run.rtol(RTOL).atol(&[atol]).run().unwrap();
         let times = ASKED.take();
-        let mut later = times.into_iter().map(|time| time - FROM).filter(|time| *time > 0.0);
+        // The start is evaluated slightly later.
+        let mut later = times.into_iter().map(|time| time - FROM).filter(|time| *time > 1e-12);
 
         let scale = atol + RTOL * y;
         let f = rate(FROM, y);

@@ -9,6 +9,7 @@ mod algebras;
 mod bells;
 mod bench_scenes;
 mod bends;
+mod branches;
 mod c99;
 mod campbell;
 mod chains;

@@ -8,6 +8,7 @@ mod cost;
 pub mod extent;
 mod fold;
 mod graph;
+pub mod held;
 pub mod identity;
 mod matrix;
 mod overflow;

@@ -20,7 +20,7 @@ use std::f64::consts::TAU;
 use clap::ValueEnum;
 use realfft::RealFftPlanner;
 
-/// What samples are weighed by.
+/// Weighting of samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Window {
     /// All alike: for a whole number of periods

@@ -94,6 +94,58 @@ pub struct Event<'a> {
     pub sets: &'a [u32],
 }
 
+/// The way in which a step holds a relation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RelationKind {
+    /// `abs`, `sign`, `min`, `max` or a comparison: one of two branches, by the sign of the guard.
+    Branch,
+    /// `floor`, and with it `mod`: an integer n. The guard is the argument, between n and n + 1.
+    Whole,
+    /// A feature with an effect only near a place, such as a bell: its guard is positive there.
+    /// Nothing is held, and nothing reads the slot. Steps end where the motion enters, is nearest
+    /// and leaves.
+    Zone,
+}
+
+impl RelationKind {
+    /// Returns the slot value that leaves a relation live, so that its current values decide.
+    #[must_use]
+    pub const fn live(self) -> f64 {
+        match self {
+            Self::Branch | Self::Zone => 0.0,
+            Self::Whole => f64::INFINITY,
+        }
+    }
+}
+
+/// A reader of a relation, which determines when the relation can have an effect.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reader {
+    /// The rate, constraints or the mass matrix, in every mode.
+    Rate,
+    /// The guard of an event.
+    Event(u32),
+    /// The comparison of another relation.
+    Relation(u32),
+    /// The branch of another relation on which its guard is negative.
+    Below(u32),
+    /// The branch of another relation on which its guard is not negative.
+    Above(u32),
+}
+
+/// A relation of the spec that steps hold: `abs`, `sign`, `min`, `max`, a comparison, or `floor`.
+///
+/// It has a *slot* after the parameters. A branch adds its slot to the guard before the comparison
+/// with zero: minus or plus infinity holds the branch below or above, and zero leaves it live. For
+/// an integer, the slot is its value; infinity leaves it live.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Relation<'a> {
+    /// The way in which it is held.
+    pub kind: RelationKind,
+    /// Its readers.
+    pub readers: &'a [Reader],
+}
+
 /// A constraint on the coordinates: g(q, t) = 0, or a(q, t) q' + b(q, t) = 0. Its force on the
 /// coordinates is G^T lambda.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -273,6 +325,16 @@ pub trait Describe {
     /// zero where the rate is not smooth in state or time, whether it is continuous there or not.
     fn kinks(&self) -> usize {
         0
+    }
+    /// Returns the number of relations that steps hold, by default 0. Their guards are the first of
+    /// the guards of kinks, each after those that it reads. Their slots may follow the parameters
+    /// wherever parameters are taken.
+    fn relations(&self) -> usize {
+        0
+    }
+    /// Returns the `index`-th relation.
+    fn relation(&self, index: usize) -> Relation<'_> {
+        panic!("there is no relation {index}")
     }
     /// Returns the number of constraints, m, by default 0. The state of a simulator with
     /// constraints holds all coordinates, in order.

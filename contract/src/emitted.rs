@@ -116,7 +116,12 @@ pub fn places_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
 /// field: value, "unit", "spec.name", "meaning";
 /// ```
 ///
-/// followed by `as "documentation"` if name, meaning and unit are not valid Markdown.
+/// followed by `as "documentation"` if name, meaning and unit are not valid Markdown. Slots of
+/// relations follow, one per row, with the kind of the relation:
+///
+/// ```text
+/// @ held_1: Branch;
+/// ```
 #[macro_export]
 macro_rules! parameters {
     ($($name:ident: $value:expr, $unit:literal, $path:literal, $doc:literal $(as $markdown:literal)?;)*) => {
@@ -128,14 +133,86 @@ macro_rules! parameters {
                 " In the spec: ", stringify!($value), "."
             ])*
         }
+        $crate::__from_slice! { Parameters }
+        $crate::__parameter_rows! { $($name: $value, $unit, $path, $doc;)* }
+    };
+    (
+        $($name:ident: $value:expr, $unit:literal, $path:literal, $doc:literal $(as $markdown:literal)?;)*
+        $(@ $slot:ident: $kind:ident;)+
+    ) => {
+        $crate::__record! {
+            Parameters PARAMETERS_AND_SLOTS
+            ["Parameters and slots."
+                "Parameters, in SI units; the default holds the values of the spec, and leaves \
+                 relations live."]
+            $($name [
+                $crate::__meaning!($path, $unit, $doc $(, $markdown)?),
+                " In the spec: ", stringify!($value), "."
+            ])*
+            $($slot ["Slot of a relation: see `Relation` of the contract."])+
+        }
+        /// Number of parameters, without slots.
+        pub const PARAMETERS: usize = PARAMETER_DEFAULTS.len();
+        impl<R: $crate::Real> Parameters<R> {
+            /// Returns the struct made of a slice of the parameters in their order, with or without
+            /// slots after them. Without slots, relations are live.
+            ///
+            /// # Panics
+            /// If it has another length.
+            #[must_use]
+            #[inline]
+            pub fn from_slice(values: &[R]) -> Self {
+                if let Ok(all) = <&[R; PARAMETERS_AND_SLOTS]>::try_from(values) {
+                    return Self::from_array(*all);
+                }
+                let mut all = Self::default().to_array();
+                *$crate::emitted::places_of(&mut all[..PARAMETERS]) =
+                    *$crate::emitted::array_of::<R, PARAMETERS>(values);
+                Self::from_array(all)
+            }
+        }
+        $crate::__parameter_rows! {
+            $($name: $value, $unit, $path, $doc;)*
+            $(@ $slot: $crate::RelationKind::$kind.live();)+
+        }
+    };
+}
+
+/// Defines what `simulator!` needs of parameters.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __parameter_rows {
+    (
+        $($name:ident: $value:expr, $unit:literal, $path:literal, $doc:literal;)*
+        $(@ $slot:ident: $live:expr;)*
+    ) => {
         const PARAMETER_QUANTITIES: &[$crate::Quantity<'static>] =
             &[$($crate::Quantity { name: $path, unit: $unit, doc: $doc }),*];
         const PARAMETER_DEFAULTS: &[f64] = &[$($value),*];
         impl<R: $crate::Real> ::core::default::Default for Parameters<R> {
             fn default() -> Self {
-                $crate::__new_record! { $($name: <R as $crate::Real>::literal($value)),* }
+                $crate::__new_record! {
+                    $($name: <R as $crate::Real>::literal($value),)*
+                    $($slot: <R as $crate::Real>::literal($live),)*
+                }
             }
         }
+    };
+}
+
+/// Defines `RELATION_ROWS`, the relations of a simulator. A row is
+///
+/// ```text
+/// Branch [Rate, Event(0)];
+/// ```
+#[macro_export]
+macro_rules! relations {
+    ($($kind:ident [$($reader:ident $(($index:literal))?),*];)*) => {
+        /// Relations that steps hold.
+        pub const RELATION_ROWS: &[$crate::Relation<'static>] = &[$($crate::Relation {
+            kind: $crate::RelationKind::$kind,
+            readers: &[$($crate::Reader::$reader $(($index))?),*],
+        }),*];
     };
 }
 
@@ -157,6 +234,7 @@ macro_rules! outputs {
             Outputs OUTPUTS ["Wanted outputs." "Wanted outputs, in SI units."]
             $($name [$crate::__meaning!($path, $unit, $doc $(, $markdown)?)])*
         }
+        $crate::__from_slice! { Outputs }
         const OUTPUT_QUANTITIES: &[$crate::Quantity<'static>] =
             &[$($crate::Quantity { name: $path, unit: $unit, doc: $doc }),*];
         const OUTPUTS_AT_ONCE: &[bool] = &[$(!stringify!($($at_once)?).is_empty()),*];
@@ -171,9 +249,10 @@ macro_rules! constants {
         $crate::__record! {
             Constants CONSTANTS
             ["Constants that `prepare` computes."
-                "What parameters alone decide; `prepare` says what each is."]
+                "Constants computed from the parameters alone; see `prepare`."]
             $($name ["See `prepare`."])*
         }
+        $crate::__from_slice! { Constants }
     };
 }
 
@@ -336,7 +415,7 @@ macro_rules! __new_record {
     () => {
         Self { real: ::core::marker::PhantomData }
     };
-    ($($field:ident: $value:expr),+) => {
+    ($($field:ident: $value:expr),+ $(,)?) => {
         Self { $($field: $value),* }
     };
 }
@@ -366,6 +445,16 @@ macro_rules! __conversions {
             pub fn to_array(self) -> [R; $length] {
                 [$(self.$name),*]
             }
+        }
+    };
+}
+
+/// Converts a slice of numbers to a struct of them.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __from_slice {
+    ($record:ident) => {
+        impl<R: $crate::Real> $record<R> {
             /// Returns the struct made of a slice of the numbers in their order.
             ///
             /// # Panics

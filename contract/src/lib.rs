@@ -48,8 +48,9 @@ mod table;
 pub mod taylor;
 
 pub use contract::{
-    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, Refusal, RunDefaults,
-    Shape, SideBySide, Simulator, SparsityPattern, StateKind, jacobians_apart,
+    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, Reader, Refusal,
+    Relation, RelationKind, RunDefaults, Shape, SideBySide, Simulator, SparsityPattern, StateKind,
+    jacobians_apart,
 };
 pub use dual::{Derivatives, Dual, DualFunction};
 pub use pair::F64x2;

@@ -15,9 +15,9 @@
 /// ```
 ///
 /// Parts are optional features of a machine, each followed by a semicolon: `coordinates` (see
-/// `coordinates!`), `events`, `constraints`, `equilibrium`, `kinks COUNT`, `prepared` (see
-/// `constants!`), `series LANES` or `series LANES Bends` (that many sums of products per order),
-/// and `linear`. `prepared` takes `jacobians_at_once` if `prepared_jacobians` computes both
+/// `coordinates!`), `events`, `constraints`, `equilibrium`, `kinks COUNT`, `relations`, `prepared`
+/// (see `constants!`), `series LANES` or `series LANES Bends` (that many sums of products per
+/// order), and `linear`. `prepared` takes `jacobians_at_once` if `prepared_jacobians` computes both
 /// Jacobians, else `jacobians_apart`.
 #[macro_export]
 macro_rules! simulator {
@@ -148,6 +148,14 @@ macro_rules! __describe_part {
     (kinks) => {
         fn kinks(&self) -> usize {
             KINKS
+        }
+    };
+    (relations) => {
+        fn relations(&self) -> usize {
+            RELATION_ROWS.len()
+        }
+        fn relation(&self, index: usize) -> $crate::Relation<'_> {
+            RELATION_ROWS[index]
         }
     };
     (equilibrium) => {

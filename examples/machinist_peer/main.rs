@@ -72,7 +72,7 @@ fn answer() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the command line asks for.
+/// Arguments of the command line.
 struct Arguments {
     call: String,
     model: String,

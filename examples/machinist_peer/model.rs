@@ -1,13 +1,12 @@
-//! Benchmark models M1 to M6, and the simulator that stands for each. The outputs of a
-//! scene written out are the states of the model's definition, in their order; its own
-//! states are fewer or others, where less is enough. A field's states are the model's, in
-//! another order.
+//! Benchmark models M1 to M6, and the simulator of each. The outputs of an expanded scene are the
+//! states of the model's definition, in their order. Its own states are fewer or different, where
+//! fewer are sufficient. The states of a field are the model's, in another order.
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist_contract::{Describe as _, Simulator};
 use machinist_scenes::bench;
 
-/// A benchmark model and the simulator that stands for it.
+/// A benchmark model and its simulator.
 pub struct Model {
     /// `M3:10`.
     pub key: String,
@@ -15,14 +14,14 @@ pub struct Model {
     pub scene: String,
     /// The simulator.
     pub simulator: &'static dyn Simulator<f64>,
-    /// Of a field, its states in the model's order.
+    /// For a field, its states in the model's order.
     order: Option<Vec<usize>>,
     parameters: Vec<f64>,
 }
 
 impl Model {
-    /// The model of a key such as `M3:10`, written out or as a field; nothing if there is
-    /// no such scene.
+    /// Returns the model of a key such as `M3:10`, expanded or as a field; `None` if there is no
+    /// such scene.
     pub fn find(key: &str) -> Option<Self> {
         let scene = key.to_lowercase().replace(':', "_");
         let Some(simulator) = bench::find_f64(&scene) else { return Self::of_field(key) };
@@ -30,7 +29,7 @@ impl Model {
         Some(Self { key: key.to_owned(), scene, simulator, order: None, parameters })
     }
 
-    /// The model of a key such as `M4:70` as a field, cut into as many elements.
+    /// Returns the model of a key such as `M4:70` as a field, with as many elements.
     pub fn of_field(key: &str) -> Option<Self> {
         let (family, count) = key.split_once(':')?;
         let count: usize = count.parse().ok()?;
@@ -54,23 +53,23 @@ impl Model {
         Some(Self { key: key.to_owned(), scene, simulator, order, parameters })
     }
 
-    /// Whether it is a field.
+    /// Returns whether it is a field.
     pub fn is_field(&self) -> bool {
         self.order.is_some()
     }
 
-    /// Values of the parameters.
+    /// Returns the values of the parameters.
     pub fn parameters(&self) -> Vec<f64> {
         self.parameters.clone()
     }
 
-    /// Typical sizes of the simulator's states.
+    /// Returns the typical sizes of the simulator's states.
     pub fn scales(&self) -> Vec<f64> {
         let count = self.simulator.shape().states();
         (0..count).map(|index| self.simulator.state_scale(index)).collect()
     }
 
-    /// The model's states at a state of the simulator.
+    /// Returns the model's states at a state of the simulator.
     pub fn states(&self, time: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
         if let Some(order) = &self.order {
             return order.iter().map(|index| state[*index]).collect();
@@ -86,8 +85,8 @@ fn defaults(simulator: &dyn Simulator<f64>) -> Vec<f64> {
     (0..count).map(|index| simulator.parameter_default(index)).collect()
 }
 
-/// Fluxes, then angle and speed of the rotor, then those of every node by x: what there is
-/// of these.
+/// Returns the order of fluxes, then of angle and speed of the rotor, then of those of every node
+/// by x, as far as they exist.
 fn order(simulator: &FieldSimulator<'_, f64>) -> Vec<usize> {
     let shape = simulator.shape();
     let n = shape.coordinates;
@@ -97,7 +96,7 @@ fn order(simulator: &FieldSimulator<'_, f64>) -> Vec<usize> {
     for (index, number) in nodes[..n].iter_mut().enumerate() {
         *number = index as f64;
     }
-    // The values at nodes of a state that is the number of each entry are their places.
+    // In a state that holds the number of each entry, the values at nodes are their indices.
     let by_x = simulator.values(0, &nodes).into_iter().map(|number| number as usize);
     order.extend(rotor.into_iter().chain(by_x).flat_map(|index| [index, index + n]));
     order

@@ -21,7 +21,7 @@ const STATES: usize = 16;
 const SAMPLE: f64 = 0.01;
 const SAMPLES: usize = 9;
 
-/// What is called with time, state, what is known before, and where to write.
+/// A function of time, state and precomputed values, which writes its results.
 type Function<R, const N: usize, P, const M: usize> = fn(R, &[R; N], &P, &mut [R; M]);
 
 /// Time and state.

@@ -15,7 +15,7 @@ pub struct Inputs<'a, R = f64> {
     pub time: R,
     /// y.
     pub state: &'a [R],
-    /// p.
+    /// p, followed by the values that fields hand over and the slots if tapes read slots.
     pub parameters: &'a [R],
     /// Values that fields hand over.
     pub handed: &'a [R],
@@ -102,7 +102,7 @@ pub fn operate<R: Real>(op: Op, value: impl Fn(NodeId) -> R, inputs: &Inputs<'_,
         Op::Literal(literal) => R::literal(literal),
         Op::Time => inputs.time,
         Op::State(entry) => inputs.state[entry as usize],
-        Op::Parameter(entry) => inputs.parameters[entry as usize],
+        Op::Parameter(entry) | Op::Held(entry) => inputs.parameters[entry as usize],
         Op::Handed(entry) => inputs.handed[entry as usize],
         Op::Constant(entry) => inputs.constants[entry as usize],
         Op::Motion(entry) => inputs.motion[entry as usize],

@@ -57,6 +57,7 @@ fn known(tape: &Tape, parameters: &[f64]) -> Vec<Option<f64>> {
             Op::Time
             | Op::State(_)
             | Op::Handed(_)
+            | Op::Held(_)
             | Op::Constant(_)
             | Op::Motion(_)
             | Op::Table { .. } => None,

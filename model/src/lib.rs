@@ -21,6 +21,7 @@ pub mod fingerprint;
 pub mod functions;
 pub mod hoist;
 mod lanes;
+mod live;
 mod model;
 mod motion;
 mod names;
@@ -42,12 +43,12 @@ pub use excitation::Excitation;
 pub use field::{Attachment, FieldModel, LocalForces};
 pub use lanes::{F64x2, Lane};
 pub use model::{
-    Bound, Constraint, Coordinate, Event, Freeze, MatrixTape, Model, Parameter, Requirement,
-    SparsityPattern, State, StateKind,
+    Bound, Constraint, Coordinate, Event, Freeze, MatrixTape, Model, Parameter, Relation,
+    Requirement, SparsityPattern, State, StateKind,
 };
 pub use motion::{Motion, Solve, SolveStep};
 pub use names::{Direction, Name, Place, Quantity, RunDefaults, SourceFile, Table};
-pub use prune::{Dependence, needed_nodes, operations, reachable};
+pub use prune::{Dependence, needed_nodes, operations, reachable, reachable_at};
 pub use reduction::{LeftOut, Reduction, What, Why};
 pub use simulator::{ModelSimulator, Running};
 pub use tape::{Function, Node, NodeId, Op, OpKey, TableId, Tape};

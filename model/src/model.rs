@@ -63,6 +63,53 @@ pub struct Event {
     pub sets: Vec<u32>,
 }
 
+/// A relation that steps hold, as a simulator describes it. Its comparison is on the tape of guards
+/// of kinks; tapes read its slot by [`Op::Held`].
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Relation {
+    /// The way in which it is held.
+    #[serde(with = "RelationKindOfFile")]
+    pub kind: contract::RelationKind,
+    /// Its readers.
+    #[serde(with = "readers_of_file")]
+    pub readers: Vec<contract::Reader>,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "contract::RelationKind")]
+enum RelationKindOfFile {
+    Branch,
+    Whole,
+    Zone,
+}
+
+/// Format of readers in files.
+mod readers_of_file {
+    use machinist_contract::Reader;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    #[derive(Serialize, Deserialize)]
+    #[serde(remote = "Reader")]
+    enum ReaderOfFile {
+        Rate,
+        Event(u32),
+        Relation(u32),
+        Below(u32),
+        Above(u32),
+    }
+
+    #[derive(Serialize, Deserialize)]
+    struct One(#[serde(with = "ReaderOfFile")] Reader);
+
+    pub fn serialize<S: Serializer>(readers: &[Reader], into: S) -> Result<S::Ok, S::Error> {
+        into.collect_seq(readers.iter().map(|reader| One(*reader)))
+    }
+
+    pub fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<Vec<Reader>, D::Error> {
+        Ok(Vec::<One>::deserialize(from)?.into_iter().map(|One(reader)| reader).collect())
+    }
+}
+
 /// A constraint as a simulator describes it; its functions are on tapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Constraint {
@@ -275,6 +322,8 @@ pub struct Model {
     pub fields: Vec<FieldModel>,
     /// Checks on the results of its runs.
     pub checks: Vec<Check>,
+    /// Relations that steps hold; their guards come first among those of kinks.
+    pub relations: Vec<Relation>,
     /// Requirements on values of parameters.
     pub requirements: Vec<Requirement>,
     /// One result for each requirement, computed from parameters only.
@@ -282,6 +331,13 @@ pub struct Model {
 }
 
 impl Model {
+    /// Returns the indices of the slots among the parameters that simulators take.
+    #[must_use]
+    pub fn slots(&self) -> std::ops::Range<usize> {
+        let first = self.parameters.len() + self.handed.len();
+        first..first + self.relations.len()
+    }
+
     /// Returns the parameters as simulators take them: the machine's, then those that fields hand
     /// over.
     pub fn all_parameters(&self) -> impl Iterator<Item = &Parameter> + Clone {

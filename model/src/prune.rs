@@ -7,6 +7,12 @@ use crate::{Node, NodeId, Op, Tape};
 /// Returns the part of `nodes` that `results` reach, renumbered, in order.
 #[must_use]
 pub fn reachable(nodes: &[Node], results: &[NodeId]) -> Tape {
+    reachable_at(nodes, results).0
+}
+
+/// Returns the same, with the index in `nodes` of each of its nodes.
+#[must_use]
+pub fn reachable_at(nodes: &[Node], results: &[NodeId]) -> (Tape, Vec<NodeId>) {
     let mut needed = vec![false; nodes.len()];
     for result in results {
         needed[result.0 as usize] = true;
@@ -21,13 +27,15 @@ pub fn reachable(nodes: &[Node], results: &[NodeId]) -> Tape {
     }
     let mut place = vec![NodeId(0); nodes.len()];
     let mut tape = Tape::default();
+    let mut originals = Vec::new();
     for (index, node) in nodes.iter().enumerate().filter(|(index, _)| needed[*index]) {
         place[index] = NodeId(tape.nodes.len() as u32);
+        originals.push(NodeId(index as u32));
         let op = node.op.with_operands(|id| place[id.0 as usize]);
         tape.nodes.push(Node { op, name: node.name.clone() });
     }
     tape.results = results.iter().map(|result| place[result.0 as usize]).collect();
-    tape
+    (tape, originals)
 }
 
 /// Counts the operations with a cost at run time, among the nodes that results need.
@@ -77,8 +85,9 @@ impl Dependence {
         for node in &tape.nodes {
             known.push(match node.op {
                 Op::Time => (true, false),
-                // The motion is computed from the state.
-                Op::State(_) | Op::Motion(_) => (false, true),
+                // The motion is computed from the state. A slot is held from one segment to the
+                // next.
+                Op::State(_) | Op::Motion(_) | Op::Held(_) => (false, true),
                 Op::Handed(number) => (false, !is_inertia(number)),
                 ref op => op.operands().iter().fold((false, false), |(time, state), id| {
                     let of = known[id.0 as usize];

@@ -214,7 +214,10 @@ impl TaylorTape {
     #[must_use]
     pub fn bends(&self, jumps: usize) -> Bends {
         let mut switches: Vec<(NodeId, NodeId)> = Vec::new();
-        let mut of_node = |node: &SeriesNode| match node.recurrence {
+        let live: Vec<NodeId> = self.nodes.iter().filter_map(|node| self.live_of(node)).collect();
+        let mut of_node = |(index, node): (usize, &SeriesNode)| match node.recurrence {
+            Recurrence::Select { lhs, .. } if self.is_held(lhs) => Bends::Nowhere,
+            _ if live.contains(&NodeId(index as u32)) => Bends::Nowhere,
             Recurrence::Select { lhs, rhs, .. } => {
                 let switches_once = [(lhs, rhs), (rhs, lhs)].into_iter().any(|(time, at)| {
                     self[time].recurrence == Recurrence::Time && self.is_constant(at)
@@ -246,8 +249,32 @@ impl TaylorTape {
             }
             _ => Bends::Nowhere,
         };
-        let most = self.nodes.iter().map(&mut of_node).max().unwrap_or(Bends::Nowhere);
+        let nodes = self.nodes.iter().enumerate();
+        let most = nodes.map(&mut of_node).max().unwrap_or(Bends::Nowhere);
         if switches.len() > jumps { Bends::Corners } else { most }
+    }
+
+    /// Returns whether the left side of a comparison contains a slot: a sum with one, compared with
+    /// zero, or the slot itself, compared with the largest number.
+    fn is_held(&self, lhs: NodeId) -> bool {
+        let is_slot = |id: NodeId| matches!(self[id].recurrence, Recurrence::Constant(Op::Held(_)));
+        match self[lhs].recurrence {
+            Recurrence::Add(a, b) | Recurrence::Sub(a, b) => is_slot(a) || is_slot(b),
+            _ => is_slot(lhs),
+        }
+    }
+
+    /// Returns the integer that a node chooses while its relation is live.
+    fn live_of(&self, node: &SeriesNode) -> Option<NodeId> {
+        let is_whole = |id: NodeId| {
+            matches!(self[id].recurrence, Recurrence::Integral { function: Function::Floor, .. })
+        };
+        match node.recurrence {
+            Recurrence::Select { lhs, otherwise, .. } if self.is_held(lhs) => {
+                Some(otherwise).filter(|id| is_whole(*id))
+            }
+            _ => None,
+        }
     }
 
     /// Returns whether a node is constant along a motion: a constant or a mode.

@@ -11,7 +11,8 @@ use machinist_contract::linear::LinearEquations;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{
     Constraint, Derivatives, Describe, Direction, Dual, Energy, Event, PowerBalance, Quantity,
-    Refusal, RunDefaults, Shape, SideBySide, Simulator, SparsityPattern, jacobians_apart,
+    Real, Refusal, Relation, RunDefaults, Shape, SideBySide, Simulator, SparsityPattern,
+    jacobians_apart,
 };
 
 use crate::functions::{FUNCTIONS, FunctionId};
@@ -154,8 +155,8 @@ impl ModelSimulator {
     #[inline(always)]
     fn read_without_state<'a, R: Lane>(&'a self, time: &'a R, parameters: &'a [R]) -> Read<'a> {
         let [own, handed] = [self.model.parameters.len(), self.model.handed.len()];
-        assert_eq!(parameters.len(), own + handed, "number of parameters");
-        let (parameters, handed) = parameters.split_at(own);
+        assert_eq!(parameters.len(), self.model.slots().end, "number of parameters");
+        let handed = &parameters[own..own + handed];
         Read {
             time: R::numbers(std::slice::from_ref(time)),
             state: &[],
@@ -165,6 +166,18 @@ impl ModelSimulator {
             motion: &[],
             tables: &self.tables,
         }
+    }
+
+    /// Passes the parameters followed by the slots of relations: the given slots, or slots that
+    /// leave relations live.
+    #[inline(always)]
+    fn with_slots<R: Real, T>(&self, parameters: &[R], work: impl FnOnce(&[R]) -> T) -> T {
+        let relations = &self.model.relations;
+        if relations.is_empty() || parameters.len() == self.model.slots().end {
+            return work(parameters);
+        }
+        let live = relations.iter().map(|relation| R::literal(relation.kind.live()));
+        work(&parameters.iter().copied().chain(live).collect::<Vec<R>>())
     }
 
     fn hoisted(&self) -> &Hoisted {
@@ -265,18 +278,20 @@ impl ModelSimulator {
         constants: &[R],
         results: &mut [f64],
     ) {
-        let read = match state {
-            Some(state) => self.read(&time, state, parameters),
-            None => self.read_without_state(&time, parameters),
-        };
-        let read = Read { constants: R::numbers(constants), ..read };
-        let tape = (|| self.tape(called), self.running);
-        let ready = self.function(called);
-        if let Some(function) = self.behind_motion(called) {
-            self.run_behind_motion((function, ready), tape, R::COUNT, &read, results);
-        } else {
-            ready.run_and_keep(tape, R::COUNT, &read, results);
-        }
+        self.with_slots(parameters, |parameters| {
+            let read = match state {
+                Some(state) => self.read(&time, state, parameters),
+                None => self.read_without_state(&time, parameters),
+            };
+            let read = Read { constants: R::numbers(constants), ..read };
+            let tape = (|| self.tape(called), self.running);
+            let ready = self.function(called);
+            if let Some(function) = self.behind_motion(called) {
+                self.run_behind_motion((function, ready), tape, R::COUNT, &read, results);
+            } else {
+                ready.run_and_keep(tape, R::COUNT, &read, results);
+            }
+        });
     }
 }
 
@@ -405,6 +420,13 @@ impl Describe for ModelSimulator {
     }
     fn kinks(&self) -> usize {
         self.model.kink_guards.results.len()
+    }
+    fn relations(&self) -> usize {
+        self.model.relations.len()
+    }
+    fn relation(&self, index: usize) -> Relation<'_> {
+        let crate::Relation { kind, readers } = &self.model.relations[index];
+        Relation { kind: *kind, readers }
     }
     fn constraints(&self) -> usize {
         self.model.constraints.len()
@@ -580,9 +602,11 @@ impl<R: Lane> LinearEquations<R> for ModelSimulator {
     }
     fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
         if let Some(excitation) = &self.model.excitation {
-            let read = self.read_without_state(&time, parameters);
-            let tape = (|| &excitation.values, self.running);
-            self.linear[0].run(tape, R::COUNT, &read, R::numbers_mut(values));
+            self.with_slots(parameters, |parameters| {
+                let read = self.read_without_state(&time, parameters);
+                let tape = (|| &excitation.values, self.running);
+                self.linear[0].run(tape, R::COUNT, &read, R::numbers_mut(values));
+            });
         }
     }
     fn switches(&self) -> usize {
@@ -591,9 +615,11 @@ impl<R: Lane> LinearEquations<R> for ModelSimulator {
     fn switch_times(&self, parameters: &[R], times: &mut [R]) {
         if let Some(excitation) = &self.model.excitation {
             let zero = R::literal(0.0);
-            let read = self.read_without_state(&zero, parameters);
-            let tape = (|| &excitation.switches, self.running);
-            self.linear[1].run(tape, R::COUNT, &read, R::numbers_mut(times));
+            self.with_slots(parameters, |parameters| {
+                let read = self.read_without_state(&zero, parameters);
+                let tape = (|| &excitation.switches, self.running);
+                self.linear[1].run(tape, R::COUNT, &read, R::numbers_mut(times));
+            });
         }
     }
 }
@@ -610,10 +636,12 @@ impl<R: Lane> TaylorSeries<R> for ModelSimulator {
         coefficients: &mut [R],
         workspace: &mut [R],
     ) {
-        let read = self.read(&time, state, parameters);
-        let [coefficients, workspace] = [coefficients, workspace].map(R::numbers_mut);
-        let model = (&self.model, self.running);
-        self.series.run(model, R::COUNT, &read, coefficients, workspace);
+        self.with_slots(parameters, |parameters| {
+            let read = self.read(&time, state, parameters);
+            let [coefficients, workspace] = [coefficients, workspace].map(R::numbers_mut);
+            let model = (&self.model, self.running);
+            self.series.run(model, R::COUNT, &read, coefficients, workspace);
+        });
     }
     fn bends(&self) -> Bends {
         let jumps = self.model.discontinuities.results.len();

@@ -191,7 +191,7 @@ impl Straight {
             Op::Literal(value) => Step::Literal(value),
             Op::Time => Step::Read(Region::Time, 0),
             Op::State(entry) => Step::Read(Region::State, entry),
-            Op::Parameter(entry) => Step::Read(Region::Parameters, entry),
+            Op::Parameter(entry) | Op::Held(entry) => Step::Read(Region::Parameters, entry),
             Op::Handed(entry) => Step::Read(Region::Handed, entry),
             Op::Constant(entry) => Step::Read(Region::Constants, entry),
             Op::Motion(entry) => Step::Read(Region::Motion, entry),

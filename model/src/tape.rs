@@ -97,6 +97,9 @@ pub enum Op {
     /// The k-th value that fields hand to the machine at their ports, of which each port has
     /// [`HANDED`](machinist_contract::field::HANDED).
     Handed(u32),
+    /// The slot of a relation that steps hold, by its index among the parameters: after the
+    /// machine's and those that fields hand over. See [`Relation`](crate::Relation).
+    Held(u32),
     /// The k-th result of the tape of constants, which runs before this one: see
     /// [`hoist`](crate::hoist).
     Constant(u32),
@@ -175,6 +178,7 @@ impl Op {
             | Op::State(_)
             | Op::Parameter(_)
             | Op::Handed(_)
+            | Op::Held(_)
             | Op::Constant(_)
             | Op::Motion(_) => vec![],
             Op::Neg(a) | Op::Powi(a, _) | Op::Call(_, a) | Op::Table { argument: a, .. } => vec![a],
@@ -194,6 +198,7 @@ impl Op {
             | Op::State(_)
             | Op::Parameter(_)
             | Op::Handed(_)
+            | Op::Held(_)
             | Op::Constant(_)
             | Op::Motion(_) => self,
             Op::Neg(a) => Op::Neg(to(a)),
@@ -235,6 +240,7 @@ impl Op {
                 | Op::State(_)
                 | Op::Parameter(_)
                 | Op::Handed(_)
+                | Op::Held(_)
                 | Op::Constant(_)
                 | Op::Motion(_)
         )
@@ -267,6 +273,7 @@ impl Op {
                 (15, [u64::from(table.0), u64::from(order), n(argument), 0])
             }
             Op::Motion(index) => (16, [u64::from(index), 0, 0, 0]),
+            Op::Held(place) => (17, [u64::from(place), 0, 0, 0]),
         };
         OpKey(kind, reads)
     }

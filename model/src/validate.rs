@@ -24,6 +24,8 @@ struct Room {
     states: usize,
     parameters: usize,
     handed: usize,
+    /// Indices of the slots among the parameters.
+    slots: std::ops::Range<usize>,
     constants: usize,
     motion: usize,
     tables: usize,
@@ -90,6 +92,7 @@ impl Model {
             states: 0,
             parameters: self.parameters.len(),
             handed: self.handed.len(),
+            slots: self.slots(),
             constants: 0,
             motion: 0,
             tables: self.tables.len(),
@@ -316,6 +319,11 @@ fn check(part: &str, tape: &Tape, room: &Room, results: usize) -> Result<(), Mal
         if let Some(NodeId(late)) = node.op.operands().iter().find(|id| id.0 as usize >= index) {
             let reason = format!("node {index} reads node {late}, which does not come before it");
             return broken(part, reason);
+        }
+        if let Op::Held(place) = node.op
+            && !room.slots.contains(&(place as usize))
+        {
+            return broken(part, format!("node {index} reads a slot at place {place}"));
         }
         let (entry, count, kind) = match node.op {
             Op::Literal(value) if !value.is_finite() => {

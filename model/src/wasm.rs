@@ -144,7 +144,7 @@ pub fn module(model: &Model, wanted: &[FunctionId]) -> Result<WasmModule, NotInW
         .section(&memory(places.end))
         .section(&exports)
         .section(&code)
-        .section(&data(&model.tables, &places));
+        .section(&data(model, &places));
     let layout = Layout {
         state: places.regions[Region::State as usize],
         parameters: places.regions[Region::Parameters as usize],
@@ -221,7 +221,7 @@ impl Places {
         let mut regions = [0; Region::COUNT];
         for (region, numbers) in [
             (Region::State, model.states.len()),
-            (Region::Parameters, model.parameters.len()),
+            (Region::Parameters, model.slots().end),
             (Region::Constants, hoisted.constants.results.len()),
             (Region::Motion, hoisted.motion.results.len()),
             (Region::Results, results),
@@ -288,12 +288,20 @@ fn memory(bytes: usize) -> MemorySection {
     section
 }
 
-fn data(tables: &[Table], places: &Places) -> DataSection {
+/// Returns the tables, and slots that leave relations live.
+fn data(model: &Model, places: &Places) -> DataSection {
     let mut section = DataSection::new();
-    for (table, place) in tables.iter().zip(&places.tables) {
+    let mut put = |place: usize, numbers: &mut dyn Iterator<Item = f64>| {
+        let bytes: Vec<u8> = numbers.flat_map(f64::to_le_bytes).collect();
+        section.active(0, &ConstExpr::i32_const(place as i32), bytes);
+    };
+    for (table, place) in model.tables.iter().zip(&places.tables) {
         let numbers = table.knots.iter().chain(table.coefficients.iter().flatten());
-        let bytes: Vec<u8> = numbers.flat_map(|number| number.to_le_bytes()).collect();
-        section.active(0, &ConstExpr::i32_const(*place as i32), bytes);
+        put(*place, &mut numbers.copied());
+    }
+    if !model.relations.is_empty() {
+        let slots = places.regions[Region::Parameters as usize] + 8 * model.slots().start;
+        put(slots, &mut model.relations.iter().map(|relation| relation.kind.live()));
     }
     section
 }

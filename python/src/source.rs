@@ -15,7 +15,7 @@ pub enum Source {
     BuiltIn(&'static str),
     /// Built-in scene with fields to discretize.
     BuiltInFields(&'static str, Discretisation),
-    /// Of a model.
+    /// Simulator of a model.
     Model(Box<ModelSimulator>),
     /// Model with fields to discretize.
     Fields(Box<ModelSimulator>, Discretisation),
@@ -124,7 +124,7 @@ fn built_in(name: &str) -> &'static dyn Simulator<f64> {
 pub enum Shared<'a> {
     /// Built-in scene, by name.
     BuiltIn(&'static str),
-    /// Of a model.
+    /// Simulator of a model.
     Model(&'a ModelSimulator),
 }
 

@@ -1,5 +1,5 @@
-//! Chooses a method by the machine and the tolerance, and changes it when a machine
-//! turns out to be stiff, or not to be any more.
+//! Chooses a method by the machine and the tolerance, and changes it when a machine becomes stiff
+//! or is no longer stiff.
 
 #[cfg(feature = "sweep")]
 pub(crate) mod in_lanes;
@@ -12,7 +12,7 @@ use machinist_contract::taylor::{Bends, TaylorSeries};
 use super::caution::Caution;
 use super::exact::Exact;
 use super::explicit::ExplicitSteps;
-use super::faithful::tolerances_at_kinks;
+use super::faithful::{has_kinks, tolerances_at_kinks};
 use super::one_step::{Left, OneStep, drive};
 use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
@@ -25,32 +25,32 @@ use stiffness::{
     TRANSIENT, is_worth_beginning, worth,
 };
 
-/// After so many changes within a stretch the run stays with the implicit method,
-/// which is never wrong, only slower.
+/// Number of changes within a stretch after which the run stays with the implicit method, which is
+/// never wrong, only slower.
 const MOST_CHANGES: usize = 20;
-/// Series with more sums of products in an order than this are slower than Runge-Kutta
-/// steps. So it is measured on chains of pendulums: of two links they have 12 and are
-/// nearly twice as fast, of five 75 and half as fast, of ten 300 and a quarter as fast, at
-/// equal errors from 1e-3 to 1e-10.
+/// Number of sums of products in an order above which series are slower than Runge-Kutta steps.
+/// Measured on chains of pendulums at equal errors from 1e-3 to 1e-10: with two links they have 12
+/// sums and are nearly twice as fast, with five 75 and half as fast, with ten 300 and a quarter as
+/// fast.
 const MANY_SUMS: usize = 40;
-/// At tolerances up to this one Radau's methods cost less than Rosenbrock's, or as much,
-/// and keep to it where a spring is all but rigid.
+/// Tolerance up to which Radau's methods cost at most as much as Rosenbrock's, and maintain it
+/// where a spring is nearly rigid.
 const TIGHT: f64 = 1e-6;
-/// Steps that are held by stability vary around what it allows, down to so much of it.
+/// Share of the stability limit down to which steps held by stability vary.
 const VARIES: f64 = 0.8;
-/// With so many states and more Radau's methods cost less from 1e-5 on, for they factor less often:
-/// there Rosenbrock's take 0.7 to 0.9 of their time with 2 to 20 states, stiff chemistry and
-/// circuits, but 1.6, 1.9 and 2.8 times as long on shafts of 26, 76 and 206.
+/// Number of states from which on Radau's methods cost less at 1e-5, because they factor less
+/// often. At 1e-5 Rosenbrock's take 0.7 to 0.9 of their time with 2 to 20 states (stiff chemistry,
+/// circuits), but 1.6, 1.9 and 2.8 times as long on shafts of 26, 76 and 206.
 const MANY_STATES: usize = 24;
-/// At looser tolerances runs of so many states are short, and Rosenbrock's steps the cheaper again,
+/// Tolerance above which runs of so many states are short, and Rosenbrock's steps are cheaper.
 const LOOSE: f64 = 1e-5;
-/// but for what is all but rigid: stability would ask for more explicit steps than so many.
+/// Number of explicit steps at the stability limit above which a machine is nearly rigid. It then
+/// takes Radau's methods at loose tolerances, too.
 const RIGID: f64 = 1e6;
 
-/// Solves linear machines without steps where that is exact enough. Otherwise starts
-/// with an explicit method, unless stability alone would ask for very many of its steps;
-/// changes to an implicit one where steps are held by stability instead of accuracy, and
-/// back where they are not.
+/// Solves linear machines without steps where that is accurate enough. Otherwise it starts with an
+/// explicit method, unless stability alone would require very many steps. It changes to an implicit
+/// method where steps are held by stability instead of accuracy, and back where they are not.
 pub(super) struct Auto;
 
 impl Sealed for Auto {}
@@ -69,8 +69,7 @@ impl Integrator for Auto {
             let Some(from) = without_steps(stretch, state, samples) else { return Ok(()) };
             from
         };
-        let of_many = Method::Auto.step_rtol(stretch.rtol);
-        let rtol = stretch.system.trial().map_or(of_many, |trial| trial.rtol);
+        let rtol = stretch.step_rtol(Method::Auto);
         let atol = Method::tightened(stretch.atol, stretch.rtol, rtol);
         let stretch = &Stretch { from, rtol, atol: &atol, ..*stretch };
         let choice = Choice::new(stretch, state);
@@ -106,8 +105,8 @@ impl Integrator for Auto {
     }
 }
 
-/// Solves a linear machine in closed form as far as that is exact enough, or more exact
-/// than steps would be; the time from which on it is not, if there is one.
+/// Solves a linear machine in closed form as far as that is accurate enough, or more accurate than
+/// steps would be. Returns the time from which on it is not, if there is one.
 fn without_steps(
     stretch: &Stretch<'_>,
     state: &mut [f64],
@@ -130,16 +129,15 @@ fn without_steps(
     stopped.err().map(|stopped| stopped.time)
 }
 
-/// The methods for a machine and a tolerance. Another one, of any kind, is one more
-/// case here.
+/// The methods for a machine and a tolerance. A further method of any kind is another case here.
 struct Choice<'a> {
     explicit: Explicit<'a>,
     explicit_name: &'static str,
-    /// Where |h lambda| is larger, stability holds the explicit method's steps.
+    /// Value of |h lambda| above which stability holds the explicit method's steps.
     limit: f64,
     implicit_name: &'static str,
     by_radau: bool,
-    /// Whether an implicit method begins.
+    /// True if an implicit method begins.
     is_stiff_from_the_start: bool,
 }
 
@@ -155,8 +153,8 @@ impl<'a> Choice<'a> {
         let has_tangents = stretch.system.tangents().is_some();
         // Of the implicit methods only Radau's carry sensitivities.
         let has_many = stretch.system.states() >= MANY_STATES;
-        // Nor do errors of others keep small at kinks.
-        let has_kinks = stretch.system.simulator().kinks() > 0;
+        // Errors of the others do not stay small at kinks.
+        let has_kinks = has_kinks(stretch.system.simulator());
         let by_radau = rtol <= TIGHT || has_many && rtol <= LOOSE || has_tangents || has_kinks;
         let implicit_name = if by_radau { "radau" } else { "rodas5p" };
         let of_pair = |name, pair: &'static Pair| Self {
@@ -168,7 +166,7 @@ impl<'a> Choice<'a> {
             is_stiff_from_the_start: false,
         };
         let pair = of_pair("dop853", &DOP853);
-        let (series, why) = if has_tangents {
+        let (series, why) = if has_tangents || stretch.system.is_sliding() {
             (None, "")
         } else {
             suitable_series(stretch.system.simulator(), rtol)
@@ -212,7 +210,7 @@ impl<'a> Choice<'a> {
     ) -> Result<(), Stopped> {
         let choice = Self { explicit_name: "dop853", limit: pair_limit(pair), ..*self };
         let mut strain = Strain::new(stretch.system.simulator(), choice.limit, LOOKS_OF_PAIR_EVERY);
-        // Stages show nothing of a fast motion beside a much larger one, nor of one at rest.
+        // The stages show no fast motion beside a much larger one, nor one at rest.
         let look = |method: &ExplicitSteps<'_>, step: f64| {
             let shown = method.stiffness();
             let looked_at = strain.look(stretch, method.start(), step);
@@ -224,13 +222,13 @@ impl<'a> Choice<'a> {
         if !choice.is_stiff_from_the_start {
             method.begin(stretch.from, state);
         }
-        // Pairs go on anywhere.
+        // Pairs continue anywhere.
         choice.alternate(&mut method, stretch, (state, samples), look).map(|_| ())
     }
 
-    /// Goes on by an explicit method that has begun while nothing is stiff, and implicitly
-    /// while something is; `look` gives |h lambda| after a step of the explicit method, or
-    /// nothing if it has not looked. Where the explicit method cannot go on is the answer.
+    /// Alternates between an explicit method while the machine is not stiff and an implicit one
+    /// while it is. `look` returns |h lambda| after a step of the explicit method, or `None` if it
+    /// has not been evaluated. Returns the point at which the explicit method cannot continue.
     fn alternate<M: OneStep>(
         &self,
         explicit: &mut M,
@@ -240,7 +238,7 @@ impl<'a> Choice<'a> {
     ) -> Result<Option<Left>, Stopped> {
         let mut changes = 0;
         let mut patience = STIFF_STEPS;
-        // Of having left the implicit method, and whether that is why it is tried.
+        // Doubt about leaving the implicit method, and whether this is why it is tried.
         let (mut doubt, mut is_doubted) = (None::<Doubt>, false);
         let mut caution = Caution::default();
         let mut left = Left { time: stretch.from, step: 0.0 };
@@ -298,7 +296,7 @@ impl<'a> Choice<'a> {
                 "{} instead of {} from t = {:.6} s on: no longer stiff",
                 self.explicit_name, self.implicit_name, at.time
             ));
-            // What was changed for nothing is changed less readily.
+            // After a change in vain, the next one is less likely.
             if is_explicit && steps < 2 * STIFF_STEPS {
                 patience *= 2;
             }
@@ -316,8 +314,8 @@ impl<'a> Choice<'a> {
         }
     }
 
-    /// Goes on implicitly, until `leave`, told after each step whether enough of them would do
-    /// explicitly, says so. A step of no length is one to be found. Caution is kept from one
+    /// Integrates implicitly until `leave` says so; it is asked after each step whether few enough
+    /// explicit steps would do. A step of zero length is to be chosen. Caution is kept from one
     /// such stretch to the next.
     fn implicit_stretch(
         &self,
@@ -356,15 +354,15 @@ impl<'a> Choice<'a> {
     }
 }
 
-/// A method that has begun, and its first step: the given one, unless that has no length.
+/// Returns a method that has begun, and its first step: the given one, unless it has zero length.
 fn begun<M: OneStep>(mut method: M, from: Left, state: &[f64]) -> (M, Left) {
     method.begin(from.time, state);
     let step = if from.step > 0.0 { from.step } else { method.first_step() };
     (method, Left { step, ..from })
 }
 
-/// The machine's series, if a run by it is likely to be right and the fastest; and why
-/// not, where it has one.
+/// Returns the series of a machine, if a run by it is likely to be right and fastest; otherwise the
+/// reason, if there is a series.
 fn suitable_series(
     simulator: &dyn Simulator<f64>,
     rtol: f64,
@@ -375,26 +373,26 @@ fn suitable_series(
         return (None, why);
     }
     let order = TaylorSteps::order_for(rtol);
-    // Of every sum its two factors are kept, from order to order.
+    // For every sum, two factors are kept from order to order.
     if series.series_workspace(order) > 2 * MANY_SUMS * order {
         return (None, "; not with taylor, whose series have many sums");
     }
     (Some(series), "")
 }
 
-/// |h lambda| up to which a pair is stable, likewise less a part.
+/// Returns |h lambda| up to which a pair is stable, minus a margin.
 fn pair_limit(pair: &Pair) -> f64 {
     VARIES * pair.stability
 }
 
-/// |h lambda| up to which Taylor's method of an order is stable, less a fifth, for steps
-/// that are held by stability vary around it.
+/// Returns |h lambda| up to which Taylor's method of an order is stable, minus a fifth, because
+/// steps held by stability vary around it.
 ///
-/// |1 + z + ... + z^p/p!| <= 1 on the negative real axis down to about
-/// -(0.368 p + 1.4), and in other directions to the left about as far: the region is
-/// that of |z e^(1 - z/p)| <= p, grown by a part that becomes small (G. Szegoe, 1924;
-/// R. Jeltsch, O. Nevanlinna, Numerische Mathematik 37, 1981). Steps held by accuracy
-/// end at less than half of it, for terms decay to the tolerance.
+/// |1 + z + ... + z^p/p!| <= 1 on the negative real axis down to about -(0.368 p + 1.4), and in
+/// other directions to the left about as far. The region is that of |z e^(1 - z/p)| <= p, enlarged
+/// by a part that becomes small (G. Szegoe, 1924; R. Jeltsch, O. Nevanlinna, Numerische Mathematik
+/// 37, 1981). Steps held by accuracy end at less than half of it, because terms decay to the
+/// tolerance.
 fn taylor_limit(order: usize) -> f64 {
     VARIES * (order as f64 / std::f64::consts::E + 1.4)
 }

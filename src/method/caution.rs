@@ -2,47 +2,48 @@
 
 use super::one_step::Trial;
 
-/// Holds errors stricter from a step on that fails by far though it is not much longer than the
-/// one before, which was good.
+/// Tightens errors from a step that fails by far, though it is not much longer than the previous
+/// one, which was good.
 ///
-/// Where a machine that sticks lets go, small errors grow a thousandfold before anything is seen
-/// of it, and no estimate of an error of one step knows that. What is seen are such steps.
+/// When a sticking part breaks away, small errors grow a thousandfold before anything is visible,
+/// and no error estimate of a single step shows it. Only such steps show it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Caution {
     /// The last step taken since the last start \[s\]; 0 if there is none.
     taken: f64,
-    /// Whether a step failed by far since then, and one before the last that was taken.
+    /// True if a step failed by far since then, before the last one that was taken.
     is_surprised: bool,
     is_warned: bool,
 }
 
 impl Caution {
-    /// Another start: the first step from it is guessed, and what a kink on the way there did
+    /// Begins another start: its first step is a guess, and the effect of a kink on the way there
     /// is explained.
     pub(super) fn begin(&mut self) {
         self.taken = 0.0;
         self.is_surprised = false;
     }
 
-    /// Looks at what came of a step.
+    /// Takes the result of a step.
     pub(super) fn look(&mut self, step: f64, tried: &Result<f64, Trial>) {
-        /// An error, over what is allowed, that the step before did not foretell.
+        /// Error over the tolerances that the previous step did not predict.
         const FAR: f64 = 10.0;
-        /// A step that grew by more was a guess.
+        /// Growth of a step above which it was a guess.
         const LONGER: f64 = 3.0;
         let is_far = !matches!(tried, Ok(error) if *error < FAR);
         self.is_surprised |= is_far && step.abs() <= LONGER * self.taken.abs();
     }
 
-    /// The step that was tried last is taken.
+    /// Accepts the step that was tried last.
     pub(super) fn accept(&mut self, step: f64) {
         self.taken = step;
         self.is_warned |= std::mem::take(&mut self.is_surprised);
     }
 
-    /// By so much errors are held stricter than a relative tolerance asks for: measured by a
-    /// block that sticks and slips on a belt with the friction of bristles (`cargo bench -p
-    /// machinist-tests --features measure --bench tolerances`); less where rounding would be in the way.
+    /// Returns the factor by which errors are tighter than a relative tolerance requires: measured
+    /// with a block that sticks and slips on a belt with the friction of bristles (`cargo bench -p
+    /// machinist-tests --features measure --bench tolerances`); smaller where rounding would limit
+    /// it.
     pub(super) fn strictness(&self, rtol: f64) -> f64 {
         const STRICTER: f64 = 30.0;
         const TIGHTEST: f64 = 1e-12;

@@ -1,25 +1,25 @@
-//! Machines of which errors of steps add up to many times the tolerance, or grow.
+//! Machines in which errors of steps add up to many times the tolerance, or grow.
 
-use machinist_contract::Simulator;
+use machinist_contract::{Reader, Simulator};
 
 use super::loose::LOOSEST_OF_MANY;
 use super::stretch::Tolerances;
 use super::{Method, Stretch};
 
-/// A machine with constraints that neither gains nor loses energy forgets no error: it drifts
-/// in energy with every step, and in phase with the square of their number. Its steps are so
-/// many times as tight, which makes two or three times as many of them.
+/// Factor by which steps are tightened for a machine with constraints that conserves energy. It
+/// forgets no error: its energy drifts with every step, and its phase with the square of their
+/// number. This makes two or three times as many steps.
 const FAITHFUL: f64 = 300.0;
-/// Steps that are tighter only for that are not tighter than this.
+/// Lower bound of tolerances that are tightened only for this reason.
 const TIGHTEST: f64 = 1e-13;
 
-/// True if steps at this relative tolerance may be no tighter than at a looser one.
+/// Returns whether steps at this relative tolerance may be no tighter than at a looser one.
 pub(crate) fn takes_tightest_steps(rtol: f64) -> bool {
     rtol / FAITHFUL < TIGHTEST
 }
 
-/// True if no power is supplied or dissipated: as the structure of the machine says, or else, where
-/// it says nothing, neither at a state nor at some beside it.
+/// Returns whether no power is supplied or dissipated: by the structure of the machine, or else,
+/// where it tells nothing, at a state and at some nearby.
 pub(super) fn is_conservative(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -30,7 +30,7 @@ pub(super) fn is_conservative(
     simulator.conserves_energy(parameters).unwrap_or_else(near)
 }
 
-/// Powers that are exactly zero at some states have no terms.
+/// Powers that are exactly zero at several states have no terms.
 fn is_conservative_near(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -47,8 +47,8 @@ fn is_conservative_near(
     })
 }
 
-/// Tolerances at which errors of a method's steps do not add up to many times those of a stretch;
-/// nothing if these will do.
+/// Returns tolerances at which errors of a method's steps do not add up to many times those of a
+/// stretch; `None` if these are sufficient.
 pub(super) fn faithful_tolerances(
     method: Method,
     stretch: &Stretch<'_>,
@@ -64,10 +64,17 @@ pub(super) fn faithful_tolerances(
     Some(tightened(stretch, rtol, "with constraints and without losses, errors of steps add up"))
 }
 
-/// Likewise, as far as kinks are concerned.
+/// Returns whether the rate has kinks; those that only guards of events read do not count.
+pub(super) fn has_kinks(simulator: &dyn Simulator<f64>) -> bool {
+    let is_of_rate = |index| simulator.relation(index).readers.contains(&Reader::Rate);
+    let relations = simulator.relations();
+    simulator.kinks() > relations || (0..relations).any(is_of_rate)
+}
+
+/// Returns tolerances as far as kinks are concerned.
 pub(super) fn tolerances_at_kinks(method: Method, stretch: &Stretch<'_>) -> Option<Tolerances> {
     let stricter = method.stricter_at_kinks();
-    (stricter > 1.0 && stretch.system.simulator().kinks() > 0).then(|| {
+    (stricter > 1.0 && has_kinks(stretch.system.simulator())).then(|| {
         let why = format!("where there are kinks, errors of {method} grow");
         tightened(stretch, stretch.rtol / stricter, &why)
     })
@@ -80,10 +87,11 @@ fn tightened(stretch: &Stretch<'_>, rtol: f64, why: &str) -> Tolerances {
 }
 
 impl Method {
-    /// Where a machine has kinks, steps are so many times as tight: what sticks or hits does so at
-    /// another time by an error before, and that grows. Measured by a block on a belt and by a
-    /// spring with play (`cargo bench -p machinist-tests --features measure --bench tolerances`).
-    /// `auto` and `radau` are cautious by themselves; what others offer is measured as it is.
+    /// Factor by which steps are tighter if a machine has kinks: an error before a part sticks or
+    /// hits changes the time at which it does, and this error grows. Measured with a block on a
+    /// belt and a spring with backlash (`cargo bench -p machinist-tests --features measure --bench
+    /// tolerances`). `auto` and `radau` are cautious by themselves; the others are measured as they
+    /// are.
     fn stricter_at_kinks(self) -> f64 {
         match self {
             Self::Tsit5 => 50.0,

@@ -1,4 +1,4 @@
-//! Own methods with steps of one length, to measure orders by.
+//! Own methods with steps of fixed length, to measure orders.
 
 use super::explicit::ExplicitSteps;
 use super::one_step::{OneStep, Trial};
@@ -7,15 +7,15 @@ use super::rosenbrock::RosenbrockSteps;
 use super::tableau::{DOP853, RODAS5P, TSIT5};
 use super::{Stretch, System};
 
-/// A method whose steps can be told.
+/// A method with given steps.
 #[derive(Debug)]
 pub struct Fixed {
-    /// What it is called.
+    /// Name of the method.
     pub name: &'static str,
     make: for<'a> fn(&'a Stretch<'a>) -> Box<dyn OneStep + 'a>,
     /// Order of convergence.
     pub order: u32,
-    /// Whether it is for stiff machines.
+    /// True if it is for stiff machines.
     pub is_implicit: bool,
 }
 
@@ -60,9 +60,8 @@ pub const FIXED: [Fixed; 6] = [
 ];
 
 impl Fixed {
-    /// Steps from 0 to `until` by so many equal steps, and hands over the number of
-    /// each with the states at 0.3 of it and at its end. Gives false, and stops, if a
-    /// step's equations cannot be solved.
+    /// Takes equal steps from 0 to `until`, and passes the number of each with the states at 0.3 of
+    /// it and at its end. Returns false, and stops, if a step's equations cannot be solved.
     pub fn run(
         &self,
         system: &System<'_>,
@@ -77,7 +76,7 @@ impl Fixed {
         let step = until / steps as f64;
         let mut between = vec![0.0; start.len()];
         for index in 0..steps {
-            // What the method takes for its error is of no interest here.
+            // The error estimate of the method does not matter here.
             if !matches!(method.attempt(step), Trial::Error(_)) {
                 return false;
             }
@@ -88,7 +87,7 @@ impl Fixed {
         true
     }
 
-    /// Steps by given lengths, forth and back, and gives the state at the end.
+    /// Takes steps of given lengths, forward and back, and returns the state at the end.
     ///
     /// # Panics
     /// If a step's equations cannot be solved.

@@ -1,30 +1,31 @@
-//! Speeds that jump: where what constraints impose has a kink in time, or what holds has a corner.
+//! Jumps of velocities: where prescribed motions have a kink in time, or constraints have a corner.
 //!
-//! The constraints' own forces give the impulse, and nothing else does:
+//! The impulse of the constraint forces is determined by nothing else:
 //!
 //! ```text
-//! M (v+ - v-) + G^T nu = 0,   g'(q, v+, t) = 0 behind the jump
+//! M (v+ - v-) + G^T nu = 0,   g'(q, v+, t) = 0 after the jump
 //! ```
 //!
-//! so it is what ever shorter ramps of an imposed speed lead to, and its work is supplied. At a
-//! corner, over which the machine goes by itself, it takes energy, which is told. What
-//! holds in some modes only, such as friction that sticks, has not any force, and stops the run.
+//! It is the limit of ever shorter ramps of a prescribed velocity, and its work is supplied. At a
+//! corner, which the machine passes by itself, the impulse takes energy, which is reported.
+//! Constraints that hold in some modes only, such as friction that sticks, have no finite impulse,
+//! and stop the run.
 
 use nalgebra::DVector;
 
-use super::{Stopped, Stretch, System};
+use super::{Stopped, System};
 use crate::constraints::Level;
 use crate::dense::dense;
 use crate::error::StopCause;
 
-/// What moves by a smaller share of the tolerances does not jump.
+/// Share of the tolerances below which a move is not a jump.
 const NOTICED: f64 = 1e-3;
-/// Nor does what so many times the time between would do.
+/// Factor of the move that a rate makes in the time between, below which a move is not a jump.
 const MOMENTS: f64 = 64.0;
-/// A smaller share of an impulse is rounding.
+/// Share of an impulse below which it is rounding.
 const PULLS: f64 = 1e-6;
 
-/// A time just behind another, on a stretch until some end.
+/// Returns a time just after another, on a stretch up to some end.
 pub(crate) fn just_behind(time: f64, until: f64) -> f64 {
     const ROUNDINGS: f64 = 4.0;
     let size = time.abs().max(until - time);
@@ -32,14 +33,39 @@ pub(crate) fn just_behind(time: f64, until: f64) -> f64 {
 }
 
 impl System<'_> {
-    /// Puts a state onto what constraints hold at a time just `behind` a jump, and did not at one
-    /// in `front` of it; whether it moved.
+    /// Projects a state onto the constraints at a time just `behind` a jump, which do not hold at
+    /// one in `front` of it. Returns whether it moved.
     ///
     /// # Errors
-    /// [`StopCause::Jerked`] if something that holds in some modes only would have to pull along.
+    /// [`StopCause::Jerked`] if a constraint that holds in some modes only would have to pull
+    /// along.
     pub(crate) fn take_up(
         &self,
+        times: (f64, f64),
+        allowed: (f64, &[f64]),
+        state: &mut [f64],
+    ) -> Result<bool, Stopped> {
+        self.take_up_as(times, None, allowed, state)
+    }
+
+    /// Does the same after a change of relations, by time or because the machine went there.
+    ///
+    /// # Errors
+    /// As [`System::take_up`].
+    pub(crate) fn go_along(
+        &self,
+        time: f64,
+        is_of_time: bool,
+        allowed: (f64, &[f64]),
+        state: &mut [f64],
+    ) -> Result<bool, Stopped> {
+        self.take_up_as((time, time), Some(!is_of_time), allowed, state)
+    }
+
+    fn take_up_as(
+        &self,
         (front, behind): (f64, f64),
+        is_corner: Option<bool>,
         (rtol, atol): (f64, &[f64]),
         state: &mut [f64],
     ) -> Result<bool, Stopped> {
@@ -73,9 +99,11 @@ impl System<'_> {
         }
         let energy = |state: &[f64]| simulator.energy(behind, state, self.parameters()).total();
         let gained = energy(&after) - energy(&state[..states]);
-        let [now, earlier] = [behind, front]
-            .map(|time| constraints.residual(Level::Velocities, time, &state[..states]));
-        let is_corner = (&now - earlier).amax() < 0.5 * now.amax();
+        let is_corner = is_corner.unwrap_or_else(|| {
+            let [now, earlier] = [behind, front]
+                .map(|time| constraints.residual(Level::Velocities, time, &state[..states]));
+            (&now - earlier).amax() < 0.5 * now.amax()
+        });
         if is_corner {
             self.note(
                 "speeds jump at a corner of what constraints hold, which takes energy: round it \
@@ -93,26 +121,14 @@ impl System<'_> {
     }
 }
 
-impl Stretch<'_> {
-    /// As [`System::take_up`], at times of this stretch.
-    pub(super) fn take_up(
-        &self,
-        (front, behind): (f64, f64),
-        state: &mut [f64],
-    ) -> Result<bool, Stopped> {
-        let times = (self.within(front), self.within(behind));
-        self.system.take_up(times, (self.rtol, self.atol), state)
-    }
-}
-
 impl System<'_> {
-    /// Lets velocities go on with their momentum where the kinetic energy jumps between two times:
+    /// Keeps the momentum of velocities where the kinetic energy jumps between two times:
     ///
     /// ```text
     /// dT/dv (v+, behind) + G^T nu = dT/dv (v-, front)
     /// ```
     ///
-    /// whether they have moved. What the energy changes by is supplied.
+    /// Returns whether they have moved. The change of energy is supplied.
     ///
     /// # Errors
     /// [`StopCause::InertiaJumps`] if sensitivities are carried.
@@ -136,11 +152,11 @@ impl System<'_> {
             return Err(Stopped { time: behind, cause: StopCause::InertiaJumps });
         }
         let energy =
-            |time: f64, state: &[f64]| simulator.energy(time, state, self.parameters()).total();
+            |time: f64, state: &[f64]| simulator.energy(time, state, &self.held().all()).total();
         let earlier = energy(front, &state[..states]);
         let pattern = simulator.mass_matrix_pattern();
         let mut values = vec![0.0; pattern.entries.len()];
-        simulator.mass_matrix(behind, &state[..states], self.parameters(), &mut values);
+        simulator.mass_matrix(behind, &state[..states], &self.held().all(), &mut values);
         let mass = dense(pattern, &values);
         let Some(moved) = mass.lu().solve(&DVector::from_vec(left)) else { return Ok(false) };
         for (index, moved) in moved.iter().enumerate() {
@@ -155,8 +171,8 @@ impl System<'_> {
         Ok(true)
     }
 
-    /// dT/dv, one for each coordinate: T is of second degree in velocities, of which central
-    /// differences are exact.
+    /// Returns dT/dv, one for each coordinate. T is quadratic in velocities, so central differences
+    /// are exact.
     fn momentum(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let shape = self.simulator().shape();
         let mut shifted = state.to_vec();
@@ -166,7 +182,7 @@ impl System<'_> {
                 let by = self.simulator().state_scale(entry).max(state[entry].abs());
                 let mut kinetic = |by: f64| {
                     shifted[entry] = state[entry] + by;
-                    let energy = self.simulator().energy(time, &shifted, self.parameters());
+                    let energy = self.simulator().energy(time, &shifted, &self.held().all());
                     shifted[entry] = state[entry];
                     energy.kinetic
                 };

@@ -1,9 +1,9 @@
-//! Whether a run by `auto` may step as loosely as it is asked to.
+//! Decision of `auto` whether a run may step as loosely as requested.
 //!
-//! Errors of steps add up where nothing forgets them: over thousands of periods steps at a
-//! tolerance of 1e-3 end anywhere, and no step tells. In few steps they cannot add up to much. How
-//! many a run takes it shows itself, so it is tried with the tolerance that is asked for; once its
-//! steps are too many for the time that they have come, it begins anew with tighter ones.
+//! Errors of steps add up where nothing forgets them: over thousands of periods, steps at a
+//! tolerance of 1e-3 end anywhere, and no single step shows it. In few steps they cannot add up to
+//! much. The number of steps shows only during the run, so the requested tolerance is tried. Once
+//! there are too many steps for the time covered, the run starts again with tighter ones.
 
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{Real, Simulator};
@@ -12,34 +12,33 @@ use super::faithful::is_conservative;
 use super::{Method, Problem, Run, Stopped};
 use crate::error::StopCause;
 
-/// Steps of `auto` are never looser than this where they are many: two digits less save less than
-/// half the time.
+/// Loosest tolerance of `auto` in runs of many steps: two digits less save less than half the time.
 pub(crate) const LOOSEST_OF_MANY: f64 = 1e-5;
 
-/// Nor than this where they are few: what slips when a force is large enough slips later by part of
-/// its period, and by a hundredth of that no motion is known any more.
+/// Loosest tolerance of `auto` in runs of few steps: a part that slips when a force is large enough
+/// slips later by a share of its period, and by a hundredth of that no motion is known any more.
 const LOOSEST: f64 = 1e-3;
 
-/// So many steps are few.
+/// Number of steps that counts as few.
 const FEW: f64 = 400.0;
 
 /// A run that is tried with loose steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Trial {
-    /// The relative tolerance of its steps.
+    /// Relative tolerance of its steps.
     pub(super) rtol: f64,
     from: f64,
     /// Length of the run \[s\].
     whole: f64,
-    /// Steps that were counted before it.
+    /// Steps counted before it.
     before: u64,
-    /// So many are few.
+    /// Number of steps that counts as few.
     few: f64,
     is_over: bool,
 }
 
 impl Trial {
-    /// Whether it is over, after so many steps counted until a time.
+    /// Returns whether the trial is over, after this many steps up to a time.
     pub(super) fn is_over_at(&mut self, steps: u64, time: f64) -> bool {
         let steps = (steps - self.before) as f64;
         let [least, passed] = has_passed((steps, self.few), time - self.from, self.whole);
@@ -48,17 +47,18 @@ impl Trial {
     }
 }
 
-/// What a run must have passed after so many steps, and what it has, in the same unit: after n steps
-/// where N are few, the share (n/N)^2 of its time. So a run whose steps are all alike is left the
-/// sooner the longer it would take, and short steps at its start are forgiven.
+/// Returns the share of a run's time to be covered after some steps and the share that is covered,
+/// in the same unit: after n steps, of which N are few, (n/N)^2 of its time. A run with equal steps
+/// is then abandoned the sooner the longer it would take, and short steps at its start are
+/// forgiven.
 pub(super) fn has_passed<R: Real>((steps, few): (R, R), passed: R, whole: R) -> [R; 2] {
     [steps * steps * whole, few * few * passed]
 }
 
-/// How many steps from a state on are few; none of a machine of which errors of single steps say
-/// little. One that neither gains nor loses energy forgets nothing, and its pace errs with its
-/// energy: errors of its motion grow with the square of its steps. One that switches does so at
-/// another time, or not at all.
+/// Returns the number of steps from a state on that counts as few; zero for a machine in which
+/// errors of single steps say little. A machine that conserves energy forgets nothing, and its pace
+/// errs with its energy: errors of its motion grow with the square of its steps. A machine that
+/// switches does so at another time, or not at all.
 pub(crate) fn few(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -72,13 +72,13 @@ pub(crate) fn few(
 }
 
 impl Method {
-    /// The relative tolerance of steps where they may be many.
+    /// Returns the relative tolerance of steps where they may be many.
     pub(crate) fn step_rtol(self, rtol: f64) -> f64 {
         if self == Self::Auto { rtol.min(LOOSEST_OF_MANY) } else { rtol }
     }
 
-    /// Relative tolerances that the steps of a run keep to, one after the other until it has ended,
-    /// and of each whether it is left where steps are too many.
+    /// Returns the relative tolerances of the steps of a run, to be tried one after another until
+    /// it ends, each with whether it is abandoned after too many steps.
     pub(crate) fn paces(self, rtol: f64) -> impl Iterator<Item = (f64, bool)> {
         let of_many = self.step_rtol(rtol);
         let of_few = (rtol > of_many).then_some((rtol.min(LOOSEST), true));
@@ -87,12 +87,12 @@ impl Method {
 }
 
 impl Problem<'_> {
-    /// The run with loose steps, if these are looser than where they are many, and if it has
-    /// ended so, or could not by others.
+    /// Returns the run with loose steps, if these are looser than where they are many, and if it
+    /// ended this way, or would not end otherwise.
     pub(super) fn tried_loosely(&self, method: Method) -> Option<(Run, Option<Stopped>)> {
         let (rtol, is_left) = method.paces(self.rtol).next()?;
         let system = self.system;
-        // What carries sensitivities does not begin anew.
+        // A run that carries sensitivities does not start again.
         if !is_left || system.tangents().is_some() {
             return None;
         }

@@ -2,13 +2,13 @@
 
 use crate::error::StopCause;
 
-/// So many steps are measured at once: a start from rest, a contact or a run-in is over by then.
+/// Number of steps measured at once: a start from rest, a contact or a run-in is over by then.
 const MANY: u64 = 100_000;
-/// So many times the limit on steps at the pace of the last ones: no run becomes so much faster
-/// that it would end after all.
+/// Multiple of the limit on steps, at the pace of the last ones, above which a run is hopeless: no
+/// run becomes so much faster that it would end after all.
 const HOPELESS: f64 = 1e5;
 
-/// Steps and time when last the pace of a run was measured.
+/// Steps and time at the last measurement of the pace of a run.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Milestone {
     steps: u64,
@@ -16,13 +16,13 @@ pub(super) struct Milestone {
 }
 
 impl Milestone {
-    /// The next one is after so many steps.
+    /// Returns the number of steps at the next measurement.
     #[cfg(feature = "sweep")]
     pub(super) fn next(&self) -> u64 {
         self.steps + MANY
     }
 
-    /// The mean of many steps, of which the last ended at `time` \[s\]; once in as many.
+    /// Returns the mean of many steps, of which the last ended at `time` \[s\], once in as many.
     pub(super) fn pace(&mut self, steps: u64, time: f64) -> Option<f64> {
         let earlier = *self;
         if steps.saturating_sub(earlier.steps) < MANY {
@@ -33,8 +33,8 @@ impl Milestone {
     }
 }
 
-/// The cause to end after so many steps if they are all that may be taken, or if what is `left` \[s\]
-/// takes far too many steps of the length that is measured now and then.
+/// Returns the cause to end after some steps if all allowed steps are taken, or if what is `left`
+/// \[s\] takes far too many steps of the length that is measured occasionally.
 pub(super) fn out_of_steps(
     (steps, limit): (u64, usize),
     left: f64,

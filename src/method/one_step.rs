@@ -1,5 +1,5 @@
-//! The driver of all one-step methods: step sizes, samples, limits and failures.
-//! A method itself only tries steps.
+//! The driver of all one-step methods: step sizes, samples, limits and failures. A method itself
+//! only tries steps.
 
 mod ending;
 mod kept;
@@ -12,75 +12,69 @@ use crate::method::sensitivity::Tangents;
 use ending::{Ending, end_at};
 use kept::Kept;
 
-/// A method that needs nothing but the state at the start of a step.
+/// A method that needs only the state at the start of a step.
 pub(crate) trait OneStep {
     /// Makes `state` at `time` the start of the next step.
     fn begin(&mut self, time: f64, state: &[f64]);
 
-    /// A first step for [`OneStep::begin`]'s start.
+    /// Returns a first step from the start given by [`OneStep::begin`].
     fn first_step(&mut self) -> f64;
 
     /// Tries a step from the start; it becomes the current step.
     fn attempt(&mut self, step: f64) -> Trial;
 
-    /// Whether no step will follow those that are tried from now on: after them the
-    /// method may only be asked for their ends and what is before, or to try another.
+    /// Tells the method that no further step will follow those tried from now on. Afterwards the
+    /// method is asked only for their ends and the states before them, or to try another step.
     fn is_last(&mut self, _is_last: bool) {}
 
-    /// Holds errors of steps to a relative tolerance from now on, where a method can and that is
-    /// less than its own; to what is absolute in proportion.
+    /// Sets a tighter relative tolerance for the errors of steps from now on, if the method
+    /// supports this and it is tighter than its own. Absolute tolerances follow in proportion.
     #[cfg(feature = "implicit")]
     fn hold_to(&mut self, _rtol: f64) {}
 
-    /// State at the end of the current step.
+    /// Returns the state at the end of the current step.
     fn end(&self) -> &[f64];
 
-    /// State at `time` within the current step.
+    /// Computes the state at `time` within the current step.
     fn interpolate(&mut self, time: f64, state: &mut [f64]);
 
-    /// The error half way through the current step, between its ends, over what is
-    /// allowed there, [`BETWEEN`] times the tolerances; asked where samples or events may
-    /// lie, and told whether samples do.
+    /// Returns the error at the middle of the current step, over its limit of [`BETWEEN`] times the
+    /// tolerances. It is requested where samples or events may lie within the step; the argument is
+    /// true for samples.
     ///
-    /// The error of a step's end says nothing of states between, where a stiff machine
-    /// follows its excitation: any end is then right, and steps grow without bound.
+    /// The error at the end of a step says nothing of states in between if a stiff machine follows
+    /// its excitation: any end is then right, and steps grow without bound.
     fn error_between(&mut self, _is_sampled: bool) -> f64 {
         0.0
     }
 
-    /// Takes the current step: its end is the start of the next one.
+    /// Accepts the current step: its end becomes the start of the next one.
     fn accept(&mut self);
 
-    /// How the error grows with the step.
+    /// Returns the relation between error and step size.
     fn pace(&self) -> Pace;
 
-    /// The next step after [`OneStep::accept`], of a method that can tell it from what
-    /// it knows of the solution and not from the last step's error.
+    /// Returns the step after [`OneStep::accept`], for a method that derives it from the solution
+    /// and not from the error of the last step.
     fn own_step(&mut self) -> Option<f64> {
         None
     }
 
-    /// Whether states within a step are right, up to a kink, also where its end is not: those
-    /// of a method that knows the solution before it steps.
-    fn knows_ahead(&self) -> bool {
-        false
-    }
-
-    /// Whether much less is known of the solution ahead than is wanted, by a method that knows it
-    /// before it steps.
+    /// Returns whether the solution ahead is known much less than wanted, for a method that knows
+    /// this before a step.
     #[cfg(feature = "implicit")]
     fn is_cut_short(&self) -> bool {
         false
     }
 
-    /// Carries sensitivities over the current step, from its start to its end; gives their
-    /// error over what is allowed, as [`Tangents::error`] has it.
+    /// Carries sensitivities over the current step, from its start to its end. Returns their error
+    /// over the tolerances, as defined by [`Tangents::error`].
     fn carry(&mut self, _tangents: &Tangents<'_>, _start: &[f64], _end: &mut [f64]) -> f64 {
         unreachable!("a method that does not carry sensitivities is refused before it steps")
     }
 
-    /// Sensitivities at `time` within the current step, over which they were carried from
-    /// `start`.
+    /// Computes the sensitivities at `time` within the current step, over which they were carried
+    /// from `start`.
     fn tangents_at(
         &mut self,
         _tangents: &Tangents<'_>,
@@ -90,41 +84,35 @@ pub(crate) trait OneStep {
     ) {
         unreachable!("a method that does not carry sensitivities is refused before it steps")
     }
-
-    /// In so many parts of a step guards are looked at.
-    fn parts(&self) -> usize {
-        4
-    }
 }
 
-/// States between the ends of steps may err by so many tolerances.
+/// Factor for the tolerances of states between the ends of steps.
 #[cfg(feature = "implicit")]
 pub(super) const BETWEEN: f64 = 10.0;
 
-/// So many steps at least from end to end of a stretch where nothing moves: what begins later
-/// must not be stepped over.
+/// Minimum number of steps in a stretch in which nothing moves, so that no later start is stepped
+/// over.
 pub(super) const LOOKS: f64 = 100.0;
 
-/// Whether nothing has moved over a step, by more than a small part of the absolute tolerances.
+/// Returns whether no state moved over a step by more than a small share of its absolute tolerance.
 pub(super) fn rests(moves: impl Iterator<Item = (f64, f64)>, atol: &[f64]) -> bool {
     moves.zip(atol).all(|((start, end), atol)| (end - start).abs() <= resting(*atol))
 }
 
-/// By how much a state of an absolute tolerance moves at most while it rests.
+/// Returns the largest move at rest of a state with an absolute tolerance.
 pub(super) fn resting(atol: f64) -> f64 {
     const PART: f64 = 1e-3;
     PART * atol
 }
 
-/// What came of a step.
+/// Result of a step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Trial {
-    /// The error over what the tolerances allow; the step is good if that is at
-    /// most 1.
+    /// The error over the tolerances; the step is good if it is at most 1.
     Error(f64),
-    /// Something of the `index`-th state is not finite.
+    /// A value of the `index`-th state is not finite.
     NotFinite { what: &'static str, index: usize },
-    /// The step's equations could not be solved; `shrink` times the step may do.
+    /// The equations of the step could not be solved; `shrink` times the step may work.
     #[cfg_attr(
         not(any(feature = "implicit", test)),
         expect(dead_code, reason = "only implicit methods solve")
@@ -138,9 +126,9 @@ impl Trial {
     }
 }
 
-/// How a step size follows from errors: after error e of step h and error e' of
-/// the one before, the next is `safety` h e^-exponent e'^memory, within limits
-/// (a PI controller, Hairer, Norsett, Wanner, section II.4 and IV.2).
+/// Step size control: after error e of step h and error e' of the previous one, the next step is
+/// `safety` h e^-exponent e'^memory, within limits (a PI controller; Hairer, Norsett, Wanner,
+/// sections II.4 and IV.2).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Pace {
     pub(super) exponent: f64,
@@ -148,22 +136,22 @@ pub(crate) struct Pace {
     pub(super) safety: f64,
     pub(super) smallest: f64,
     pub(super) largest: f64,
-    /// A step that would grow by less than this stays, and so do the factors of its
-    /// matrix; 1 if there are none to keep.
+    /// A step that would grow by less than this factor stays, and so do the factors of its matrix;
+    /// 1 if there are none to keep.
     pub(super) hold: f64,
 }
 
-/// Where [`drive`] ended before the end of the stretch because it was told to.
+/// Point at which [`drive`] was told to end before the end of the stretch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Left {
     /// Time reached \[s\].
     pub(super) time: f64,
-    /// The step it would have tried next \[s\].
+    /// The next step it would have tried \[s\].
     pub(super) step: f64,
 }
 
-/// Carries `state` from `from` to the end of the stretch by steps of `method`;
-/// `leave` is asked after every step with the step taken whether to stop there.
+/// Carries `state` from `from` to the end of the stretch by steps of `method`. After every step
+/// `leave` is asked, with the step taken, whether to stop there.
 pub(super) fn drive<M: OneStep>(
     method: &mut M,
     stretch: &Stretch<'_>,
@@ -179,49 +167,49 @@ pub(super) fn drive<M: OneStep>(
     let mut rejected = false;
     let mut kept = Kept::new(state);
     loop {
-        let End { now, tried, arrives } = end_of_step(time, step, stretch.until);
+        let longest = stretch.watch.map_or(f64::INFINITY, Watch::longest_step);
+        let End { now, tried, arrives } = end_of_step(time, step.min(longest), stretch.until);
         let arrives = arrives > 0.0;
         method.is_last(arrives);
-        // Every pass, whatever it leads to.
+        // On every pass, whatever its result.
         stretch.require_uninterrupted(time)?;
         let trial = attempt(method, stretch, samples, (tried, now));
         let pace = method.pace();
         let is_good = trial.is_good();
-        let passing = passing(method, stretch, now, is_good);
-        if is_good && let Some(share) = stretch.watch.and_then(Watch::share_that_is_told) {
-            stretch.count_rejected(time)?;
-            (step, rejected) = (share * tried, true);
-            continue;
-        }
+        // On every pass, whatever its result.
+        stretch.require_uninterrupted(time)?;
         if let Trial::Error(error) = trial
-            && (is_good || passing.is_some())
+            && is_good
         {
-            if let Some(passing) = passing {
+            if let Some((watch, passing)) =
+                stretch.watch.and_then(|it| Some((it, it.first_passing(method, now)?)))
+            {
+                if watch.is_too_long(tried) {
+                    stretch.count_rejected(time)?;
+                    continue;
+                }
                 match end_at(method, stretch, (time, now), passing, state, samples)? {
                     Ending::Event => return Ok(None),
-                    Ending::Kink { time: behind } => {
+                    Ending::Change { time: behind } => {
                         begin_behind(method, stretch, &mut kept, (behind, state));
                         step = method.own_step().unwrap_or(tried);
                         (time, before, rejected) = (behind, None, false);
                         if stretch.leaps_to_end(behind, state, samples) {
                             return Ok(None);
                         }
-                        // There may be no end of a step but at kinks.
                         stretch.require_fewer_passes(behind)?;
                         continue;
                     }
-                    Ending::NotReached => {}
+                    Ending::NotReached => step = 0.5 * (passing - time),
+                    Ending::OfError => step = 0.5 * tried,
                 }
                 stretch.count_rejected(time)?;
-                step = 0.5 * (passing - time);
                 rejected = true;
                 if is_too_small(step, time) {
-                    let from = (time, &mut *state);
-                    match leap_on(method, stretch, &mut kept, from, samples)? {
-                        Leap::ToEnd => return Ok(None),
-                        Leap::Behind(behind) => (time, step, before) = (behind, tried, None),
-                        Leap::Nowhere => return Err(explain(stretch, trial, (time, &kept.end))),
+                    if leaps(stretch, &kept, (time, state), samples) {
+                        return Ok(None);
                     }
+                    return Err(explain(stretch, trial, (time, &kept.end)));
                 }
                 continue;
             }
@@ -247,7 +235,7 @@ pub(super) fn drive<M: OneStep>(
             let is_enough = leave(method, tried);
             if has_moved {
                 method.begin(now, &kept.end);
-                stretch.watch.inspect(|watch| watch.start(now, &kept.end));
+                stretch.watch.inspect(|watch| watch.put_back(now, &kept.end));
             }
             if arrives || is_enough {
                 state.copy_from_slice(&kept.end);
@@ -262,46 +250,28 @@ pub(super) fn drive<M: OneStep>(
             step = tried * shrink(trial, pace);
             rejected = true;
             if is_too_small(step, time) {
-                let from = (time, &mut *state);
-                match leap_on(method, stretch, &mut kept, from, samples)? {
-                    Leap::ToEnd => return Ok(None),
-                    Leap::Behind(behind) => {
-                        (time, step, before) = (behind, method.first_step(), None);
-                    }
-                    Leap::Nowhere => return Err(explain(stretch, trial, (time, &kept.end))),
+                if leaps(stretch, &kept, (time, state), samples) {
+                    return Ok(None);
                 }
+                return Err(explain(stretch, trial, (time, &kept.end)));
             }
         }
     }
 }
 
-/// Where a run goes on from which no step can be taken.
-enum Leap {
-    /// No more than rounding was left of the stretch.
-    ToEnd,
-    /// At this time, behind kinks that were nearer than time resolves.
-    Behind(f64),
-    Nowhere,
-}
-
-/// Goes on from the end of the last step, if that needs no step.
-fn leap_on(
-    method: &mut dyn OneStep,
+/// Returns whether only rounding is left of the stretch after the last step; the state is then at
+/// its end.
+fn leaps(
     stretch: &Stretch<'_>,
-    kept: &mut Kept,
+    kept: &Kept,
     (time, state): (f64, &mut [f64]),
     samples: &mut Samples<'_>,
-) -> Result<Leap, Stopped> {
+) -> bool {
     state.copy_from_slice(&kept.end);
-    if stretch.leaps_to_end(time, state, samples) {
-        return Ok(Leap::ToEnd);
-    }
-    let Some(behind) = stretch.leaps_over_kinks(time, state)? else { return Ok(Leap::Nowhere) };
-    begin_behind(method, stretch, kept, (behind, state));
-    Ok(Leap::Behind(behind))
+    stretch.leaps_to_end(time, state, samples)
 }
 
-/// Begins anew behind a kink.
+/// Begins a segment after a change.
 fn begin_behind(
     method: &mut dyn OneStep,
     stretch: &Stretch<'_>,
@@ -313,8 +283,8 @@ fn begin_behind(
     stretch.watch.inspect(|watch| watch.start(behind, state));
 }
 
-/// Tries a step that ends at `now`; its error is also that of what is wanted between its ends,
-/// and of sensitivities.
+/// Tries a step that ends at `now`. Its error includes that of samples between its ends, and of
+/// sensitivities.
 fn attempt(
     method: &mut dyn OneStep,
     stretch: &Stretch<'_>,
@@ -336,24 +306,7 @@ fn attempt(
     }
 }
 
-/// Where a guard passes first within the current step, which ends at `now`.
-fn passing(
-    method: &mut dyn OneStep,
-    stretch: &Stretch<'_>,
-    now: f64,
-    is_good: bool,
-) -> Option<f64> {
-    let watch = stretch.watch?;
-    if is_good {
-        watch.first_passing(method, now)
-    } else if method.knows_ahead() {
-        watch.kink_within(method, now)
-    } else {
-        None
-    }
-}
-
-/// The whole stretch at once, from its start.
+/// Integrates the whole stretch from its start.
 pub(super) fn drive_all<M: OneStep>(
     method: &mut M,
     stretch: &Stretch<'_>,
@@ -366,14 +319,13 @@ pub(super) fn drive_all<M: OneStep>(
 }
 
 impl Pace {
-    /// The error to choose the next step by, after an error at a step and, before that,
+    /// Returns the error by which to choose the next step, from the error of a step and, before it,
     /// a step and its error.
     ///
-    /// An estimate is a number that changes its sign, and passes through zero now and
-    /// then where the error does not: in a fast oscillation as often as once in a few
-    /// hundred steps. A step that grew by that would be far too long, and might be
-    /// accepted by the same chance. So an error that is suddenly far below what the step
-    /// before foretells is not believed at once.
+    /// An error estimate is a number that changes its sign. It passes through zero now and then
+    /// where the error does not: in a fast oscillation as often as once in a few hundred steps. A
+    /// step that grew because of this would be far too long, and might be accepted by the same
+    /// chance. So an error far below the prediction of the previous step is not believed at once.
     fn believed(&self, error: f64, step: f64, before: Option<(f64, f64)>) -> f64 {
         const LUCK: f64 = 1e-2;
         let foretold = |(step_before, error): (f64, f64)| {
@@ -384,28 +336,28 @@ impl Pace {
 
     fn factor(&self, error: f64, last_error: f64) -> f64 {
         let wanted = self.safety * error.powf(-self.exponent) * last_error.powf(self.memory);
-        // An error of zero wants an infinite step; a NaN cannot be.
+        // An error of zero asks for an infinite step; a NaN cannot occur.
         let factor = wanted.min(self.largest).max(self.smallest);
         if (1.0..=self.hold).contains(&factor) { 1.0 } else { factor }
     }
 }
 
-/// The end of a step.
+/// End of a step.
 pub(super) struct End<R> {
     pub(super) now: R,
     pub(super) tried: R,
-    /// Whether it is the end of the stretch: 1 or 0.
+    /// 1 at the end of the stretch, otherwise 0.
     pub(super) arrives: R,
 }
 
-/// The end of a step from `time`. What is left of the stretch is halved rather than cut
-/// into a step and a sliver.
+/// Returns the end of a step from `time`. The rest of the stretch is halved rather than cut into a
+/// step and a sliver.
 #[inline(always)]
 pub(super) fn end_of_step<R: Real>(time: R, step: R, until: R) -> End<R> {
     let [zero, one, half, near] = [0.0, 1.0, 0.5, 0.99].map(R::literal);
     let remaining = until - time;
     let part = R::select_less(remaining, step + step, half * remaining, step);
-    // What the clock advances is what is stepped, to the last bit.
+    // The clock advances by exactly the step.
     let tried = time + part - time;
     let or = |inside, end| R::select_less(step, near * remaining, inside, end);
     End { now: or(time + tried, until), tried: or(tried, remaining), arrives: or(zero, one) }
@@ -421,16 +373,15 @@ pub(super) fn shrink(trial: Trial, pace: Pace) -> f64 {
     }
 }
 
-/// Puts sensitivities, if there are any, at the end of the current step onto what constraints
-/// leave free in a state on them.
+/// Projects sensitivities at the end of the current step onto the tangent space of the constraints,
+/// if there are any, at a state on them.
 fn constrain_tangents(stretch: &Stretch<'_>, now: f64, end: &[f64]) {
     if let Some(tangents) = stretch.system.tangents() {
         tangents.constrain_end(stretch, now, end);
     }
 }
 
-/// Pushes what is wanted until the end of the current step, `now`, all of it on the
-/// constraints.
+/// Pushes the samples up to the end of the current step, `now`, all of them on the constraints.
 fn sample(
     method: &mut dyn OneStep,
     stretch: &Stretch<'_>,
@@ -456,13 +407,13 @@ fn sample(
     Ok(())
 }
 
-/// Whether time would hardly move, or the step is below all sense at time zero.
+/// Returns whether time would hardly advance, or the step is meaninglessly small at time zero.
 pub(super) fn is_too_small(step: f64, time: f64) -> bool {
     const ROUNDINGS: f64 = 10.0;
     step.is_nan() || step <= ROUNDINGS * f64::EPSILON * time.abs() || step < 1e-100
 }
 
-/// The cause behind steps that shrank to nothing.
+/// Returns the cause of steps that shrank to nothing.
 fn explain(stretch: &Stretch<'_>, trial: Trial, (time, state): (f64, &[f64])) -> Stopped {
     let cause = match trial {
         Trial::NotFinite { what, index } => return stretch.not_finite(what, index, time),
@@ -472,8 +423,8 @@ fn explain(stretch: &Stretch<'_>, trial: Trial, (time, state): (f64, &[f64])) ->
     Stopped { time, cause: stretch.cause_at(time, state, cause) }
 }
 
-/// Refuses tolerances that rounding alone exceeds: error estimates would be
-/// noise, and steps accepted and rejected by chance.
+/// Refuses tolerances below rounding: error estimates would be noise, and steps would be accepted
+/// and rejected by chance.
 fn require_possible_tolerance(stretch: &Stretch<'_>, state: &[f64]) -> Result<(), Stopped> {
     const ROUNDINGS: f64 = 4.0;
     let simulator = stretch.system.simulator();
@@ -488,11 +439,11 @@ fn require_possible_tolerance(stretch: &Stretch<'_>, state: &[f64]) -> Result<()
     Ok(())
 }
 
-/// A first step by the size of the rate and of its change over a trial step
-/// (Hairer, Norsett, Wanner, section II.4); `order` is the method's.
+/// Returns a first step from the size of the rate and its change over a trial step (Hairer,
+/// Norsett, Wanner, section II.4); `order` is that of the method.
 ///
-/// `rate` is f(t, y) at the start; `trial` and `trial_rate` are scratch; all of them
-/// without quadratures.
+/// `rate` is f(t, y) at the start; `trial` and `trial_rate` are scratch; all of them without
+/// quadratures.
 pub(super) fn first_step(
     stretch: &Stretch<'_>,
     order: u32,
@@ -529,8 +480,8 @@ pub(super) fn first_step(
     if step > 0.0 && step.is_finite() { step } else { 1e-6 * span }
 }
 
-/// Root mean square of `error` over what the tolerances allow between the states
-/// `before` and `after`.
+/// Returns the root mean square of `error` over the tolerances between the states `before` and
+/// `after`.
 pub(super) fn weighted_norm(
     stretch: &Stretch<'_>,
     error: &[f64],
@@ -545,7 +496,7 @@ pub(super) fn weighted_norm(
     (sum / error.len() as f64).sqrt()
 }
 
-/// Sum of (error/scale)^2, as four sums that do not wait for each other.
+/// Returns the sum of (error/scale)^2, as four independent sums.
 #[cfg(feature = "implicit")]
 pub(super) fn sum_of_squares(errors: &[f64], scales: &[f64]) -> f64 {
     let square = |(error, scale): (&f64, &f64)| (error / scale) * (error / scale);
@@ -561,7 +512,7 @@ pub(super) fn sum_of_squares(errors: &[f64], scales: &[f64]) -> f64 {
     sums.iter().sum::<f64>() + rest
 }
 
-/// df/dy at a state, in pattern order.
+/// Evaluates df/dy at a state, in pattern order.
 ///
 /// # Errors
 /// [`Trial::NotFinite`] if an entry is not finite.
@@ -595,8 +546,8 @@ pub(super) fn require_finite(what: &'static str, values: &[f64]) -> Result<(), T
     }
 }
 
-/// The first of many values that is not finite: looked for only where there is one, for
-/// that can be told of all at once.
+/// Returns the index of the first value that is not finite. It is searched for only if there is
+/// one, which can be determined for all values at once.
 pub(super) fn first_not_finite(values: &[f64]) -> Option<usize> {
     let is_wrong = values.iter().fold(false, |wrong, value| wrong | !value.is_finite());
     if is_wrong { values.iter().position(|value| !value.is_finite()) } else { None }

@@ -1,10 +1,11 @@
-//! Whether an instability sets in within a step of an implicit method.
+//! Detection of an instability that sets in within a step of an implicit method.
 
 use super::Stretch;
 use super::one_step::{Trial, finite_jacobian};
 use super::step_matrix::StepMatrix;
 
-/// The Jacobian at the end of a step that may be taken, and what its eigenvalues tell.
+/// The Jacobian at the end of a step that may be taken, and the sign of the determinant of its
+/// matrix.
 pub(super) struct Onset<'a> {
     jacobian: Vec<f64>,
     is_known: bool,
@@ -24,14 +25,14 @@ impl<'a> Onset<'a> {
         self.is_known = false;
     }
 
-    /// Whether the Jacobian was another one at the end of a step than at its start: else errors grow by
-    /// no more than the solution does.
+    /// Returns whether the Jacobian differs between the end of a step and its start; if not, errors
+    /// grow no more than the solution does.
     pub(super) fn has_changed(&self) -> bool {
         self.has_changed
     }
 
-    /// Hands over the Jacobian, where there is one: the step was taken, and its end is the
-    /// start of the next one.
+    /// Hands over the Jacobian, if there is one: the step was taken, and its end is the start of
+    /// the next one.
     pub(super) fn hand_over(&mut self, jacobian: &mut Vec<f64>) -> bool {
         if self.is_known {
             std::mem::swap(&mut self.jacobian, jacobian);
@@ -39,12 +40,12 @@ impl<'a> Onset<'a> {
         std::mem::take(&mut self.is_known)
     }
 
-    /// Refuses a step at whose end something grows within it beyond what the method can tell
-    /// from decay: then it may have passed over the onset of an instability, and stays where
-    /// nothing real stays. `shift` and `jacobian` are those of the step's own matrix.
+    /// Refuses a step at whose end a motion grows faster than the method can distinguish from
+    /// decay. The step may have passed over the onset of an instability, and would stay where no
+    /// real machine stays. `shift` and `jacobian` are those of the step's own matrix.
     ///
     /// # Errors
-    /// [`Trial::Unsolved`] then, and [`Trial::NotFinite`] if the Jacobian is not finite.
+    /// [`Trial::Unsolved`] in this case, and [`Trial::NotFinite`] if the Jacobian is not finite.
     pub(super) fn refuse(
         &mut self,
         stretch: &Stretch<'_>,

@@ -1,23 +1,23 @@
-//! What ends a run from outside, wherever it is.
+//! Ends of a run from outside, at any time.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use crate::error::StopCause;
 
-/// How long a run may go on.
+/// Limits of a run.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Patience<'a> {
     /// Until this is set.
     pub(crate) flag: Option<&'a AtomicBool>,
-    /// Until this says why it is to end.
+    /// Until this returns a reason to end.
     pub(crate) asked: Option<&'a dyn Fn() -> Option<StopCause>>,
-    /// For so long.
+    /// For this long.
     pub(crate) limit: Option<Duration>,
 }
 
 impl Patience<'_> {
-    /// Why a run that has computed for so long is to end, if it is.
+    /// Returns the reason for a run that has computed for this time to end, if there is one.
     pub(super) fn end(&self, spent: impl FnOnce() -> Duration) -> Option<StopCause> {
         if self.flag.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             return Some(StopCause::Interrupted);
@@ -30,7 +30,7 @@ impl Patience<'_> {
         self.asked.and_then(|asked| asked())
     }
 
-    /// Whether the end of a run need not be meant to be reached.
+    /// Returns whether the end of the run need not be reached.
     pub(super) fn is_limited(&self) -> bool {
         self.limit.is_some() || self.asked.is_some()
     }

@@ -7,11 +7,11 @@
 //! ```
 //!
 //! which a method solves with its own stages, so that S is the derivative of what the method
-//! computes at the steps it takes. At an event, whose time moves with p, they jump; see
-//! [`instant`]. What is not in dy'/dy and dy'/dp is differentiated on dual numbers: the start,
+//! computes at its steps. At an event, whose time moves with p, they jump; see [`instant`].
+//! Everything that is not in dy'/dy and dy'/dp is differentiated on dual numbers: the start,
 //! outputs, guards, resets, times of jumps, constraints.
 //!
-//! An entry of S stands at `state * directions + direction`.
+//! An entry of S is at `state * directions + direction`.
 
 mod allowed;
 mod columns;
@@ -28,17 +28,17 @@ use crate::constraints::Constraints;
 use crate::error::{SimulateError, did_you_mean};
 use crate::method::one_step::first_not_finite;
 use crate::method::vectors::widest;
-use crate::method::{Method, OneStep, Samples, Stopped, Stretch, Trial};
+use crate::method::{Held, Method, OneStep, Samples, Stopped, Stretch, Trial};
 use allowed::Allowed;
 use equations::Product;
 use instant::Instant;
 
 pub(crate) use columns::columns;
 pub(crate) use equations::Equations;
-pub(crate) use instant::{Passing, moment};
+pub(crate) use instant::Passing;
 pub(crate) use start::Start;
 
-/// What is differentiated by.
+/// Quantity to differentiate by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum By {
     /// A parameter.
@@ -48,7 +48,7 @@ pub(crate) enum By {
 }
 
 impl By {
-    /// The parameter of a name, else the state.
+    /// Returns the parameter of a name, or else the state.
     pub(crate) fn named(simulator: &dyn Simulator<f64>, name: &str) -> Result<Self, SimulateError> {
         let shape = simulator.shape();
         let parameters = || (0..shape.parameters).map(|index| simulator.parameter(index).name);
@@ -70,7 +70,7 @@ impl By {
         }
     }
 
-    /// Name and unit.
+    /// Returns its name and unit.
     pub(crate) fn quantity(self, simulator: &dyn Describe) -> machinist_contract::Quantity<'_> {
         match self {
             Self::Parameter(index) => simulator.parameter(index),
@@ -87,15 +87,17 @@ pub(crate) struct Tangents<'a> {
     by: Vec<By>,
     states: usize,
     equations: Equations,
-    /// Sizes of what is differentiated by.
+    /// Sizes of the quantities to differentiate by.
     sizes: Vec<f64>,
     is_controlled: bool,
     inner: RefCell<Inner>,
     allowed: RefCell<Option<Allowed>>,
+    /// Parameters and slots of the run that carries them.
+    held: RefCell<Option<Held>>,
     scratch: RefCell<Scratch>,
 }
 
-/// What is written anew at every state.
+/// Buffers that are rewritten at every state.
 struct Scratch {
     /// Values of dy'/dy and dy'/dp.
     jacobians: Vec<f64>,
@@ -108,18 +110,16 @@ struct Inner {
     start: Vec<f64>,
     /// S at its end, once it was carried there.
     end: Vec<f64>,
-    /// S at the wanted times.
+    /// S at the requested times.
     rows: Vec<f64>,
     latest: Instant,
-    /// A state in front of what happens at the end of the current step, and its time.
-    front: (f64, Vec<f64>),
 }
 
 impl<'a> Tangents<'a> {
-    /// Tangents of a run that starts with S = `start`.
+    /// Returns the tangents of a run that starts with S = `start`.
     ///
     /// # Errors
-    /// [`SimulateError::NoDerivatives`] of a simulator that has no dual numbers.
+    /// [`SimulateError::NoDerivatives`] for a simulator without dual numbers.
     pub(crate) fn new(
         simulator: &'a dyn Simulator<f64>,
         parameters: &'a [f64],
@@ -144,7 +144,6 @@ impl<'a> Tangents<'a> {
             end: zeros.clone(),
             rows: Vec::new(),
             latest: Instant { time: from, shifts: vec![0.0; count] },
-            front: (from, Vec::new()),
         };
         let scratch = Scratch { jacobians: vec![0.0; equations.values()], drive: zeros };
         let inner = RefCell::new(inner);
@@ -165,31 +164,32 @@ impl<'a> Tangents<'a> {
             is_controlled,
             inner,
             allowed: RefCell::default(),
+            held: RefCell::default(),
             scratch: RefCell::new(scratch),
         })
     }
 
-    /// What is differentiated by.
+    /// Returns the quantities to differentiate by.
     pub(crate) fn by(&self) -> &[By] {
         &self.by
     }
 
-    /// Entries of S.
+    /// Returns the number of entries of S.
     pub(crate) fn len(&self) -> usize {
         self.states * self.by.len()
     }
 
-    /// S at the start of the current step.
+    /// Returns S at the start of the current step.
     pub(crate) fn start(&self) -> Vec<f64> {
         self.inner.borrow().start.clone()
     }
 
-    /// Lets the current step start with this S.
+    /// Sets S at the start of the current step.
     pub(crate) fn restart(&self, tangents: &[f64]) {
         self.inner.borrow_mut().start.copy_from_slice(tangents);
     }
 
-    /// lambda^T S at the start of the current step, of every direction.
+    /// Returns lambda^T S at the start of the current step, for every direction.
     pub(crate) fn pulled(&self, lambda: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; self.by.len()];
         let start = &self.inner.borrow().start;
@@ -201,24 +201,25 @@ impl<'a> Tangents<'a> {
         sums
     }
 
-    /// S of one direction, at the start of the current step.
+    /// Iterates over S of one direction, at the start of the current step.
     pub(crate) fn start_of(&self, direction: usize) -> impl Iterator<Item = f64> {
         let start = self.inner.borrow().start.clone();
         start.into_iter().skip(direction).step_by(self.by.len())
     }
 
-    /// S at the wanted times until now, row after row.
+    /// Takes S at the requested times so far, row after row.
     fn take_rows(&self) -> Vec<f64> {
         std::mem::take(&mut self.inner.borrow_mut().rows)
     }
 
-    /// What S' is made of.
+    /// Returns the variational equations.
     pub(crate) fn equations(&self) -> &Equations {
         &self.equations
     }
 
-    /// J and df/dp at a state of a stretch: of S' = J S + df/dp what does not depend on S. `values`
-    /// are [`Equations::values`] long and begin with J; df/dp has to be zero where no parameter is.
+    /// Evaluates J and df/dp at a state of a stretch: the parts of S' = J S + df/dp that do not
+    /// depend on S. `values` are [`Equations::values`] long and begin with J; df/dp has to be zero
+    /// where no parameter is.
     pub(crate) fn linearize(
         &self,
         stretch: &Stretch<'_>,
@@ -235,7 +236,7 @@ impl<'a> Tangents<'a> {
         }
     }
 
-    /// J S + df/dp at a state of a stretch.
+    /// Evaluates J S + df/dp at a state of a stretch.
     pub(crate) fn rate(
         &self,
         stretch: &Stretch<'_>,
@@ -250,7 +251,8 @@ impl<'a> Tangents<'a> {
         widest(Product { equations: &self.equations, of, tangents, into });
     }
 
-    /// The entries of dy'/dy where [`Tangents::rate`] was last asked for: row, column, value.
+    /// Visits the entries of dy'/dy at the last evaluation of [`Tangents::rate`]: row, column,
+    /// value.
     #[cfg(feature = "implicit")]
     pub(crate) fn for_each_slope(&self, mut look: impl FnMut(usize, usize, f64)) {
         let jacobians = &self.scratch.borrow().jacobians;
@@ -260,8 +262,8 @@ impl<'a> Tangents<'a> {
         }
     }
 
-    /// Carries S over the current step of a method, whose states have this error: what came of
-    /// both.
+    /// Carries S over the current step of a method, whose states have this error; returns the
+    /// result for both.
     pub(crate) fn carry(&self, method: &mut dyn OneStep, of_states: f64) -> Trial {
         let Inner { start, end, .. } = &mut *self.inner.borrow_mut();
         let error = method.carry(self, start, end);
@@ -276,8 +278,8 @@ impl<'a> Tangents<'a> {
         }
     }
 
-    /// Errors of S over what is allowed, the greatest of all directions, for each of some
-    /// estimates that are asked for one after the other; see [`Allowed`].
+    /// Returns the errors of S over the tolerances, the largest of all directions, for several
+    /// estimates evaluated one after another; see [`Allowed`].
     pub(crate) fn errors(
         &self,
         stretch: &Stretch<'_>,
@@ -291,7 +293,7 @@ impl<'a> Tangents<'a> {
         of(&mut |errors| allowed.norm(errors))
     }
 
-    /// Whether S is under the control of error.
+    /// Returns whether the error of S is controlled.
     pub(crate) fn is_controlled(&self) -> bool {
         self.is_controlled
     }
@@ -308,13 +310,13 @@ impl<'a> Tangents<'a> {
         }
     }
 
-    /// Puts S at the end of the current step onto what the constraints leave free there.
+    /// Projects S at the end of the current step onto the tangent space of the constraints.
     pub(crate) fn constrain_end(&self, stretch: &Stretch<'_>, time: f64, state: &[f64]) {
         let end = &mut self.inner.borrow_mut().end;
         self.constrain(stretch.system.constraints(), stretch.within(time), state, end);
     }
 
-    /// Takes the current step: its end is the start of the next one.
+    /// Accepts the current step: its end becomes the start of the next one.
     pub(crate) fn accept(&self) {
         let inner = &mut *self.inner.borrow_mut();
         if let Some(allowed) = &mut *self.allowed.borrow_mut() {
@@ -323,17 +325,7 @@ impl<'a> Tangents<'a> {
         std::mem::swap(&mut inner.start, &mut inner.end);
     }
 
-    /// Says from where the state comes to what happens next.
-    pub(crate) fn comes_from(&self, time: f64, state: &[f64]) {
-        self.inner.borrow_mut().front = (time, state.to_vec());
-    }
-
-    /// From where the state comes to what happens.
-    pub(crate) fn front(&self) -> (f64, Vec<f64>) {
-        self.inner.borrow().front.clone()
-    }
-
-    /// S at a wanted time within the current step, where the state is `state`.
+    /// Takes S at a requested time within the current step, where the state is `state`.
     pub(crate) fn sample(
         &self,
         method: &mut dyn OneStep,
@@ -349,20 +341,20 @@ impl<'a> Tangents<'a> {
         self.constrain(stretch.system.constraints(), stretch.within(time), state, row);
     }
 
-    /// S at a wanted time at the end of the current step.
+    /// Takes S at a requested time at the end of the current step.
     pub(crate) fn sample_end(&self) {
         let Inner { end, rows, .. } = &mut *self.inner.borrow_mut();
         rows.extend_from_slice(end);
     }
 
-    /// S at all wanted times until the start of the next step.
+    /// Takes S at all requested times up to the start of the next step.
     pub(crate) fn sample_start(&self, samples: &Samples<'_>, until: f64) {
         let Inner { start, rows, .. } = &mut *self.inner.borrow_mut();
         let wanted = samples.due(until);
         (0..wanted).for_each(|_| rows.extend_from_slice(start));
     }
 
-    /// One Euler step, exact to rounding where it is short to rounding.
+    /// Takes one Euler step, exact to rounding where it is short to rounding.
     pub(crate) fn leap(&self, stretch: &Stretch<'_>, state: &[f64]) {
         let start = &mut self.inner.borrow_mut().start;
         let mut rate = vec![0.0; start.len()];
@@ -372,15 +364,32 @@ impl<'a> Tangents<'a> {
         }
     }
 
-    /// Directions that are looked at side by side.
+    /// Returns the ranges of directions that are evaluated side by side.
     fn chunks(&self) -> impl Iterator<Item = Range<usize>> + use<> {
         let count = self.by.len();
         (0..count).step_by(Dual::DIRECTIONS).map(move |k| k..(k + Dual::DIRECTIONS).min(count))
     }
 
-    /// Parameters with slopes along some directions.
+    /// Uses relations as a run holds them.
+    pub(crate) fn hold(&self, held: &Held) {
+        self.held.replace(Some(held.clone()));
+    }
+
+    /// Returns parameters with slopes along some directions, followed by slots if relations are
+    /// held.
     fn parameters_along(&self, directions: &Range<usize>) -> Vec<Dual> {
-        let mut duals: Vec<Dual> = self.parameters.iter().copied().map(Dual::constant).collect();
+        let held = self.held.borrow();
+        let held = held.as_ref().map(Held::all);
+        self.along(held.as_deref().unwrap_or(self.parameters), directions)
+    }
+
+    /// Returns parameters with slopes along some directions, and live relations.
+    fn live_parameters_along(&self, directions: &Range<usize>) -> Vec<Dual> {
+        self.along(self.parameters, directions)
+    }
+
+    fn along(&self, all: &[f64], directions: &Range<usize>) -> Vec<Dual> {
+        let mut duals: Vec<Dual> = all.iter().copied().map(Dual::constant).collect();
         for (lane, direction) in directions.clone().enumerate() {
             if let By::Parameter(index) = self.by[direction] {
                 duals[index].slopes[lane] = 1.0;
@@ -389,7 +398,7 @@ impl<'a> Tangents<'a> {
         duals
     }
 
-    /// Makes `duals` a state with slopes S along some directions.
+    /// Sets `duals` to a state with slopes S along some directions.
     fn set_along(
         &self,
         state: &[f64],
@@ -400,20 +409,20 @@ impl<'a> Tangents<'a> {
         let rows = tangents.chunks_exact(self.by.len());
         for ((dual, value), row) in duals.iter_mut().zip(state).zip(rows) {
             let along = &row[directions.clone()];
-            // One by one: a call that copies so few costs more than they do.
+            // One by one, because a call for so few entries costs more.
             let slopes = std::array::from_fn(|lane| along.get(lane).copied().unwrap_or(0.0));
             *dual = Dual { value: *value, slopes };
         }
     }
 
-    /// A state with slopes S along some directions.
+    /// Returns a state with slopes S along some directions.
     fn state_along(&self, state: &[f64], tangents: &[f64], directions: &Range<usize>) -> Vec<Dual> {
         let mut duals = vec![Dual::constant(0.0); self.states];
         self.set_along(state, tangents, directions, &mut duals);
         duals
     }
 
-    /// Slopes of a function in every direction, one row a value.
+    /// Returns the slopes of a function in every direction, one row per value.
     fn slopes(
         &self,
         function: DualFunction,
@@ -436,8 +445,8 @@ impl<'a> Tangents<'a> {
         slopes
     }
 
-    /// Shifts S the shortest way to where constraints hold to first order: what puts a state
-    /// back does so to its derivatives.
+    /// Shifts S the shortest way to where constraints hold to first order, as the projection of a
+    /// state does to its derivatives.
     fn constrain(
         &self,
         constraints: Option<&Constraints<'_>>,
@@ -453,7 +462,7 @@ impl<'a> Tangents<'a> {
             [(DualFunction::ConstraintValues, 0), (DualFunction::ConstraintRates, coordinates)]
         {
             let slopes = self.slopes(function, rows, time, state, tangents);
-            // What cannot be solved stays; the state itself was put back by the same matrix.
+            // Keep what cannot be solved; the state itself was projected with the same matrix.
             let Some(shift) = constraints.shortest_each(time, state, &slopes) else { continue };
             for (index, shifts) in shift.row_iter().enumerate() {
                 for (direction, shift) in shifts.iter().enumerate() {
@@ -465,13 +474,13 @@ impl<'a> Tangents<'a> {
 }
 
 impl Method {
-    /// Whether the method carries sensitivities with the states.
+    /// Returns whether the method carries sensitivities with the states.
     #[must_use]
     pub fn carries_sensitivities(self) -> bool {
         matches!(self, Self::Tsit5 | Self::Dop853 | Self::Radau | Self::Auto)
     }
 
-    /// The method for a run with sensitivities, where it was left to the scene or to `auto`.
+    /// Returns the method for a run with sensitivities, if it was left to the scene or to `auto`.
     pub(crate) fn for_sensitivities(self) -> Self {
         match self {
             carries if carries.carries_sensitivities() => self,

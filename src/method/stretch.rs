@@ -1,16 +1,16 @@
-//! A stretch of a run without jumps, and the samples wanted of the run.
+//! A stretch of a run without jumps, and the samples requested of the run.
 
 use super::milestone::out_of_steps;
 use super::system::FLOWS;
-use super::{Problem, Stopped, System, Watch, just_behind};
+use super::{Method, Problem, Stopped, System, Watch};
 use crate::error::StopCause;
 
-/// Tolerances, relative and absolute.
+/// Relative and absolute tolerances.
 pub(super) type Tolerances = (f64, Vec<f64>);
 
 /// A stretch of a run on which the right-hand side is smooth.
 pub struct Stretch<'a> {
-    /// The equations; ask for rates by [`Stretch::rate`], which keeps to the stretch.
+    /// The equations; [`Stretch::rate`] evaluates rates within the stretch.
     pub system: &'a System<'a>,
     /// Start time \[s\].
     pub from: f64,
@@ -43,7 +43,7 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    /// A stretch for steps that no tolerance chooses.
+    /// Returns a stretch for steps without error control.
     #[cfg(feature = "implicit")]
     pub(super) fn without_control(
         system: &'a System<'a>,
@@ -54,7 +54,7 @@ impl<'a> Stretch<'a> {
         Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX, watch: None }
     }
 
-    /// The stretch with other tolerances, if there are any.
+    /// Returns the stretch with other tolerances, if there are any.
     pub(super) fn at_tolerances<'b>(&self, tolerances: Option<&'b Tolerances>) -> Stretch<'b>
     where
         'a: 'b,
@@ -64,73 +64,78 @@ impl<'a> Stretch<'a> {
         Stretch { rtol, atol, ..*self }
     }
 
-    /// The time over which somebody looks at the run \[s\]: the stretch, or all of the run that it
-    /// is a piece of.
+    /// Returns the relative tolerance of the steps of a method.
+    pub(super) fn step_rtol(&self, method: Method) -> f64 {
+        let of_many = method.step_rtol(self.rtol);
+        self.system.trial().map_or(of_many, |trial| trial.rtol)
+    }
+
+    /// Returns the time over which the run is observed \[s\]: the stretch, or the whole run of
+    /// which it is a piece.
     pub(super) fn looked_at(&self) -> f64 {
         (self.until - self.from).max(self.system.whole())
     }
 
-    /// `time` moved into \[from, until).
+    /// Returns `time` moved into \[from, until).
     ///
-    /// A jump at t0 has its new value from t0 on, so a method that evaluates the
-    /// right-hand side at the end of the stretch, as every implicit one does,
-    /// would see the value beyond the jump and lose its order. The last moment
-    /// before the end stands for the limit from the left, which it equals to
-    /// rounding; likewise no trial step looks back in front of the stretch.
+    /// A jump at t0 has its new value from t0 on. A method that evaluates the right-hand side at
+    /// the end of the stretch, as every implicit one does, would see the value after the jump and
+    /// lose its order. The last moment before the end stands for the limit from the left, which it
+    /// equals to rounding. Likewise, no trial step looks back before the start of the stretch.
     #[must_use]
     pub fn within(&self, time: f64) -> f64 {
         within(time, (self.from, self.until))
     }
 
-    /// f(t, y) at `time` moved into the stretch.
+    /// Evaluates f(t, y) at `time` moved into the stretch.
     pub fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         self.system.rate(self.within(time), state, rate);
     }
 
-    /// f(t, y) without quadratures at `time` moved into the stretch.
+    /// Evaluates f(t, y) without quadratures at `time` moved into the stretch.
     pub fn state_rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         self.system.state_rate(self.within(time), state, rate);
     }
 
-    /// Rates of the quadratures at `time` moved into the stretch.
+    /// Returns the rates of the quadratures at `time` moved into the stretch.
     #[must_use]
     pub fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
         self.system.flow_rates(self.within(time), state)
     }
 
-    /// Partial derivative of f with respect to time, without quadratures, at
-    /// `time` moved into the stretch.
+    /// Evaluates the partial derivative of f with respect to time, without quadratures, at `time`
+    /// moved into the stretch.
     pub fn time_derivative(&self, time: f64, state: &[f64], derivative: &mut [f64]) {
         self.system.time_derivative(self.within(time), state, derivative);
     }
 
-    /// df/dy without quadratures at `time` moved into the stretch.
+    /// Evaluates df/dy without quadratures at `time` moved into the stretch.
     pub fn jacobian(&self, time: f64, state: &[f64], values: &mut [f64]) {
         self.system.jacobian(self.within(time), state, values);
     }
 
-    /// The rows of df/dy of the quadratures at `time` moved into the stretch.
+    /// Returns the rows of df/dy of the quadratures at `time` moved into the stretch.
     #[must_use]
     pub fn flow_gradient(&self, time: f64, state: &[f64]) -> Vec<(usize, [f64; FLOWS])> {
         self.system.flow_gradient(self.within(time), state)
     }
 
-    /// Puts a state back onto the constraints, if there are any.
+    /// Projects a state onto the constraints, if there are any.
     pub(super) fn constrain(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
         let constrained = self.system.constrain(self.within(time), state);
         constrained.map_err(|stopped| Stopped { time, ..stopped })
     }
 
-    /// Whether there is nothing for a method to step on: no states, or a stretch
-    /// between jumps that differ by rounding, such as 0.1 + 0.2 and 0.3.
+    /// Returns whether there is nothing for a method to step on: no states, or a stretch between
+    /// jumps that differ by rounding, such as 0.1 + 0.2 and 0.3.
     pub(super) fn is_trivial(&self) -> bool {
         const ROUNDINGS: f64 = 512.0;
         let size = self.from.abs().max(self.until.abs());
         self.system.is_empty() || self.until - self.from <= ROUNDINGS * f64::EPSILON * size
     }
 
-    /// Whether no more than rounding is left after `time`, in which the state hardly moves; then that
-    /// is at the end.
+    /// Moves the state to the end if only rounding is left after `time` and the state hardly moves;
+    /// returns whether it does.
     pub(super) fn leaps_to_end(
         &self,
         time: f64,
@@ -145,7 +150,7 @@ impl<'a> Stretch<'a> {
         is_over
     }
 
-    /// Whether one Euler step over the whole stretch moves no state by more than is allowed.
+    /// Returns whether one Euler step over the whole stretch moves no state by more than allowed.
     fn hardly_moves(&self, state: &[f64]) -> bool {
         let mut rate = vec![0.0; state.len()];
         self.rate(self.from, state, &mut rate);
@@ -155,41 +160,7 @@ impl<'a> Stretch<'a> {
         })
     }
 
-    /// A time just behind the start of the stretch, if the rate jumps between the two: as that of
-    /// `floor(-t)` does at zero.
-    pub(super) fn behind_jump(&self, state: &[f64]) -> Option<f64> {
-        /// Of a rate that does not jump, far less changes within rounding of time.
-        const JUMPS: f64 = 1e-6;
-        if self.system.simulator().kinks() == 0 {
-            return None;
-        }
-        let behind = just_behind(self.from, self.until);
-        let [mut here, mut there] = [(); 2].map(|()| vec![0.0; state.len()]);
-        self.rate(self.from, state, &mut here);
-        self.rate(behind, state, &mut there);
-        let pairs = || here.iter().zip(&there);
-        let jumps = pairs().any(|(a, b)| (a - b).abs() > JUMPS * (a.abs() + b.abs()));
-        jumps.then_some(behind)
-    }
-
-    /// Whether the rate is another one at a state than a moment earlier, by as much as would be
-    /// noticed over a step.
-    pub(super) fn rate_jumps(&self, end: &[f64], (front, time): (f64, f64), step: f64) -> bool {
-        /// Of what the tolerances allow.
-        const NOTICED: f64 = 1e-2;
-        let [mut here, mut there] = [(); 2].map(|()| vec![0.0; end.len()]);
-        self.rate(time, end, &mut here);
-        let by = front - time;
-        let earlier: Vec<f64> = end.iter().zip(&here).map(|(y, f)| y + by * f).collect();
-        self.rate(front, &earlier, &mut there);
-        (0..self.system.states()).any(|index| {
-            let allowed = NOTICED * (self.atol[index] + self.rtol * end[index].abs());
-            step * (here[index] - there[index]).abs() > allowed
-        })
-    }
-
-    /// One Euler step over the whole stretch, exact to rounding on a trivial
-    /// one.
+    /// Takes one Euler step over the whole stretch, exact to rounding on a trivial one.
     pub(super) fn leap(&self, state: &mut [f64], samples: &mut Samples<'_>) {
         let mut rate = vec![0.0; state.len()];
         self.rate(self.from, state, &mut rate);
@@ -205,18 +176,18 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    /// Refuses to go on from `time` if the run is to end where it is.
+    /// Refuses to continue from `time` if the run is to end there.
     pub(super) fn require_uninterrupted(&self, time: f64) -> Result<(), Stopped> {
         self.system.interruption().map_or(Ok(()), |cause| Err(Stopped { time, cause }))
     }
 
-    /// Counts a rejected step, and refuses to go on as [`Stretch::require_fewer_passes`] does.
+    /// Counts a rejected step, and refuses to continue as [`Stretch::require_fewer_passes`] does.
     pub(super) fn count_rejected(&self, time: f64) -> Result<(), Stopped> {
         self.system.count(|work| work.rejected += 1);
         self.require_fewer_passes(time)
     }
 
-    /// Refuses to go on once all steps are taken, those that were rejected among them.
+    /// Refuses to continue once all steps are taken, including rejected ones.
     pub(super) fn require_fewer_passes(&self, time: f64) -> Result<(), Stopped> {
         let work = self.system.work();
         let limit = self.max_steps;
@@ -226,7 +197,7 @@ impl<'a> Stretch<'a> {
         Ok(())
     }
 
-    /// As [`Stretch::require_uninterrupted`], after a step that ends in a state.
+    /// Does the same as [`Stretch::require_uninterrupted`], after a step that ends in a state.
     pub(super) fn require_wanted(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
         self.require_uninterrupted(time)?;
         if self.system.is_left_at(time, state) || self.system.is_over_at(time) {
@@ -245,36 +216,23 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    /// The cause to end at `time` if all steps are taken, or if all that may be taken lead nowhere
-    /// near the end of the stretch.
+    /// Returns the cause to end at `time` if all steps are taken, or if all allowed steps lead
+    /// nowhere near the end of the stretch.
     pub(super) fn out_of_steps(&self, time: f64) -> Option<StopCause> {
         let steps = self.system.work().steps;
         out_of_steps((steps, self.max_steps), self.until - time, || self.system.pace(time))
     }
 
-    /// The cause behind steps that became too short or too many: chattering, if that is
-    /// what a state does, else as told.
+    /// Returns the cause of steps that became too short or too many: chattering, if a state
+    /// chatters, otherwise `else_cause`.
     pub(super) fn cause_at(&self, time: f64, state: &[f64], else_cause: StopCause) -> StopCause {
         self.chattering(time, state).unwrap_or(else_cause)
     }
 
-    /// Where no step can be taken because kinks are nearer than time resolves: puts the state behind
-    /// them, and gives its time.
-    pub(super) fn leaps_over_kinks(
-        &self,
-        time: f64,
-        state: &mut [f64],
-    ) -> Result<Option<f64>, Stopped> {
-        if self.system.simulator().kinks() == 0 || self.system.tangents().is_some() {
-            return Ok(None);
-        }
-        self.watch.map_or(Ok(None), |watch| watch.cross_at_once(self, time, state))
-    }
-
-    /// The cause to end before a step from `time`: it is too short, all steps are taken or lead
-    /// nowhere, or are so short that all of them would not reach the end, for a state chatters.
+    /// Returns the cause to end before a step from `time`: it is too short, all steps are taken or
+    /// lead nowhere, or they are too short to reach the end because a state chatters.
     pub(super) fn leads_nowhere(&self, step: f64, time: f64, state: &[f64]) -> Option<StopCause> {
-        /// Steps after which it is asked whether a state chatters.
+        /// Number of steps between checks for chattering.
         const EVERY: u64 = 512;
         let stuck = (time + step <= time).then_some(StopCause::StepTooSmall);
         if let Some(cause) = self.out_of_steps(time).or(stuck) {
@@ -286,15 +244,15 @@ impl<'a> Stretch<'a> {
         is_asked.then(|| self.chattering(time, state)).flatten()
     }
 
-    /// A state whose rate, near where it is, jumps through zero so that it is driven back
-    /// from both sides: from either the rate is the same half as near, so that it is a jump
-    /// and no slope; and so it is a while later, so that the jump does not pass on, as where a
-    /// sawtooth in time is compared with it.
+    /// Returns a state whose rate jumps through zero nearby and drives it back from both sides. On
+    /// either side the rate must be the same half as near, so that it is a jump and not a slope. It
+    /// must also be so a while later, so that the jump does not move, as in a comparison with a
+    /// sawtooth in time.
     pub(super) fn chattering(&self, time: f64, state: &[f64]) -> Option<StopCause> {
-        /// So many tolerances from the state; steps that chatter end within that.
+        /// Distances from the state, in tolerances; steps that chatter end within them.
         const NEAR: [f64; 2] = [100.0, 50.0];
         const SAME: f64 = 0.1;
-        /// So many times what it takes to go as far as is looked.
+        /// Factor of the time that a motion over this distance takes.
         const LATER: f64 = 100.0;
         let mut shifted = state.to_vec();
         let mut rate = vec![0.0; state.len()];
@@ -322,10 +280,10 @@ impl<'a> Stretch<'a> {
         Some(StopCause::Chattering { state: self.system.name(found), value: state[found] })
     }
 
-    /// Refuses a state that is not finite, or so large that its square is not: methods
-    /// would step on for ever, with errors that are no numbers.
+    /// Refuses a state that is not finite, or so large that its square is not: steps would continue
+    /// forever, with errors that are not numbers.
     pub(super) fn require_bounded(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
-        /// Squares of it, and energies, are still numbers.
+        /// Its square, and energies, are still finite.
         const LARGEST: f64 = 1e150;
         let states = &state[..self.system.states()];
         let Some(index) = states.iter().position(|value| value.is_nan() || value.abs() > LARGEST)
@@ -339,7 +297,7 @@ impl<'a> Stretch<'a> {
         Err(Stopped { time, cause: StopCause::Overflow { state, value: states[index] } })
     }
 
-    /// The error for a value of the `index`-th state that is not finite.
+    /// Returns the error for a value of the `index`-th state that is not finite.
     #[must_use]
     pub fn not_finite(&self, what: &str, index: usize, time: f64) -> Stopped {
         let what = format!("{what} `{}`", self.system.name(index));
@@ -347,13 +305,22 @@ impl<'a> Stretch<'a> {
     }
 }
 
-/// `time` moved into \[from, until); see [`Stretch::within`].
-pub(crate) fn within(time: f64, (from, until): (f64, f64)) -> f64 {
-    time.min(until.next_down()).max(from)
+/// Returns `time` moved between two others, and off them by the rounding of a comparison of time
+/// with one of them; see [`Stretch::within`].
+pub(crate) fn within(time: f64, ends: (f64, f64)) -> f64 {
+    let (first, last) = inside(ends);
+    time.min(last).max(first)
 }
 
-/// Start and end of a span, and between them the times that are strictly inside it,
-/// in order and each once.
+/// Returns the first and the last time used between two ends.
+pub(crate) fn inside((from, until): (f64, f64)) -> (f64, f64) {
+    const ROUNDINGS: f64 = 4.0;
+    let room = |end: f64| ROUNDINGS * f64::EPSILON * if end.is_finite() { end.abs() } else { 0.0 };
+    (from + room(from), until.next_down().min(until - room(until)))
+}
+
+/// Returns the start and end of a span, and between them the times strictly inside it, in order and
+/// without duplicates.
 pub(crate) fn cut(from: f64, until: f64, mut times: Vec<f64>) -> Vec<f64> {
     times.retain(|time| from < *time && *time < until);
     times.extend([from, until]);
@@ -362,7 +329,7 @@ pub(crate) fn cut(from: f64, until: f64, mut times: Vec<f64>) -> Vec<f64> {
     times
 }
 
-/// The states at the wanted times, gathered in order.
+/// States at the requested times, collected in order.
 pub struct Samples<'a> {
     times: &'a [f64],
     taken: usize,
@@ -374,18 +341,18 @@ impl<'a> Samples<'a> {
         Self { times, taken: 0, rows: Vec::with_capacity(times.len() * width) }
     }
 
-    /// The next wanted time, if it is not after `time`.
+    /// Returns the next requested time, if it is not after `time`.
     #[must_use]
     pub fn next_until(&self, time: f64) -> Option<f64> {
         self.times.get(self.taken).copied().filter(|next| *next <= time)
     }
 
-    /// How many wanted times are next and not after `time`.
+    /// Returns how many requested times are next and not after `time`.
     pub(crate) fn due(&self, time: f64) -> usize {
         self.times[self.taken..].partition_point(|next| *next <= time)
     }
 
-    /// Takes the state at the next wanted time.
+    /// Takes the state at the next requested time.
     pub fn push(&mut self, state: &[f64]) {
         self.rows.extend_from_slice(state);
         self.taken += 1;

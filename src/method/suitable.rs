@@ -1,4 +1,4 @@
-//! Which methods are for which machines.
+//! Methods that suit a machine.
 
 use machinist_contract::Simulator;
 
@@ -6,10 +6,10 @@ use super::Method;
 use crate::error::{Lack, Unsuitable};
 
 impl Method {
-    /// Whether the method can run this simulator: `taylor` needs the series that
-    /// emitted simulators have and simulators written by hand may lack, `exact`
-    /// linear equations with constant coefficients; events need a method that watches
-    /// them, and constraints one that keeps to them.
+    /// Returns whether the method can run this simulator. `taylor` needs the series that emitted
+    /// simulators have and simulators written by hand may lack; `exact` needs linear equations with
+    /// constant coefficients. Events need a method that watches them, and constraints one that
+    /// maintains them.
     #[must_use]
     pub fn suits(self, simulator: &dyn Simulator<f64>) -> bool {
         let has_what_it_needs = match self {
@@ -20,10 +20,10 @@ impl Method {
         has_what_it_needs && self.check(simulator).is_ok()
     }
 
-    /// Refuses machines with events or constraints that the method would pass over.
+    /// Refuses machines with events or constraints that the method would ignore.
     ///
     /// # Errors
-    /// [`Unsuitable`], with the methods that are made for such machines.
+    /// [`Unsuitable`], with the methods made for such machines.
     pub fn check(self, simulator: &dyn Simulator<f64>) -> Result<(), Unsuitable> {
         let refuse = |lack: Lack, has: fn(Self) -> bool| {
             let known = Self::ALL.iter().filter(|method| has(**method));
@@ -40,15 +40,15 @@ impl Method {
         Ok(())
     }
 
-    /// Whether the method stops where guards pass zero: those of our own that step from
-    /// one state to the next do.
+    /// Returns whether the method stops where guards cross zero: our own methods that step from one
+    /// state to the next do.
     #[must_use]
     pub fn watches_events(self) -> bool {
         self.keeps_constraints() || self == Self::Taylor
     }
 
-    /// Whether the method puts the state back onto constraints after each step: those
-    /// that watch events do, but for series, which no machine with constraints has.
+    /// Returns whether the method projects the state onto constraints after each step: methods that
+    /// watch events do, except series, which no machine with constraints has.
     #[must_use]
     pub fn keeps_constraints(self) -> bool {
         matches!(self, Self::Tsit5 | Self::Dop853 | Self::Rodas5p | Self::Radau | Self::Auto)

@@ -1,12 +1,14 @@
-//! The equations a method integrates, and the count of how often it asks.
+//! The equations that a method integrates, and counts of their evaluations.
 
 use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
 
 use super::Stopped;
+use super::held::Held;
 use super::loose::Trial;
 use super::milestone::Milestone;
 use super::patience::Patience;
+use super::sliding::Slide;
 use crate::constraints::Constraints;
 use crate::error::StopCause;
 use crate::method::reverse::Log;
@@ -17,8 +19,8 @@ use serde::Serialize;
 /// Energy supplied, energy dissipated, energy passed.
 pub(crate) const FLOWS: usize = 3;
 
-/// What a run has cost. Evaluations are counted here, at the simulator, and not
-/// taken from what a solver says of itself.
+/// Cost of a run. Evaluations are counted here, at the simulator, and not taken from what a solver
+/// reports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Work {
     /// Steps accepted.
@@ -37,8 +39,8 @@ pub struct Work {
     pub switches: u64,
 }
 
-/// y' = f(t, y) of one simulator at fixed parameters, y = \[q, q', z\], followed
-/// on demand by three quadratures of its power balance:
+/// y' = f(t, y) of one simulator at fixed parameters, y = \[q, q', z\], optionally followed by
+/// three quadratures of its power balance:
 ///
 /// ```text
 /// w_supplied' = P_supplied    w_dissipated' = P_dissipated
@@ -47,7 +49,11 @@ pub struct Work {
 pub struct System<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: &'a [f64],
-    /// What the parameters alone decide, computed once a run.
+    /// Parameters and slots of relations, as steps hold them.
+    held: Held,
+    /// Relations along whose surfaces the motion slides.
+    pub(super) slides: RefCell<Vec<Slide>>,
+    /// Values that depend on the parameters alone, computed once per run.
     constants: Vec<f64>,
     states: usize,
     with_flows: bool,
@@ -57,35 +63,38 @@ pub struct System<'a> {
     work: Cell<Work>,
     notes: RefCell<Vec<String>>,
     patience: Patience<'a>,
-    /// When it began, if it may not take as long as it likes.
+    /// Start of the run, if its time is limited.
     began: Option<Instant>,
     onlooker: Option<Onlooker<'a>>,
-    /// Length of the run that this is a piece of \[s\]; 0 if it is none.
+    /// Length of the run of which this is a piece \[s\]; 0 if it is none.
     whole: f64,
     has_stepped: Cell<bool>,
     milestone: Cell<Milestone>,
-    /// What is tried with loose steps, while it is.
+    /// The trial with loose steps, while there is one.
     trial: Cell<Option<Trial>>,
 }
 
-/// Who is shown time and state after every step that is not the last of a stretch, and says
-/// whether the run is to end there.
+/// Receives time and state after every step that is not the last of a stretch. Returns whether the
+/// run is to end there.
 pub(crate) type Onlooker<'a> = &'a dyn Fn(f64, &[f64]) -> bool;
 
 impl<'a> System<'a> {
-    /// The equations of `simulator`, with or without energy quadratures.
+    /// Returns the equations of `simulator`, with or without energy quadratures.
     #[must_use]
     pub fn new(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64], with_flows: bool) -> Self {
         let states = simulator.shape().states();
         let mut constants = vec![0.0; simulator.constants()];
         simulator.prepare(parameters, &mut constants);
+        let held = Held::live(simulator, parameters);
         Self {
             simulator,
             parameters,
+            constraints: Constraints::held(simulator, &held),
+            held,
+            slides: RefCell::default(),
             constants,
             states,
             with_flows,
-            constraints: Constraints::of(simulator, parameters),
             tangents: None,
             log: None,
             work: Cell::default(),
@@ -100,68 +109,71 @@ impl<'a> System<'a> {
         }
     }
 
-    /// The same, that goes on only so long from now on.
+    /// Returns the system with limits of the run from now on.
     pub(crate) fn within(self, patience: Patience<'a>) -> Self {
         Self { patience, began: patience.limit.map(|_| Instant::now()), ..self }
     }
 
-    /// The same, whose steps somebody looks at.
+    /// Returns the system with an onlooker of its steps.
     pub(crate) fn shown_to(self, onlooker: Option<Onlooker<'a>>) -> Self {
         Self { onlooker, ..self }
     }
 
-    /// The same for a piece of a run of this length \[s\].
+    /// Returns the system for a piece of a run of this length \[s\].
     pub(crate) fn piece_of(self, whole: f64) -> Self {
         Self { whole, ..self }
     }
 
-    /// Length of the run that this is a piece of \[s\]; 0 if it is none.
+    /// Returns the length of the run of which this is a piece \[s\]; 0 if it is none.
     pub(super) fn whole(&self) -> f64 {
         self.whole
     }
 
-    /// Whether the run is to end where it is, by who looks at its steps.
+    /// Returns whether the onlooker ends the run here.
     pub(super) fn is_left_at(&self, time: f64, state: &[f64]) -> bool {
         self.onlooker.is_some_and(|leaves| leaves(time, &state[..self.states]))
     }
 
-    /// The same, whose sensitivities are carried along.
+    /// Returns the system with sensitivities carried along.
     pub(crate) fn with_tangents(self, tangents: Option<Tangents<'a>>) -> Self {
+        if let Some(tangents) = &tangents {
+            tangents.hold(&self.held);
+        }
         Self { tangents, ..self }
     }
 
-    /// The same, whose steps are kept.
+    /// Returns the system with a log of its steps.
     pub(crate) fn logged(self, log: Option<&'a Log>) -> Self {
         Self { log, ..self }
     }
 
-    /// Where steps are kept, if they are.
+    /// Returns the log of the steps, if there is one.
     pub(crate) fn log(&self) -> Option<&'a Log> {
         self.log
     }
 
-    /// Sensitivities, if they are asked for.
+    /// Returns the sensitivities, if they are requested.
     pub(crate) fn tangents(&self) -> Option<&Tangents<'a>> {
         self.tangents.as_ref()
     }
 
-    /// Why the run is to end where it is, if it is.
+    /// Returns the reason for the run to end, if there is one.
     pub(super) fn interruption(&self) -> Option<StopCause> {
         self.patience.end(|| self.began.map_or(Duration::ZERO, |began| began.elapsed()))
     }
 
-    /// The simulator, for methods that need more than rate and Jacobian.
+    /// Returns the simulator, for methods that need more than rate and Jacobian.
     #[must_use]
     pub fn simulator(&self) -> &'a dyn Simulator<f64> {
         self.simulator
     }
 
-    /// The constraints, if there are any.
+    /// Returns the constraints, if there are any.
     pub(crate) fn constraints(&self) -> Option<&Constraints<'a>> {
         self.constraints.as_ref()
     }
 
-    /// Puts a state back onto the constraints, if there are any.
+    /// Projects a state onto the constraints, if there are any.
     pub(crate) fn constrain(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
         let Some(constraints) = &self.constraints else { return Ok(()) };
         constraints.project(time, state).map_err(|lost| {
@@ -170,31 +182,36 @@ impl<'a> System<'a> {
         })
     }
 
-    /// The parameters.
+    /// Returns the parameters and slots, as steps hold them.
+    pub(crate) fn held(&self) -> &Held {
+        &self.held
+    }
+
+    /// Returns the parameters.
     #[must_use]
     pub fn parameters(&self) -> &'a [f64] {
         self.parameters
     }
 
-    /// Number of equations.
+    /// Returns the number of equations.
     #[must_use]
     pub fn len(&self) -> usize {
         self.states() + if self.with_flows { FLOWS } else { 0 }
     }
 
-    /// Whether there is nothing to integrate.
+    /// Returns whether there is nothing to integrate.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Number of states of the simulator, without quadratures.
+    /// Returns the number of states of the simulator, without quadratures.
     #[must_use]
     pub fn states(&self) -> usize {
         self.states
     }
 
-    /// Name of the `index`-th equation's unknown.
+    /// Returns the name of the unknown of the `index`-th equation.
     #[must_use]
     pub fn name(&self, index: usize) -> String {
         if index < self.states() {
@@ -204,7 +221,7 @@ impl<'a> System<'a> {
         }
     }
 
-    /// f(t, y), `len` long.
+    /// Evaluates f(t, y), `len` long.
     pub fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         let states = self.states();
         let (rate, flow_rates) = rate.split_at_mut(states);
@@ -215,41 +232,52 @@ impl<'a> System<'a> {
         }
     }
 
-    /// f(t, y) without the quadratures, `states` long.
+    /// Evaluates f(t, y) without the quadratures, `states` long.
     pub fn state_rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
-        self.count(|work| work.rate_evaluations += 1);
-        self.simulator.prepared_rate(time, state, self.parameters, &self.constants, rate);
+        if self.is_sliding() {
+            self.sliding_rate(time, state, rate);
+        } else {
+            self.rate_of_modes(time, state, rate);
+        }
     }
 
-    /// Nonzeros of df/dy without the rows of the quadratures.
+    /// Evaluates f(t, y) with relations as held, whether the motion slides or not.
+    pub(super) fn rate_of_modes(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        self.count(|work| work.rate_evaluations += 1);
+        self.simulator.prepared_rate(time, state, &self.held.all(), &self.constants, rate);
+    }
+
+    /// Returns the nonzeros of df/dy without the rows of the quadratures.
     #[must_use]
     pub fn jacobian_pattern(&self) -> SparsityPattern<'a> {
         self.simulator.rate_jacobian_pattern()
     }
 
-    /// df/dy without the rows of the quadratures, values in pattern order.
+    /// Evaluates df/dy without the rows of the quadratures, values in pattern order.
     pub fn jacobian(&self, time: f64, state: &[f64], values: &mut [f64]) {
         self.count(|work| work.jacobian_evaluations += 1);
         let state = &state[..self.states()];
-        let (parameters, constants) = (self.parameters, &self.constants);
-        self.simulator.prepared_rate_jacobian(time, state, parameters, constants, values);
+        if self.is_sliding() {
+            return self.sliding_jacobian(time, state, values);
+        }
+        let (parameters, constants) = (self.held.all(), &self.constants);
+        self.simulator.prepared_rate_jacobian(time, state, &parameters, constants, values);
     }
 
-    /// df/dy, then df/dp, without the rows of the quadratures, values in pattern order.
+    /// Evaluates df/dy, then df/dp, without the rows of the quadratures, values in pattern order.
     pub(crate) fn jacobians(&self, time: f64, state: &[f64], values: &mut [f64]) {
         self.count(|work| work.jacobian_evaluations += 1);
         let state = &state[..self.states()];
-        let (parameters, constants) = (self.parameters, &self.constants);
-        self.simulator.prepared_jacobians(time, state, parameters, constants, values);
+        let (parameters, constants) = (self.held.all(), &self.constants);
+        self.simulator.prepared_jacobians(time, state, &parameters, constants, values);
     }
 
-    /// The rows of df/dy that belong to the quadratures, as `(column, entries)`;
-    /// nothing if there are none.
+    /// Returns the rows of df/dy that belong to the quadratures, as `(column, entries)`; none if
+    /// there are no quadratures.
     ///
-    /// By forward differences: with rows of zeros Newton's iteration sees the
-    /// power one iterate late, takes that for slow convergence, and cuts steps;
-    /// with these it converges as without quadratures, and what it converges to
-    /// does not depend on them.
+    /// They are forward differences. With rows of zeros Newton's iteration sees the power one
+    /// iterate late, takes that for slow convergence, and cuts steps. With these rows it converges
+    /// as without quadratures, and its result does not depend on them.
     pub fn flow_gradient(&self, time: f64, state: &[f64]) -> Vec<(usize, [f64; FLOWS])> {
         if !self.with_flows {
             return Vec::new();
@@ -268,16 +296,18 @@ impl<'a> System<'a> {
         (0..self.states()).map(column).collect()
     }
 
-    /// Partial derivative of f with respect to time, without quadratures.
+    /// Evaluates the partial derivative of f with respect to time, without quadratures.
     pub fn time_derivative(&self, time: f64, state: &[f64], derivative: &mut [f64]) {
         let states = self.states();
         let (state, derivative) = (&state[..states], &mut derivative[..states]);
-        let (parameters, constants) = (self.parameters, &self.constants);
-        self.simulator.prepared_time_derivative(time, state, parameters, constants, derivative);
+        if self.is_sliding() {
+            return self.sliding_time_derivative(time, state, derivative);
+        }
+        let (parameters, constants) = (self.held.all(), &self.constants);
+        self.simulator.prepared_time_derivative(time, state, &parameters, constants, derivative);
     }
 
-    /// Tells the user something of how the run went; what has been said already,
-    /// or too much, is left out.
+    /// Adds a note on the run for the user; repetitions and notes beyond a limit are left out.
     pub fn note(&self, note: String) {
         const MOST: usize = 100;
         let mut notes = self.notes.borrow_mut();
@@ -286,31 +316,32 @@ impl<'a> System<'a> {
         }
     }
 
-    /// Forgets all notes but so many.
+    /// Keeps the first `but` notes and removes the others.
     pub(super) fn forget_notes(&self, but: usize) {
         self.notes.borrow_mut().truncate(but);
     }
 
-    /// All that was noted.
+    /// Returns all notes.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
         self.notes.borrow().clone()
     }
 
-    /// Counts a step whose error was held below tolerances.
+    /// Counts a step whose error was controlled.
     pub fn count_step(&self) {
         self.has_stepped.set(true);
         self.count(|work| work.steps += 1);
     }
 
-    /// Whether there was such a step: not where all was solved in closed form.
+    /// Returns whether there was such a step: there is none if everything was solved in closed
+    /// form.
     #[must_use]
     pub fn has_stepped(&self) -> bool {
         self.has_stepped.get()
     }
 
-    /// The mean of many steps, of which the last ended at `time` \[s\]; once in as many. Nothing of a
-    /// run that others may leave before its end, which need not be meant to be reached.
+    /// Returns the mean of many steps, of which the last ended at `time` \[s\], once in as many.
+    /// Returns `None` for a run that others may end early, whose end need not be reached.
     pub(super) fn pace(&self, time: f64) -> Option<f64> {
         if self.patience.is_limited() || self.onlooker.is_some() {
             return None;
@@ -321,18 +352,18 @@ impl<'a> System<'a> {
         pace
     }
 
-    /// Begins or ends to try loose steps; gives what was tried.
+    /// Begins or ends a trial with loose steps; returns the previous one.
     pub(super) fn tries(&self, trial: Option<Trial>) -> Option<Trial> {
         self.trial.replace(trial)
     }
 
-    /// What is tried with loose steps, if that is so.
+    /// Returns the trial with loose steps, if there is one.
     #[cfg(feature = "implicit")]
     pub(super) fn trial(&self) -> Option<Trial> {
         self.trial.get()
     }
 
-    /// Whether loose steps are too many until a time.
+    /// Returns whether there are too many loose steps up to a time.
     pub(super) fn is_over_at(&self, time: f64) -> bool {
         let Some(mut trial) = self.trial.get() else { return false };
         let is_over = trial.is_over_at(self.work().steps, time);
@@ -340,23 +371,26 @@ impl<'a> System<'a> {
         is_over
     }
 
-    /// Adds to the work counted.
+    /// Adds to the counts.
     pub fn count(&self, add: impl FnOnce(&mut Work)) {
         let mut work = self.work.get();
         add(&mut work);
         self.work.set(work);
     }
 
-    /// The work counted so far.
+    /// Returns the counts so far.
     #[must_use]
     pub fn work(&self) -> Work {
         self.work.get()
     }
 
-    /// Rates of the quadratures.
+    /// Returns the rates of the quadratures.
     #[must_use]
     pub fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
-        let power = self.simulator.power_balance(time, state, self.parameters);
+        if self.is_sliding() {
+            return self.sliding_flows(time, state);
+        }
+        let power = self.simulator.power_balance(time, state, &self.held.all());
         let passed = power.supplied.abs() + power.dissipated.abs();
         [power.supplied, power.dissipated, passed]
     }

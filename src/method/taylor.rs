@@ -161,7 +161,8 @@ impl<'a> TaylorSteps<'a> {
             At::End => &self.end[..self.states],
         };
         let coefficients = &mut self.following[..(order + 1) * self.states];
-        let (time, parameters) = (self.stretch.within(time), self.stretch.system.parameters());
+        let (time, system) = (self.stretch.within(time), self.stretch.system);
+        let parameters = &system.held().all();
         self.series.series(time, state, parameters, coefficients, &mut self.workspace);
         // Each order costs about as much as a rate evaluation.
         self.stretch.system.count(|work| work.rate_evaluations += order as u64);
@@ -312,14 +313,5 @@ impl OneStep for TaylorSteps<'_> {
     #[cfg(feature = "implicit")]
     fn is_cut_short(&self) -> bool {
         step::is_cut_short(self.finite, self.order)
-    }
-
-    fn knows_ahead(&self) -> bool {
-        true
-    }
-
-    fn parts(&self) -> usize {
-        // Steps are two to three times as long as those of Runge-Kutta methods.
-        8
     }
 }

@@ -1,24 +1,25 @@
 //! Loops in the widest vectors that the processor has, whatever the program is compiled for.
 //!
-//! Sums and products are the same in vectors of any width, to the last bit: nothing is fused
-//! that is not fused elsewhere. Only loops that do many of them gain; so sensitivities.
+//! Sums and products are the same in vectors of any width, to the last bit, because nothing is
+//! fused that is not fused elsewhere. Only loops with many of them gain, such as those of
+//! sensitivities.
 
 #![allow(unsafe_code, reason = "what is compiled for wider vectors is called where there are some")]
 
-/// A loop. [`Work::run`] and all that it calls has to be `#[inline(always)]`, or it is not
-/// compiled for wider vectors.
+/// A loop. [`Work::run`] and everything it calls must be `#[inline(always)]`, or it is not compiled
+/// for wider vectors.
 pub(super) trait Work {
-    /// What comes of it.
+    /// The result.
     type Result;
-    /// Does it.
+    /// Runs the loop.
     fn run(self) -> Self::Result;
 }
 
-/// Does a work.
+/// Runs a loop in the widest vectors.
 pub(super) fn widest<W: Work>(work: W) -> W::Result {
     #[cfg(target_arch = "x86_64")]
     if std::arch::is_x86_feature_detected!("avx2") {
-        // SAFETY: the processor has what the function is compiled for.
+        // SAFETY: the processor has the features that the function is compiled for.
         return unsafe { with_avx2(work) };
     }
     work.run()

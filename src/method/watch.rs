@@ -1,156 +1,172 @@
-//! Watches guards while a method steps, and does what events say where one passes
-//! zero.
+//! Watches guards while a method steps, and applies events at their zero crossings.
 //!
-//! - A step is looked at in parts: a guard that changes its sign over a part, or
-//!   turns round beyond zero within it, has passed. The root is bracketed on the step's
-//!   dense output; then the step is taken anew, so that it ends there, and the root is
-//!   corrected by Newton's method: an event is as exact as a step.
-//! - Just after an event its guard is zero but for rounding. Then the side it is on is
-//!   that to which dg/dt points; if that vanishes too, that on which it is next seen.
-//!   So nothing happens twice, and no bounce, however short, is overlooked.
-//! - A guard that sets out from zero to the far side without having just passed has
-//!   passed now.
-//! - Modes that contradict their guards are set right: an event that changes the modes it
-//!   is watched for in, and whose guard is beyond zero already, happens at once. So at the
-//!   start, where it may change modes only, and after events; see `settle`.
-//! - Events without end within no time (Zeno) stop the run.
-//! - Kinks of the rate are guards too, at which nothing happens but that a step ends and the
-//!   method begins anew behind them; see `crossing`.
+//! - Relations are held within a step. Where one changes, the step is retaken to end there, with
+//!   the time corrected by Newton's method. The time of a change is as accurate as a step; see
+//!   `passing`.
+//! - At a change a relation takes the side to which the motion goes on, or the motion slides along
+//!   its surface; see `relations`.
+//! - Just after an event its guard is zero but for rounding. The sign of dg/dt then tells the side.
+//!   If dg/dt is zero, the first side on which the guard is seen counts. So no event happens twice,
+//!   and no short bounce is missed.
+//! - A guard that starts at zero and leaves to the far side counts as crossed, unless it has just
+//!   crossed.
+//! - Modes that contradict their guards are corrected. An event that changes a mode of its own
+//!   `when`, and whose guard is already beyond zero, happens at once. At the start it may change
+//!   only modes; it may also happen after events. See `settle`.
+//! - Infinitely many events in a finite time (Zeno) stop the run.
 
-mod crossing;
 mod hosted;
 mod led;
 mod noise;
 mod passing;
-mod resting;
+mod polynomial;
+mod relations;
 mod settle;
+mod watched;
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
 
-use machinist_contract::Direction;
+use machinist_contract::{Direction, Reader, RelationKind};
 use serde::{Deserialize, Serialize};
 
 use super::one_step::OneStep;
+use super::sliding::{ABOVE, BELOW};
 use super::{Problem, Stopped, Stretch, System};
 use crate::error::StopCause;
 use crate::trajectory::Switch;
 pub(crate) use hosted::Memory;
 use led::Turn;
-use passing::{Guard, Outcome, Parts, guards_at, is_wanted};
-use resting::Passages;
+use passing::{Guard, Outcome, Parts, Step, Zero, is_wanted};
+use relations::Relations;
 use settle::is_beyond;
+use watched::{Sources, Watched};
 
-/// So many events within [`NO_TIME`] are taken for endless ones; more in a scene that has many.
+/// Maximum number of events within [`NO_TIME`] before a run is declared Zeno. The limit is higher
+/// for a scene with many events.
 const ENDLESS: usize = 50;
-/// Of the time reached, or of the run: so long before the end of a step what jumps there has not
-/// jumped yet.
-const A_MOMENT: f64 = 1e-12;
-/// Of the largest value that a guard has had: further from zero it is behind a jump.
-const JUMPED: f64 = 1e-2;
-/// Share of the time reached, or of the run if that is longer.
+/// Zeno window, as a share of the time reached, or of the run if that is longer.
 const NO_TIME: f64 = 1e-10;
 
-/// The guards of a run, and what became of them.
+/// The guards of a run and their states.
 pub struct Watch<'a> {
     system: &'a System<'a>,
     span: f64,
     rtol: f64,
     atol: &'a [f64],
+    /// Tolerances of steps over those of the run.
+    tightness: Cell<f64>,
+    /// All watched functions, events first.
+    watched: Vec<Watched>,
+    /// Values of guards at states other than those of steps.
+    sources: RefCell<Sources>,
     inner: RefCell<Inner>,
 }
 
 struct Inner {
     sides: Vec<Side>,
+    /// Guards that were zero at the start of the segment.
+    zeros: Vec<Option<Zero>>,
+    relations: Relations,
     /// Start of the next step.
     time: f64,
     start: Vec<f64>,
     parts: Parts,
     outcomes: Vec<Outcome>,
-    /// What begins or ends to rest first within the step.
+    /// Relations that change within the step without ending it, with their new slots.
+    silent: Vec<(usize, f64)>,
+    /// First time within the step at which a prescribed part comes to rest or starts to move.
     turn: Option<Turn>,
-    /// Time and events, where a guard passed.
+    /// Longest step within the current zone \[s\], and the time at which the motion entered it.
+    longest: f64,
+    entered: f64,
+    /// Time and guards of a crossing that has been found.
     happening: Option<(f64, Vec<usize>)>,
     latest: VecDeque<f64>,
-    passages: Vec<Passages>,
     switches: Vec<Switch>,
     happened: Happened,
+    /// State before the last change, if sensitivities are carried.
+    front: Option<Front>,
 }
 
-/// What happened at once.
+/// Values just before a change.
+#[derive(Debug, Clone)]
+pub(crate) struct Front {
+    /// y' with the relations before the change.
+    pub(crate) rate: Vec<f64>,
+    /// Each guard and its rate.
+    pub(crate) guards: Vec<(f64, f64)>,
+}
+
+/// Changes that happened at one time.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Happened {
-    /// Guards that passed zero, of events that were watched for and of kinks.
+    /// Guards that crossed zero: those of armed events and of kinks.
     pub(crate) passed: Vec<usize>,
-    /// Events whose new values were given, in order; also those that others led to.
+    /// Events that were applied, in order, including those that other events caused.
     pub(crate) applied: Vec<usize>,
 }
 
 impl Inner {
-    /// The first of the guards that pass, and when; nothing if something that is led turns before.
-    /// Of what passes at one time, what jumps there tells least of when that is.
+    /// Returns the first guard that crosses zero, with its time; `None` if a prescribed part comes
+    /// to rest or starts to move before it.
     fn first(&self) -> Option<(usize, f64)> {
         let near = |time: f64| 64.0 * f64::EPSILON * time.abs();
-        let passings = || {
-            let guards = self.outcomes.iter().enumerate();
-            guards.filter_map(|(index, outcome)| match outcome {
-                Outcome::Passes { time, jumps, .. } => Some((index, *time, *jumps)),
-                Outcome::Stays(_) => None,
-            })
-        };
-        let first = passings().min_by(|a, b| a.1.total_cmp(&b.1))?;
-        let at_once = passings().filter(|(_, time, _)| *time <= first.1 + near(first.1));
-        let (index, time, _) = at_once.min_by_key(|(_, _, jumps)| *jumps)?;
+        let guards = self.outcomes.iter().enumerate();
+        let passings = guards.filter_map(|(index, outcome)| match outcome {
+            Outcome::Passes { time, .. } => Some((index, *time)),
+            Outcome::Stays(_) => None,
+        });
+        let (index, time) = passings.min_by(|a, b| a.1.total_cmp(&b.1))?;
         let turns_before = |turn: &Turn| turn.time < time - near(time);
         (!self.turn.as_ref().is_some_and(turns_before)).then_some((index, time))
     }
 
-    /// When a guard passes, or something that is led turns, whichever is first.
+    /// Returns the time of the first zero crossing, or the time at which a prescribed part comes to
+    /// rest or starts to move, whichever is first.
     fn first_time(&self) -> Option<f64> {
         let turn = self.turn.as_ref().map(|turn| turn.time);
         self.first().map(|(_, time)| time).or(turn)
     }
 }
 
-/// What became of a guard where events happened.
+/// Effect of events on a guard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Passed {
     No,
-    /// It passed zero, and was watched all the time.
+    /// The guard crossed zero and stayed armed.
     GoesOn,
-    /// Its event left the modes in which it is watched for: if other events lead back to these,
-    /// it has not passed in them.
+    /// The event left the modes in which it is armed. If other events lead back to these modes, the
+    /// guard has not crossed in them.
     Left,
 }
 
-/// Where a guard is.
+/// Side of a guard.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 enum Side {
-    /// Not watched: a mode has another value.
+    /// Not armed: a mode has another value.
     Idle,
     /// Above zero (1) or below (-1).
     Known(f64),
-    /// It has jumped there, though by errors of the step it may be in front of its jump yet.
-    Jumped(f64),
-    /// To be seen; what is not larger than `residual` is zero.
+    /// Not known yet; values up to `residual` count as zero.
     Fresh { passed: bool, residual: f64 },
 }
 
 impl<'a> Watch<'a> {
-    /// A watch over a run from a state, whose modes it sets right; nothing if the simulator
-    /// has no events and no kinks.
+    /// Returns a watch over a run, after correction of the modes of its state; `None` if the
+    /// simulator has neither events nor kinks.
     ///
     /// # Errors
-    /// [`StopCause::Contradiction`] if the start contradicts an event that would change
-    /// more than modes.
+    /// [`StopCause::Contradiction`] if the start contradicts an event that would change more than
+    /// modes.
     pub fn new(problem: &'a Problem<'a>, state: &mut [f64]) -> Result<Option<Self>, Stopped> {
         let (system, from) = (problem.system, problem.from);
-        let simulator = system.simulator();
-        let count = simulator.events() + simulator.kinks();
-        if count == 0 {
+        let watched = Watched::all(system.simulator());
+        if watched.is_empty() {
             return Ok(None);
         }
-        let watch = Self::with(problem, vec![Side::Idle; count], VecDeque::new(), state);
+        let sides = vec![Side::Idle; watched.len()];
+        let watch = Self::with(problem, sides, VecDeque::new(), state);
         watch.settle_start(from, state)?;
         Ok(Some(watch))
     }
@@ -162,81 +178,74 @@ impl<'a> Watch<'a> {
         state: &[f64],
     ) -> Self {
         let Problem { system, from, until, rtol, atol, .. } = problem;
-        let (events, kinks) = (system.simulator().events(), system.simulator().kinks());
         let scale = |entry: usize| {
             if system.simulator().is_mode(entry) { 0.0 } else { atol[entry] / rtol }
         };
-        let scales = (0..system.states()).map(scale);
+        let scales = (0..system.states()).map(scale).collect();
+        let watched = Watched::all(system.simulator());
         let inner = Inner {
+            zeros: vec![None; sides.len()],
             sides,
+            relations: Relations::new(system.simulator().relations()),
             time: *from,
             start: state.to_vec(),
-            parts: Parts::new([events, kinks], state.len(), scales.collect()),
+            parts: Parts::new(system, watched.clone(), state.len(), scales),
             outcomes: Vec::new(),
+            silent: Vec::new(),
             turn: None,
+            longest: f64::INFINITY,
+            entered: *from,
             happening: None,
             latest,
-            passages: vec![Passages::default(); events + kinks],
             switches: Vec::new(),
             happened: Happened::default(),
+            front: None,
         };
-        Self { system, span: until - from, rtol: *rtol, atol, inner: RefCell::new(inner) }
+        let (inner, sources) =
+            (RefCell::new(inner), RefCell::new(Sources::new(system.simulator())));
+        let (rtol, tightness, span) = (*rtol, Cell::new(1.0), until - from);
+        Self { system, span, rtol, atol, tightness, watched, sources, inner }
     }
 
-    /// Every event that has happened, in order.
+    /// Returns all events that happened, in order.
     #[must_use]
     pub fn into_switches(self) -> Vec<Switch> {
         self.inner.into_inner().switches
     }
 
-    /// Starts on a stretch.
-    pub(super) fn start_stretch(&self, stretch: &Stretch<'_>, state: &[f64]) {
+    /// Starts a stretch with steps of a relative tolerance.
+    pub(super) fn start_stretch(&self, stretch: &Stretch<'_>, rtol: f64, state: &[f64]) {
+        self.tightness.set((rtol / self.rtol).min(1.0));
         self.inner.borrow_mut().parts.ends = (stretch.from, stretch.until);
         self.look_who_is_led(stretch.from, state);
         self.start(stretch.from, state);
     }
 
-    /// Starts anew within a stretch.
+    /// Starts a segment within a stretch.
     pub(super) fn start(&self, time: f64, state: &[f64]) {
         let inner = &mut *self.inner.borrow_mut();
         inner.time = time;
         inner.start.copy_from_slice(state);
+        inner.parts.restart();
     }
 
-    /// State at the start of the current step.
+    /// Takes the state to which the end of the accepted step was projected.
+    pub(super) fn put_back(&self, time: f64, state: &[f64]) {
+        let inner = &mut *self.inner.borrow_mut();
+        inner.start.copy_from_slice(state);
+        inner.parts.renew_end(self.system, time, state);
+    }
+
+    /// Copies the state at the start of the current step.
     pub(super) fn copy_start(&self, state: &mut [f64]) {
         state.copy_from_slice(&self.inner.borrow().start);
     }
 
-    /// The first time at which a kink is passed within a step that is too long: up to there
-    /// it may do.
-    pub(super) fn kink_within(&self, method: &mut dyn OneStep, until: f64) -> Option<f64> {
-        if self.system.simulator().kinks() == 0 {
-            return None;
-        }
-        let inner = &mut *self.inner.borrow_mut();
-        self.look_into(inner, method, until);
-        if inner.parts.told().is_some() {
-            return None;
-        }
-        let (index, passing) = inner.first()?;
-        self.is_kink(index).then_some(passing)
-    }
-
-    /// The first time at which a guard passes zero within the current step, which ends
-    /// at `until`; if none does, the step's end is the start of the next one.
+    /// Returns the first zero crossing within the current step, which ends at `until`. Without a
+    /// crossing the end of the step becomes the start of the next one.
     pub(super) fn first_passing(&self, method: &mut dyn OneStep, until: f64) -> Option<f64> {
         let inner = &mut *self.inner.borrow_mut();
-        let start = (&inner.start[..], &inner.sides[..]);
-        if inner.parts.are_far(self.system, method, (inner.time, until), start) {
-            inner.time = until;
-            inner.start.copy_from_slice(method.end());
-            return None;
-        }
         self.look_into(inner, method, until);
-        if inner.parts.told().is_some() {
-            return None;
-        }
         self.let_pass_at_start(inner);
         while let Some((index, _)) = inner.first()
             && self.is_held(inner, index, until, method.end())
@@ -244,131 +253,228 @@ impl<'a> Watch<'a> {
             inner.outcomes[index] = Outcome::Stays(inner.sides[index]);
         }
         inner.turn = self.turn_within(inner, method, until);
-        let mut first = inner.first_time();
-        if first.is_none() && inner.parts.is_unclear() {
-            let front = until - A_MOMENT * until.abs().max(self.span);
-            first = self.first_in_front(inner, method, (inner.time, front));
-        }
+        let first = inner.first_time();
         if first.is_none() {
             for (side, outcome) in inner.sides.iter_mut().zip(&inner.outcomes) {
                 if let Outcome::Stays(on) = outcome {
                     *side = *on;
                 }
             }
+            self.change_silently(inner);
             inner.time = until;
             inner.start.copy_from_slice(method.end());
         }
         first
     }
 
-    /// The share of the current step that is to be tried instead, if guards do not tell what they
-    /// do in all of it.
-    pub(super) fn share_that_is_told(&self) -> Option<f64> {
-        self.inner.borrow().parts.told()
+    /// Lets relations that only guards of events read change within the step, if it takes none of
+    /// these guards to zero on either branch.
+    fn look_over_silent_changes(&self, inner: &mut Inner, step: &mut Step<'_, '_>) {
+        inner.silent.clear();
+        for index in self.system.simulator().events()..self.watched.len() {
+            let Watched::Branch(relation) = self.watched[index] else { continue };
+            let Outcome::Passes { from, .. } = inner.outcomes[index] else { continue };
+            let (last, _) = inner.parts.last(index);
+            if last.abs() <= inner.parts.rounding(index) {
+                continue;
+            }
+            let Some(events) = self.events_alone(inner, relation) else { continue };
+            let held = self.system.held();
+            let slot = held.slot(relation);
+            let other = if slot < 0.0 { ABOVE } else { BELOW };
+            held.set(relation, other);
+            let start = std::mem::take(&mut inner.start);
+            let is_silent =
+                events.into_iter().all(|event| inner.parts.stays_as_held(step, event, &start));
+            inner.start = start;
+            held.set(relation, slot);
+            if is_silent {
+                let side = last.signum();
+                inner.outcomes[index] = Outcome::Stays(Side::Known(side));
+                if side * from < 0.0 {
+                    inner.silent.push((index, other));
+                }
+            }
+        }
     }
 
-    /// Sees what all guards do within the current step.
-    fn look_into(&self, inner: &mut Inner, method: &mut dyn OneStep, until: f64) {
-        let start = (&inner.start[..], &inner.sides[..]);
-        inner.parts.fill(self.system, method, (inner.time, until), start);
-        inner.outcomes.clear();
-        for (index, side) in inner.sides.iter().enumerate() {
-            let direction = self.direction(index);
-            let guard = Guard { index, direction, is_kink: self.is_kink(index) };
-            inner.outcomes.push(inner.parts.outcome(self.system, method, guard, *side));
+    /// Returns the armed events that read a relation, with the sides of their guards, if nothing
+    /// else reads it, none of them passes within the step and no other relation that they read does.
+    fn events_alone(&self, inner: &Inner, relation: usize) -> Option<Vec<(usize, f64)>> {
+        let simulator = self.system.simulator();
+        let passes = |other: usize| {
+            let guards = self.watched.iter().zip(&inner.outcomes);
+            guards.into_iter().any(|(watched, outcome)| {
+                let is_its = watched.relation() == Some(other);
+                is_its && matches!(outcome, Outcome::Passes { .. })
+            })
+        };
+        let mut events = Vec::new();
+        for reader in simulator.relation(relation).readers {
+            let Reader::Event(event) = *reader else { return None };
+            let event = event as usize;
+            match (inner.sides[event], inner.outcomes[event]) {
+                (Side::Idle, _) => {}
+                (Side::Known(side), Outcome::Stays(Side::Known(end))) if side * end > 0.0 => {
+                    events.push((event, side));
+                }
+                _ => return None,
+            }
         }
+        let is_alone = (0..simulator.relations()).filter(|other| *other != relation).all(|other| {
+            let readers = simulator.relation(other).readers;
+            let depends = readers.iter().any(|reader| match *reader {
+                Reader::Below(of) | Reader::Above(of) | Reader::Relation(of) => {
+                    of as usize == relation
+                }
+                Reader::Rate | Reader::Event(_) => false,
+            });
+            let shares = |(event, _): &(usize, f64)| {
+                readers.contains(&Reader::Event(u32::try_from(*event).expect("few events")))
+            };
+            !(depends || passes(other) && events.iter().any(shares))
+        });
+        is_alone.then_some(events)
+    }
+
+    /// Changes relations that have changed within the step without ending it.
+    fn change_silently(&self, inner: &mut Inner) {
+        for (index, slot) in inner.silent.drain(..) {
+            let Watched::Branch(relation) = self.watched[index] else { continue };
+            self.system.held().set(relation, slot);
+            inner.zeros[index] = None;
+            inner.parts.forget_end();
+        }
+    }
+
+    /// Returns the longest step allowed now \[s\].
+    pub(super) fn longest_step(&self) -> f64 {
+        self.inner.borrow().longest
+    }
+
+    /// Returns whether the step that was tried is too long for its zone, once it shows the time at
+    /// which the motion is nearest to the centre. A few steps over the zone may see next to nothing
+    /// of its force, and a single one nothing at all by chance.
+    pub(super) fn is_too_long(&self, tried: f64) -> bool {
+        /// A bell is about a tenth as wide as its zone.
+        const STEPS: f64 = 16.0;
+        let inner = &mut *self.inner.borrow_mut();
+        let nearest =
+            inner.first().filter(|(index, _)| matches!(self.watched[*index], Watched::Nearest(_)));
+        if let Some((_, nearest)) = nearest
+            && inner.longest.is_infinite()
+        {
+            inner.longest = (nearest - inner.entered) / STEPS;
+            return tried > inner.longest;
+        }
+        false
+    }
+
+    /// Evaluates all guards over the current step.
+    fn look_into(&self, inner: &mut Inner, method: &mut dyn OneStep, until: f64) {
+        let mut step = Step { system: self.system, method };
+        inner.parts.look(&mut step, (inner.time, until), &inner.start);
+        inner.outcomes.clear();
+        inner.outcomes.extend(inner.sides.iter().map(|side| Outcome::Stays(*side)));
+        // Borders first: other guards are evaluated only up to the first border.
+        let mut limit = until;
+        for index in (0..self.watched.len()).rev() {
+            let (direction, is_kink) = (self.direction(index), self.is_kink(index));
+            let guard = Guard { index, direction, is_kink, zero: inner.zeros[index] };
+            let outcome = inner.parts.outcome(&mut step, (guard, limit), inner.sides[index]);
+            if let (true, Outcome::Passes { time, .. }) = (self.watched[index].is_border(), outcome)
+            {
+                limit = limit.min(time);
+            }
+            inner.outcomes[index] = outcome;
+        }
+        self.look_over_dips(inner, &mut step);
+        self.look_over_silent_changes(inner, &mut step);
         inner.turn = None;
     }
 
-    /// Until when a step that ends at the kink that is passed first may be tried, within one
-    /// that ends at `until`: what happens before must not be passed on the way.
-    pub(super) fn next_event(&self, until: f64) -> f64 {
-        let inner = self.inner.borrow();
-        let events = inner.outcomes.iter().take(self.system.simulator().events());
-        let passings = events.filter_map(|outcome| match outcome {
-            Outcome::Passes { time, .. } => Some(*time),
-            Outcome::Stays(_) => None,
-        });
-        passings.fold(until, f64::min)
-    }
-
-    /// When the first guard passes of those that are on another side in front of the end of the
-    /// current step than at its start, although none was seen to pass before that end: a
-    /// comparison with a sawtooth may turn back with it, where looks are too far apart.
-    pub(super) fn passes_in_front(
-        &self,
-        method: &mut dyn OneStep,
-        span: (f64, f64),
-    ) -> Option<f64> {
-        self.first_in_front(&mut self.inner.borrow_mut(), method, span)
-    }
-
-    fn first_in_front(
-        &self,
-        inner: &mut Inner,
-        method: &mut dyn OneStep,
-        (from, front): (f64, f64),
-    ) -> Option<f64> {
-        let mut first = None;
-        for index in 0..inner.outcomes.len() {
-            let Side::Known(side) = inner.sides[index] else { continue };
-            let stays = match inner.outcomes[index] {
-                Outcome::Passes { time, .. } => time > front,
-                Outcome::Stays(end) => end == Side::Known(side),
-            };
-            if !stays || !is_wanted(self.direction(index), side) {
+    /// Ignores relations that have just changed and return within the step, if their guards go
+    /// beyond zero by less than the tolerances. A branch has no memory, so this is the error of the
+    /// step.
+    fn look_over_dips(&self, inner: &mut Inner, step: &mut Step<'_, '_>) {
+        for index in self.system.simulator().events()..self.watched.len() {
+            let Outcome::Passes { time, from } = inner.outcomes[index] else { continue };
+            let is_first_step = |zero: &Zero| zero.time.to_bits() == inner.time.to_bits();
+            let was_zero = inner.zeros[index].as_ref().is_some_and(is_first_step);
+            if !was_zero || self.watched[index].is_border() {
                 continue;
             }
-            let passing =
-                inner.parts.passing_before(self.system, method, (from, front), index, side);
-            if let Some((time, jumps)) = passing {
-                inner.outcomes[index] = Outcome::Passes { time, from: side, jumps };
-                first = Some(first.map_or(time, |first: f64| first.min(time)));
+            let dip = inner.parts.dip(step, (index, from), time);
+            if dip.is_some_and(|dip| dip <= self.blur(index, inner.time, &inner.start)) {
+                inner.outcomes[index] = Outcome::Stays(Side::Known(from));
             }
         }
-        first
     }
 
-    /// Whether what passes first is a kink.
-    pub(super) fn passes_kink(&self) -> bool {
-        self.inner.borrow().first().is_some_and(|(index, _)| self.is_kink(index))
-    }
-
-    /// How far a state is in front of the kink that is passed first, as its guard has it; and
-    /// the time until there at the rate it has.
-    pub(super) fn before_kink(&self, time: f64, state: &[f64]) -> (f64, f64) {
+    /// Returns whether the first guard that crosses moves the other way at the crossing. The
+    /// crossing is then an error of the step, and a shorter step does not cross.
+    pub(super) fn is_of_error(&self, time: f64, end: &[f64]) -> bool {
         let inner = &mut *self.inner.borrow_mut();
-        let Some((index, _)) = inner.first() else { return (0.0, 0.0) };
-        let from = match inner.outcomes[index] {
-            Outcome::Passes { from, .. } => from,
-            Outcome::Stays(_) => 1.0,
+        let Some((index, _)) = inner.first() else { return false };
+        let Outcome::Passes { from, .. } = inner.outcomes[index] else { return false };
+        let was_zero = match self.watched[index] {
+            // A guard beyond zero at the end has crossed.
+            Watched::Event(_) => {
+                let is_back = from * inner.parts.last(index).0 > 0.0;
+                is_back && matches!(inner.sides[index], Side::Fresh { .. })
+            }
+            Watched::Branch(_) => inner.zeros[index].is_some(),
+            _ => false,
         };
-        let there = self.followed(inner, time, state);
-        let (guard, rate) = inner.parts.at(self.system, time, &there, index);
-        (from * guard, -guard / rate)
+        if !was_zero {
+            return false;
+        }
+        let (_, rate) = inner.parts.at(self.system, time, end, index);
+        from * rate > 0.0
     }
 
-    /// What of the guard that passes first may be rounding.
-    pub(super) fn rounding(&self) -> f64 {
-        let inner = self.inner.borrow();
-        inner.first().map_or(0.0, |(index, _)| inner.parts.rounding(index))
-    }
-
-    /// By how much a passing at `time`, where the state is `end`, is early; nothing if
-    /// the guard says too little there.
+    /// Returns the correction to the crossing time `time`, where the state is `end`; `None` if the
+    /// guard gives no finite correction.
     pub(super) fn correction(&self, time: f64, end: &[f64]) -> Option<f64> {
         let inner = &mut *self.inner.borrow_mut();
         let (index, _) = inner.first()?;
-        if matches!(inner.outcomes[index], Outcome::Passes { jumps: true, .. }) {
+        if self.watched[index].is_border() {
+            // Behind a border the function is live, and roots and logarithms may have no finite
+            // slope at zero.
             return None;
         }
         let there = self.followed(inner, time, end);
         let (guard, rate) = inner.parts.at(self.system, time, &there, index);
-        let correction = -guard / rate;
+        let residual = inner.zeros[index].map_or(0.0, |zero| zero.residual);
+        let correction = (residual - guard) / rate;
         correction.is_finite().then_some(correction)
     }
 
-    /// The step ends at `time` because of the events that were found, in state `end`.
+    /// Returns whether the event guard that crosses first has not reached zero yet at `time`, where
+    /// the state is `end`. The guard is then too steep for Newton's method.
+    pub(super) fn is_short_of(&self, time: f64, end: &[f64]) -> bool {
+        let inner = &mut *self.inner.borrow_mut();
+        let Some((index, _)) = inner.first() else { return false };
+        let Outcome::Passes { from, .. } = inner.outcomes[index] else { return false };
+        let there = self.followed(inner, time, end);
+        let (guard, rate) = inner.parts.at(self.system, time, &there, index);
+        let zero = inner.parts.rounding(index).max(by_rounding(time, rate));
+        !self.is_kink(index) && inner.zeros[index].is_none() && from * guard > zero
+    }
+
+    /// Returns whether the first guard that crosses is beyond zero at `time`, where the state is
+    /// `end`.
+    pub(super) fn has_passed_at(&self, time: f64, end: &[f64]) -> bool {
+        let inner = &mut *self.inner.borrow_mut();
+        let Some((index, _)) = inner.first() else { return false };
+        let Outcome::Passes { from, .. } = inner.outcomes[index] else { return false };
+        let there = self.followed(inner, time, end);
+        let (guard, _) = inner.parts.at(self.system, time, &there, index);
+        let residual = inner.zeros[index].map_or(0.0, |zero| zero.residual);
+        from * (guard - residual) < 0.0
+    }
+
+    /// Ends the step at `time` for the crossings found, in state `end`.
     pub(super) fn happens(&self, time: f64, first: f64, end: &[f64]) {
         let inner = &mut *self.inner.borrow_mut();
         let near = 64.0 * f64::EPSILON * time.abs().max(inner.time.abs());
@@ -379,8 +485,8 @@ impl<'a> Watch<'a> {
                 Outcome::Passes { time: passing, .. } if passing <= first + near => {
                     happening.push(index);
                 }
-                Outcome::Passes { from, .. } if inner.sides[index] == Side::Known(-from) => {
-                    // It has passed in the direction in which nothing happens, or passes now.
+                Outcome::Passes { from, .. } if inner.sides[index] != Side::Known(from) => {
+                    // Either it crossed in the direction without an event, or it crosses now.
                     let zero = inner.parts.rounding(index).max(near * rate.abs());
                     inner.sides[index] = if guard.abs() > zero {
                         Side::Known(guard.signum())
@@ -389,19 +495,22 @@ impl<'a> Watch<'a> {
                     };
                 }
                 Outcome::Passes { from, .. } => {
-                    if guard * from < 0.0 {
+                    let residual = inner.zeros[index].map_or(0.0, |zero| zero.residual);
+                    if (guard - residual) * from < 0.0 {
                         happening.push(index);
                     } else {
                         inner.sides[index] = Side::Known(from);
                     }
                 }
                 Outcome::Stays(end @ Side::Known(_))
-                    if guard.abs() > inner.parts.rounding(index) && time > inner.time =>
+                    if !self.is_kink(index)
+                        && guard.abs() > inner.parts.rounding(index)
+                        && time > inner.time =>
                 {
                     let side = Side::Known(guard.signum());
                     let start = inner.sides[index];
-                    // An event that has not passed is not beyond but by rounding, as speeds of
-                    // what is held are.
+                    // An event that did not cross is beyond zero only by rounding, as speeds of
+                    // parts at rest are.
                     if !is_beyond(self.direction(index), guard) || [start, end].contains(&side) {
                         inner.sides[index] = side;
                     }
@@ -418,29 +527,48 @@ impl<'a> Watch<'a> {
         inner.happening = Some((time, happening));
     }
 
-    /// Where the method stopped for events: does what they say to `state`, all of it
-    /// from left to right in the order of the spec, each event only if it is still
-    /// watched for. Gives the time.
+    /// Returns whether only relations change or borders are crossed.
+    pub(super) fn is_of_kinks(&self) -> bool {
+        let inner = self.inner.borrow();
+        let happening = inner.happening.as_ref().map(|(_, guards)| &guards[..]);
+        happening.is_some_and(|guards| {
+            !guards.is_empty() && guards.iter().all(|index| self.is_kink(*index))
+        })
+    }
+
+    /// Applies the events for which the method stopped to `state`, in the order of the spec. Each
+    /// event happens only if it is still armed. Returns the time.
     ///
     /// # Errors
-    /// If a new value is not finite, or if events do not end.
+    /// Returns an error if a new value is not finite, or if events do not end.
     pub(super) fn switch(&self, state: &mut [f64]) -> Result<Option<f64>, Stopped> {
-        let Some((time, events)) = self.inner.borrow_mut().happening.take() else {
+        let Some((time, mut events)) = self.inner.borrow_mut().happening.take() else {
             return Ok(None);
         };
         let states = self.system.states();
         self.inner.borrow_mut().happened = Happened::default();
+        self.keep_front(time, state);
         let guards_before = self.guards(time, state);
         let mut passed = vec![Passed::No; guards_before.len()];
-        // Where an event has happened, and has turned its guard back.
+        let leapt: Vec<bool> =
+            (0..passed.len()).map(|index| self.has_leapt(index, time, state)).collect();
+        // Guards that crossed and whose event turned them back.
         let mut turned_back: Vec<usize> = (0..passed.len())
             .filter(|index| self.has_passed(*index) && !self.is_approached(*index, time, state))
             .collect();
+        let kinks: Vec<usize> =
+            events.iter().copied().filter(|index| self.is_kink(*index)).collect();
+        for index in &kinks {
+            passed[*index] = Passed::GoesOn;
+        }
+        self.change_relations((time, &mut *state), &kinks)?;
+        let jumped = self.jumped_over_zero((time, state), &guards_before, &events);
+        events.extend(&jumped);
+        events.sort_unstable();
         for index in events {
-            if self.is_kink(index) {
-                passed[index] = Passed::GoesOn;
-            } else if self.is_armed(index, state) {
+            if !self.is_kink(index) && self.is_armed(index, state) {
                 self.apply(index, time, &mut state[..states])?;
+                self.settle_relations((time, state), &[])?;
                 passed[index] =
                     if self.is_armed(index, state) { Passed::GoesOn } else { Passed::Left };
                 self.count(index, time)?;
@@ -452,37 +580,31 @@ impl<'a> Watch<'a> {
         let all = passed.iter().enumerate().filter(|(_, passed)| **passed != Passed::No);
         self.inner.borrow_mut().happened.passed = all.map(|(index, _)| index).collect();
         self.settle_after(time, state, &guards_before, &mut passed)?;
+        self.settle_relations((time, state), &[])?;
+        self.take_sides_of_kinks(time, state, &kinks);
         let guards = self.guards(time, state);
         let fresh = |index: usize| {
             let residual = self.residual(index, time, state, guards[index]);
             Side::Fresh { passed: false, residual }
         };
-        // What other events send on again while it is there happens again, as where balls hit one
-        // from both sides.
+        // A guard that other events move towards zero crosses again, as for a ball that is hit from
+        // both sides.
         turned_back.retain(|index| self.is_approached(*index, time, state));
         let again = turned_back;
         let inner = &mut *self.inner.borrow_mut();
         inner.turn = None;
-        let outcomes = &inner.outcomes;
-        let jumped_from = |index: usize| match outcomes.get(index) {
-            Some(Outcome::Passes { from, .. }) => Some(*from),
-            _ => None,
-        };
-        // What goes steadily is found far nearer to zero than that.
-        let (sizes, is_again) = (inner.parts.sizes(), |index| again.contains(&index));
-        let has_jumped =
-            |index: usize| !is_again(index) && guards[index].abs() > JUMPED * sizes[index];
-        for (index, side) in inner.sides.iter_mut().enumerate() {
+        let events = self.system.simulator().events();
+        for (index, side) in inner.sides.iter_mut().enumerate().take(events) {
             let was_watched = *side != Side::Idle;
             let is_same = guards[index].to_bits() == guards_before[index].to_bits();
             if !self.is_armed(index, state) {
                 *side = Side::Idle;
-            } else if self.is_kink(index) && guards[index].abs() > inner.parts.rounding(index) {
-                // Kinks have no more than sides.
+            } else if jumped.contains(&index) && guards[index] != 0.0
+                || passed[index] == Passed::GoesOn && is_same && leapt[index]
+            {
+                // Not near zero: an event moved the guard there, or the guard is as steep as a
+                // jump.
                 *side = Side::Known(guards[index].signum());
-            } else if passed[index] == Passed::GoesOn && is_same && has_jumped(index) {
-                *side = jumped_from(index)
-                    .map_or(Side::Known(guards[index].signum()), |from| Side::Jumped(-from));
             } else if passed[index] == Passed::GoesOn
                 || passed[index] == Passed::No && again.contains(&index)
             {
@@ -490,28 +612,129 @@ impl<'a> Watch<'a> {
                 *side = Side::Fresh { passed: !again.contains(&index), residual };
             } else if passed[index] == Passed::Left || !(was_watched && is_same) {
                 *side = fresh(index);
+            } else if guards[index] == 0.0 {
+                // Zero on the branch that relations took.
+                *side = Side::Fresh { passed: false, residual: 0.0 };
             }
         }
         Ok(Some(time))
     }
 
-    /// What happened where the run was last stopped for events, or as modes were set right at
-    /// its start.
+    /// Changes relations whose guards cross zero.
+    fn change_relations(
+        &self,
+        (time, state): (f64, &mut [f64]),
+        kinks: &[usize],
+    ) -> Result<(), Stopped> {
+        let mut changes: Vec<_> = kinks.iter().filter_map(|index| self.change_at(*index)).collect();
+        if self.hold_flat(time, state, &changes) {
+            changes.clear();
+        }
+        self.settle_relations((time, state), &changes)?;
+        if self.system.is_sliding() {
+            self.system.put_onto_surfaces(time, state)?;
+        }
+        self.count_changes(time, changes.len())
+    }
+
+    /// Returns the events whose guards cross zero in their direction because relations changed.
+    fn jumped_over_zero(
+        &self,
+        (time, state): (f64, &[f64]),
+        before: &[f64],
+        passed: &[usize],
+    ) -> Vec<usize> {
+        if self.system.simulator().relations() == 0 {
+            return Vec::new();
+        }
+        let after = self.guards(time, state);
+        let inner = &mut *self.inner.borrow_mut();
+        let mut jumped = Vec::new();
+        for index in 0..self.system.simulator().events() {
+            let Side::Known(side) = inner.sides[index] else { continue };
+            let is_beyond = side * after[index] < 0.0
+                && after[index].to_bits() != before[index].to_bits()
+                && after[index].abs() > inner.parts.rounding(index);
+            if is_beyond && !passed.contains(&index) {
+                if is_wanted(self.direction(index), side) {
+                    jumped.push(index);
+                } else {
+                    inner.sides[index] = Side::Known(-side);
+                }
+            }
+        }
+        jumped
+    }
+
+    /// Marks that the method ended here without an event, so that another segment begins.
+    pub(super) fn goes_on_elsewhere(&self, time: f64) {
+        self.inner.borrow_mut().happening = Some((time, Vec::new()));
+    }
+
+    /// Returns whether relations changed at the last stop of the run.
+    pub(super) fn has_changed_relations(&self) -> bool {
+        self.inner.borrow().happened.passed.iter().any(|index| self.is_kink(*index))
+    }
+
+    /// Returns whether the relations that changed last compare nothing that depends on the state.
+    pub(super) fn changes_with_time(&self, time: f64, state: &[f64]) -> bool {
+        let passed = self.inner.borrow().happened.passed.clone();
+        let simulator = self.system.simulator();
+        let kinks = passed.iter().filter_map(|index| Some(self.watched[*index].kink()?.0));
+        let kinks: Vec<usize> = kinks.collect();
+        let here = self.system.kink_guards(time, state);
+        let mut shifted = state.to_vec();
+        (0..self.system.states()).filter(|entry| !simulator.is_mode(*entry)).all(|entry| {
+            shifted[entry] = state[entry] + simulator.state_scale(entry);
+            let there = self.system.kink_guards(time, &shifted);
+            shifted[entry] = state[entry];
+            kinks.iter().all(|kink| here[*kink].to_bits() == there[*kink].to_bits())
+        })
+    }
+
+    /// Settles relations after a jump in time.
+    pub(super) fn jump_in_time(
+        &self,
+        stretch: &Stretch<'_>,
+        state: &mut [f64],
+    ) -> Result<(), Stopped> {
+        let time = stretch.within(stretch.from);
+        self.inner.borrow_mut().parts.ends = (stretch.from, stretch.until);
+        if self.system.simulator().relations() == 0 {
+            return Ok(());
+        }
+        self.settle_relations((time, state), &[])?;
+        if self.system.is_sliding() {
+            self.system.put_onto_surfaces(time, state)?;
+        }
+        self.take_sides_of_kinks(time, state, &[]);
+        Ok(())
+    }
+
+    /// Returns the changes at the last stop for events, or of the modes at the start.
     pub(crate) fn happened(&self) -> Happened {
         self.inner.borrow().happened.clone()
     }
 
-    /// A guard and its rate at a state.
+    /// Returns a guard and its rate at a state.
     pub(crate) fn guard_at(&self, time: f64, state: &[f64], index: usize) -> (f64, f64) {
         self.inner.borrow_mut().parts.at(self.system, time, state, index)
     }
 
-    /// Whether a guard has passed zero, and has not left it since.
+    /// Returns whether a guard has crossed zero and has not left it since.
     fn has_passed(&self, index: usize) -> bool {
         matches!(self.inner.borrow().sides[index], Side::Fresh { passed: true, .. })
     }
 
-    /// Whether the guard of an event that happens one way moves that way.
+    /// Returns whether a guard is beyond zero by more than rounding.
+    fn has_leapt(&self, index: usize, time: f64, state: &[f64]) -> bool {
+        let Side::Known(side) = self.inner.borrow().sides[index] else { return false };
+        let (guard, rate) = self.guard_at(time, state, index);
+        let rounding = self.inner.borrow().parts.rounding(index);
+        side * guard < -rounding.max(by_rounding(time, rate))
+    }
+
+    /// Returns whether the guard of an event with a direction moves in that direction.
     fn is_approached(&self, index: usize, time: f64, state: &[f64]) -> bool {
         let (_, rate) = self.guard_at(time, state, index);
         match self.direction(index) {
@@ -521,49 +744,74 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// How fast the rate of a guard changed in the step that was last looked at.
+    /// Returns the rate of change of a guard's rate in the last step.
     pub(crate) fn bend_of(&self, index: usize) -> f64 {
         self.inner.borrow().parts.bend(index)
     }
 
-    /// Whether a guard is not an event's, but that of a kink.
+    /// Returns whether a guard is one of a kink and not of an event.
     fn is_kink(&self, index: usize) -> bool {
         index >= self.system.simulator().events()
     }
 
     fn direction(&self, index: usize) -> Direction {
-        if self.is_kink(index) {
+        if matches!(self.watched[index], Watched::Nearest(_)) {
+            Direction::Falling
+        } else if self.is_kink(index) {
             Direction::Both
         } else {
             self.system.simulator().event(index).direction
         }
     }
 
-    /// Guards of events, then of kinks.
+    /// Returns the values of all watched functions, events first.
     fn guards(&self, time: f64, state: &[f64]) -> Vec<f64> {
-        let (simulator, events) = (self.system.simulator(), self.system.simulator().events());
-        let mut guards = vec![0.0; events + simulator.kinks()];
-        let state = &state[..self.system.states()];
-        guards_at((simulator, self.system.parameters()), events, time, state, &mut guards);
-        guards
+        let sources = &mut *self.sources.borrow_mut();
+        sources.take(self.system, time, state);
+        self.watched.iter().map(|watched| sources.value(self.system, *watched)).collect()
     }
 
-    /// Whether the modes are those in which an event is watched for.
+    /// Keeps the values before a change that sensitivities need.
+    fn keep_front(&self, time: f64, state: &[f64]) {
+        let front = self.system.tangents().map(|_| {
+            let mut rate = vec![0.0; self.system.len()];
+            let inner = &mut *self.inner.borrow_mut();
+            let at = super::stretch::within(time, inner.parts.ends);
+            self.system.rate(at, state, &mut rate);
+            let all = 0..self.watched.len();
+            let guards = all.map(|index| inner.parts.at(self.system, time, state, index));
+            Front { rate, guards: guards.collect() }
+        });
+        self.inner.borrow_mut().front = front;
+    }
+
+    /// Returns the values before the last change.
+    pub(crate) fn front(&self) -> Option<Front> {
+        self.inner.borrow().front.clone()
+    }
+
+    /// Returns the guard of a kink among those of the simulator, with its sign.
+    pub(crate) fn kink_of(&self, index: usize) -> Option<(usize, f64)> {
+        self.watched[index].kink()
+    }
+
+    /// Returns whether an event is armed in the modes of a state.
     fn is_armed(&self, index: usize, state: &[f64]) -> bool {
         if self.is_kink(index) {
             return true;
         }
         let when = self.system.simulator().event(index).when;
-        // Modes are whole numbers, and stay so but for rounding.
+        // Modes are integers, but for rounding.
         when.iter().all(|(entry, value)| (state[*entry as usize] - value).abs() < 0.5)
     }
 
-    /// Gives the entries that an event sets their new values.
+    /// Applies the new values of an event.
     fn apply(&self, index: usize, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
         let simulator = self.system.simulator();
         let lengths: Vec<usize> =
             (0..simulator.events()).map(|event| simulator.event(event).sets.len()).collect();
         let mut values = vec![0.0; lengths.iter().sum()];
+        // New values use live relations, whatever is held.
         simulator.resets(time, state, self.system.parameters(), &mut values);
         let first: usize = lengths[..index].iter().sum();
         let event = simulator.event(index);
@@ -582,29 +830,46 @@ impl<'a> Watch<'a> {
         Ok(())
     }
 
-    /// Counts an event, and stops what does not end.
+    /// Counts an event and stops a run with infinitely many.
     fn count(&self, index: usize, time: f64) -> Result<(), Stopped> {
         let event = self.system.simulator().event(index).name.to_owned();
         self.system.count(|work| work.switches += 1);
+        self.inner.borrow_mut().happened.applied.push(index);
+        self.count_one(time, &event)?;
+        self.inner.borrow_mut().switches.push(Switch { time, event });
+        Ok(())
+    }
+
+    /// Counts changes of relations and stops a run with infinitely many.
+    fn count_changes(&self, time: f64, count: usize) -> Result<(), Stopped> {
+        (0..count).try_for_each(|_| self.count_one(time, "a comparison of the spec"))
+    }
+
+    fn count_one(&self, time: f64, event: &str) -> Result<(), Stopped> {
         let inner = &mut *self.inner.borrow_mut();
-        inner.happened.applied.push(index);
         inner.latest.push_back(time);
-        // Many parts may begin at one time.
-        let endless = ENDLESS.max(self.most());
+        // Many parts may begin at the same time.
+        let endless = ENDLESS.max(self.most() + 2 * self.system.simulator().relations());
         if inner.latest.len() > endless {
             let earliest = inner.latest.pop_front().unwrap_or(time);
             if time - earliest <= NO_TIME * self.span.max(time.abs()) {
+                let event = event.to_owned();
                 return Err(Stopped { time, cause: StopCause::Zeno { event, count: endless } });
             }
         }
-        inner.switches.push(Switch { time, event });
         Ok(())
     }
 }
 
-/// The event whose guard and its rate are exactly zero at all of some states spread over
-/// the run, the time after it and the states' scales: it could never pass. A guard that only
-/// a longer run would see move is none of these.
+/// Returns the rounding error of a guard with some rate, due to rounding of time.
+fn by_rounding(time: f64, rate: f64) -> f64 {
+    const ROUNDINGS: f64 = 64.0;
+    ROUNDINGS * f64::EPSILON * time.abs() * rate.abs()
+}
+
+/// Returns an event whose guard and rate are zero on both branches of every relation at all probe
+/// states. These are spread over the run, the time after it and the scales of the states. Such an
+/// event can never happen. A guard that only a longer run would move is not reported.
 pub(crate) fn identically_zero(system: &System<'_>, (from, until): (f64, f64)) -> Option<usize> {
     const WITHIN: usize = 8;
     const PROBES: usize = 2 * WITHIN;
@@ -612,6 +877,8 @@ pub(crate) fn identically_zero(system: &System<'_>, (from, until): (f64, f64)) -
     let count = simulator.events();
     let mut moves = vec![false; count];
     let (mut guards, mut rates) = (vec![0.0; count], vec![0.0; count]);
+    let mut parameters = system.held().all().to_vec();
+    let first = parameters.len() - simulator.relations();
     for probe in 0..PROBES {
         let spread = |index: usize| ((probe * 31 + index * 17) as f64 * 0.618 + 0.3).sin();
         let value = |index: usize| simulator.state_scale(index) * spread(index + 1);
@@ -621,8 +888,14 @@ pub(crate) fn identically_zero(system: &System<'_>, (from, until): (f64, f64)) -
         } else {
             until + (until - from) * 10f64.powi((probe - WITHIN) as i32)
         };
-        simulator.guards(time, &state, system.parameters(), &mut guards);
-        simulator.guard_rates(time, &state, system.parameters(), &mut rates);
+        // A guard may be zero on one branch only.
+        for (relation, slot) in parameters[first..].iter_mut().enumerate() {
+            if simulator.relation(relation).kind == RelationKind::Branch {
+                *slot = if spread(relation + 7) < 0.0 { BELOW } else { ABOVE };
+            }
+        }
+        simulator.guards(time, &state, &parameters, &mut guards);
+        simulator.guard_rates(time, &state, &parameters, &mut rates);
         for ((moves, guard), rate) in moves.iter_mut().zip(&guards).zip(&rates) {
             *moves |= *guard != 0.0 || *rate != 0.0;
         }

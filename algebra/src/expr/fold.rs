@@ -108,8 +108,33 @@ fn mul(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
         }
         (Op::Literal(factor), _) => scaled(graph, b, factor).unwrap_or(Folded::Op(Op::Mul(a, b))),
         (_, Op::Literal(factor)) => scaled(graph, a, factor).unwrap_or(Folded::Op(Op::Mul(a, b))),
+        (Op::SelectLess { .. }, Op::Div(..)) => {
+            on_branch(graph, a, |graph, branch| graph.mul(branch, b))
+                .unwrap_or(Folded::Op(Op::Mul(a, b)))
+        }
+        (Op::Div(..), Op::SelectLess { .. }) => {
+            on_branch(graph, b, |graph, branch| graph.mul(a, branch))
+                .unwrap_or(Folded::Op(Op::Mul(a, b)))
+        }
         _ => Folded::Op(Op::Mul(a, b)),
     }
+}
+
+/// Applies an operation to the branch of a choice that is not zero. The other branch stays zero,
+/// even where the result would be infinite, such as the slope of sqrt(max(h, 0)).
+fn on_branch(
+    graph: &mut Graph,
+    choice: NodeId,
+    of: impl FnOnce(&mut Graph, NodeId) -> NodeId,
+) -> Option<Folded> {
+    let Op::SelectLess { lhs, rhs, then, otherwise } = graph.op(choice) else { return None };
+    let (is_then, is_otherwise) = (graph.is_zero(then), graph.is_zero(otherwise));
+    if is_then == is_otherwise {
+        return None;
+    }
+    let (then, otherwise) =
+        if is_then { (then, of(graph, otherwise)) } else { (of(graph, then), otherwise) };
+    Some(Folded::Node(graph.select_less(lhs, rhs, then, otherwise)))
 }
 
 /// Merges the literal factor of a product with another literal, unless the product has a name,
@@ -133,6 +158,10 @@ fn div(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
     match (graph.op(a), graph.op(b)) {
         (Op::Literal(0.0), _) => Folded::Op(Op::Literal(0.0)),
         (_, Op::Literal(1.0)) => Folded::Node(a),
+        (Op::SelectLess { .. }, _) if !graph.is_constant(b) => {
+            on_branch(graph, a, |graph, branch| graph.div(branch, b))
+                .unwrap_or(Folded::Op(Op::Div(a, b)))
+        }
         (Op::Neg(x), Op::Neg(y)) => Folded::Node(graph.div(x, y)),
         (Op::Neg(x), _) => {
             let quotient = graph.div(x, b);

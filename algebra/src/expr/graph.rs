@@ -1,16 +1,17 @@
 //! Operations of a whole scene, each stored once.
 
-use machinist_model::{Function, Node, NodeId, Op, OpKey, TableId, Tape, reachable};
+use machinist_model::{Function, Node, NodeId, Op, OpKey, TableId, Tape, reachable, reachable_at};
 use rustc_hash::FxHashMap;
 
 use super::fold;
+use super::held::Held;
 use super::{Expr, HelperId, Symbol};
 
 /// Operations in order of creation, with equal ones shared; functions of the scene are parts of the
 /// graph.
 #[derive(Debug, Default)]
 pub struct Graph {
-    nodes: Vec<Node>,
+    pub(super) nodes: Vec<Node>,
     known: FxHashMap<OpKey, NodeId>,
     /// True for nodes that depend on parameters and literals only; see [`super::terms`].
     constant: Vec<bool>,
@@ -19,6 +20,8 @@ pub struct Graph {
     accelerations: Vec<NodeId>,
     multipliers: Vec<NodeId>,
     helpers: FxHashMap<HelperId, NodeId>,
+    /// Relations that tapes hold.
+    pub(super) held: Held,
 }
 
 /// a + b e^v.
@@ -263,7 +266,7 @@ impl Graph {
         let id = NodeId(self.nodes.len() as u32);
         let constant = match op {
             Op::Literal(_) | Op::Parameter(_) | Op::Constant(_) => true,
-            Op::Time | Op::State(_) | Op::Handed(_) => false,
+            Op::Time | Op::State(_) | Op::Handed(_) | Op::Held(_) => false,
             _ => op.operands().iter().all(|operand| self.is_constant(*operand)),
         };
         self.nodes.push(Node { op, name: None });
@@ -272,9 +275,20 @@ impl Graph {
         id
     }
 
-    /// Returns the nodes that `results` need, in order.
+    /// Returns the nodes that `results` need, in order, with slots for [held](Graph::hold)
+    /// relations, and nothing else.
     #[must_use]
     pub fn tape(&self, results: &[NodeId]) -> Tape {
+        if !self.holds_anything() {
+            return self.live_tape(results);
+        }
+        let (tape, places) = reachable_at(&self.nodes, results);
+        super::signs::absorb(&self.with_slots(&tape, &places))
+    }
+
+    /// Returns the same with every relation live.
+    #[must_use]
+    pub fn live_tape(&self, results: &[NodeId]) -> Tape {
         super::signs::absorb(&reachable(&self.nodes, results))
     }
 }

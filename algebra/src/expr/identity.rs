@@ -68,7 +68,7 @@ pub fn are_equal(a: &Expr, b: &Expr) -> bool {
 }
 
 /// A number modulo P, used as a value, and modulo Q, used as an exponent.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Value {
     pub(super) p: u64,
     q: u64,

@@ -24,6 +24,14 @@ pub(super) fn vanishing(nodes: &[Node]) -> Vec<bool> {
     vanishes
 }
 
+/// Returns the values of each node at all points; `None` if one of them divides by zero. Nodes are
+/// equal for all states, parameters and times where these are.
+#[must_use]
+pub(super) fn at_points(nodes: &[Node]) -> Vec<Option<Vec<Value>>> {
+    let at: Vec<_> = (0..POINTS).map(|point| values(&Point { point }, nodes)).collect();
+    (0..nodes.len()).map(|index| at.iter().map(|values| values[index]).collect()).collect()
+}
+
 /// Returns the value of each node; `None` if it divides by zero.
 fn values(point: &Point, nodes: &[Node]) -> Vec<Option<Value>> {
     let mut values: Vec<Option<Value>> = Vec::with_capacity(nodes.len());
@@ -42,6 +50,7 @@ fn value(point: &Point, op: &Op, of: impl Fn(NodeId) -> Option<Value>) -> Option
         Op::State(entry) => point.random(&[2, u64::from(entry)]),
         Op::Parameter(entry) => point.random(&[3, u64::from(entry)]),
         Op::Handed(entry) => point.random(&[4, u64::from(entry)]),
+        Op::Held(place) => point.random(&[17, u64::from(place)]),
         Op::Constant(entry) => point.random(&[5, u64::from(entry)]),
         Op::Motion(entry) => point.random(&[6, u64::from(entry)]),
         Op::Neg(a) => of(a)?.minus(),

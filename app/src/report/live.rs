@@ -8,6 +8,7 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use machinist::method::Method;
 use machinist::method::published::{ExplicitTable, RosenbrockTable, dop853, rodas5p, tsit5};
 use machinist::trajectory::Trajectory;
+use machinist_contract::RelationKind;
 use machinist_model::functions::FunctionId;
 use machinist_model::wasm::{Layout, NotInWasm, WasmModule, module};
 use machinist_model::{Model, ModelSimulator, SparsityPattern, StateKind};
@@ -90,6 +91,8 @@ struct Known {
     discontinuities: usize,
     events: Vec<Event>,
     kinks: usize,
+    /// Indices of the kinks that are arguments of `floor`.
+    whole: Vec<usize>,
     constraints: Vec<String>,
     /// True if a constraint holds in some modes only.
     holds_in_modes: bool,
@@ -347,6 +350,9 @@ impl Known {
             discontinuities: model.discontinuities.results.len(),
             events: model.events.iter().map(event).collect(),
             kinks: model.kink_guards.results.len(),
+            whole: (0..model.relations.len())
+                .filter(|index| model.relations[*index].kind == RelationKind::Whole)
+                .collect(),
             constraints: model.constraints.iter().map(|known| known.name.path.clone()).collect(),
             holds_in_modes: model.constraints.iter().any(|known| known.in_modes),
             rate_jacobian: model.rate_jacobian.pattern.clone(),

@@ -128,7 +128,13 @@ impl<'a> Scene<'a> {
             .map(|quantity| quantity.name.ident.as_str());
         let states = names::distinct(states, "states")?;
         let parameters = model.all_parameters().map(|p| p.quantity.name.ident.as_str());
-        let parameters = names::distinct(parameters, "parameters")?;
+        let mut parameters = names::distinct(parameters, "parameters")?;
+        let mut fields = Namer::empty();
+        for name in &parameters {
+            fields.reserve(&name.to_string());
+        }
+        let slots = (1..=model.relations.len()).map(|number| format!("held_{number}"));
+        parameters.extend(slots.map(|name| fields.claim(&name)));
         let outputs = model.wanted.iter().map(|output| output.name.ident.as_str());
         let outputs = names::distinct(outputs, "outputs")?;
         let tables = model.tables.iter().map(|table| table.name.ident.as_str());
@@ -157,11 +163,10 @@ impl<'a> Scene<'a> {
             locals.reserve(&parameter.to_string());
         }
         let prepare = Prepare::new(model, &states, &parameters, &tables, &locals)?;
-        let (own, handed) = parameters.split_at(model.parameters.len());
         let scope = Scope {
             states: &states,
-            parameters: own,
-            handed,
+            parameters: &parameters,
+            own: model.parameters.len(),
             constants: &prepare.constants,
             motion: &[],
             tables: &tables,
@@ -183,24 +188,14 @@ impl Scene<'_> {
     fn scope<'a>(&'a self, constants: &'a [Ident]) -> Scope<'a> {
         Scope {
             states: &self.states,
-            parameters: self.own_parameters(),
-            handed: self.handed(),
+            parameters: &self.parameters,
+            own: self.model.parameters.len(),
             constants,
             motion: &self.motion.results,
             tables: &self.tables,
             is_in_loop: false,
             namer: &self.locals,
         }
-    }
-
-    /// Returns the fields of `Parameters` that are the machine's.
-    fn own_parameters(&self) -> &[Ident] {
-        &self.parameters[..self.model.parameters.len()]
-    }
-
-    /// Returns the fields of `Parameters` that the fields of the machine set.
-    fn handed(&self) -> &[Ident] {
-        &self.parameters[self.model.parameters.len()..]
     }
 }
 

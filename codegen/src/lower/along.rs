@@ -66,7 +66,12 @@ fn slope(graph: &mut Graph, rate: &[NodeId], id: NodeId, slopes: &[NodeId]) -> N
             let derivative = graph.table(table, order + 1, argument);
             graph.mul(derivative, slopes[0])
         }
-        Op::Literal(_) | Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) | Op::Motion(_) => zero,
+        Op::Literal(_)
+        | Op::Parameter(_)
+        | Op::Handed(_)
+        | Op::Held(_)
+        | Op::Constant(_)
+        | Op::Motion(_) => zero,
     }
 }
 

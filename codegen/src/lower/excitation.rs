@@ -18,8 +18,8 @@ use machinist_model::{Excitation, Node, NodeId, Op, Tape};
 
 use sum::{Algebra, Sum};
 
-/// What excites a machine with this rate y'; nothing if it is not linear in the state with
-/// constant coefficients, or if time enters by other functions.
+/// Returns the excitation of a machine with this rate y'; `None` if the rate is not linear in the
+/// state with constant coefficients, or if time enters by other functions.
 #[must_use]
 pub fn excitation(rate: &Tape) -> Option<Excitation> {
     let mut algebra = Algebra::new();
@@ -37,8 +37,8 @@ pub fn excitation(rate: &Tape) -> Option<Excitation> {
     Some(Excitation { terms, values: graph.tape(&values), switches })
 }
 
-/// Whether the results of a tape are linear in the state, without anything else, with
-/// coefficients that parameters and one entry of the state, `place`, decide.
+/// Returns whether the results of a tape are linear and homogeneous in the state, with coefficients
+/// that depend only on parameters and on one entry of the state, `place`.
 #[must_use]
 pub fn is_homogeneous(tape: &Tape, place: u32) -> bool {
     let mut tape = tape.clone();
@@ -59,7 +59,7 @@ fn follow(algebra: &mut Algebra, tape: &Tape) -> Option<Vec<Sum>> {
         let sum = match *op {
             Op::Literal(value) => algebra.literal(value),
             Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) => algebra.given(*op),
-            Op::Motion(_) => return None,
+            Op::Motion(_) | Op::Held(_) => return None,
             Op::Time => algebra.time(),
             Op::State(entry) => algebra.state(entry),
             Op::Neg(a) => algebra.negative(of(a)),

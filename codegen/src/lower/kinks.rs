@@ -1,62 +1,87 @@
-//! Where a rate is not smooth, or changes within a time that no step may pass over: found
+//! Points at which a rate is not smooth, or changes within a time that no step may pass over: found
 //! on the graph.
 //!
-//! - *Kinks* pass zero along a motion: arguments of `abs` and `sign`, differences of what
-//!   `min` and `max` compare, distances from the ends of tables, +-sin(pi (x - floor(x))) of
-//!   `floor(x)`. They come with their rates along the motion, differentiated on the graph.
-//! - *Times* follow from parameters: where such an argument is linear in time alone, it
-//!   passes zero at a time known beforehand. So do centres of bells, of tanh and of other
+//! - *Relations*, which steps hold: `abs`, `sign`, `min`, `max`, comparisons and `floor`. Their
+//!   guards are the arguments or the differences of what is compared. They come first, each after
+//!   those that it reads, with their readers (`relations`).
+//! - *Borders* have guards and no slots: ends of tables, and branches that keep a root, a logarithm
+//!   or a power within its domain.
+//! - Guards come with their rates along the motion, differentiated on the graph.
+//! - *Times* follow from parameters: an argument that is linear in time alone crosses zero at a
+//!   time known beforehand. Other known times are the centres of bells, of tanh and of other
 //!   functions of a polynomial of time, and the knots at which a table over time bends.
-//! - What comes and goes in each turn of something (`recurring`) turns where its argument does: the
-//!   rate of that is a guard too.
-//! - What is there near a place only (`bells`) is come near to, and left behind: so is that.
+//! - Features that recur in each period (`recurring`) turn where their argument does: the rate of
+//!   the argument is a guard, too.
+//! - Features near a place (`bells`) have guards that cross zero where the motion comes near and
+//!   where it leaves.
 //!
-//! Excluded: what parameters or modes alone decide, and what fields hand over.
+//! Excluded are expressions of parameters or modes alone, and values handed over by fields.
 
 mod bells;
 mod extent;
 mod recurring;
+mod relations;
 
 use std::collections::HashMap;
 
 use machinist_algebra::expr::Graph;
-use machinist_model::{Function, NodeId, Op, Table};
+use machinist_algebra::expr::held::{Compared, Slot};
+use machinist_contract::{Reader, RelationKind};
+use machinist_model::{Function, NodeId, Op, Relation, Table};
 
 use super::along::{along, reached};
 use recurring::recurring;
+use relations::{clamps, readers};
 
-/// What of a rate is not smooth.
+/// Points at which a rate is not smooth.
 #[derive(Debug, Default)]
 pub struct Kinks {
-    /// What passes zero along a motion.
+    /// Guards along a motion, those of relations first.
     pub guards: Vec<NodeId>,
-    /// Rates of these.
+    /// Rates of the guards.
     pub rates: Vec<NodeId>,
-    /// Times, of parameters alone.
+    /// Times, which depend on parameters alone.
     pub times: Vec<NodeId>,
+    /// Relations that steps hold.
+    pub relations: Vec<Relation>,
+    /// Relation of each comparison.
+    pub slots: Vec<(Compared, Slot)>,
+    /// Guards of branches that keep a value within its domain.
+    clamps: Vec<NodeId>,
 }
 
-/// What takes less than a run over this is not left to steps to find.
-const SHARES: f64 = 300.0;
+/// Nodes that are searched for relations.
+#[derive(Debug, Clone, Copy)]
+pub struct Places<'a> {
+    /// The rate, one for each entry of the state.
+    pub rate: &'a [NodeId],
+    /// Values and rates of constraints.
+    pub holds: &'a [NodeId],
+    /// Guards of events.
+    pub guards: &'a [NodeId],
+}
 
-/// What is known of the machine besides its rate.
+/// Part of a run below which a feature is not left to the steps.
+const SHARES: f64 = 100.0;
+
+/// Data of the machine besides its rate.
 #[derive(Debug, Clone, Copy)]
 pub struct Given<'a> {
-    /// Of the state, which entries change at events only.
+    /// True for entries of the state that change only at events.
     pub is_mode: &'a [bool],
-    /// Its tables.
+    /// Tables.
     pub tables: &'a [Table],
-    /// Start and end of runs, as its spec has them \[s\].
+    /// Start and end of runs, as the spec has them \[s\].
     pub run: (f64, f64),
-    /// Values of parameters, as its spec has them.
+    /// Values of parameters, as the spec has them.
     pub parameters: &'a [f64],
-    /// Of the state, which entries are positions.
+    /// True for entries of the state that are positions.
     pub is_place: &'a [bool],
-    /// The state at the start, as its spec has it.
+    /// State at the start, as the spec has it.
     pub start: &'a [f64],
 }
 
-/// By what a node changes along a motion.
+/// Cause of changes of a node along a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum By {
     Nothing,
@@ -64,17 +89,32 @@ enum By {
     State,
 }
 
-/// The kinks of a rate, one node for each entry of the state, and of what constraints hold: there
-/// the rate may be smooth, and speeds jump.
-pub fn kinks(graph: &mut Graph, rate: &[NodeId], holds: &[NodeId], given: &Given<'_>) -> Kinks {
-    let nodes: Vec<NodeId> = reached(graph, &[rate, holds].concat()).into_iter().collect();
+/// Finds the kinks of a rate, of constraints, where the rate may be smooth and velocities jump, and
+/// of guards of events.
+pub fn kinks(graph: &mut Graph, places: &Places<'_>, given: &Given<'_>) -> Kinks {
+    let rate = places.rate;
+    let all = [rate, places.holds, places.guards].concat();
+    let nodes: Vec<NodeId> = reached(graph, &all).into_iter().collect();
     let mut search =
         Search { is_mode: given.is_mode, by: HashMap::new(), polynomials: HashMap::new() };
     let mut found = Kinks::default();
     let span = given.run.1 - given.run.0;
+    let clamps = clamps(graph, &nodes);
     for &id in &nodes {
         search.look(graph, id);
-        for guard in switched(graph, id, given.tables) {
+        if let Some(compared) = Compared::at(graph, id) {
+            let is_clamp = clamps.contains(&compared);
+            found.add_relation(graph, &mut search, compared, is_clamp);
+        }
+    }
+    for guard in bells::near(&search, graph, &nodes, given) {
+        found.add_zone(graph, &mut search, guard);
+    }
+    for guard in std::mem::take(&mut found.clamps) {
+        found.add(graph, &mut search, guard);
+    }
+    for &id in &nodes {
+        for guard in ends_of_table(graph, id, given.tables) {
             found.add(graph, &mut search, guard);
         }
         for time in search.features(graph, id, (given.tables, span)) {
@@ -85,34 +125,14 @@ pub fn kinks(graph: &mut Graph, rate: &[NodeId], holds: &[NodeId], given: &Given
             found.add(graph, &mut search, turns);
         }
     }
-    for guard in bells::near(&search, graph, &nodes, given) {
-        found.add(graph, &mut search, guard);
-    }
     found.rates = along(graph, rate, &found.guards);
+    readers(graph, places, &mut found);
     found
 }
 
-/// What is compared with zero at a node.
-fn switched(graph: &mut Graph, id: NodeId, tables: &[Table]) -> Vec<NodeId> {
+/// Returns the distances from the ends and corners of a table.
+fn ends_of_table(graph: &mut Graph, id: NodeId, tables: &[Table]) -> Vec<NodeId> {
     match graph.op(id) {
-        Op::SelectLess { lhs, rhs, .. } => vec![graph.sub(lhs, rhs)],
-        Op::Call(Function::Abs, argument) => vec![argument],
-        Op::Call(Function::Floor, argument) => {
-            // Passes zero at every whole number, in turns upwards and downwards; to the last bit
-            // where `floor` jumps.
-            let [one, two, half] = [1.0, 2.0, 0.5].map(|value| graph.literal(value));
-            let half = graph.mul(half, id);
-            let half = graph.call(Function::Floor, half);
-            let even = graph.mul(two, half);
-            let odd = graph.sub(id, even);
-            let twice = graph.mul(two, odd);
-            let way = graph.sub(one, twice);
-            let beyond = graph.sub(argument, id);
-            let half_turn = graph.literal(std::f64::consts::PI);
-            let angle = graph.mul(half_turn, beyond);
-            let height = graph.call(Function::Sin, angle);
-            vec![graph.mul(way, height)]
-        }
         Op::Table { table, argument, .. } => {
             let table = &tables[table.0 as usize];
             let ends = [table.knots.first(), table.knots.last()].into_iter().flatten();
@@ -128,10 +148,10 @@ fn switched(graph: &mut Graph, id: NodeId, tables: &[Table]) -> Vec<NodeId> {
     }
 }
 
-/// Corners beyond which a table is fine enough for steps to follow it.
+/// Number of corners above which a table is fine enough for steps to follow it.
 const MOST_CORNERS: usize = 100;
 
-/// Inner knots at which the slope of a table jumps.
+/// Returns the inner knots at which the slope of a table jumps.
 fn corners(table: &Table) -> Vec<f64> {
     let slopes = table.coefficients.windows(2).zip(table.knots.windows(2)).map(|(pair, knots)| {
         let [_, c1, c2, c3] = pair[0];
@@ -139,7 +159,7 @@ fn corners(table: &Table) -> Vec<f64> {
         let terms = [c1, 2.0 * c2 * u, 3.0 * c3 * u * u];
         let size = terms.iter().fold(pair[1][1].abs(), |size, term| size.max(term.abs()));
         let jump = terms.iter().sum::<f64>() - pair[1][1];
-        // What a spline leaves is rounding.
+        // A spline leaves only rounding.
         (knots[1], jump.abs() > 1e-6 * size)
     });
     let corners: Vec<f64> = slopes.filter(|(_, jumps)| *jumps).map(|(knot, _)| knot).collect();
@@ -147,13 +167,30 @@ fn corners(table: &Table) -> Vec<f64> {
 }
 
 impl Kinks {
-    /// Takes a guard, as a time if that is when it passes zero.
+    /// Adds a border.
     fn add(&mut self, graph: &mut Graph, search: &mut Search<'_>, guard: NodeId) {
+        if self.passes(graph, search, guard) && self.known(graph, guard).is_none() {
+            self.guards.push(guard);
+        }
+    }
+
+    /// Adds a zone.
+    fn add_zone(&mut self, graph: &mut Graph, search: &mut Search<'_>, guard: NodeId) {
+        if self.passes(graph, search, guard) && self.known(graph, guard).is_none() {
+            self.guards.push(guard);
+            let readers = vec![Reader::Rate];
+            self.relations.push(Relation { kind: RelationKind::Zone, readers });
+        }
+    }
+
+    /// Returns whether a guard crosses zero along a motion, at a time not known beforehand. Known
+    /// times are added.
+    fn passes(&mut self, graph: &mut Graph, search: &mut Search<'_>, guard: NodeId) -> bool {
         for id in reached(graph, &[guard]) {
             search.look(graph, id);
         }
         match search.by[&guard] {
-            By::Nothing => return,
+            By::Nothing => return false,
             By::Time => {
                 if let Some(polynomial) = search.polynomials[&guard]
                     && graph.is_zero(polynomial[2])
@@ -161,14 +198,55 @@ impl Kinks {
                     if let Some(time) = turn(graph, polynomial) {
                         self.add_time(time);
                     }
-                    return;
+                    return false;
                 }
             }
             By::State => {}
         }
+        true
+    }
+
+    /// Returns the position of a known guard, and whether it has the other sign.
+    fn known(&self, graph: &mut Graph, guard: NodeId) -> Option<(usize, bool)> {
         let opposite = graph.neg(guard);
-        if !self.guards.contains(&guard) && !self.guards.contains(&opposite) {
+        let place = |guard: NodeId| self.guards.iter().position(|known| *known == guard);
+        place(guard).map(|place| (place, false)).or_else(|| place(opposite).map(|at| (at, true)))
+    }
+
+    /// Adds a relation, with a slot, or a border if it is a clamp.
+    fn add_relation(
+        &mut self,
+        graph: &mut Graph,
+        search: &mut Search<'_>,
+        compared: Compared,
+        is_clamp: bool,
+    ) {
+        let guard = compared.guard(graph);
+        let is_whole = matches!(compared, Compared::Whole(_));
+        if let Compared::Whole(argument) = compared {
+            search.look(graph, argument);
+            // An argument of time alone changes at many times, which steps find.
+            if search.by[&argument] == By::Nothing {
+                return;
+            }
+        } else if !self.passes(graph, search, guard) {
+            return;
+        }
+        if is_clamp {
+            self.clamps.push(guard);
+            return;
+        }
+        let kind = if is_whole { RelationKind::Whole } else { RelationKind::Branch };
+        let known =
+            self.known(graph, guard).filter(|(place, _)| self.relations[*place].kind == kind);
+        let (index, is_opposite) = known.unwrap_or_else(|| {
             self.guards.push(guard);
+            self.relations.push(Relation { kind, readers: Vec::new() });
+            (self.relations.len() - 1, false)
+        });
+        let slot = Slot { index: index as u32, is_opposite };
+        if !self.slots.iter().any(|(known, _)| *known == compared) {
+            self.slots.push((compared, slot));
         }
     }
 
@@ -179,11 +257,11 @@ impl Kinks {
     }
 }
 
-/// What is known of the nodes that were looked at, each after its operands.
+/// Data of the nodes that were visited, each after its operands.
 struct Search<'a> {
     is_mode: &'a [bool],
     by: HashMap<NodeId, By>,
-    /// c_0 + c_1 t + c_2 t^2 of nodes that are such, with coefficients of parameters.
+    /// c_0 + c_1 t + c_2 t^2 for nodes that have this form, with coefficients of parameters.
     polynomials: HashMap<NodeId, Option<[NodeId; 3]>>,
 }
 
@@ -226,7 +304,7 @@ impl Search<'_> {
         }
     }
 
-    /// Times at which a function of time alone does what it does.
+    /// Returns the times at which a function of time alone has its features.
     fn features(
         &self,
         graph: &mut Graph,
@@ -267,7 +345,7 @@ impl Search<'_> {
     }
 }
 
-/// Where a polynomial passes zero, if it is linear, or turns.
+/// Returns the time at which a linear polynomial crosses zero, or another one turns.
 fn turn(graph: &mut Graph, [value, slope, curve]: [NodeId; 3]) -> Option<NodeId> {
     let (above, below) = if graph.is_zero(curve) {
         (value, slope)
@@ -283,15 +361,15 @@ fn turn(graph: &mut Graph, [value, slope, curve]: [NodeId; 3]) -> Option<NodeId>
     if graph.literal_value(below).is_some() {
         return Some(time);
     }
-    // A slope that parameters make zero passes no zero: then there is no such time,
-    // which the start of all runs stands for.
+    // A slope that parameters make zero has no zero crossing. There is then no such time, for which
+    // the start of all runs stands.
     let zero = graph.literal(0.0);
     let size = graph.call(Function::Abs, below);
     Some(graph.select_less(zero, size, time, zero))
 }
 
-/// Where a function of this argument does what it does, if that takes but a small share of
-/// a run: steps see what is wider.
+/// Returns the time at which a function of this argument has its feature, if that takes a small
+/// share of a run: steps see wider ones.
 fn narrow(graph: &mut Graph, polynomial: [NodeId; 3], span: f64) -> Option<NodeId> {
     let [_, slope, curve] = polynomial;
     let time = turn(graph, polynomial)?;
@@ -317,7 +395,7 @@ fn each(
     std::array::from_fn(|power| of(a[power], b[power]))
 }
 
-/// The product of two polynomials, unless it is of higher degree than two.
+/// Returns the product of two polynomials, unless its degree exceeds two.
 fn product(graph: &mut Graph, a: [NodeId; 3], b: [NodeId; 3]) -> Option<[NodeId; 3]> {
     let degree = |of: &[NodeId; 3]| of.iter().rposition(|c| !graph.is_zero(*c)).unwrap_or(0);
     if degree(&a) + degree(&b) > 2 {
@@ -333,12 +411,12 @@ fn product(graph: &mut Graph, a: [NodeId; 3], b: [NodeId; 3]) -> Option<[NodeId;
     Some(coefficients)
 }
 
-/// Inner knots between which a table is curved, and how near the next knot is: the most curved
-/// ones, if they are many.
+/// Returns the inner knots between which a table is curved, with the distance of the nearest knot:
+/// the most curved ones, if there are many.
 fn bends(table: &Table) -> Vec<(f64, f64)> {
-    /// A table with more of them moves nearly all the time, and is seen by that.
+    /// A table with more such knots changes nearly all the time, which makes it visible.
     const MOST: usize = 64;
-    /// Of what the table does altogether.
+    /// Share of the total change of the table.
     const NOTICED: f64 = 1e-10;
     let lengths: Vec<f64> = table.knots.windows(2).map(|ends| ends[1] - ends[0]).collect();
     let ways = table.coefficients.iter().zip(&lengths).map(|(c, length)| {

@@ -14,7 +14,7 @@ use crate::lower::angles::expand;
 use crate::lower::describe::{constraints, describe, events};
 use crate::lower::excitation::excitation;
 use crate::lower::implicit::{Columns, Implicit, implicit};
-use crate::lower::kinks::{Given, Kinks, kinks};
+use crate::lower::kinks::{Given, Kinks, Places, kinks};
 use crate::lower::nonzeros::Nonzeros;
 use crate::lower::share::{Parts, share};
 use crate::lower::substitute::{Step, Substitution};
@@ -32,8 +32,11 @@ pub fn lower(linearization: &Linearization) -> Model {
     let time_derivative = build.time_derivative();
     let initial = build.initial_state();
     let [constraint_values, constraint_rates] = build.constraints();
-    let Kinks { guards: kinks, rates: kink_rates, times } =
-        build.kinks(&[&constraint_values[..], &constraint_rates].concat(), &initial);
+    let [guards, guard_rates, resets] = build.events();
+    let holds = [&constraint_values[..], &constraint_rates].concat();
+    let Kinks { guards: kinks, rates: kink_rates, times, relations, slots, .. } =
+        build.kinks(&holds, &guards, &initial);
+    let first_slot = (system.parameters.len() + system.handed.len()) as u32;
     let mut discontinuities: Vec<NodeId> =
         system.discontinuities.iter().map(|time| build.lower(time)).collect();
     for time in times {
@@ -44,7 +47,7 @@ pub fn lower(linearization: &Linearization) -> Model {
     let outputs = linearization.equations.outputs.iter().map(|o| build.lower(o)).collect();
     let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
     let power_balance = build.power_balance().to_vec();
-    let [guards, guard_rates, resets] = build.events();
+    build.graph.hold(slots, first_slot);
     let motion = OfMotion { time_derivative, outputs, power_balance, guard_rates, kink_rates };
     let graph = &build.graph;
     let rate = graph.tape(&build.rate);
@@ -52,7 +55,7 @@ pub fn lower(linearization: &Linearization) -> Model {
     // by parameters.
     let is_whole = system.events.is_empty() && system.constraints.is_empty();
     let model = Model {
-        excitation: is_whole.then(|| excitation(&rate)).flatten(),
+        excitation: is_whole.then(|| excitation(&graph.live_tape(&build.rate))).flatten(),
         initial_state: graph.tape(&initial),
         discontinuities: graph.tape(&discontinuities),
         required: required(&linearization.equations),
@@ -68,6 +71,7 @@ pub fn lower(linearization: &Linearization) -> Model {
         constraint_rates: graph.tape(&constraint_rates),
         constraint_matrix: build.constraint_matrix_tape(),
         constraints: constraints(system),
+        relations,
         ..describe(&linearization.equations)
     };
     build.of_motion(model, jacobians, &motion)
@@ -88,8 +92,8 @@ const LARGE: usize = 1500;
 
 /// dy'/dy and dy'/dp.
 enum Jacobians {
-    /// Each column is solved on the graph.
-    Unrolled(Box<[MatrixTape; 2]>),
+    /// Each column is solved on the graph; entries by rows.
+    Unrolled([Vec<BTreeMap<usize, NodeId>>; 2]),
     /// Columns to be solved in a loop.
     Implicit([Columns; 2]),
 }
@@ -194,10 +198,9 @@ impl<'a> Build<'a> {
             Jacobians::Implicit(partials.map(|partials| self.columns(partials)))
         } else {
             let entries = self.velocity_entries();
-            let columns = partials.map(|partials| -> Vec<BTreeMap<usize, NodeId>> {
+            Jacobians::Unrolled(partials.map(|partials| {
                 partials.iter().map(|partials| self.column(partials, &entries)).collect()
-            });
-            Jacobians::Unrolled(Box::new(self.unrolled_matrices(&columns)))
+            }))
         }
     }
 
@@ -354,8 +357,8 @@ impl<'a> Build<'a> {
     fn of_motion(mut self, model: Model, jacobians: Jacobians, motion: &OfMotion) -> Model {
         let columns = match jacobians {
             Jacobians::Implicit(columns) => columns,
-            Jacobians::Unrolled(matrices) => {
-                let [rate_jacobian, parameter_jacobian] = *matrices;
+            Jacobians::Unrolled(columns) => {
+                let [rate_jacobian, parameter_jacobian] = self.unrolled_matrices(&columns);
                 let [time_derivative, outputs, power_balance, guard_rates, kink_rates] =
                     motion.each().map(|results| self.graph.tape(results));
                 return Model {
@@ -478,10 +481,10 @@ impl<'a> Build<'a> {
         [stored, supplied, dissipated]
     }
 
-    /// Returns the surfaces at which the rate, or whether a constraint holds, is not smooth or
-    /// changes within a very short time. Effects of fields are not included: they are not on the
-    /// graph.
-    fn kinks(&mut self, holds: &[NodeId], initial: &[NodeId]) -> Kinks {
+    /// Returns the surfaces at which the rate, the guards, or whether a constraint holds, are not
+    /// smooth or change within a very short time. Effects of fields are not included: they are not
+    /// on the graph.
+    fn kinks(&mut self, holds: &[NodeId], guards: &[NodeId], initial: &[NodeId]) -> Kinks {
         let equations = &self.linearization.equations;
         if !equations.system.handed.is_empty() {
             return Kinks::default();
@@ -508,7 +511,8 @@ impl<'a> Build<'a> {
             run: (run.from, run.until),
             parameters: &parameters,
         };
-        kinks(&mut self.graph, &self.rate, holds, &given)
+        let places = Places { rate: &self.rate, holds, guards };
+        kinks(&mut self.graph, &places, &given)
     }
 
     /// Returns dX/dt = dX/dy y' + partial dX/dt.

@@ -13,7 +13,7 @@ use crate::mechanics::constraint::Constraints;
 use crate::mechanics::state::Layout;
 use crate::scene::system::{Event, LagrangianSystem};
 use machinist_algebra::cas::{Cas, Form, Terms};
-use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Matrix, Symbol};
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Function, Matrix, Symbol};
 use machinist_algebra::unless_faulty;
 use machinist_model::Reduction;
 
@@ -169,7 +169,23 @@ fn events(cas: &mut Cas, system: &LagrangianSystem) -> Vec<Event> {
         let form = cas.form(expr);
         *expr = cas.expr(&form);
     }
+    for event in &mut events {
+        event.guard = within_steps(std::mem::replace(&mut event.guard, Expr::integer(0)));
+    }
     events
+}
+
+/// Strips a guard of odd increasing functions, which keep its sign. A steep `tanh(u)` shows nothing
+/// of a coming zero crossing; u itself does.
+fn within_steps(guard: Expr) -> Expr {
+    match guard {
+        Expr::Call(Function::Tanh | Function::Atan | Function::Sinh, mut arguments)
+            if arguments.len() == 1 =>
+        {
+            within_steps(arguments.swap_remove(0))
+        }
+        guard => guard,
+    }
 }
 
 /// Returns the second derivatives of T. The lower triangle is copied, not derived again.

@@ -69,7 +69,7 @@ use ::machinist_contract::{
     t0, t1
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 2 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 2 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

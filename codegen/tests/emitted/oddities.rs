@@ -114,7 +114,7 @@ use ::machinist_contract::{
     p_2_dot_by_p_2
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 9 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 9 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

@@ -73,7 +73,7 @@ use ::machinist_contract::{
     drive_torque_dot_by_drive_torque
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 9 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 9 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

@@ -129,7 +129,7 @@ use ::machinist_contract::{
     t0
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 1 operation.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 1 operation.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

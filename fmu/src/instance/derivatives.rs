@@ -4,7 +4,7 @@
 //! are calculated. Knowns are continuous states, inputs and time; before the start also parameters.
 //! The values calculated from a parameter at the start then change with it.
 
-use machinist::hosted::Standing;
+use machinist::hosted::{Hosted, Standing};
 use machinist_contract::{Derivatives, Dual, DualFunction, SparsityPattern};
 
 use super::values::{Type, require_count};
@@ -275,9 +275,16 @@ impl<'a> Moved<'a> {
             Kind::Derivative(entry) => self.rates[entry],
             Kind::State(entry) => std::array::from_fn(|k| self.moves[k].state[entry]),
             Kind::Output(index) => self.on_duals[0][index].slopes,
-            Kind::Indicator(index) if self.standing.is_watched(index) => {
+            Kind::Indicator(index)
+                if self.standing.is_watched(self.instance.machine.simulator(), index) =>
+            {
                 let mut all = self.on_duals[1].iter().chain(&self.on_duals[2]);
-                all.nth(index).map_or([0.0; Dual::DIRECTIONS], |guard| guard.slopes)
+                let simulator = self.instance.machine.simulator();
+                let hosted = Hosted::new(simulator, &self.instance.now.parameters);
+                all.nth(index).map_or([0.0; Dual::DIRECTIONS], |guard| {
+                    let factor = hosted.indicator_slope(self.standing, index, guard.value);
+                    guard.slopes.map(|slope| factor * slope)
+                })
             }
             _ => [0.0; Dual::DIRECTIONS],
         }
@@ -288,7 +295,7 @@ impl<'a> Moved<'a> {
         let Self { instance, standing, moves, .. } = self;
         let simulator = instance.machine.simulator();
         let (time, state) = (standing.within(standing.time), &standing.state[..]);
-        let parameters = &instance.now.parameters[..];
+        let parameters = &standing.held_parameters(&instance.now.parameters)[..];
         let mut by_time = vec![0.0; state.len()];
         simulator.time_derivative(time, state, parameters, &mut by_time);
         let of_time = |slope: &f64| std::array::from_fn(|k| slope * moves[k].time);
@@ -327,9 +334,13 @@ impl<'a> Moved<'a> {
         let state = standing.state.iter().enumerate();
         let state: Vec<Dual> =
             state.map(|(entry, value)| dual(*value, &|along| along.state[entry])).collect();
-        let parameters = instance.now.parameters.iter().enumerate();
-        let parameters: Vec<Dual> = parameters
-            .map(|(index, value)| dual(*value, &|along| along.parameters[index]))
+        let parameters = standing.held_parameters(&instance.now.parameters);
+        // Slots have zero slopes.
+        let parameters: Vec<Dual> = (0..)
+            .zip(&parameters)
+            .map(|(index, value): (usize, _)| {
+                dual(*value, &|along| along.parameters.get(index).copied().unwrap_or(0.0))
+            })
             .collect();
         exact.on_duals(function, time, &state, &parameters, &mut values);
         values

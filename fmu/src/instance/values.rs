@@ -148,8 +148,7 @@ impl Instance {
     pub(super) fn rate(&self, standing: &Standing) -> Vec<f64> {
         let simulator = self.machine.simulator();
         let mut rate = vec![0.0; standing.state.len()];
-        let time = standing.within(standing.time);
-        simulator.rate(time, &standing.state, &self.now.parameters, &mut rate);
+        Hosted::new(simulator, &self.now.parameters).rate(standing, &mut rate);
         rate
     }
 

@@ -3,13 +3,13 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   d5f791591548f3d0783dd936c85151e668e502bd1044f337e83ea88c4bc67466  scenes/bouncing_mass.toml
-//   f60db5a597818af2912715d5d2a67d1c70c5ff6ed0f332da46ccf7bf54841573  units/bouncer.toml
+//   f8abff35e6a069e781dcda976b8f3f0d885f93c6048f990fe8344a6d5dacec2c  scenes/bouncing_mass.toml
+//   eef0d63eed8eb3949487ee6297ac61f06319df67e7bc044a0e177113dff0b858  units/bouncer.toml
 //
 // Mass bouncing on a shaken plate
 //
-// The plate shakes at 10 Hz with seven tenths of the acceleration of free fall. The mass
-// settles into one bounce a period.
+// The plate shakes at 10 Hz with an acceleration amplitude of 0.7 g. The mass settles into one bounce
+// per period.
 //
 // Source:
 //   Textbook; the orbit of one bounce a period is in closed form.
@@ -17,7 +17,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, first-order states 1, states 3, parameters 8, outputs 4, events 2.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 1 of 3 by 3, parameter_jacobian 3 of 3 by 8.
-// Operations: rate 12, forcing 10, parameter_jacobian 23, time_derivative 11, outputs 4, energy 5,
+// Operations: rate 12, forcing 10, parameter_jacobian 23, time_derivative 10, outputs 4, energy 5,
 //     power_balance 18, guards 8, guard_rates 9, resets 23, prepare 6, prepared_rate 9,
 //     prepared_jacobians 18.
 
@@ -26,8 +26,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 ::machinist_contract::simulator! {
     /// Mass bouncing on a shaken plate
     ///
-    /// The plate shakes at 10 Hz with seven tenths of the acceleration of free fall. The mass
-    /// settles into one bounce a period.
+    /// The plate shakes at 10 Hz with an acceleration amplitude of 0.7 g. The mass settles into one bounce
+    /// per period.
     ///
     /// Source: Textbook; the orbit of one bounce a period is in closed form.
     BouncingMass: "bouncing_mass", "Mass bouncing on a shaken plate";
@@ -39,12 +39,12 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 ::machinist_contract::parameters! {
     amplitude: 0.001_739_5, "m", "amplitude", "A, amplitude of the plate";
     frequency: 62.831_853_071_795_86, "rad/s", "frequency", "w, angular frequency of the plate";
-    height: 0.009, "m", "height", "height of the mass at the start";
-    speed: -0.33, "m/s", "speed", "its velocity at the start, upwards";
-    ball_mass: 0.5, "kg", "ball.mass", "the mass";
-    ball_gravity: 9.81, "m/s^2", "ball.gravity", "acceleration of free fall";
-    ball_restitution: 0.8, "1", "ball.restitution", "speed after over speed before an impact, relative to the plate";
-    ball_rest_speed: 0.0001, "m/s", "ball.rest_speed", "impacts slower than that leave the mass on the plate";
+    height: 0.009, "m", "height", "initial height of the mass";
+    speed: -0.33, "m/s", "speed", "initial upward velocity of the mass";
+    ball_mass: 0.5, "kg", "ball.mass", "mass";
+    ball_gravity: 9.81, "m/s^2", "ball.gravity", "gravitational acceleration";
+    ball_restitution: 0.8, "1", "ball.restitution", "coefficient of restitution";
+    ball_rest_speed: 0.0001, "m/s", "ball.rest_speed", "impact speed below which the mass stays on the plate";
 }
 
 ::machinist_contract::outputs! {
@@ -61,8 +61,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 }
 
 ::machinist_contract::events! {
-    "ball.impact": Falling, when [(2, 0.0)], sets [1, 2], "the mass meets the plate";
-    "ball.lift_off": Falling, when [(2, 1.0)], sets [2], "the plate falls away";
+    "ball.impact": Falling, when [(2, 0.0)], sets [1, 2], "impact on the plate";
+    "ball.lift_off": Falling, when [(2, 1.0)], sets [2], "the mass lifts off the plate";
 }
 
 ::machinist_contract::patterns! {
@@ -79,7 +79,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     ball_mass_times_frequency_squared, t0
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 6 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 6 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -155,23 +155,22 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let plate = p.amplitude * sin_frequency_times_time;
     let plate_speed = c.amplitude_times_frequency * cos_frequency_times_time;
     let ball_v_dot_by_amplitude = R::select_less(ball_resting, R::literal(0.5), R::literal(0.0),
-        -(c.ball_mass_times_frequency_squared * sin_frequency_times_time)) * c.inverse_ball_mass;
+        -(c.ball_mass_times_frequency_squared * sin_frequency_times_time * c.inverse_ball_mass));
     let ball_v_dot_by_frequency = R::select_less(ball_resting, R::literal(0.5), R::literal(0.0),
-        p.ball_mass * (c.t0 * plate).sub_product(frequency_times_time, plate_speed))
-        * c.inverse_ball_mass;
+        p.ball_mass * (c.t0 * plate).sub_product(frequency_times_time, plate_speed)
+        * c.inverse_ball_mass);
     let ball_v_dot_by_ball_gravity = (R::select_less(ball_resting, R::literal(0.5),
         R::literal(0.0), p.ball_mass) - p.ball_mass) * c.inverse_ball_mass;
     [R::literal(1.0), ball_v_dot_by_amplitude, ball_v_dot_by_frequency, ball_v_dot_by_ball_gravity]
 }
 
-/// Partial derivative of `y'` with respect to time. 11 operations.
+/// Partial derivative of `y'` with respect to time. 10 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [_, _, ball_resting] = *state;
     let plate_speed = p.amplitude * p.frequency * (p.frequency * time).cos();
     let ball_v_dot_by_time = R::select_less(ball_resting, R::literal(0.5), R::literal(0.0),
-        -(p.ball_mass * (p.frequency * p.frequency) * plate_speed)) * (R::literal(1.0)
-        / p.ball_mass);
+        p.ball_mass * (p.frequency * p.frequency) * plate_speed * (R::literal(-1.0) / p.ball_mass));
     [R::literal(0.0), ball_v_dot_by_time, R::literal(0.0)]
 }
 

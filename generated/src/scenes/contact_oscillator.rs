@@ -3,64 +3,70 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   88ef63c78e86c26fddbb155af33e6a2671afb454b0ba926a3aba7ed701abc3b7  scenes/contact_oscillator.toml
-//   b89067c816e10427968bc604c723a20932ff583014a50ed594bbbd44a7a2e969  units/sprung_mass.toml
-//   ba7091151eea519f09b3f1769a114b1ef1560ffb99281725c8799ac48a87c2c8  units/stop.toml
+//   0f6b56796f383d0b9880c6df9360bbad4a8dc600a310a7846ffaa1c962b1d74e  scenes/contact_oscillator.toml
+//   c8af9cbc8f8bab7920483e7aee1409777c222910f5dd879848e293281ff61e58  units/sprung_mass.toml
+//   be7f9d9c9d2b686ed58c85e7716c3da26c6f969604d8c11b496c98253a874cdc  units/stop.toml
 //
 // Oscillator with a one-sided stop
 //
-// A mass on a spring meets an elastic stop on one side: piecewise linear.
+// A mass on a spring meets an elastic stop on one side: a piecewise linear oscillator.
 //
 // Source:
 //   Textbook; exact, stitched from sinusoids.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 1, first-order states 1, states 3, parameters 7, outputs 4, events 2.
+// Shapes: coordinates 1, first-order states 1, states 3, parameters 7, outputs 4, events 2, kinks 1,
+//     relations 1.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 3 by 3, parameter_jacobian 6 of 3 by 7.
-// Operations: rate 12, forcing 10, rate_jacobian 9, parameter_jacobian 26, outputs 5, energy 12,
-//     power_balance 23, guards 5, guard_rates 19, prepare 4, prepared_rate 10,
-//     prepared_rate_jacobian 6, prepared_jacobians 30.
+// Operations: rate 12, forcing 10, rate_jacobian 9, parameter_jacobian 24, outputs 5, energy 12,
+//     power_balance 23, guards 6, guard_rates 20, kink_guards 5, kink_rates 16, prepare 5,
+//     prepared_rate 10, prepared_rate_jacobian 6, prepared_jacobians 27.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
 
 ::machinist_contract::simulator! {
     /// Oscillator with a one-sided stop
     ///
-    /// A mass on a spring meets an elastic stop on one side: piecewise linear.
+    /// A mass on a spring meets an elastic stop on one side: a piecewise linear oscillator.
     ///
     /// Source: Textbook; exact, stitched from sinusoids.
     ContactOscillator: "contact_oscillator", "Oscillator with a one-sided stop";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    events; prepared; jacobians_at_once; series 0;
+    events; prepared; jacobians_at_once; kinks 1; relations; series 0;
 }
 
 ::machinist_contract::parameters! {
-    deflection: -0.02, "m", "deflection", "deflection at the start";
-    oscillator_mass: 1.0, "kg", "oscillator.mass", "the mass";
-    oscillator_stiffness: 400.0, "N/m", "oscillator.stiffness", "spring";
-    oscillator_damping: 0.0, "N s/m", "oscillator.damping", "damper";
-    stop_distance: 0.005, "m", "stop.distance", "place of the stop";
-    stop_stiffness: 10000.0, "N/m", "stop.stiffness", "spring of the stop";
-    stop_damping: 0.0, "N s/m", "stop.damping", "damper of the stop";
+    deflection: -0.02, "m", "deflection", "initial deflection";
+    oscillator_mass: 1.0, "kg", "oscillator.mass", "mass";
+    oscillator_stiffness: 400.0, "N/m", "oscillator.stiffness", "stiffness of the spring";
+    oscillator_damping: 0.0, "N s/m", "oscillator.damping", "damping";
+    stop_distance: 0.005, "m", "stop.distance", "position of the stop";
+    stop_stiffness: 10000.0, "N/m", "stop.stiffness", "stiffness of the stop";
+    stop_damping: 0.0, "N s/m", "stop.damping", "damping of the stop";
+    @ held_1: Branch;
 }
 
 ::machinist_contract::outputs! {
     deflection: "m", "deflection", "deflection of the spring";
     velocity: "m/s", "velocity", "rate of deflection of the spring";
     force: "N", "force", "force of the stop";
-    closed: "1", "closed", "1 while the stop is touched";
+    closed: "1", "closed", "1 while in contact";
 }
 
 ::machinist_contract::states! {
     OSCILLATOR_X: position, 0.01, "m", "oscillator.x", "deflection of the spring";
     OSCILLATOR_V: velocity, 0.1, "m/s", "oscillator.v", "rate of deflection of the spring";
-    STOP_CLOSED: mode, 1.0, "1", "stop.closed", "1 while the stop is touched";
+    STOP_CLOSED: mode, 1.0, "1", "stop.closed", "1 while in contact";
 }
 
 ::machinist_contract::events! {
-    "stop.touches": Rising, when [(2, 0.0)], sets [2], "the stop is touched";
+    "stop.touches": Rising, when [(2, 0.0)], sets [2], "contact begins";
     "stop.opens": Falling, when [(2, 1.0)], sets [2], "the stop would pull";
+}
+
+::machinist_contract::relations! {
+    Branch [Event(0), Event(1)];
 }
 
 ::machinist_contract::patterns! {
@@ -74,10 +80,10 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 
 ::machinist_contract::constants! {
     inverse_oscillator_mass, stop_distance_times_stop_stiffness, minus_stop_stiffness,
-    minus_stop_damping
+    minus_stop_damping, t0
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 4 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 5 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -85,8 +91,9 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let stop_distance_times_stop_stiffness = p.stop_distance * p.stop_stiffness;
     let minus_stop_stiffness = -p.stop_stiffness;
     let minus_stop_damping = -p.stop_damping;
+    let t0 = p.stop_stiffness * inverse_oscillator_mass;
     Constants { inverse_oscillator_mass, stop_distance_times_stop_stiffness, minus_stop_stiffness,
-        minus_stop_damping }
+        minus_stop_damping, t0 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -145,7 +152,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
 }
 
 /// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
-/// 30 operations.
+/// 27 operations.
 #[must_use]
 pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 9] {
@@ -163,11 +170,11 @@ pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let oscillator_v_dot_by_oscillator_stiffness = -(oscillator_x * c.inverse_oscillator_mass);
     let oscillator_v_dot_by_oscillator_damping = -(oscillator_v * c.inverse_oscillator_mass);
     let oscillator_v_dot_by_stop_distance = R::select_less(stop_closed, R::literal(0.5),
-        R::literal(0.0), p.stop_stiffness) * c.inverse_oscillator_mass;
+        R::literal(0.0), c.t0);
     let oscillator_v_dot_by_stop_stiffness = R::select_less(stop_closed, R::literal(0.5),
-        R::literal(0.0), p.stop_distance - oscillator_x) * c.inverse_oscillator_mass;
+        R::literal(0.0), (p.stop_distance - oscillator_x) * c.inverse_oscillator_mass);
     let oscillator_v_dot_by_stop_damping = R::select_less(stop_closed, R::literal(0.5),
-        R::literal(0.0), -oscillator_v) * c.inverse_oscillator_mass;
+        R::literal(0.0), oscillator_v_dot_by_oscillator_damping);
     [R::literal(1.0), oscillator_v_dot_by_oscillator_x, oscillator_v_dot_by_oscillator_v,
         oscillator_v_dot_by_oscillator_mass, oscillator_v_dot_by_oscillator_stiffness,
         oscillator_v_dot_by_oscillator_damping, oscillator_v_dot_by_stop_distance,
@@ -229,18 +236,18 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
     }
 }
 
-/// What passes zero where events happen, one for each event. 5 operations.
+/// What passes zero where events happen, one for each event. 6 operations.
 #[must_use]
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [oscillator_x, oscillator_v, ..] = *state;
     let stop_compression = oscillator_x - p.stop_distance;
     let t0 = p.stop_stiffness * stop_compression;
     let stop_push = t0.add_product(p.stop_damping, oscillator_v);
-    let stop_contact = R::select_less(t0, stop_push, t0, stop_push);
+    let stop_contact = R::select_less(t0 + p.held_1, stop_push, t0, stop_push);
     [stop_contact, stop_contact]
 }
 
-/// `dg/dt` of the guards along the motion. 19 operations.
+/// `dg/dt` of the guards along the motion. 20 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [oscillator_x, oscillator_v, stop_closed] = *state;
@@ -252,8 +259,8 @@ pub fn guard_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
         (p.stop_distance * p.stop_stiffness).sub_product(p.stop_stiffness, oscillator_x)
         - stop_damping_times_oscillator_v).sub_product(p.oscillator_stiffness, oscillator_x)
         .sub_product(p.oscillator_damping, oscillator_v) * (R::literal(1.0) / p.oscillator_mass);
-    let stop_touches_guard_rate = (p.stop_stiffness * oscillator_v).add_product(R::select_less(t0,
-        stop_push, R::literal(0.0), p.stop_damping), oscillator_v_dot);
+    let stop_touches_guard_rate = (p.stop_stiffness * oscillator_v).add_product(R::select_less(t0
+        + p.held_1, stop_push, R::literal(0.0), p.stop_damping), oscillator_v_dot);
     [stop_touches_guard_rate, stop_touches_guard_rate]
 }
 
@@ -262,6 +269,33 @@ pub fn guard_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
 #[must_use]
 pub fn resets<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; RESETS] {
     [R::literal(1.0), R::literal(0.0)]
+}
+
+/// What passes zero where the rate has a kink or a jump: arguments of `abs` and `sign`, differences
+/// of what `min` and `max` compare, ends of tables. 5 operations.
+#[must_use]
+pub fn kink_guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; KINKS] {
+    let [oscillator_x, oscillator_v, ..] = *state;
+    let stop_compression = oscillator_x - p.stop_distance;
+    let t0 = p.stop_stiffness * stop_compression;
+    let stop_push = t0.add_product(p.stop_damping, oscillator_v);
+    let kink_1 = t0 - stop_push;
+    [kink_1]
+}
+
+/// Rates along the motion of what passes zero at kinks. 16 operations.
+#[must_use]
+pub fn kink_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; KINKS] {
+    let [oscillator_x, oscillator_v, stop_closed] = *state;
+    let oscillator_v_dot = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
+        (p.stop_distance * p.stop_stiffness).sub_product(p.stop_stiffness, oscillator_x)
+        .sub_product(p.stop_damping, oscillator_v)).sub_product(p.oscillator_stiffness,
+        oscillator_x).sub_product(p.oscillator_damping, oscillator_v) * (R::literal(1.0)
+        / p.oscillator_mass);
+    let stop_stiffness_times_oscillator_v = p.stop_stiffness * oscillator_v;
+    let kink_rate_1 = stop_stiffness_times_oscillator_v - stop_stiffness_times_oscillator_v
+        .add_product(p.stop_damping, oscillator_v_dot);
+    [kink_rate_1]
 }
 
 /// Normalized Taylor coefficients of the solution through `state`, order after order.

@@ -3,13 +3,13 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   623629d455d12d8ac289b2f7651abfa544e0ce4f9b215a11f46b15b633e56a79  scenes/contact_oscillator_smooth.toml
-//   b89067c816e10427968bc604c723a20932ff583014a50ed594bbbd44a7a2e969  units/sprung_mass.toml
-//   8899d6fe44f60d7c60a17055ab100c0627cff4e8e8c61d6d5235170177020f3f  units/stop_smooth.toml
+//   77348d9235a88c43d426cb6ba26a022bf24c59d1bb0383851a02b3a5d3e413d4  scenes/contact_oscillator_smooth.toml
+//   c8af9cbc8f8bab7920483e7aee1409777c222910f5dd879848e293281ff61e58  units/sprung_mass.toml
+//   26d300375a958de6b3de07d817393c5eeb494f9bcbb81aac4c13ce990277d88b  units/stop_smooth.toml
 //
 // Oscillator with a one-sided stop, smoothed
 //
-// The smooth twin of `contact_oscillator`.
+// Smoothed variant of `contact_oscillator`.
 //
 // Source:
 //   Textbook.
@@ -28,7 +28,7 @@ use ::machinist_contract::{
 ::machinist_contract::simulator! {
     /// Oscillator with a one-sided stop, smoothed
     ///
-    /// The smooth twin of \`contact_oscillator\`.
+    /// Smoothed variant of \`contact_oscillator\`.
     ///
     /// Source: Textbook.
     ContactOscillatorSmooth: "contact_oscillator_smooth", "Oscillator with a one-sided stop, smoothed";
@@ -38,12 +38,12 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::parameters! {
-    deflection: -0.02, "m", "deflection", "deflection at the start";
-    oscillator_mass: 1.0, "kg", "oscillator.mass", "the mass";
-    oscillator_stiffness: 400.0, "N/m", "oscillator.stiffness", "spring";
-    oscillator_damping: 0.0, "N s/m", "oscillator.damping", "damper";
-    stop_distance: 0.005, "m", "stop.distance", "place of the stop";
-    stop_stiffness: 10000.0, "N/m", "stop.stiffness", "spring of the stop";
+    deflection: -0.02, "m", "deflection", "initial deflection";
+    oscillator_mass: 1.0, "kg", "oscillator.mass", "mass";
+    oscillator_stiffness: 400.0, "N/m", "oscillator.stiffness", "stiffness of the spring";
+    oscillator_damping: 0.0, "N s/m", "oscillator.damping", "damping";
+    stop_distance: 0.005, "m", "stop.distance", "position of the stop";
+    stop_stiffness: 10000.0, "N/m", "stop.stiffness", "stiffness of the stop";
     stop_width: 0.0005, "m", "stop.width", "travel over which the force bends";
 }
 
@@ -71,7 +71,7 @@ use ::machinist_contract::{
     stop_stiffness_times_stop_width
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 10 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 10 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

@@ -3,13 +3,13 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   5b21f124f7e0a6211a994e4f2d3a27d65a27408738c26a5f6a27f6e735b15249  scenes/coulomb_oscillator.toml
-//   470e52cfc081a1464e8221197db93c5fe7bcbc6adf730690d922a663aafb9155  units/friction_slider.toml
+//   33ad32c929bed6f6587691d53732075de1dba09d03a141d01d114960e95b60c3  scenes/coulomb_oscillator.toml
+//   20a0591abcd3ca69d82a9ebbe1c7481bbac99db97a2ce882f76b3c4ed51aef89  units/friction_slider.toml
 //
-// Oscillator braked by dry friction
+// Oscillator damped by dry friction
 //
-// The mass of `stick_slip` on a belt at rest, let go: half cycles about centres that lie off
-// on either side, until friction holds it.
+// The mass of `stick_slip`, released on a belt at rest. It moves in half cycles about centres offset
+// to either side until it sticks.
 //
 // Source:
 //   Textbook; exact half cycle by half cycle.
@@ -26,51 +26,51 @@ use ::machinist_contract::{
 };
 
 ::machinist_contract::simulator! {
-    /// Oscillator braked by dry friction
+    /// Oscillator damped by dry friction
     ///
-    /// The mass of \`stick_slip\` on a belt at rest, let go: half cycles about centres that lie off
-    /// on either side, until friction holds it.
+    /// The mass of \`stick_slip\`, released on a belt at rest. It moves in half cycles about centres offset
+    /// to either side until it sticks.
     ///
     /// Source: Textbook; exact half cycle by half cycle.
-    CoulombOscillator: "coulomb_oscillator", "Oscillator braked by dry friction";
+    CoulombOscillator: "coulomb_oscillator", "Oscillator damped by dry friction";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
     events; prepared; jacobians_at_once; series 2 Saturates;
 }
 
 ::machinist_contract::parameters! {
-    deflection: 0.097, "m", "deflection", "deflection at the start, large enough to slide";
-    slider_mass: 1.0, "kg", "slider.mass", "the mass";
-    slider_stiffness: 400.0, "N/m", "slider.stiffness", "spring";
-    slider_damping: 0.0, "N s/m", "slider.damping", "damper beside the spring";
-    slider_normal_force: 10.0, "N", "slider.normal_force", "force that presses the mass on the belt";
-    slider_static_friction: 0.4, "1", "slider.static_friction", "largest friction while it sticks, over the normal force";
-    slider_kinetic_friction: 0.25, "1", "slider.kinetic_friction", "friction at high sliding speed, likewise";
-    slider_stribeck_friction: 0.0, "1", "slider.stribeck_friction", "by how much it is larger at low sliding speed, likewise";
-    slider_stribeck_speed: 0.05, "m/s", "slider.stribeck_speed", "sliding speed over which that falls";
-    slider_sticking_speed: 1e-6, "m/s", "slider.sticking_speed", "faster than that it cannot stick";
+    deflection: 0.097, "m", "deflection", "initial deflection, large enough to slip";
+    slider_mass: 1.0, "kg", "slider.mass", "mass";
+    slider_stiffness: 400.0, "N/m", "slider.stiffness", "stiffness of the spring";
+    slider_damping: 0.0, "N s/m", "slider.damping", "damping";
+    slider_normal_force: 10.0, "N", "slider.normal_force", "normal force";
+    slider_static_friction: 0.4, "1", "slider.static_friction", "coefficient of static friction";
+    slider_kinetic_friction: 0.25, "1", "slider.kinetic_friction", "coefficient of kinetic friction at high sliding speed";
+    slider_stribeck_friction: 0.0, "1", "slider.stribeck_friction", "increase of the coefficient at low sliding speed";
+    slider_stribeck_speed: 0.05, "m/s", "slider.stribeck_speed", "sliding speed over which the increase decays";
+    slider_sticking_speed: 1e-6, "m/s", "slider.sticking_speed", "sliding speed above which the mass cannot stick";
 }
 
 ::machinist_contract::outputs! {
     deflection: "m", "deflection", "deflection of the spring";
     velocity: "m/s", "velocity", "rate of deflection of the spring";
-    friction: "N", "friction", "friction on the mass";
-    slip: "1", "slip", "-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth" as "slip: \\-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth \\[1\\].";
+    friction: "N", "friction", "friction force on the mass";
+    slip: "1", "slip", "-1 while the mass slips backward on the belt, 0 while it sticks, 1 while it slips forward" as "slip: \\-1 while the mass slips backward on the belt, 0 while it sticks, 1 while it slips forward \\[1\\].";
 }
 
 ::machinist_contract::states! {
     SLIDER_X: position, 0.01, "m", "slider.x", "deflection of the spring";
     SLIDER_V: velocity, 0.1, "m/s", "slider.v", "rate of deflection of the spring";
-    SLIDER_SLIP: mode, 1.0, "1", "slider.slip", "-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth" as "slider.slip: \\-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth \\[1\\].";
+    SLIDER_SLIP: mode, 1.0, "1", "slider.slip", "-1 while the mass slips backward on the belt, 0 while it sticks, 1 while it slips forward" as "slider.slip: \\-1 while the mass slips backward on the belt, 0 while it sticks, 1 while it slips forward \\[1\\].";
 }
 
 ::machinist_contract::events! {
-    "slider.breaks_back": Rising, when [(2, 0.0)], sets [2], "friction holds no longer: the mass slides back";
-    "slider.breaks_forth": Falling, when [(2, 0.0)], sets [2], "friction holds no longer: the mass slides forth";
-    "slider.thrown_back": Falling, when [(2, 0.0)], sets [2], "it slides back, and cannot stick";
-    "slider.thrown_forth": Rising, when [(2, 0.0)], sets [2], "it slides forth, and cannot stick";
-    "slider.ends_back": Rising, when [(2, -1.0)], sets [1, 2], "the mass has slid back; it sticks or slides forth";
-    "slider.ends_forth": Falling, when [(2, 1.0)], sets [1, 2], "the mass has slid forth; it sticks or slides back";
+    "slider.breaks_back": Rising, when [(2, 0.0)], sets [2], "the friction limit is reached: the mass slips backward";
+    "slider.breaks_forth": Falling, when [(2, 0.0)], sets [2], "the friction limit is reached: the mass slips forward";
+    "slider.thrown_back": Falling, when [(2, 0.0)], sets [2], "the backward speed is too high to stick";
+    "slider.thrown_forth": Rising, when [(2, 0.0)], sets [2], "the forward speed is too high to stick";
+    "slider.ends_back": Rising, when [(2, -1.0)], sets [1, 2], "backward slip ends: the mass sticks or slips forward";
+    "slider.ends_forth": Falling, when [(2, 1.0)], sets [1, 2], "forward slip ends: the mass sticks or slips backward";
 }
 
 ::machinist_contract::patterns! {
@@ -86,7 +86,7 @@ use ::machinist_contract::{
     t0, inverse_slider_mass, inverse_slider_stribeck_speed, t1, t2, t3, minus_slider_normal_force, t4
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 9 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 9 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

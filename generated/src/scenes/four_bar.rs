@@ -3,13 +3,13 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   d2c75a90dbcb8c06281a8cefccfd565b2e1085edd377fb79777746de2b897e53  scenes/four_bar.toml
-//   b4594591158f68ce8c9070674fa9b2138edb31e0a5645bf03c9d1c4965420587  units/planar_body.toml
+//   5d872f4d91d720109ea5ca50f877536b1a517c3603286d4a0c07cadaf81cf1ba  scenes/four_bar.toml
+//   9870540d48dd190f3f4e3c2fea172f613c63b75b8e7bdb1d3432a0e230aaf646  units/planar_body.toml
 //
 // Four-bar linkage under gravity
 //
-// Crank, coupler and rocker pinned to one another and to the frame. Let go near the crank's
-// upper position with a push, the crank turns over and over; nothing brakes it.
+// Crank, coupler and rocker pinned to one another and to the frame. Released with a push near its
+// upper position, the crank turns over and over without damping.
 //
 // Source:
 //   Textbook; Freudenstein's equation.
@@ -27,8 +27,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
 ::machinist_contract::simulator! {
     /// Four-bar linkage under gravity
     ///
-    /// Crank, coupler and rocker pinned to one another and to the frame. Let go near the crank's
-    /// upper position with a push, the crank turns over and over; nothing brakes it.
+    /// Crank, coupler and rocker pinned to one another and to the frame. Released with a push near its
+    /// upper position, the crank turns over and over without damping.
     ///
     /// Source: Textbook; Freudenstein's equation.
     FourBar: "four_bar", "Four-bar linkage under gravity";
@@ -38,62 +38,62 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
 }
 
 ::machinist_contract::parameters! {
-    base: 0.22, "m", "base", "distance of the two pins in the frame";
-    angle: 1.5, "rad", "angle", "angle of the crank at the start";
-    speed: 25.0, "rad/s", "speed", "speed of the crank at the start";
+    base: 0.22, "m", "base", "distance between the pins in the frame";
+    angle: 1.5, "rad", "angle", "initial angle of the crank";
+    speed: 25.0, "rad/s", "speed", "initial speed of the crank";
     crank_length: 0.1, "m", "crank.length", "length of the bar";
-    crank_mass: 0.5, "kg", "crank.mass", "the mass";
+    crank_mass: 0.5, "kg", "crank.mass", "mass";
     crank_inertia: 0.00045, "kg m^2", "crank.inertia", "moment of inertia about the centre of mass";
-    crank_gravity: 9.81, "m/s^2", "crank.gravity", "acceleration of free fall";
+    crank_gravity: 9.81, "m/s^2", "crank.gravity", "gravitational acceleration";
     coupler_length: 0.25, "m", "coupler.length", "length of the bar";
-    coupler_mass: 0.9, "kg", "coupler.mass", "the mass";
+    coupler_mass: 0.9, "kg", "coupler.mass", "mass";
     coupler_inertia: 0.0047, "kg m^2", "coupler.inertia", "moment of inertia about the centre of mass";
-    coupler_gravity: 9.81, "m/s^2", "coupler.gravity", "acceleration of free fall";
+    coupler_gravity: 9.81, "m/s^2", "coupler.gravity", "gravitational acceleration";
     rocker_length: 0.2, "m", "rocker.length", "length of the bar";
-    rocker_mass: 0.7, "kg", "rocker.mass", "the mass";
+    rocker_mass: 0.7, "kg", "rocker.mass", "mass";
     rocker_inertia: 0.0024, "kg m^2", "rocker.inertia", "moment of inertia about the centre of mass";
-    rocker_gravity: 9.81, "m/s^2", "rocker.gravity", "acceleration of free fall";
+    rocker_gravity: 9.81, "m/s^2", "rocker.gravity", "gravitational acceleration";
 }
 
 ::machinist_contract::outputs! {
-    crank_angle: "rad", "crank_angle", "angle of the bar from sideways";
-    coupler_angle: "rad", "coupler_angle", "angle of the bar from sideways";
-    rocker_angle: "rad", "rocker_angle", "angle of the bar from sideways";
-    crank_speed: "rad/s", "crank_speed", "rate of angle of the bar from sideways";
-    pin_force_x: at_once "N", "pin_force_x", "force of the frame on the crank, sideways";
-    pin_force_y: at_once "N", "pin_force_y", "force of the frame on the crank, upwards";
+    crank_angle: "rad", "crank_angle", "angle of the bar from the horizontal";
+    coupler_angle: "rad", "coupler_angle", "angle of the bar from the horizontal";
+    rocker_angle: "rad", "rocker_angle", "angle of the bar from the horizontal";
+    crank_speed: "rad/s", "crank_speed", "rate of angle of the bar from the horizontal";
+    pin_force_x: at_once "N", "pin_force_x", "horizontal force of the frame on the crank";
+    pin_force_y: at_once "N", "pin_force_y", "upward force of the frame on the crank";
 }
 
 ::machinist_contract::states! {
-    CRANK_X: position guess, 0.1, "m", "crank.x", "centre of mass, sideways";
-    CRANK_Y: position guess, 0.1, "m", "crank.y", "centre of mass, upwards";
-    CRANK_PHI: position, 1.0, "rad", "crank.phi", "angle of the bar from sideways";
-    COUPLER_X: position guess, 0.1, "m", "coupler.x", "centre of mass, sideways";
-    COUPLER_Y: position guess, 0.1, "m", "coupler.y", "centre of mass, upwards";
-    COUPLER_PHI: position guess, 1.0, "rad", "coupler.phi", "angle of the bar from sideways";
-    ROCKER_X: position guess, 0.1, "m", "rocker.x", "centre of mass, sideways";
-    ROCKER_Y: position guess, 0.1, "m", "rocker.y", "centre of mass, upwards";
-    ROCKER_PHI: position guess, 1.0, "rad", "rocker.phi", "angle of the bar from sideways";
-    CRANK_V_X: velocity guess, 1.0, "m/s", "crank.v_x", "rate of centre of mass, sideways";
-    CRANK_V_Y: velocity guess, 1.0, "m/s", "crank.v_y", "rate of centre of mass, upwards";
-    CRANK_OMEGA: velocity, 10.0, "rad/s", "crank.omega", "rate of angle of the bar from sideways";
-    COUPLER_V_X: velocity guess, 1.0, "m/s", "coupler.v_x", "rate of centre of mass, sideways";
-    COUPLER_V_Y: velocity guess, 1.0, "m/s", "coupler.v_y", "rate of centre of mass, upwards";
-    COUPLER_OMEGA: velocity guess, 10.0, "rad/s", "coupler.omega", "rate of angle of the bar from sideways";
-    ROCKER_V_X: velocity guess, 1.0, "m/s", "rocker.v_x", "rate of centre of mass, sideways";
-    ROCKER_V_Y: velocity guess, 1.0, "m/s", "rocker.v_y", "rate of centre of mass, upwards";
-    ROCKER_OMEGA: velocity guess, 10.0, "rad/s", "rocker.omega", "rate of angle of the bar from sideways";
+    CRANK_X: position guess, 0.1, "m", "crank.x", "horizontal position of the centre of mass";
+    CRANK_Y: position guess, 0.1, "m", "crank.y", "height of the centre of mass";
+    CRANK_PHI: position, 1.0, "rad", "crank.phi", "angle of the bar from the horizontal";
+    COUPLER_X: position guess, 0.1, "m", "coupler.x", "horizontal position of the centre of mass";
+    COUPLER_Y: position guess, 0.1, "m", "coupler.y", "height of the centre of mass";
+    COUPLER_PHI: position guess, 1.0, "rad", "coupler.phi", "angle of the bar from the horizontal";
+    ROCKER_X: position guess, 0.1, "m", "rocker.x", "horizontal position of the centre of mass";
+    ROCKER_Y: position guess, 0.1, "m", "rocker.y", "height of the centre of mass";
+    ROCKER_PHI: position guess, 1.0, "rad", "rocker.phi", "angle of the bar from the horizontal";
+    CRANK_V_X: velocity guess, 1.0, "m/s", "crank.v_x", "rate of horizontal position of the centre of mass";
+    CRANK_V_Y: velocity guess, 1.0, "m/s", "crank.v_y", "rate of height of the centre of mass";
+    CRANK_OMEGA: velocity, 10.0, "rad/s", "crank.omega", "rate of angle of the bar from the horizontal";
+    COUPLER_V_X: velocity guess, 1.0, "m/s", "coupler.v_x", "rate of horizontal position of the centre of mass";
+    COUPLER_V_Y: velocity guess, 1.0, "m/s", "coupler.v_y", "rate of height of the centre of mass";
+    COUPLER_OMEGA: velocity guess, 10.0, "rad/s", "coupler.omega", "rate of angle of the bar from the horizontal";
+    ROCKER_V_X: velocity guess, 1.0, "m/s", "rocker.v_x", "rate of horizontal position of the centre of mass";
+    ROCKER_V_Y: velocity guess, 1.0, "m/s", "rocker.v_y", "rate of height of the centre of mass";
+    ROCKER_OMEGA: velocity guess, 10.0, "rad/s", "rocker.omega", "rate of angle of the bar from the horizontal";
 }
 
 ::machinist_contract::constraints! {
-    "pin_o_x": of_positions, "m", "the crank's pin in the frame, sideways";
-    "pin_o_y": of_positions, "m", "the crank's pin in the frame, upwards";
-    "pin_a_x": of_positions, "m", "pin between crank and coupler, sideways";
-    "pin_a_y": of_positions, "m", "pin between crank and coupler, upwards";
-    "pin_b_x": of_positions, "m", "pin between coupler and rocker, sideways";
-    "pin_b_y": of_positions, "m", "pin between coupler and rocker, upwards";
-    "pin_c_x": of_positions, "m", "the rocker's pin in the frame, sideways";
-    "pin_c_y": of_positions, "m", "the rocker's pin in the frame, upwards";
+    "pin_o_x": of_positions, "m", "the crank's pin in the frame, horizontal";
+    "pin_o_y": of_positions, "m", "the crank's pin in the frame, vertical";
+    "pin_a_x": of_positions, "m", "pin between crank and coupler, horizontal";
+    "pin_a_y": of_positions, "m", "pin between crank and coupler, vertical";
+    "pin_b_x": of_positions, "m", "pin between coupler and rocker, horizontal";
+    "pin_b_y": of_positions, "m", "pin between coupler and rocker, vertical";
+    "pin_c_x": of_positions, "m", "the rocker's pin in the frame, horizontal";
+    "pin_c_y": of_positions, "m", "the rocker's pin in the frame, vertical";
 }
 
 ::machinist_contract::patterns! {
@@ -121,7 +121,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
     inverse_crank_mass_times_crank_mass, t6, t7
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 18 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 18 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

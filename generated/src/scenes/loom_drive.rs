@@ -3,18 +3,17 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   4ec70f4942aff7984d7880608abe7fca2facb67c1385522b8728c2d3f368accd  scenes/loom_drive.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
-//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
-//   dc92d4b5c034e6768d678dacf12dae6d316acfe1a8702cc76ad48de5008ecaad  units/textile/loom_shaft.toml
-//   1d0520b4231bba2b7140446b5e9a17db2010e38b2cce6a238c16742d74a3f154  units/textile/reed.toml
-//   776b00d95a270cd538ccbb33c56fd307af850ed7a7e75f0928f7a9fa2200474d  units/textile/cloth_fell_contact.toml
+//   29f1b0af4834db9b42b54f798d4c06bdc4372ffc1ec853bda4294d4ddeb8071d  scenes/loom_drive.toml
+//   03bebde2dcd618fcbd0662a0f5e63f806e09d154c0fc25f1f0527c30944dd55e  units/textile/induction_motor.toml
+//   512419e5aa73ad1710ef3556037050e97b898e87a7d5d8a4e9c4b03a7a8b0141  units/coupling.toml
+//   dfe11eec2c46ab2845d6693f49f4f3634573d8ca64fadaf874b71b4c8dcafb3a  units/textile/loom_shaft.toml
+//   26e14d50834ad425bb0bc762e8b125d605c2c6b5f805586de92628a7bf67982c  units/textile/reed.toml
+//   00194fa7aada6df5187ca4fb9b608bd4cbec21105dda9447be2267c590d0c0c2  units/textile/cloth_fell_contact.toml
 //
-// Loom: motor, coupling, shaft and reed in one machine
+// Loom: motor, coupling, shaft and reed
 //
-// An induction motor turns a crank through the coupling and a gear; the crank rocks the
-// driven end of the reed's shaft through the drive spring, and the reed presses the cloth
-// fell.
+// An induction motor turns a crank through the coupling and a gear. The crank rocks the driven end of
+// the reed's shaft through the drive spring. The reed presses the cloth fell.
 //
 // Source:
 //   Saw-gin study (2020) for motor and coupling; reed study for shaft and reed. Crank, gear and brake torque are ours.
@@ -29,14 +28,13 @@
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::simulator! {
-    /// Loom: motor, coupling, shaft and reed in one machine
+    /// Loom: motor, coupling, shaft and reed
     ///
-    /// An induction motor turns a crank through the coupling and a gear; the crank rocks the
-    /// driven end of the reed's shaft through the drive spring, and the reed presses the cloth
-    /// fell.
+    /// An induction motor turns a crank through the coupling and a gear. The crank rocks the driven end of
+    /// the reed's shaft through the drive spring. The reed presses the cloth fell.
     ///
     /// Source: Saw-gin study (2020) for motor and coupling; reed study for shaft and reed. Crank, gear and brake torque are ours.
-    LoomDrive: "loom_drive", "Loom: motor, coupling, shaft and reed in one machine";
+    LoomDrive: "loom_drive", "Loom: motor, coupling, shaft and reed";
     run from 0.0, until 2.0, points 2001, rtol 1e-7, method "rodas5p";
     quadratures 0, discontinuities 0;
     prepared; jacobians_apart;
@@ -44,30 +42,30 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::parameters! {
     motor_inertia: 4.2, "kg m^2", "motor.inertia", "moment of inertia of the rotor";
-    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "root mean square of the phase voltage";
-    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "frequency of the supply";
-    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "phase of the supply at the start";
-    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pairs of poles";
+    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "RMS phase voltage";
+    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "supply frequency";
+    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "initial phase of the supply";
+    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pole pairs";
     motor_k_s: 0.956, "1", "motor.k_s", "stator coupling factor x_mu/x_s";
     motor_k_r: 0.952, "1", "motor.k_r", "rotor coupling factor x_mu/x_r";
     motor_x_s: 4.14, "ohm", "motor.x_s", "stator reactance at supply frequency";
-    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay r_s/(sigma x_s)";
-    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay r_r/(sigma x_r)";
+    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay factor r_s/(sigma x_s)";
+    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay factor r_r/(sigma x_r)";
     coupling_stiffness: 23065.2, "N m/rad", "coupling.stiffness", "torsional stiffness";
     coupling_damping: 128.5346, "N m s/rad", "coupling.damping", "torsional damping";
-    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end for one turn of the driven end";
+    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end per turn of the driven end";
     crank_inertia: 2.0, "kg m^2", "crank.inertia", "inertia of crank and flywheel";
-    crank_ratio: 0.05, "1", "crank.ratio", "rocking angle of the drive, in rad, at full crank";
-    crank_stiffness: 45200.0, "N m/rad", "crank.stiffness", "drive spring";
-    crank_drag: 0.5, "N m s/rad", "crank.drag", "friction of the crank";
-    shaft_length: 1.75, "m", "shaft.length", "half of the shaft's length";
-    shaft_reed_position: 1.0, "m", "shaft.reed_position", "place of the reed";
+    crank_ratio: 0.05, "1", "crank.ratio", "amplitude of the rocking angle, in rad";
+    crank_stiffness: 45200.0, "N m/rad", "crank.stiffness", "stiffness of the drive spring";
+    crank_drag: 0.5, "N m s/rad", "crank.drag", "viscous friction of the crank";
+    shaft_length: 1.75, "m", "shaft.length", "half length of the shaft";
+    shaft_reed_position: 1.0, "m", "shaft.reed_position", "position of the reed";
     shaft_radius: 0.025, "m", "shaft.radius", "radius";
     shaft_density: 7659.0, "kg/m^3", "shaft.density", "density";
     shaft_shear_modulus: 7.692_307_692_307_692e10, "Pa", "shaft.shear_modulus", "shear modulus, E/(2 (1 + nu)) with E = 2e11 Pa, nu = 0.3";
     shaft_damping_time: 1e-6, "s", "shaft.damping_time", "Kelvin-Voigt damping time";
     reed_mass: 3.56, "kg", "reed.mass", "mass";
-    reed_arm: 0.025, "m", "reed.arm", "arm of the mass";
+    reed_arm: 0.025, "m", "reed.arm", "lever arm of the mass";
     reed_stiffness: 15600.0, "N m/rad", "reed.stiffness", "stiffness C1 of the spring between shaft and reed";
     fell_stiffness: 7800.0, "N m/rad", "fell.stiffness", "stiffness C2 of the contact";
     shaft_driven_field_inertia: 1.0, "J s^2/(rad)^2", "shaft.driven_field_inertia", "inertia of the field's node; the field sets it";
@@ -87,7 +85,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 ::machinist_contract::outputs! {
     motor_speed: "rad/s", "motor_speed", "rate of rotor angle";
     crank_speed: "rad/s", "crank_speed", "rate of angle of the crank";
-    drive_angle: "rad", "drive_angle", "angle imposed on the drive spring";
+    drive_angle: "rad", "drive_angle", "prescribed angle of the drive spring";
     shaft_angle: "rad", "shaft_angle", "angle of the section, at port reed";
     reed_angle: "rad", "reed_angle", "angle of the reed";
     stress_before: "Pa", "stress_before", "shear stress at the surface, on the driven side of the reed";
@@ -157,7 +155,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 1.75 => End, coordinate Some(4), handed 35;
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 79 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 79 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

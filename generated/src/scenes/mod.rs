@@ -41,7 +41,7 @@ pub mod contact_oscillator;
 )]
 pub mod contact_oscillator_smooth;
 
-/// Oscillator braked by dry friction
+/// Oscillator damped by dry friction
 #[cfg(feature = "coulomb_oscillator")]
 #[rustfmt::skip]
 #[allow(
@@ -65,7 +65,7 @@ pub mod coulomb_oscillator;
 )]
 pub mod four_bar;
 
-/// Loom: motor, coupling, shaft and reed in one machine
+/// Loom: motor, coupling, shaft and reed
 #[cfg(feature = "loom_drive")]
 #[rustfmt::skip]
 #[allow(
@@ -77,7 +77,7 @@ pub mod four_bar;
 )]
 pub mod loom_drive;
 
-/// Induction motor running up empty
+/// No-load run-up of an induction motor
 #[cfg(feature = "motor_run_up")]
 #[rustfmt::skip]
 #[allow(
@@ -89,7 +89,7 @@ pub mod loom_drive;
 )]
 pub mod motor_run_up;
 
-/// Induction motor running up empty, from its co-energy
+/// No-load run-up of an induction motor, from its co-energy
 #[cfg(feature = "motor_stationary_axes")]
 #[rustfmt::skip]
 #[allow(
@@ -101,7 +101,7 @@ pub mod motor_run_up;
 )]
 pub mod motor_stationary_axes;
 
-/// Chain of three pendulums
+/// Triple pendulum
 #[cfg(feature = "pendulum_chain")]
 #[rustfmt::skip]
 #[allow(
@@ -113,7 +113,7 @@ pub mod motor_stationary_axes;
 )]
 pub mod pendulum_chain;
 
-/// Chain of three pendulums, by constraints
+/// Triple pendulum, by constraints
 #[cfg(feature = "pendulum_constrained")]
 #[rustfmt::skip]
 #[allow(
@@ -125,7 +125,7 @@ pub mod pendulum_chain;
 )]
 pub mod pendulum_constrained;
 
-/// Chain of three pendulums, by relative angles
+/// Triple pendulum in relative angles
 #[cfg(feature = "pendulum_relative")]
 #[rustfmt::skip]
 #[allow(
@@ -149,7 +149,7 @@ pub mod pendulum_relative;
 )]
 pub mod reed_beat_up;
 
-/// Beat-up of a reed against a fell that only pushes
+/// Beat-up of a reed against a one-sided fell
 #[cfg(feature = "reed_beat_up_one_sided")]
 #[rustfmt::skip]
 #[allow(
@@ -209,7 +209,7 @@ pub mod saw_gin_shaft;
 )]
 pub mod shaft_step_torque;
 
-/// Shaft with a rotor at each end, let go twisted
+/// Shaft with a rotor at each end, released twisted
 #[cfg(feature = "shaft_with_rotors")]
 #[rustfmt::skip]
 #[allow(
@@ -221,7 +221,7 @@ pub mod shaft_step_torque;
 )]
 pub mod shaft_with_rotors;
 
-/// Slider-crank turned at constant speed
+/// Slider-crank at constant speed
 #[cfg(feature = "slider_crank")]
 #[rustfmt::skip]
 #[allow(
@@ -257,7 +257,7 @@ pub mod stick_slip;
 )]
 pub mod stick_slip_smooth;
 
-/// Two rotors on an elasto-dissipative coupling
+/// Two rotors on a spring-damper coupling
 #[cfg(feature = "two_mass")]
 #[rustfmt::skip]
 #[allow(
@@ -281,7 +281,7 @@ pub mod two_mass;
 )]
 pub mod winder_full;
 
-/// Four-link bobbin holder, let go
+/// Four-link bobbin holder, released
 #[cfg(feature = "winder_holder_drop")]
 #[rustfmt::skip]
 #[allow(
@@ -317,7 +317,7 @@ pub mod winder_linear;
 )]
 pub mod winder_linear_as_printed;
 
-/// Four-link bobbin holder, at work
+/// Four-link bobbin holder, working position
 #[cfg(feature = "winder_linkage")]
 #[rustfmt::skip]
 #[allow(

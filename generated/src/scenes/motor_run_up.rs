@@ -3,10 +3,10 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   a5062b8e668a31a3a1f2e8be9d34a169f5b67518f80cffaba24072b22a0d9012  scenes/motor_run_up.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
+//   ead077ce80811540b3fd28cdc35e52dcbb6093b7d315e301114f21a448bba845  scenes/motor_run_up.toml
+//   03bebde2dcd618fcbd0662a0f5e63f806e09d154c0fc25f1f0527c30944dd55e  units/textile/induction_motor.toml
 //
-// Induction motor running up empty
+// No-load run-up of an induction motor
 //
 // The motor alone, from rest to synchronous speed.
 //
@@ -25,29 +25,29 @@ use ::machinist_contract::{
 };
 
 ::machinist_contract::simulator! {
-    /// Induction motor running up empty
+    /// No-load run-up of an induction motor
     ///
     /// The motor alone, from rest to synchronous speed.
     ///
     /// Source: Saw-gin study (2020), equations (2).
-    MotorRunUp: "motor_run_up", "Induction motor running up empty";
+    MotorRunUp: "motor_run_up", "No-load run-up of an induction motor";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     coordinates; prepared; jacobians_at_once; series 4;
 }
 
 ::machinist_contract::parameters! {
-    initial_speed: 0.0, "rad/s", "initial_speed", "speed at the start";
+    initial_speed: 0.0, "rad/s", "initial_speed", "initial speed";
     motor_inertia: 4.2, "kg m^2", "motor.inertia", "moment of inertia of the rotor";
-    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "root mean square of the phase voltage";
-    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "frequency of the supply";
-    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "phase of the supply at the start";
-    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pairs of poles";
+    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "RMS phase voltage";
+    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "supply frequency";
+    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "initial phase of the supply";
+    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pole pairs";
     motor_k_s: 0.956, "1", "motor.k_s", "stator coupling factor x_mu/x_s";
     motor_k_r: 0.952, "1", "motor.k_r", "rotor coupling factor x_mu/x_r";
     motor_x_s: 4.14, "ohm", "motor.x_s", "stator reactance at supply frequency";
-    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay r_s/(sigma x_s)";
-    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay r_r/(sigma x_r)";
+    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay factor r_s/(sigma x_s)";
+    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay factor r_r/(sigma x_r)";
 }
 
 ::machinist_contract::outputs! {
@@ -87,7 +87,7 @@ use ::machinist_contract::{
     minus_motor_u_y, t8, motor_k_r_over_motor_sigma, t9, motor_k_s_over_motor_sigma, t10
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 39 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 39 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

@@ -3,12 +3,13 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   883ed67acaeefe44bca648ebc7d8df0d9d81176ae5f064215d5ca401407adb64  scenes/motor_stationary_axes.toml
-//   e9e8bf67e0b7bff8dc9f9b2348036de3deddc04aca58719a44260665b98db265  units/textile/induction_motor_stationary.toml
+//   c0b80f5732a77d4a28be0e0b05a07ec7d5af6ce890dd0c1a18e9c103a7a85b97  scenes/motor_stationary_axes.toml
+//   fcfe841cdc092c0e1e704fe7f084a140202ddcbe7265bbceeac9558d7ad4bf18  units/textile/induction_motor_stationary.toml
 //
-// Induction motor running up empty, from its co-energy
+// No-load run-up of an induction motor, from its co-energy
 //
-// The run-up of `motor_run_up` with charges as coordinates: the same torque and speed by another way.
+// The run-up of `motor_run_up` with charges as coordinates: the same torque and speed from another
+// derivation.
 //
 // Source:
 //   Saw-gin study (2020), motor of equations (2), as a Lagrangian.
@@ -25,29 +26,30 @@ use ::machinist_contract::{
 };
 
 ::machinist_contract::simulator! {
-    /// Induction motor running up empty, from its co-energy
+    /// No-load run-up of an induction motor, from its co-energy
     ///
-    /// The run-up of \`motor_run_up\` with charges as coordinates: the same torque and speed by another way.
+    /// The run-up of \`motor_run_up\` with charges as coordinates: the same torque and speed from another
+    /// derivation.
     ///
     /// Source: Saw-gin study (2020), motor of equations (2), as a Lagrangian.
-    MotorStationaryAxes: "motor_stationary_axes", "Induction motor running up empty, from its co-energy";
+    MotorStationaryAxes: "motor_stationary_axes", "No-load run-up of an induction motor, from its co-energy";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     coordinates; prepared; jacobians_at_once; series 28;
 }
 
 ::machinist_contract::parameters! {
-    initial_speed: 0.0, "rad/s", "initial_speed", "speed at the start";
+    initial_speed: 0.0, "rad/s", "initial_speed", "initial speed";
     motor_inertia: 4.2, "kg m^2", "motor.inertia", "moment of inertia of the rotor";
-    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "root mean square of the phase voltage";
-    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "frequency of the supply";
-    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "phase of the supply at the start";
-    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pairs of poles";
+    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "RMS phase voltage";
+    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "supply frequency";
+    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "initial phase of the supply";
+    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pole pairs";
     motor_k_s: 0.956, "1", "motor.k_s", "stator coupling factor x_mu/x_s";
     motor_k_r: 0.952, "1", "motor.k_r", "rotor coupling factor x_mu/x_r";
     motor_x_s: 4.14, "ohm", "motor.x_s", "stator reactance at supply frequency";
-    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay R_s/(sigma x_s)";
-    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay R_r/(sigma x_r)";
+    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay factor R_s/(sigma x_s)";
+    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay factor R_r/(sigma x_r)";
 }
 
 ::machinist_contract::outputs! {
@@ -55,27 +57,27 @@ use ::machinist_contract::{
     torque: "N m", "torque", "electromagnetic torque";
     slip: "1", "slip", "slip";
     stator_current: "A", "stator_current", "amplitude of the stator current";
-    stator_alpha: "C/s", "stator_alpha", "rate of charge passed by the stator winding along alpha";
-    stator_beta: "C/s", "stator_beta", "rate of charge passed by the stator winding along beta";
-    rotor_first: "C/s", "rotor_first", "rate of charge passed by the rotor's first winding";
-    rotor_second: "C/s", "rotor_second", "rate of charge passed by the rotor's second winding";
+    stator_alpha: "C/s", "stator_alpha", "rate of charge through the stator winding along alpha";
+    stator_beta: "C/s", "stator_beta", "rate of charge through the stator winding along beta";
+    rotor_first: "C/s", "rotor_first", "rate of charge through the rotor's first winding";
+    rotor_second: "C/s", "rotor_second", "rate of charge through the rotor's second winding";
     angle: "rad", "angle", "rotor angle";
 }
 
 ::machinist_contract::states! {
     MOTOR_PHI: position, 150.0, "rad", "motor.phi", "rotor angle";
-    MOTOR_I_SA: velocity, 800.0, "C/s", "motor.i_sa", "rate of charge passed by the stator winding along alpha";
-    MOTOR_I_SB: velocity, 800.0, "C/s", "motor.i_sb", "rate of charge passed by the stator winding along beta";
-    MOTOR_I_RA: velocity, 800.0, "C/s", "motor.i_ra", "rate of charge passed by the rotor's first winding";
-    MOTOR_I_RB: velocity, 800.0, "C/s", "motor.i_rb", "rate of charge passed by the rotor's second winding";
+    MOTOR_I_SA: velocity, 800.0, "C/s", "motor.i_sa", "rate of charge through the stator winding along alpha";
+    MOTOR_I_SB: velocity, 800.0, "C/s", "motor.i_sb", "rate of charge through the stator winding along beta";
+    MOTOR_I_RA: velocity, 800.0, "C/s", "motor.i_ra", "rate of charge through the rotor's first winding";
+    MOTOR_I_RB: velocity, 800.0, "C/s", "motor.i_rb", "rate of charge through the rotor's second winding";
     MOTOR_OMEGA: velocity, 78.5, "rad/s", "motor.omega", "rate of rotor angle";
 }
 
 ::machinist_contract::coordinates! {
-    "motor.q_sa", "C", "charge passed by the stator winding along alpha";
-    "motor.q_sb", "C", "charge passed by the stator winding along beta";
-    "motor.q_ra", "C", "charge passed by the rotor's first winding";
-    "motor.q_rb", "C", "charge passed by the rotor's second winding";
+    "motor.q_sa", "C", "charge through the stator winding along alpha";
+    "motor.q_sb", "C", "charge through the stator winding along beta";
+    "motor.q_ra", "C", "charge through the rotor's first winding";
+    "motor.q_rb", "C", "charge through the rotor's second winding";
     "motor.phi", "rad", "rotor angle";
 }
 
@@ -96,7 +98,7 @@ use ::machinist_contract::{
     t30, t31
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 62 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 62 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

@@ -3,12 +3,12 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   f36e6f7a8a295ae89f1ec04eab3bdf7608ba19982828192f803ec3e196da05d2  scenes/pendulum_chain.toml
-//   72be1f01642b416c54ae9eea3cefb97ce4795acab0db3644199ff41d06aa399d  units/three_pendulums.toml
+//   0ae560c60e956f715b92bdc0ce2749786e7c81bc02d34d94b044bc7a5fa65ee8  scenes/pendulum_chain.toml
+//   48ed9cb5f27292b0df4a6579955a5e1467e8afbc56213e36581b37e175cf7534  units/three_pendulums.toml
 //
-// Chain of three pendulums
+// Triple pendulum
 //
-// Let go from one side; nothing drives or brakes it, so that its energy stays.
+// Released from one side, without drive or damping, so its energy is constant.
 //
 // Source:
 //   Textbook.
@@ -25,12 +25,12 @@ use ::machinist_contract::{
 };
 
 ::machinist_contract::simulator! {
-    /// Chain of three pendulums
+    /// Triple pendulum
     ///
-    /// Let go from one side; nothing drives or brakes it, so that its energy stays.
+    /// Released from one side, without drive or damping, so its energy is constant.
     ///
     /// Source: Textbook.
-    PendulumChain: "pendulum_chain", "Chain of three pendulums";
+    PendulumChain: "pendulum_chain", "Triple pendulum";
     run from 0.0, until 5.0, points 1001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     prepared; jacobians_at_once; series 29;
@@ -43,12 +43,12 @@ use ::machinist_contract::{
     chain_l_1: 1.0, "m", "chain.l_1", "length of the first link";
     chain_l_2: 0.7, "m", "chain.l_2", "length of the second link";
     chain_l_3: 0.4, "m", "chain.l_3", "length of the third link";
-    chain_gravity: 9.81, "m/s^2", "chain.gravity", "acceleration of free fall";
+    chain_gravity: 9.81, "m/s^2", "chain.gravity", "gravitational acceleration";
 }
 
 ::machinist_contract::outputs! {
-    end_x: "m", "end_x", "third mass, sideways";
-    end_y: "m", "end_y", "third mass, upwards";
+    end_x: "m", "end_x", "horizontal position of the third mass";
+    end_y: "m", "end_y", "height of the third mass";
 }
 
 ::machinist_contract::states! {
@@ -79,7 +79,7 @@ use ::machinist_contract::{
     chain_l_2_times_chain_l_3, t11, t12, t13, t14, t15
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 38 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 38 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

@@ -3,13 +3,13 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   5b7ba03a7b8c7607f85575b24543e580d5eb9c851c7ddafd50b456286de295fe  scenes/pendulum_constrained.toml
-//   a8b8fb235cd11d5e649b48098b2d89fbed6ca540d3801cdbe28e903058fc5bdc  units/point_mass.toml
+//   c240fcede2008db131f14a86d7cfd2a9484a94c3e08b27a91d5e8a9191ef7a6b  scenes/pendulum_constrained.toml
+//   64acac656bdcd3eff72da121666c55c5813f1a41cb59e10f86d23f461a961f05  units/point_mass.toml
 //
-// Chain of three pendulums, by constraints
+// Triple pendulum, by constraints
 //
-// The chain of `pendulum_chain` once more: three point masses in a plane, each held at its
-// distance from the one above. The forces of the constraints are those in the links.
+// The machine of `pendulum_chain` as three point masses in a plane, each at a fixed distance from the
+// one above. The constraint forces are those in the links.
 //
 // Source:
 //   Textbook.
@@ -26,13 +26,13 @@
 use ::machinist_contract::{Energy, PowerBalance, Real};
 
 ::machinist_contract::simulator! {
-    /// Chain of three pendulums, by constraints
+    /// Triple pendulum, by constraints
     ///
-    /// The chain of \`pendulum_chain\` once more: three point masses in a plane, each held at its
-    /// distance from the one above. The forces of the constraints are those in the links.
+    /// The machine of \`pendulum_chain\` as three point masses in a plane, each at a fixed distance from the
+    /// one above. The constraint forces are those in the links.
     ///
     /// Source: Textbook.
-    PendulumConstrained: "pendulum_constrained", "Chain of three pendulums, by constraints";
+    PendulumConstrained: "pendulum_constrained", "Triple pendulum, by constraints";
     run from 0.0, until 5.0, points 1001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
     constraints; prepared; jacobians_at_once;
@@ -42,38 +42,38 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
     l_1: 1.0, "m", "l_1", "length of the first link";
     l_2: 0.7, "m", "l_2", "length of the second link";
     l_3: 0.4, "m", "l_3", "length of the third link";
-    th_1: 0.9, "rad", "th_1", "angle of the first link at the start";
-    th_2: 1.1, "rad", "th_2", "angle of the second link at the start";
-    th_3: 1.4, "rad", "th_3", "angle of the third link at the start";
-    first_mass: 1.0, "kg", "first.mass", "the mass";
-    first_gravity: 9.81, "m/s^2", "first.gravity", "acceleration of free fall";
-    second_mass: 0.8, "kg", "second.mass", "the mass";
-    second_gravity: 9.81, "m/s^2", "second.gravity", "acceleration of free fall";
-    third_mass: 0.5, "kg", "third.mass", "the mass";
-    third_gravity: 9.81, "m/s^2", "third.gravity", "acceleration of free fall";
+    th_1: 0.9, "rad", "th_1", "initial angle of the first link";
+    th_2: 1.1, "rad", "th_2", "initial angle of the second link";
+    th_3: 1.4, "rad", "th_3", "initial angle of the third link";
+    first_mass: 1.0, "kg", "first.mass", "mass";
+    first_gravity: 9.81, "m/s^2", "first.gravity", "gravitational acceleration";
+    second_mass: 0.8, "kg", "second.mass", "mass";
+    second_gravity: 9.81, "m/s^2", "second.gravity", "gravitational acceleration";
+    third_mass: 0.5, "kg", "third.mass", "mass";
+    third_gravity: 9.81, "m/s^2", "third.gravity", "gravitational acceleration";
 }
 
 ::machinist_contract::outputs! {
-    end_x: "m", "end_x", "place, sideways";
-    end_y: "m", "end_y", "place, upwards";
-    force_1: at_once "N", "force_1", "force in the first link, pushing";
-    force_2: at_once "N", "force_2", "force in the second link, pushing";
-    force_3: at_once "N", "force_3", "force in the third link, pushing";
+    end_x: "m", "end_x", "horizontal position";
+    end_y: "m", "end_y", "height";
+    force_1: at_once "N", "force_1", "force in the first link, positive in compression";
+    force_2: at_once "N", "force_2", "force in the second link, positive in compression";
+    force_3: at_once "N", "force_3", "force in the third link, positive in compression";
 }
 
 ::machinist_contract::states! {
-    FIRST_X: position, 1.0, "m", "first.x", "place, sideways";
-    FIRST_Y: position guess, 1.0, "m", "first.y", "place, upwards";
-    SECOND_X: position, 1.0, "m", "second.x", "place, sideways";
-    SECOND_Y: position guess, 1.0, "m", "second.y", "place, upwards";
-    THIRD_X: position, 1.0, "m", "third.x", "place, sideways";
-    THIRD_Y: position guess, 1.0, "m", "third.y", "place, upwards";
-    FIRST_V_X: velocity guess, 1.0, "m/s", "first.v_x", "rate of place, sideways";
-    FIRST_V_Y: velocity guess, 1.0, "m/s", "first.v_y", "rate of place, upwards";
-    SECOND_V_X: velocity guess, 1.0, "m/s", "second.v_x", "rate of place, sideways";
-    SECOND_V_Y: velocity guess, 1.0, "m/s", "second.v_y", "rate of place, upwards";
-    THIRD_V_X: velocity guess, 1.0, "m/s", "third.v_x", "rate of place, sideways";
-    THIRD_V_Y: velocity guess, 1.0, "m/s", "third.v_y", "rate of place, upwards";
+    FIRST_X: position, 1.0, "m", "first.x", "horizontal position";
+    FIRST_Y: position guess, 1.0, "m", "first.y", "height";
+    SECOND_X: position, 1.0, "m", "second.x", "horizontal position";
+    SECOND_Y: position guess, 1.0, "m", "second.y", "height";
+    THIRD_X: position, 1.0, "m", "third.x", "horizontal position";
+    THIRD_Y: position guess, 1.0, "m", "third.y", "height";
+    FIRST_V_X: velocity guess, 1.0, "m/s", "first.v_x", "rate of horizontal position";
+    FIRST_V_Y: velocity guess, 1.0, "m/s", "first.v_y", "rate of height";
+    SECOND_V_X: velocity guess, 1.0, "m/s", "second.v_x", "rate of horizontal position";
+    SECOND_V_Y: velocity guess, 1.0, "m/s", "second.v_y", "rate of height";
+    THIRD_V_X: velocity guess, 1.0, "m/s", "third.v_x", "rate of horizontal position";
+    THIRD_V_Y: velocity guess, 1.0, "m/s", "third.v_y", "rate of height";
 }
 
 ::machinist_contract::constraints! {
@@ -104,7 +104,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
     t6, third_mass_times_inverse_third_mass
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 18 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 18 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

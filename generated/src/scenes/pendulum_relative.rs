@@ -3,12 +3,12 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   b8ca232eee40e97f96f2049b40a93136df6317800ed11c3e41e4ae52056e4270  scenes/pendulum_relative.toml
-//   ddee8cdb628a6892f0040bbb36184c56e1f352feafdea5fc729a5c32b6215b54  units/three_pendulums_relative.toml
+//   bc16f90f46b0cf7565da7ce00079aa46216060ed50a8862fc9575a2f46f554bd  scenes/pendulum_relative.toml
+//   b0b36dfb20ac0773fbb9d50f90d5d2d459d987cb00073fdcee9a1c12e91a3bfa  units/three_pendulums_relative.toml
 //
-// Chain of three pendulums, by relative angles
+// Triple pendulum in relative angles
 //
-// The chain of `pendulum_chain` once more, in the angles of its joints.
+// The machine of `pendulum_chain` in the angles of its joints.
 //
 // Source:
 //   Textbook.
@@ -25,12 +25,12 @@ use ::machinist_contract::{
 };
 
 ::machinist_contract::simulator! {
-    /// Chain of three pendulums, by relative angles
+    /// Triple pendulum in relative angles
     ///
-    /// The chain of \`pendulum_chain\` once more, in the angles of its joints.
+    /// The machine of \`pendulum_chain\` in the angles of its joints.
     ///
     /// Source: Textbook.
-    PendulumRelative: "pendulum_relative", "Chain of three pendulums, by relative angles";
+    PendulumRelative: "pendulum_relative", "Triple pendulum in relative angles";
     run from 0.0, until 5.0, points 1001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     prepared; jacobians_at_once; series 54;
@@ -43,12 +43,12 @@ use ::machinist_contract::{
     chain_l_1: 1.0, "m", "chain.l_1", "length of the first link";
     chain_l_2: 0.7, "m", "chain.l_2", "length of the second link";
     chain_l_3: 0.4, "m", "chain.l_3", "length of the third link";
-    chain_gravity: 9.81, "m/s^2", "chain.gravity", "acceleration of free fall";
+    chain_gravity: 9.81, "m/s^2", "chain.gravity", "gravitational acceleration";
 }
 
 ::machinist_contract::outputs! {
-    end_x: "m", "end_x", "third mass, sideways";
-    end_y: "m", "end_y", "third mass, upwards";
+    end_x: "m", "end_x", "horizontal position of the third mass";
+    end_y: "m", "end_y", "height of the third mass";
 }
 
 ::machinist_contract::states! {
@@ -81,7 +81,7 @@ use ::machinist_contract::{
     t27, t28, t29, t30, t31
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 61 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 61 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

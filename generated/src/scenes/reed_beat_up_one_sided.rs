@@ -3,16 +3,16 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   64bd754b91424263964fad850b4d782437946adcf9576c71bc09b579c2869a68  scenes/reed_beat_up_one_sided.toml
-//   27ff54ebb22a3b586435703ddffd2395b693238649c4d6fb67f9c6829f6b2d15  units/textile/imposed_drive.toml
-//   dc92d4b5c034e6768d678dacf12dae6d316acfe1a8702cc76ad48de5008ecaad  units/textile/loom_shaft.toml
-//   1d0520b4231bba2b7140446b5e9a17db2010e38b2cce6a238c16742d74a3f154  units/textile/reed.toml
-//   2efcf43dc2efbecf53dbc37902641a4ef1e97c9134063e0616516bdfe243fc01  units/textile/cloth_fell_one_sided.toml
+//   74436b4e67438576dc1de0761dd0d444043b57537ab0fb2493f2e3e38053d1a8  scenes/reed_beat_up_one_sided.toml
+//   61dcd916f7f041da71fe3e7a0138c556cf14aac1ac3599a978dcc6586260475d  units/textile/imposed_drive.toml
+//   dfe11eec2c46ab2845d6693f49f4f3634573d8ca64fadaf874b71b4c8dcafb3a  units/textile/loom_shaft.toml
+//   26e14d50834ad425bb0bc762e8b125d605c2c6b5f805586de92628a7bf67982c  units/textile/reed.toml
+//   3a33e0f0fd97ebb0d7f12af38f509dbe1cdc9ad0d7ab3d55ed20138f78410531  units/textile/cloth_fell_one_sided.toml
 //
-// Beat-up of a reed against a fell that only pushes
+// Beat-up of a reed against a one-sided fell
 //
-// The shaft and reed of `reed_beat_up` against a cloth fell that only pushes, which is the machine:
-// the reed leaves the fell on its way back. This reading decides what a stiffer fell changes.
+// The shaft and reed of `reed_beat_up` against a cloth fell that only pushes, as in the machine: the
+// reed leaves the fell on its way back. This reading decides the effect of a stiffer fell.
 //
 // Source:
 //   Reed study, in its consistent reading; that the fell only pushes is ours.
@@ -27,13 +27,13 @@
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::simulator! {
-    /// Beat-up of a reed against a fell that only pushes
+    /// Beat-up of a reed against a one-sided fell
     ///
-    /// The shaft and reed of \`reed_beat_up\` against a cloth fell that only pushes, which is the machine:
-    /// the reed leaves the fell on its way back. This reading decides what a stiffer fell changes.
+    /// The shaft and reed of \`reed_beat_up\` against a cloth fell that only pushes, as in the machine: the
+    /// reed leaves the fell on its way back. This reading decides the effect of a stiffer fell.
     ///
     /// Source: Reed study, in its consistent reading; that the fell only pushes is ours.
-    ReedBeatUpOneSided: "reed_beat_up_one_sided", "Beat-up of a reed against a fell that only pushes";
+    ReedBeatUpOneSided: "reed_beat_up_one_sided", "Beat-up of a reed against a one-sided fell";
     run from 0.0, until 0.0527, points 501, rtol 1e-8, method "auto";
     quadratures 0, discontinuities 0;
     prepared; jacobians_apart;
@@ -41,16 +41,16 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::parameters! {
     drive_stiffness: 45200.0, "N m/rad", "drive.stiffness", "stiffness C0 of the drive spring";
-    drive_amplitude: 0.251_719_699_449_452_3, "rad", "drive.amplitude", "amplitude of the imposed angle";
-    drive_frequency: 119.180_183_615_403_86, "rad/s", "drive.frequency", "angular frequency of the imposed angle";
-    shaft_length: 1.75, "m", "shaft.length", "half of the shaft's length";
-    shaft_reed_position: 1.0, "m", "shaft.reed_position", "place of the reed";
+    drive_amplitude: 0.251_719_699_449_452_3, "rad", "drive.amplitude", "amplitude of the prescribed angle";
+    drive_frequency: 119.180_183_615_403_86, "rad/s", "drive.frequency", "angular frequency of the prescribed angle";
+    shaft_length: 1.75, "m", "shaft.length", "half length of the shaft";
+    shaft_reed_position: 1.0, "m", "shaft.reed_position", "position of the reed";
     shaft_radius: 0.025, "m", "shaft.radius", "radius";
     shaft_density: 7659.0, "kg/m^3", "shaft.density", "density";
     shaft_shear_modulus: 7.692_307_692_307_692e10, "Pa", "shaft.shear_modulus", "shear modulus, E/(2 (1 + nu)) with E = 2e11 Pa, nu = 0.3";
     shaft_damping_time: 0.0, "s", "shaft.damping_time", "Kelvin-Voigt damping time";
     reed_mass: 3.56, "kg", "reed.mass", "mass";
-    reed_arm: 0.025, "m", "reed.arm", "arm of the mass";
+    reed_arm: 0.025, "m", "reed.arm", "lever arm of the mass";
     reed_stiffness: 15600.0, "N m/rad", "reed.stiffness", "stiffness C1 of the spring between shaft and reed";
     fell_stiffness: 7800.0, "N m/rad", "fell.stiffness", "stiffness C2 of the contact";
     shaft_driven_field_inertia: 1.0, "J s^2/(rad)^2", "shaft.driven_field_inertia", "inertia of the field's node; the field sets it";
@@ -68,14 +68,14 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 }
 
 ::machinist_contract::outputs! {
-    drive_angle: "rad", "drive_angle", "imposed angle u0";
+    drive_angle: "rad", "drive_angle", "prescribed angle u0";
     driven_angle: "rad", "driven_angle", "angle of the section, at port driven";
     shaft_angle: "rad", "shaft_angle", "angle of the section, at port reed";
     middle_angle: "rad", "middle_angle", "angle of the section, at port middle";
     reed_angle: "rad", "reed_angle", "angle of the reed";
     stress_before: "Pa", "stress_before", "shear stress at the surface, on the driven side of the reed";
     stress_after: "Pa", "stress_after", "shear stress at the surface, beyond the reed";
-    fell_torque: "N m", "fell_torque", "torque of the fell on the reed, against it";
+    fell_torque: "N m", "fell_torque", "torque of the fell against the reed";
 }
 
 ::machinist_contract::states! {
@@ -117,7 +117,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 1.75 => End, coordinate Some(2), handed 21;
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 14 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 14 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

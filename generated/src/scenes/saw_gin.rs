@@ -3,16 +3,15 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   f068a666027a18c4f19c9e4bfe487fb614ab7d8774e6ec06ded769ac4d191a00  scenes/saw_gin.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
-//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
-//   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
-//   d25c4fb8f05fd3ea6a4488cc180ad128f61e69d53db2b224f154f426e6be9d5b  units/textile/technological_load.toml
+//   33657ca8de87edac5530c71aa28608f076cfc4bf896071adbf4fe4322831e90b  scenes/saw_gin.toml
+//   03bebde2dcd618fcbd0662a0f5e63f806e09d154c0fc25f1f0527c30944dd55e  units/textile/induction_motor.toml
+//   512419e5aa73ad1710ef3556037050e97b898e87a7d5d8a4e9c4b03a7a8b0141  units/coupling.toml
+//   ba9b76a100d91a8597c44349f557e301fa971bdcc9a7e0cf5da5ce4fd6af94b2  units/rotor.toml
+//   02dd59962bd405d6a2dcac78b4101ca2138de7a376566a8d8c4460eb40293556  units/textile/technological_load.toml
 //
 // Saw gin: motor, coupling and saw cylinder
 //
-// The machine runs up empty; the technological load engages at 1.2 s and opposes
-// motion.
+// The machine runs up without load. The technological load engages at 1.2 s and opposes motion.
 //
 // Source:
 //   Saw-gin study (2020), equations (1) and (2), in their consistent reading.
@@ -31,8 +30,7 @@ use ::machinist_contract::{
 ::machinist_contract::simulator! {
     /// Saw gin: motor, coupling and saw cylinder
     ///
-    /// The machine runs up empty; the technological load engages at 1.2 s and opposes
-    /// motion.
+    /// The machine runs up without load. The technological load engages at 1.2 s and opposes motion.
     ///
     /// Source: Saw-gin study (2020), equations (1) and (2), in their consistent reading.
     SawGin: "saw_gin", "Saw gin: motor, coupling and saw cylinder";
@@ -43,22 +41,22 @@ use ::machinist_contract::{
 
 ::machinist_contract::parameters! {
     motor_inertia: 4.2, "kg m^2", "motor.inertia", "moment of inertia of the rotor";
-    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "root mean square of the phase voltage";
-    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "frequency of the supply";
-    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "phase of the supply at the start";
-    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pairs of poles";
+    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "RMS phase voltage";
+    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "supply frequency";
+    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "initial phase of the supply";
+    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pole pairs";
     motor_k_s: 0.956, "1", "motor.k_s", "stator coupling factor x_mu/x_s";
     motor_k_r: 0.952, "1", "motor.k_r", "rotor coupling factor x_mu/x_r";
     motor_x_s: 4.14, "ohm", "motor.x_s", "stator reactance at supply frequency";
-    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay r_s/(sigma x_s)";
-    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay r_r/(sigma x_r)";
+    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay factor r_s/(sigma x_s)";
+    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay factor r_r/(sigma x_r)";
     coupling_stiffness: 23065.2, "N m/rad", "coupling.stiffness", "torsional stiffness";
     coupling_damping: 128.5346, "N m s/rad", "coupling.damping", "torsional damping";
-    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end for one turn of the driven end";
+    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end per turn of the driven end";
     cylinder_inertia: 1.244, "kg m^2", "cylinder.inertia", "moment of inertia";
     load_mean: 843.72, "N m", "load.mean", "mean torque";
     load_amplitude: 78.78, "N m", "load.amplitude", "amplitude of the harmonic part";
-    load_speed: 735.0, "1", "load.speed", "nominal speed in revolutions per minute, a count as the study gives it";
+    load_speed: 735.0, "1", "load.speed", "nominal speed in revolutions per minute, dimensionless as in the study";
     load_phase: 0.0, "rad", "load.phase", "phase of the harmonic part";
     load_engagement_time: 1.2, "s", "load.engagement_time", "time at which half of the load acts";
     load_engagement_width: 0.02, "s", "load.engagement_width", "time constant of engagement";
@@ -69,7 +67,7 @@ use ::machinist_contract::{
     motor_speed: "rad/s", "motor_speed", "rate of rotor angle";
     cylinder_speed: "rad/s", "cylinder_speed", "rate of angle";
     motor_torque: "N m", "motor_torque", "electromagnetic torque";
-    coupling_torque: "N m", "coupling_torque", "torque carried, on the driving side";
+    coupling_torque: "N m", "coupling_torque", "torque at the driving end";
     load_torque: "N m", "load_torque", "resisting torque";
     twist: "rad", "twist", "twist";
     cylinder_acceleration: at_once "rad/s^2", "cylinder_acceleration", "rate of rate of angle";
@@ -116,7 +114,7 @@ use ::machinist_contract::{
     inverse_load_standstill_band_squared
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 64 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 64 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -194,7 +192,7 @@ pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
 pub fn discontinuities<R: Real>(p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let abs_inverse_load_engagement_width = inverse_load_engagement_width.abs();
-    [R::select_less(R::literal(150.0), abs_inverse_load_engagement_width,
+    [R::select_less(R::literal(50.0), abs_inverse_load_engagement_width,
         R::select_less(R::literal(0.0), abs_inverse_load_engagement_width,
         inverse_load_engagement_width * p.load_engagement_time / inverse_load_engagement_width,
         R::literal(0.0)), R::literal(0.0))]

@@ -3,15 +3,15 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   de7fe731e173d6ea3f9a020697ae80813dcf20f8abd34ecb17473805af8d238a  scenes/saw_gin_as_printed.toml
-//   d7bef8f6cd66a7e24469f00b07e7b8ad9f8db91f246c74a9f8652788ebd8e6ff  units/textile/induction_motor_as_printed.toml
-//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
-//   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
-//   d25c4fb8f05fd3ea6a4488cc180ad128f61e69d53db2b224f154f426e6be9d5b  units/textile/technological_load.toml
+//   ededd50d7761559adb7e3a8af6856f7492c10a532d751730f98cb9c4ba2d736a  scenes/saw_gin_as_printed.toml
+//   e207f0c5b2968da441dc246e9142c471829e8b7dd7f33fc61589afdd7a34b871  units/textile/induction_motor_as_printed.toml
+//   512419e5aa73ad1710ef3556037050e97b898e87a7d5d8a4e9c4b03a7a8b0141  units/coupling.toml
+//   ba9b76a100d91a8597c44349f557e301fa971bdcc9a7e0cf5da5ce4fd6af94b2  units/rotor.toml
+//   02dd59962bd405d6a2dcac78b4101ca2138de7a376566a8d8c4460eb40293556  units/textile/technological_load.toml
 //
 // Saw gin with the equations and numbers as printed
 //
-// For the reproduction ledger: started empty and loaded later, like the consistent scene.
+// For the reproduction ledger: started without load and loaded later, like the consistent scene.
 //
 // Source:
 //   Saw-gin study (2020), equations (1) and (2), as printed.
@@ -30,7 +30,7 @@ use ::machinist_contract::{
 ::machinist_contract::simulator! {
     /// Saw gin with the equations and numbers as printed
     ///
-    /// For the reproduction ledger: started empty and loaded later, like the consistent scene.
+    /// For the reproduction ledger: started without load and loaded later, like the consistent scene.
     ///
     /// Source: Saw-gin study (2020), equations (1) and (2), as printed.
     SawGinAsPrinted: "saw_gin_as_printed", "Saw gin with the equations and numbers as printed";
@@ -42,23 +42,23 @@ use ::machinist_contract::{
 ::machinist_contract::parameters! {
     motor_inertia: 4.2, "kg m^2", "motor.inertia", "moment of inertia of the rotor";
     motor_u_m: 220.0, "V", "motor.u_m", "printed amplitude of the phase voltage";
-    motor_gamma: 0.0, "rad", "motor.gamma", "phase of the supply";
+    motor_gamma: 0.0, "rad", "motor.gamma", "supply phase";
     motor_omega_0: 78.54, "rad/s", "motor.omega_0", "printed synchronous speed";
-    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pairs of poles";
+    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pole pairs";
     motor_k_s: 0.956, "1", "motor.k_s", "stator coupling factor";
     motor_k_r: 0.952, "1", "motor.k_r", "rotor coupling factor";
     motor_sigma: 0.0896, "1", "motor.sigma", "printed leakage factor";
     motor_x_s: 4.14, "ohm", "motor.x_s", "stator reactance";
-    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay";
-    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay";
-    motor_literal: 1.0, "1", "motor.literal", "1: the rotor's angle, literally as printed; 0: its speed instead";
+    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay factor";
+    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay factor";
+    motor_literal: 1.0, "1", "motor.literal", "1: rotor angle, as printed; 0: rotor speed";
     coupling_stiffness: 23065.2, "N m/rad", "coupling.stiffness", "torsional stiffness";
     coupling_damping: 128.5346, "N m s/rad", "coupling.damping", "torsional damping";
-    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end for one turn of the driven end";
+    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end per turn of the driven end";
     cylinder_inertia: 1.244, "kg m^2", "cylinder.inertia", "moment of inertia";
     load_mean: 843.72, "N m", "load.mean", "mean torque";
     load_amplitude: 78.78, "N m", "load.amplitude", "amplitude of the harmonic part";
-    load_speed: 735.0, "1", "load.speed", "nominal speed in revolutions per minute, a count as the study gives it";
+    load_speed: 735.0, "1", "load.speed", "nominal speed in revolutions per minute, dimensionless as in the study";
     load_phase: 0.0, "rad", "load.phase", "phase of the harmonic part";
     load_engagement_time: 1.2, "s", "load.engagement_time", "time at which half of the load acts";
     load_engagement_width: 0.02, "s", "load.engagement_width", "time constant of engagement";
@@ -69,7 +69,7 @@ use ::machinist_contract::{
     motor_speed: "rad/s", "motor_speed", "rate of rotor angle";
     cylinder_speed: "rad/s", "cylinder_speed", "rate of angle";
     motor_torque: "N m", "motor_torque", "driving torque";
-    coupling_torque: "N m", "coupling_torque", "torque carried, on the driving side";
+    coupling_torque: "N m", "coupling_torque", "torque at the driving end";
     cylinder_acceleration: at_once "rad/s^2", "cylinder_acceleration", "rate of rate of angle";
 }
 
@@ -109,7 +109,7 @@ use ::machinist_contract::{
     t14, t15, t16, t17, t18, t19, t20, inverse_load_standstill_band_squared
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 61 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 61 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -186,7 +186,7 @@ pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
 pub fn discontinuities<R: Real>(p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let abs_inverse_load_engagement_width = inverse_load_engagement_width.abs();
-    [R::select_less(R::literal(100.0), abs_inverse_load_engagement_width,
+    [R::select_less(R::literal(33.333_333_333_333_336), abs_inverse_load_engagement_width,
         R::select_less(R::literal(0.0), abs_inverse_load_engagement_width,
         inverse_load_engagement_width * p.load_engagement_time / inverse_load_engagement_width,
         R::literal(0.0)), R::literal(0.0))]

@@ -3,15 +3,15 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   c05e661672a85f721c7ece6303c333bdc921b9eca35ffc8d5fc5daa164c743a4  scenes/saw_gin_shaft.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
-//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
-//   16b7cf760b8e18f3e1589ac221d8b58e53dac1ea43e7a282dec58104274273de  units/textile/saw_shaft.toml
+//   1d8bb12d06ac0509d63c14a3ad33f56d715b24f5def8ad30da7df3fac9b6314a  scenes/saw_gin_shaft.toml
+//   03bebde2dcd618fcbd0662a0f5e63f806e09d154c0fc25f1f0527c30944dd55e  units/textile/induction_motor.toml
+//   512419e5aa73ad1710ef3556037050e97b898e87a7d5d8a4e9c4b03a7a8b0141  units/coupling.toml
+//   a32885bfa4082a0bcaa664faa1136165fcd0288699b4fe9c76b9014aead24dbe  units/textile/saw_shaft.toml
 //
 // Saw gin with a distributed shaft
 //
-// Motor, coupling, and the saw cylinder as an elastic shaft along which inertia and load
-// are spread. The machine runs up empty; the load engages at 1.2 s.
+// Motor, coupling, and the saw cylinder as an elastic shaft with distributed inertia and load. The
+// machine runs up without load; the load engages at 1.2 s.
 //
 // Source:
 //   Saw-gin study (2020), in its consistent reading, with balanced load densities.
@@ -28,8 +28,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 ::machinist_contract::simulator! {
     /// Saw gin with a distributed shaft
     ///
-    /// Motor, coupling, and the saw cylinder as an elastic shaft along which inertia and load
-    /// are spread. The machine runs up empty; the load engages at 1.2 s.
+    /// Motor, coupling, and the saw cylinder as an elastic shaft with distributed inertia and load. The
+    /// machine runs up without load; the load engages at 1.2 s.
     ///
     /// Source: Saw-gin study (2020), in its consistent reading, with balanced load densities.
     SawGinShaft: "saw_gin_shaft", "Saw gin with a distributed shaft";
@@ -40,30 +40,30 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::parameters! {
     motor_inertia: 4.2, "kg m^2", "motor.inertia", "moment of inertia of the rotor";
-    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "root mean square of the phase voltage";
-    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "frequency of the supply";
-    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "phase of the supply at the start";
-    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pairs of poles";
+    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "RMS phase voltage";
+    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "supply frequency";
+    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "initial phase of the supply";
+    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pole pairs";
     motor_k_s: 0.956, "1", "motor.k_s", "stator coupling factor x_mu/x_s";
     motor_k_r: 0.952, "1", "motor.k_r", "rotor coupling factor x_mu/x_r";
     motor_x_s: 4.14, "ohm", "motor.x_s", "stator reactance at supply frequency";
-    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay r_s/(sigma x_s)";
-    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay r_r/(sigma x_r)";
+    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay factor r_s/(sigma x_s)";
+    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay factor r_r/(sigma x_r)";
     coupling_stiffness: 23065.2, "N m/rad", "coupling.stiffness", "torsional stiffness";
     coupling_damping: 128.5346, "N m s/rad", "coupling.damping", "torsional damping";
-    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end for one turn of the driven end";
+    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end per turn of the driven end";
     saws_length: 2.322, "m", "saws.length", "length";
     saws_inertia: 1.244, "kg m^2", "saws.inertia", "moment of inertia of the cylinder";
     saws_shear_modulus: 8e10, "Pa", "saws.shear_modulus", "shear modulus";
-    saws_polar_moment: 9.817e-6, "m^4", "saws.polar_moment", "polar moment of the section";
-    saws_damping_time: 1e-5, "s", "saws.damping_time", "Kelvin-Voigt damping time; ours";
+    saws_polar_moment: 9.817e-6, "m^4", "saws.polar_moment", "polar moment of area";
+    saws_damping_time: 1e-5, "s", "saws.damping_time", "Kelvin-Voigt damping time, assumed";
     saws_mean: 843.72, "N m", "saws.mean", "mean load";
-    saws_amplitude: 78.78, "N m", "saws.amplitude", "harmonic part of the load";
+    saws_amplitude: 78.78, "N m", "saws.amplitude", "amplitude of the harmonic part";
     saws_speed: 735.0, "1", "saws.speed", "rated speed, revolutions per minute";
-    saws_growing: 0.0, "1", "saws.growing", "share of the load that grows with x; 0 for an even one";
+    saws_growing: 0.0, "1", "saws.growing", "share of the load that grows with x; 0 for a uniform load";
     saws_engagement_time: 1.2, "s", "saws.engagement_time", "time at which the load engages";
-    saws_engagement_width: 0.02, "s", "saws.engagement_width", "time scale of engagement";
-    saws_standstill_band: 0.5, "rad/s", "saws.standstill_band", "speed below which the load fades";
+    saws_engagement_width: 0.02, "s", "saws.engagement_width", "time constant of engagement";
+    saws_standstill_band: 0.5, "rad/s", "saws.standstill_band", "speed below which the load fades out";
     saws_driven_field_inertia: 1.0, "J s^2/(rad)^2", "saws.driven_field_inertia", "inertia of the field's node; the field sets it";
     saws_driven_field_force: 0.0, "J/(rad)", "saws.driven_field_force", "force of the field on its node; the field sets it";
     saws_driven_phi_x_before: 0.0, "rad/m", "saws.driven_phi_x_before", "slope of the field before the port; the field sets it";
@@ -79,9 +79,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     driven_speed: "rad/s", "driven_speed", "rate of angle of the section, at port driven";
     end_speed: "rad/s", "end_speed", "rate of angle of the section, at port end";
     twist: "rad", "twist", "twist of the shaft";
-    slope: "rad/m", "slope", "twist a length at the driven end";
+    slope: "rad/m", "slope", "twist per unit length at the driven end";
     motor_torque: "N m", "motor_torque", "electromagnetic torque";
-    coupling_torque: "N m", "coupling_torque", "torque carried, on the driving side";
+    coupling_torque: "N m", "coupling_torque", "torque at the driving end";
     shaft_torque: "N m", "shaft_torque", "elastic torque in the shaft at its driven end";
 }
 
@@ -134,7 +134,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 2.322 => End, coordinate Some(2), handed 29;
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 62 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 62 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

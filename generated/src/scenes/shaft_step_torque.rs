@@ -3,13 +3,13 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   da3c61e336a5146525ff84870d088b71fde937a9c2c3f594add702a14c23c406  scenes/shaft_step_torque.toml
-//   0e7119d9296df7a166c52d529fde05aec5241857ebfc0d5b2f283a63549074f1  units/shaft.toml
+//   0ce436add02169f3fe010e02246886554075914589a54b66f3dbd56c3928e384  scenes/shaft_step_torque.toml
+//   8ae49de7bb57cc4bcfe2e842d8df5b555ca8c8262fc1581e0de72f321816947c  units/shaft.toml
 //
 // Uniform shaft under a step of end torque
 //
-// The shaft of the saw gin with the cylinder's inertia spread along it, held at one end;
-// a constant torque acts on the other from t = 0 on.
+// The shaft of the saw gin with the cylinder's inertia spread along it, fixed at one end. A constant
+// torque acts on the other from t = 0.
 //
 // Source:
 //   Saw-gin study (2020), distributed subsystem; d'Alembert's solution.
@@ -25,8 +25,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 ::machinist_contract::simulator! {
     /// Uniform shaft under a step of end torque
     ///
-    /// The shaft of the saw gin with the cylinder's inertia spread along it, held at one end;
-    /// a constant torque acts on the other from t = 0 on.
+    /// The shaft of the saw gin with the cylinder's inertia spread along it, fixed at one end. A constant
+    /// torque acts on the other from t = 0.
     ///
     /// Source: Saw-gin study (2020), distributed subsystem; d'Alembert's solution.
     ShaftStepTorque: "shaft_step_torque", "Uniform shaft under a step of end torque";
@@ -38,8 +38,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 ::machinist_contract::parameters! {
     torque: 843.72, "N m", "torque", "torque at the free end";
     shaft_length: 2.322, "m", "shaft.length", "length";
-    shaft_density: 0.535_745_047_372_954_3, "kg m", "shaft.density", "moment of inertia a length; the default spreads 1.244 kg m^2 over 2.322 m";
-    shaft_stiffness: 785_360.0, "N m^2", "shaft.stiffness", "torsional stiffness of the section, shear modulus times polar moment";
+    shaft_density: 0.535_745_047_372_954_3, "kg m", "shaft.density", "moment of inertia per unit length; the default spreads 1.244 kg m^2 over 2.322 m";
+    shaft_stiffness: 785_360.0, "N m^2", "shaft.stiffness", "torsional rigidity, shear modulus times polar moment";
     shaft_damping_time: 0.0, "s", "shaft.damping_time", "Kelvin-Voigt damping time";
     shaft_start_field_inertia: 1.0, "J s^2/(rad)^2", "shaft.start_field_inertia", "inertia of the field's node; the field sets it";
     shaft_start_field_force: 0.0, "J/(rad)", "shaft.start_field_force", "force of the field on its node; the field sets it";
@@ -87,7 +87,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 2.322 => End, coordinate Some(0), handed 9;
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 1 operation.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 1 operation.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

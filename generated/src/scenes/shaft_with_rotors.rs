@@ -3,15 +3,15 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   77bc95614ed2dc5a01dfa41f77160a287a2a229f3c518ceac4659ab8ef2dfe4f  scenes/shaft_with_rotors.toml
-//   0e7119d9296df7a166c52d529fde05aec5241857ebfc0d5b2f283a63549074f1  units/shaft.toml
-//   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
+//   fc1cdb3ca56a33fa759c8ce2b77e6c8b100853a6c2a63c2a7667c226dbc6d398  scenes/shaft_with_rotors.toml
+//   8ae49de7bb57cc4bcfe2e842d8df5b555ca8c8262fc1581e0de72f321816947c  units/shaft.toml
+//   ba9b76a100d91a8597c44349f557e301fa971bdcc9a7e0cf5da5ce4fd6af94b2  units/rotor.toml
 //
-// Shaft with a rotor at each end, let go twisted
+// Shaft with a rotor at each end, released twisted
 //
-// The shaft of the saw gin, free but for a rotor at each end; it is let go at rest, twisted
-// by a cosine that has no slope at the ends. Without inertia of the rotors this is a mode
-// of the free shaft, which Kelvin-Voigt damping lets decay.
+// The shaft of the saw gin with a rotor at each end, otherwise free. It is released at rest, twisted
+// by a cosine with zero slope at the ends. Without rotor inertia this is an eigenmode of the free
+// shaft, which decays by Kelvin-Voigt damping.
 //
 // Source:
 //   Saw-gin study (2020), distributed subsystem; closed forms by hand.
@@ -25,24 +25,24 @@
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::simulator! {
-    /// Shaft with a rotor at each end, let go twisted
+    /// Shaft with a rotor at each end, released twisted
     ///
-    /// The shaft of the saw gin, free but for a rotor at each end; it is let go at rest, twisted
-    /// by a cosine that has no slope at the ends. Without inertia of the rotors this is a mode
-    /// of the free shaft, which Kelvin-Voigt damping lets decay.
+    /// The shaft of the saw gin with a rotor at each end, otherwise free. It is released at rest, twisted
+    /// by a cosine with zero slope at the ends. Without rotor inertia this is an eigenmode of the free
+    /// shaft, which decays by Kelvin-Voigt damping.
     ///
     /// Source: Saw-gin study (2020), distributed subsystem; closed forms by hand.
-    ShaftWithRotors: "shaft_with_rotors", "Shaft with a rotor at each end, let go twisted";
+    ShaftWithRotors: "shaft_with_rotors", "Shaft with a rotor at each end, released twisted";
     run from 0.0, until 0.02, points 401, rtol 1e-8, method "auto";
     quadratures 0, discontinuities 0;
     prepared; jacobians_apart; linear;
 }
 
 ::machinist_contract::parameters! {
-    twist: 0.01, "rad", "twist", "half of the twist at the start";
+    twist: 0.01, "rad", "twist", "half of the initial twist";
     shaft_length: 2.322, "m", "shaft.length", "length";
-    shaft_density: 0.535_745_047_372_954_3, "kg m", "shaft.density", "moment of inertia a length; the default spreads 1.244 kg m^2 over 2.322 m";
-    shaft_stiffness: 785_360.0, "N m^2", "shaft.stiffness", "torsional stiffness of the section, shear modulus times polar moment";
+    shaft_density: 0.535_745_047_372_954_3, "kg m", "shaft.density", "moment of inertia per unit length; the default spreads 1.244 kg m^2 over 2.322 m";
+    shaft_stiffness: 785_360.0, "N m^2", "shaft.stiffness", "torsional rigidity, shear modulus times polar moment";
     shaft_damping_time: 1e-5, "s", "shaft.damping_time", "Kelvin-Voigt damping time";
     driven_inertia: 1.244, "kg m^2", "driven.inertia", "moment of inertia";
     driving_inertia: 4.2, "kg m^2", "driving.inertia", "moment of inertia";
@@ -93,7 +93,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 2.322 => End, coordinate Some(1), handed 11;
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 4 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 4 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

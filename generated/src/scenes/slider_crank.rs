@@ -3,13 +3,13 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   5aa30d4253a9899d4f39237de04cfe3095f1ceeaee0ffeccd40e4148beadb747  scenes/slider_crank.toml
-//   b4594591158f68ce8c9070674fa9b2138edb31e0a5645bf03c9d1c4965420587  units/planar_body.toml
+//   8a103c91fe4b3310f3f4544fb7277f7196277442c1a3d474548a963e8652fb3d  scenes/slider_crank.toml
+//   9870540d48dd190f3f4e3c2fea172f613c63b75b8e7bdb1d3432a0e230aaf646  units/planar_body.toml
 //
-// Slider-crank turned at constant speed
+// Slider-crank at constant speed
 //
-// Crank, rod and slider as three bodies in a plane, held together by pins, a guide and a
-// drive that turns the crank. The force of the drive's constraint is the torque it takes.
+// Crank, rod and slider as three bodies in a plane, connected by pins, a guide and a drive that turns
+// the crank. The constraint force of the drive is its torque.
 //
 // Source:
 //   Textbook.
@@ -25,13 +25,13 @@
 use ::machinist_contract::{Energy, PowerBalance, Real};
 
 ::machinist_contract::simulator! {
-    /// Slider-crank turned at constant speed
+    /// Slider-crank at constant speed
     ///
-    /// Crank, rod and slider as three bodies in a plane, held together by pins, a guide and a
-    /// drive that turns the crank. The force of the drive's constraint is the torque it takes.
+    /// Crank, rod and slider as three bodies in a plane, connected by pins, a guide and a drive that turns
+    /// the crank. The constraint force of the drive is its torque.
     ///
     /// Source: Textbook.
-    SliderCrank: "slider_crank", "Slider-crank turned at constant speed";
+    SliderCrank: "slider_crank", "Slider-crank at constant speed";
     run from 0.0, until 1.0, points 1001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
     constraints; prepared; jacobians_at_once;
@@ -39,55 +39,55 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
 
 ::machinist_contract::parameters! {
     speed: 30.0, "rad/s", "speed", "speed of the crank";
-    start: 0.4, "rad", "start", "angle of the crank at the start";
+    start: 0.4, "rad", "start", "initial angle of the crank";
     crank_length: 0.05, "m", "crank.length", "length of the bar";
-    crank_mass: 0.8, "kg", "crank.mass", "the mass";
+    crank_mass: 0.8, "kg", "crank.mass", "mass";
     crank_inertia: 0.0002, "kg m^2", "crank.inertia", "moment of inertia about the centre of mass";
-    crank_gravity: 9.81, "m/s^2", "crank.gravity", "acceleration of free fall";
+    crank_gravity: 9.81, "m/s^2", "crank.gravity", "gravitational acceleration";
     rod_length: 0.2, "m", "rod.length", "length of the bar";
-    rod_mass: 0.6, "kg", "rod.mass", "the mass";
+    rod_mass: 0.6, "kg", "rod.mass", "mass";
     rod_inertia: 0.002, "kg m^2", "rod.inertia", "moment of inertia about the centre of mass";
-    rod_gravity: 9.81, "m/s^2", "rod.gravity", "acceleration of free fall";
-    slider_mass: 1.1, "kg", "slider.mass", "the mass";
-    slider_gravity: 9.81, "m/s^2", "slider.gravity", "acceleration of free fall";
+    rod_gravity: 9.81, "m/s^2", "rod.gravity", "gravitational acceleration";
+    slider_mass: 1.1, "kg", "slider.mass", "mass";
+    slider_gravity: 9.81, "m/s^2", "slider.gravity", "gravitational acceleration";
 }
 
 ::machinist_contract::outputs! {
-    angle: "rad", "angle", "angle of the bar from sideways";
-    rod_angle: "rad", "rod_angle", "angle of the bar from sideways";
-    stroke: "m", "stroke", "centre of mass, sideways";
-    slider_speed: "m/s", "slider_speed", "rate of centre of mass, sideways";
+    angle: "rad", "angle", "angle of the bar from the horizontal";
+    rod_angle: "rad", "rod_angle", "angle of the bar from the horizontal";
+    stroke: "m", "stroke", "horizontal position of the centre of mass";
+    slider_speed: "m/s", "slider_speed", "rate of horizontal position of the centre of mass";
     slider_acceleration: at_once "m/s^2", "slider_acceleration", "acceleration of the slider";
     torque: at_once "N m", "torque", "torque of the drive on the crank";
-    guide_force: at_once "N", "guide_force", "force of the guide on the slider, upwards";
+    guide_force: at_once "N", "guide_force", "upward force of the guide on the slider";
 }
 
 ::machinist_contract::states! {
-    CRANK_X: position guess, 0.1, "m", "crank.x", "centre of mass, sideways";
-    CRANK_Y: position guess, 0.1, "m", "crank.y", "centre of mass, upwards";
-    CRANK_PHI: position guess, 1.0, "rad", "crank.phi", "angle of the bar from sideways";
-    ROD_X: position guess, 0.1, "m", "rod.x", "centre of mass, sideways";
-    ROD_Y: position guess, 0.1, "m", "rod.y", "centre of mass, upwards";
-    ROD_PHI: position guess, 1.0, "rad", "rod.phi", "angle of the bar from sideways";
-    SLIDER_X: position guess, 0.1, "m", "slider.x", "centre of mass, sideways";
-    SLIDER_Y: position guess, 0.1, "m", "slider.y", "centre of mass, upwards";
-    CRANK_V_X: velocity guess, 1.0, "m/s", "crank.v_x", "rate of centre of mass, sideways";
-    CRANK_V_Y: velocity guess, 1.0, "m/s", "crank.v_y", "rate of centre of mass, upwards";
-    CRANK_OMEGA: velocity guess, 10.0, "rad/s", "crank.omega", "rate of angle of the bar from sideways";
-    ROD_V_X: velocity guess, 1.0, "m/s", "rod.v_x", "rate of centre of mass, sideways";
-    ROD_V_Y: velocity guess, 1.0, "m/s", "rod.v_y", "rate of centre of mass, upwards";
-    ROD_OMEGA: velocity guess, 10.0, "rad/s", "rod.omega", "rate of angle of the bar from sideways";
-    SLIDER_V_X: velocity guess, 1.0, "m/s", "slider.v_x", "rate of centre of mass, sideways";
-    SLIDER_V_Y: velocity guess, 1.0, "m/s", "slider.v_y", "rate of centre of mass, upwards";
+    CRANK_X: position guess, 0.1, "m", "crank.x", "horizontal position of the centre of mass";
+    CRANK_Y: position guess, 0.1, "m", "crank.y", "height of the centre of mass";
+    CRANK_PHI: position guess, 1.0, "rad", "crank.phi", "angle of the bar from the horizontal";
+    ROD_X: position guess, 0.1, "m", "rod.x", "horizontal position of the centre of mass";
+    ROD_Y: position guess, 0.1, "m", "rod.y", "height of the centre of mass";
+    ROD_PHI: position guess, 1.0, "rad", "rod.phi", "angle of the bar from the horizontal";
+    SLIDER_X: position guess, 0.1, "m", "slider.x", "horizontal position of the centre of mass";
+    SLIDER_Y: position guess, 0.1, "m", "slider.y", "height of the centre of mass";
+    CRANK_V_X: velocity guess, 1.0, "m/s", "crank.v_x", "rate of horizontal position of the centre of mass";
+    CRANK_V_Y: velocity guess, 1.0, "m/s", "crank.v_y", "rate of height of the centre of mass";
+    CRANK_OMEGA: velocity guess, 10.0, "rad/s", "crank.omega", "rate of angle of the bar from the horizontal";
+    ROD_V_X: velocity guess, 1.0, "m/s", "rod.v_x", "rate of horizontal position of the centre of mass";
+    ROD_V_Y: velocity guess, 1.0, "m/s", "rod.v_y", "rate of height of the centre of mass";
+    ROD_OMEGA: velocity guess, 10.0, "rad/s", "rod.omega", "rate of angle of the bar from the horizontal";
+    SLIDER_V_X: velocity guess, 1.0, "m/s", "slider.v_x", "rate of horizontal position of the centre of mass";
+    SLIDER_V_Y: velocity guess, 1.0, "m/s", "slider.v_y", "rate of height of the centre of mass";
 }
 
 ::machinist_contract::constraints! {
-    "pin_o_x": of_positions, "m", "the crank's pin in the frame, sideways";
-    "pin_o_y": of_positions, "m", "the crank's pin in the frame, upwards";
-    "pin_a_x": of_positions, "m", "pin between crank and rod, sideways";
-    "pin_a_y": of_positions, "m", "pin between crank and rod, upwards";
-    "pin_b_x": of_positions, "m", "pin between rod and slider, sideways";
-    "pin_b_y": of_positions, "m", "pin between rod and slider, upwards";
+    "pin_o_x": of_positions, "m", "the crank's pin in the frame, horizontal";
+    "pin_o_y": of_positions, "m", "the crank's pin in the frame, vertical";
+    "pin_a_x": of_positions, "m", "pin between crank and rod, horizontal";
+    "pin_a_y": of_positions, "m", "pin between crank and rod, vertical";
+    "pin_b_x": of_positions, "m", "pin between rod and slider, horizontal";
+    "pin_b_y": of_positions, "m", "pin between rod and slider, vertical";
     "guide": of_positions, "m", "the slider on its guide";
     "drive": of_positions, "1", "the crank turns at constant speed";
 }
@@ -109,7 +109,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
     t0, t1, inverse_rod_mass, inverse_rod_inertia
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 4 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 4 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

@@ -3,13 +3,13 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   7ee56fac13a56f78010ffbda1f3894ebadc8339c745559a1b70e8474d678cffa  scenes/stick_slip.toml
-//   470e52cfc081a1464e8221197db93c5fe7bcbc6adf730690d922a663aafb9155  units/friction_slider.toml
+//   4f0d222e1f87a2edd3ac86bb879f8d4067e6dfe54617aeaf62500ceebfdd540b  scenes/stick_slip.toml
+//   20a0591abcd3ca69d82a9ebbe1c7481bbac99db97a2ce882f76b3c4ed51aef89  units/friction_slider.toml
 //
 // Stick-slip oscillation on a belt
 //
-// The belt takes the mass along until the spring is stronger than static friction; then it
-// slides back, and sticks again.
+// The belt carries the mass along until the spring exceeds static friction. The mass then slips back
+// and sticks again.
 //
 // Source:
 //   Textbook; without the Stribeck term the cycle is in closed form.
@@ -28,8 +28,8 @@ use ::machinist_contract::{
 ::machinist_contract::simulator! {
     /// Stick-slip oscillation on a belt
     ///
-    /// The belt takes the mass along until the spring is stronger than static friction; then it
-    /// slides back, and sticks again.
+    /// The belt carries the mass along until the spring exceeds static friction. The mass then slips back
+    /// and sticks again.
     ///
     /// Source: Textbook; without the Stribeck term the cycle is in closed form.
     StickSlip: "stick_slip", "Stick-slip oscillation on a belt";
@@ -40,37 +40,37 @@ use ::machinist_contract::{
 
 ::machinist_contract::parameters! {
     belt_speed: 0.1, "m/s", "belt_speed", "speed of the belt";
-    slider_mass: 1.0, "kg", "slider.mass", "the mass";
-    slider_stiffness: 400.0, "N/m", "slider.stiffness", "spring";
-    slider_damping: 0.0, "N s/m", "slider.damping", "damper beside the spring";
-    slider_normal_force: 10.0, "N", "slider.normal_force", "force that presses the mass on the belt";
-    slider_static_friction: 0.4, "1", "slider.static_friction", "largest friction while it sticks, over the normal force";
-    slider_kinetic_friction: 0.25, "1", "slider.kinetic_friction", "friction at high sliding speed, likewise";
-    slider_stribeck_friction: 0.1, "1", "slider.stribeck_friction", "by how much it is larger at low sliding speed, likewise";
-    slider_stribeck_speed: 0.05, "m/s", "slider.stribeck_speed", "sliding speed over which that falls";
-    slider_sticking_speed: 1e-6, "m/s", "slider.sticking_speed", "faster than that it cannot stick";
+    slider_mass: 1.0, "kg", "slider.mass", "mass";
+    slider_stiffness: 400.0, "N/m", "slider.stiffness", "stiffness of the spring";
+    slider_damping: 0.0, "N s/m", "slider.damping", "damping";
+    slider_normal_force: 10.0, "N", "slider.normal_force", "normal force";
+    slider_static_friction: 0.4, "1", "slider.static_friction", "coefficient of static friction";
+    slider_kinetic_friction: 0.25, "1", "slider.kinetic_friction", "coefficient of kinetic friction at high sliding speed";
+    slider_stribeck_friction: 0.1, "1", "slider.stribeck_friction", "increase of the coefficient at low sliding speed";
+    slider_stribeck_speed: 0.05, "m/s", "slider.stribeck_speed", "sliding speed over which the increase decays";
+    slider_sticking_speed: 1e-6, "m/s", "slider.sticking_speed", "sliding speed above which the mass cannot stick";
 }
 
 ::machinist_contract::outputs! {
     deflection: "m", "deflection", "deflection of the spring";
     velocity: "m/s", "velocity", "rate of deflection of the spring";
-    friction: "N", "friction", "friction on the mass";
-    slip: "1", "slip", "-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth" as "slip: \\-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth \\[1\\].";
+    friction: "N", "friction", "friction force on the mass";
+    slip: "1", "slip", "-1 while the mass slips backward on the belt, 0 while it sticks, 1 while it slips forward" as "slip: \\-1 while the mass slips backward on the belt, 0 while it sticks, 1 while it slips forward \\[1\\].";
 }
 
 ::machinist_contract::states! {
     SLIDER_X: position, 0.01, "m", "slider.x", "deflection of the spring";
     SLIDER_V: velocity, 0.1, "m/s", "slider.v", "rate of deflection of the spring";
-    SLIDER_SLIP: mode, 1.0, "1", "slider.slip", "-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth" as "slider.slip: \\-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth \\[1\\].";
+    SLIDER_SLIP: mode, 1.0, "1", "slider.slip", "-1 while the mass slips backward on the belt, 0 while it sticks, 1 while it slips forward" as "slider.slip: \\-1 while the mass slips backward on the belt, 0 while it sticks, 1 while it slips forward \\[1\\].";
 }
 
 ::machinist_contract::events! {
-    "slider.breaks_back": Rising, when [(2, 0.0)], sets [2], "friction holds no longer: the mass slides back";
-    "slider.breaks_forth": Falling, when [(2, 0.0)], sets [2], "friction holds no longer: the mass slides forth";
-    "slider.thrown_back": Falling, when [(2, 0.0)], sets [2], "it slides back, and cannot stick";
-    "slider.thrown_forth": Rising, when [(2, 0.0)], sets [2], "it slides forth, and cannot stick";
-    "slider.ends_back": Rising, when [(2, -1.0)], sets [1, 2], "the mass has slid back; it sticks or slides forth";
-    "slider.ends_forth": Falling, when [(2, 1.0)], sets [1, 2], "the mass has slid forth; it sticks or slides back";
+    "slider.breaks_back": Rising, when [(2, 0.0)], sets [2], "the friction limit is reached: the mass slips backward";
+    "slider.breaks_forth": Falling, when [(2, 0.0)], sets [2], "the friction limit is reached: the mass slips forward";
+    "slider.thrown_back": Falling, when [(2, 0.0)], sets [2], "the backward speed is too high to stick";
+    "slider.thrown_forth": Rising, when [(2, 0.0)], sets [2], "the forward speed is too high to stick";
+    "slider.ends_back": Rising, when [(2, -1.0)], sets [1, 2], "backward slip ends: the mass sticks or slips forward";
+    "slider.ends_forth": Falling, when [(2, 1.0)], sets [1, 2], "forward slip ends: the mass sticks or slips backward";
 }
 
 ::machinist_contract::patterns! {
@@ -86,7 +86,7 @@ use ::machinist_contract::{
     t0, inverse_slider_mass, t2, minus_slider_normal_force, t3
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 7 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 7 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

@@ -3,22 +3,22 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   94703e250c053ceb41ccbcc94b23aff9e19d226c6314d4813fa4365e2f34b90a  scenes/stick_slip_smooth.toml
-//   d36149bcc20bb6b208bd46bfd10aa569964a6a454d08f20600fea6968e5d5076  units/friction_slider_smooth.toml
+//   66bfbdece1814587959b34be9276cc57810f235c5e89ac78f81867c0b001c389  scenes/stick_slip_smooth.toml
+//   2b1ddd7c3f47c80834fcf2b105259b46e513aba5c8a901dfa8118e2b95566121  units/friction_slider_smooth.toml
 //
 // Stick-slip oscillation on a belt, smoothed
 //
-// The smooth twin of `stick_slip`: stiff where the other sticks.
+// Smoothed variant of `stick_slip`: stiff where that sticks.
 //
 // Source:
 //   Textbook.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 1, states 2, parameters 9, outputs 3, kinks 1.
+// Shapes: coordinates 1, states 2, parameters 9, outputs 3, kinks 1, relations 1.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 9 of 2 by 9.
-// Operations: rate 18, forcing 17, rate_jacobian 27, parameter_jacobian 58, outputs 13, energy 6,
-//     power_balance 26, kink_guards 1, kink_rates 18, prepare 12, prepared_rate 15,
-//     prepared_rate_jacobian 20, prepared_jacobians 52.
+// Operations: rate 20, forcing 19, rate_jacobian 29, parameter_jacobian 60, outputs 15, energy 6,
+//     power_balance 28, kink_guards 1, kink_rates 20, prepare 12, prepared_rate 17,
+//     prepared_rate_jacobian 22, prepared_jacobians 54.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -27,36 +27,41 @@ use ::machinist_contract::{
 ::machinist_contract::simulator! {
     /// Stick-slip oscillation on a belt, smoothed
     ///
-    /// The smooth twin of \`stick_slip\`: stiff where the other sticks.
+    /// Smoothed variant of \`stick_slip\`: stiff where that sticks.
     ///
     /// Source: Textbook.
     StickSlipSmooth: "stick_slip_smooth", "Stick-slip oscillation on a belt, smoothed";
     run from 0.0, until 5.0, points 2001, rtol 1e-8, method "radau";
     quadratures 0, discontinuities 0;
-    prepared; jacobians_at_once; kinks 1; series 4 Corners;
+    prepared; jacobians_at_once; kinks 1; relations; series 4 Saturates;
 }
 
 ::machinist_contract::parameters! {
     belt_speed: 0.1, "m/s", "belt_speed", "speed of the belt";
-    slider_mass: 1.0, "kg", "slider.mass", "the mass";
-    slider_stiffness: 400.0, "N/m", "slider.stiffness", "spring";
-    slider_damping: 0.0, "N s/m", "slider.damping", "damper beside the spring";
-    slider_normal_force: 10.0, "N", "slider.normal_force", "force that presses the mass on the belt";
-    slider_kinetic_friction: 0.25, "1", "slider.kinetic_friction", "friction at high sliding speed, likewise";
-    slider_stribeck_friction: 0.1, "1", "slider.stribeck_friction", "by how much it is larger at low sliding speed, likewise";
-    slider_stribeck_speed: 0.05, "m/s", "slider.stribeck_speed", "sliding speed over which that falls";
-    slider_width: 0.001, "m/s", "slider.width", "sliding speed over which friction changes its direction";
+    slider_mass: 1.0, "kg", "slider.mass", "mass";
+    slider_stiffness: 400.0, "N/m", "slider.stiffness", "stiffness of the spring";
+    slider_damping: 0.0, "N s/m", "slider.damping", "damping";
+    slider_normal_force: 10.0, "N", "slider.normal_force", "normal force";
+    slider_kinetic_friction: 0.25, "1", "slider.kinetic_friction", "coefficient of kinetic friction at high sliding speed";
+    slider_stribeck_friction: 0.1, "1", "slider.stribeck_friction", "increase of the coefficient at low sliding speed";
+    slider_stribeck_speed: 0.05, "m/s", "slider.stribeck_speed", "sliding speed over which the increase decays";
+    slider_width: 0.001, "m/s", "slider.width", "sliding speed over which friction reverses";
+    @ held_1: Branch;
 }
 
 ::machinist_contract::outputs! {
     deflection: "m", "deflection", "deflection of the spring";
     velocity: "m/s", "velocity", "rate of deflection of the spring";
-    friction: "N", "friction", "friction on the mass";
+    friction: "N", "friction", "friction force on the mass";
 }
 
 ::machinist_contract::states! {
     SLIDER_X: position, 0.01, "m", "slider.x", "deflection of the spring";
     SLIDER_V: velocity, 0.1, "m/s", "slider.v", "rate of deflection of the spring";
+}
+
+::machinist_contract::relations! {
+    Branch [Rate];
 }
 
 ::machinist_contract::patterns! {
@@ -73,7 +78,7 @@ use ::machinist_contract::{
     inverse_slider_width_squared
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 12 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 12 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -102,7 +107,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 15 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 17 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -110,7 +115,8 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
-        .add_product(p.slider_stribeck_friction, (c.t0 * slider_sliding.abs()).exp());
+        .add_product(p.slider_stribeck_friction, (c.t0 * R::select_less(slider_sliding + p.held_1,
+        R::literal(0.0), -slider_sliding, slider_sliding)).exp());
     let slider_v_dot = (p.slider_stiffness * slider_x).add_product(slider_dragged,
         (c.inverse_slider_width * slider_sliding).tanh()).add_product(p.slider_damping, slider_v)
         * c.t1;
@@ -123,68 +129,72 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -
     [p.slider_mass]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 17 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 19 operations.
 #[must_use]
 pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
         .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
-        * slider_sliding.abs()).exp());
+        * R::select_less(slider_sliding + p.held_1, R::literal(0.0), -slider_sliding,
+        slider_sliding)).exp());
     let slider_x_forcing = -(p.slider_stiffness * slider_x).add_product(slider_dragged,
         (R::literal(1.0) / p.slider_width * slider_sliding).tanh()).add_product(p.slider_damping,
         slider_v);
     [slider_x_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 20 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 22 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 3] {
     let [_, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
-    let t0 = (c.t0 * slider_sliding.abs()).exp();
+    let slider_sliding_plus_held_1 = slider_sliding + p.held_1;
+    let t0 = (c.t0 * R::select_less(slider_sliding_plus_held_1, R::literal(0.0), -slider_sliding,
+        slider_sliding)).exp();
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
         .add_product(p.slider_stribeck_friction, t0);
     let t1 = (c.inverse_slider_width * slider_sliding).tanh();
     let slider_v_dot_by_slider_v = (-p.slider_damping).add_product(c.t3 * t0 * t1,
-        R::select_less(slider_sliding, R::literal(0.0), R::literal(-1.0), R::literal(1.0)))
-        .sub_product(c.inverse_slider_width * slider_dragged, R::literal(1.0).sub_product(t1, t1))
-        * c.inverse_slider_mass;
+        R::select_less(slider_sliding_plus_held_1, R::literal(0.0), R::literal(-1.0),
+        R::literal(1.0))).sub_product(c.inverse_slider_width * slider_dragged, R::literal(1.0)
+        .sub_product(t1, t1)) * c.inverse_slider_mass;
     [R::literal(1.0), c.slider_v_dot_by_slider_x, slider_v_dot_by_slider_v]
 }
 
 /// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
-/// 52 operations.
+/// 54 operations.
 #[must_use]
 pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 12] {
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
-    let abs_slider_sliding = slider_sliding.abs();
-    let t0 = (c.t0 * abs_slider_sliding).exp();
-    let t1 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
-    let slider_dragged = p.slider_normal_force * t1;
-    let t2 = (c.inverse_slider_width * slider_sliding).tanh();
-    let t3 = R::literal(1.0).sub_product(t2, t2);
-    let t4 = c.inverse_slider_width * slider_dragged * t3;
-    let t5 = c.t3 * t0 * t2 * R::select_less(slider_sliding, R::literal(0.0), R::literal(-1.0),
-        R::literal(1.0));
-    let slider_v_dot_by_slider_v = (t5 - p.slider_damping - t4) * c.inverse_slider_mass;
-    let slider_v_dot_by_belt_speed = (t4 - t5) * c.inverse_slider_mass;
+    let slider_sliding_plus_held_1 = slider_sliding + p.held_1;
+    let t0 = R::select_less(slider_sliding_plus_held_1, R::literal(0.0), -slider_sliding,
+        slider_sliding);
+    let t1 = (c.t0 * t0).exp();
+    let t2 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t1);
+    let slider_dragged = p.slider_normal_force * t2;
+    let t3 = (c.inverse_slider_width * slider_sliding).tanh();
+    let t4 = R::literal(1.0).sub_product(t3, t3);
+    let t5 = c.inverse_slider_width * slider_dragged * t4;
+    let t6 = c.t3 * t1 * t3 * R::select_less(slider_sliding_plus_held_1, R::literal(0.0),
+        R::literal(-1.0), R::literal(1.0));
+    let slider_v_dot_by_slider_v = (t6 - p.slider_damping - t5) * c.inverse_slider_mass;
+    let slider_v_dot_by_belt_speed = (t5 - t6) * c.inverse_slider_mass;
     let slider_v_dot_by_slider_mass = (p.slider_stiffness * slider_x).add_product(slider_dragged,
-        t2).add_product(p.slider_damping, slider_v) * c.inverse_slider_mass * c.inverse_slider_mass;
+        t3).add_product(p.slider_damping, slider_v) * c.inverse_slider_mass * c.inverse_slider_mass;
     let slider_v_dot_by_slider_stiffness = -(slider_x * c.inverse_slider_mass);
     let slider_v_dot_by_slider_damping = -(slider_v * c.inverse_slider_mass);
-    let slider_v_dot_by_slider_normal_force = -(t1 * t2 * c.inverse_slider_mass);
-    let slider_v_dot_by_slider_kinetic_friction = -(p.slider_normal_force * t2
+    let slider_v_dot_by_slider_normal_force = -(t2 * t3 * c.inverse_slider_mass);
+    let slider_v_dot_by_slider_kinetic_friction = -(p.slider_normal_force * t3
         * c.inverse_slider_mass);
-    let slider_v_dot_by_slider_stribeck_friction = -(p.slider_normal_force * t0 * t2
+    let slider_v_dot_by_slider_stribeck_friction = -(p.slider_normal_force * t1 * t3
         * c.inverse_slider_mass);
-    let slider_v_dot_by_slider_stribeck_speed = -(c.t4 * abs_slider_sliding * t0 * t2
-        * c.inverse_slider_mass);
+    let slider_v_dot_by_slider_stribeck_speed = -(c.t4 * t0 * t1 * t3 * c.inverse_slider_mass);
     let slider_v_dot_by_slider_width = c.inverse_slider_width_squared * slider_sliding
-        * slider_dragged * t3 * c.inverse_slider_mass;
+        * slider_dragged * t4 * c.inverse_slider_mass;
     [R::literal(1.0), c.slider_v_dot_by_slider_x, slider_v_dot_by_slider_v,
         slider_v_dot_by_belt_speed, slider_v_dot_by_slider_mass, slider_v_dot_by_slider_stiffness,
         slider_v_dot_by_slider_damping, slider_v_dot_by_slider_normal_force,
@@ -198,14 +208,15 @@ pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<
     [R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs. 13 operations.
+/// Wanted outputs. 15 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
         .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
-        * slider_sliding.abs()).exp());
+        * R::select_less(slider_sliding + p.held_1, R::literal(0.0), -slider_sliding,
+        slider_sliding)).exp());
     let slider_friction = -(slider_dragged * (R::literal(1.0) / p.slider_width * slider_sliding)
         .tanh());
     Outputs {
@@ -226,14 +237,15 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 26 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 28 operations.
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
         .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
-        * slider_sliding.abs()).exp());
+        * R::select_less(slider_sliding + p.held_1, R::literal(0.0), -slider_sliding,
+        slider_sliding)).exp());
     let t0 = slider_dragged * (R::literal(1.0) / p.slider_width * slider_sliding).tanh();
     let slider_stiffness_times_slider_x = p.slider_stiffness * slider_x;
     PowerBalance {
@@ -254,14 +266,15 @@ pub fn kink_guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
     [slider_sliding]
 }
 
-/// Rates along the motion of what passes zero at kinks. 18 operations.
+/// Rates along the motion of what passes zero at kinks. 20 operations.
 #[must_use]
 pub fn kink_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; KINKS] {
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
         .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
-        * slider_sliding.abs()).exp());
+        * R::select_less(slider_sliding + p.held_1, R::literal(0.0), -slider_sliding,
+        slider_sliding)).exp());
     let slider_v_dot = (p.slider_stiffness * slider_x).add_product(slider_dragged, (R::literal(1.0)
         / p.slider_width * slider_sliding).tanh()).add_product(p.slider_damping, slider_v)
         * (R::literal(-1.0) / p.slider_mass);
@@ -273,7 +286,7 @@ pub fn kink_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> 
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 35 recurrences. 4 sums of products an order.
+/// 37 recurrences. 4 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -282,26 +295,27 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let (mut lanes, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
-    let t0 = -slider_sliding;
-    let t1 = R::select_less(slider_sliding, R::literal(0.0), t0, slider_sliding);
-    let t2 = R::literal(-1.0) / p.slider_stribeck_speed;
-    let t3 = t1 * t2;
-    let t4 = t3.exp();
-    let t5 = t4 * p.slider_stribeck_friction;
-    let t6 = p.slider_kinetic_friction + t5;
-    let slider_dragged = t6 * p.slider_normal_force;
-    let t7 = R::literal(1.0) / p.slider_width;
-    let t8 = slider_sliding * t7;
-    let t9 = t8.tanh();
-    let t10 = t9 * t9;
-    let t11 = R::literal(1.0) - t10;
-    let t12 = slider_dragged * t9;
-    let t13 = slider_x * p.slider_stiffness;
-    let t14 = slider_v * p.slider_damping;
-    let t15 = t12 + t13;
-    let t16 = t15 + t14;
-    let t17 = R::literal(-1.0) / p.slider_mass;
-    let slider_v_dot = t16 * t17;
+    let t0 = slider_sliding + p.held_1;
+    let t1 = -slider_sliding;
+    let t2 = R::select_less(t0, R::literal(0.0), t1, slider_sliding);
+    let t3 = R::literal(-1.0) / p.slider_stribeck_speed;
+    let t4 = t2 * t3;
+    let t5 = t4.exp();
+    let t6 = t5 * p.slider_stribeck_friction;
+    let t7 = p.slider_kinetic_friction + t6;
+    let slider_dragged = t7 * p.slider_normal_force;
+    let t8 = R::literal(1.0) / p.slider_width;
+    let t9 = slider_sliding * t8;
+    let t10 = t9.tanh();
+    let t11 = t10 * t10;
+    let t12 = R::literal(1.0) - t11;
+    let t13 = slider_dragged * t10;
+    let t14 = slider_x * p.slider_stiffness;
+    let t15 = slider_v * p.slider_damping;
+    let t16 = t13 + t14;
+    let t17 = t16 + t15;
+    let t18 = R::literal(-1.0) / p.slider_mass;
+    let slider_v_dot = t17 * t18;
     let mut rates = [slider_v, slider_v_dot];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
@@ -313,20 +327,21 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         }
         let [slider_x_k, slider_v_k] = *state_k;
         let sums = lanes.sums(order);
-        let t0_k = -slider_v_k;
-        let t1_k = R::select_less(slider_sliding, R::literal(0.0), t0_k, slider_v_k);
-        let t3_k = t1_k * t2;
-        let t4_k = t3_k.mul_add(t4, inverse * sums[1]);
-        let slider_dragged_k = t4_k * p.slider_stribeck_friction * p.slider_normal_force;
-        let t8_k = slider_v_k * t7;
-        let t9_k = t8_k.mul_add(t11, inverse * sums[2]);
-        let t10_k = (t9 + t9).mul_add(t9_k, sums[0]);
-        let t11_k = -t10_k;
-        let t12_k = t9.mul_add(slider_dragged_k, slider_dragged.mul_add(t9_k, sums[3]));
-        let t15_k = slider_x_k.mul_add(p.slider_stiffness, t12_k);
-        let t16_k = slider_v_k.mul_add(p.slider_damping, t15_k);
-        let slider_v_dot_k = t16_k * t17;
-        lanes.set(order, [t9_k, k * t3_k, k * t8_k, slider_dragged_k], [t9_k, t4_k, t11_k, t9_k]);
+        let t1_k = -slider_v_k;
+        let t2_k = R::select_less(t0, R::literal(0.0), t1_k, slider_v_k);
+        let t4_k = t2_k * t3;
+        let t5_k = t4_k.mul_add(t5, inverse * sums[1]);
+        let slider_dragged_k = t5_k * p.slider_stribeck_friction * p.slider_normal_force;
+        let t9_k = slider_v_k * t8;
+        let t10_k = t9_k.mul_add(t12, inverse * sums[2]);
+        let t11_k = (t10 + t10).mul_add(t10_k, sums[0]);
+        let t12_k = -t11_k;
+        let t13_k = t10.mul_add(slider_dragged_k, slider_dragged.mul_add(t10_k, sums[3]));
+        let t16_k = slider_x_k.mul_add(p.slider_stiffness, t13_k);
+        let t17_k = slider_v_k.mul_add(p.slider_damping, t16_k);
+        let slider_v_dot_k = t17_k * t18;
+        lanes.set(order, [t10_k, k * t4_k, k * t9_k, slider_dragged_k], [t10_k, t5_k, t12_k,
+            t10_k]);
         rates = [slider_v_k, slider_v_dot_k];
     }
 }

@@ -3,13 +3,13 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   5623d9c21ce98e1aed41a1f9a9f9209929035ebecccba58003cfb7c33a790c3c  scenes/two_mass.toml
-//   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
-//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
+//   1d197923252f4b769a62441c20a4bf06c5f8c973e644a600bf6f6b9cbb070c7a  scenes/two_mass.toml
+//   ba9b76a100d91a8597c44349f557e301fa971bdcc9a7e0cf5da5ce4fd6af94b2  units/rotor.toml
+//   512419e5aa73ad1710ef3556037050e97b898e87a7d5d8a4e9c4b03a7a8b0141  units/coupling.toml
 //
-// Two rotors on an elasto-dissipative coupling
+// Two rotors on a spring-damper coupling
 //
-// Rotor of the motor and saw cylinder on their coupling, driven and loaded by given torques.
+// Motor rotor and saw cylinder on their coupling, driven and loaded by prescribed torques.
 //
 // Source:
 //   Saw-gin study (2020), equations (1).
@@ -23,12 +23,12 @@
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
 
 ::machinist_contract::simulator! {
-    /// Two rotors on an elasto-dissipative coupling
+    /// Two rotors on a spring-damper coupling
     ///
-    /// Rotor of the motor and saw cylinder on their coupling, driven and loaded by given torques.
+    /// Motor rotor and saw cylinder on their coupling, driven and loaded by prescribed torques.
     ///
     /// Source: Saw-gin study (2020), equations (1).
-    TwoMass: "two_mass", "Two rotors on an elasto-dissipative coupling";
+    TwoMass: "two_mass", "Two rotors on a spring-damper coupling";
     run from 0.0, until 0.5, points 1001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     coordinates; prepared; jacobians_at_once; linear; series 0;
@@ -39,18 +39,18 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     load_torque: 843.72, "N m", "load_torque", "constant resisting torque";
     load_amplitude: 0.0, "N m", "load_amplitude", "amplitude of the harmonic resisting torque";
     load_frequency: 241.8051, "rad/s", "load_frequency", "angular frequency of the harmonic resisting torque";
-    initial_twist: 0.0, "rad", "initial_twist", "twist at the start";
-    initial_twist_rate: 0.0, "rad/s", "initial_twist_rate", "rate of twist at the start";
+    initial_twist: 0.0, "rad", "initial_twist", "initial twist";
+    initial_twist_rate: 0.0, "rad/s", "initial_twist_rate", "initial rate of twist";
     driver_inertia: 4.2, "kg m^2", "driver.inertia", "moment of inertia";
     coupling_stiffness: 23065.2, "N m/rad", "coupling.stiffness", "torsional stiffness";
     coupling_damping: 128.5346, "N m s/rad", "coupling.damping", "torsional damping";
-    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end for one turn of the driven end";
+    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end per turn of the driven end";
     cylinder_inertia: 1.244, "kg m^2", "cylinder.inertia", "moment of inertia";
 }
 
 ::machinist_contract::outputs! {
     twist: "rad", "twist", "twist";
-    coupling_torque: "N m", "coupling_torque", "torque carried, on the driving side";
+    coupling_torque: "N m", "coupling_torque", "torque at the driving end";
     driver_speed: "rad/s", "driver_speed", "rate of angle";
     cylinder_speed: "rad/s", "cylinder_speed", "rate of angle";
 }
@@ -83,7 +83,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     minus_inverse_cylinder_inertia, t2
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 19 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 19 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

@@ -3,16 +3,16 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   d1a2ecff27f4b50b8eefa8aaa57ef9f98673656a96304eacb66a30db7b8824fa  scenes/winder_full.toml
-//   42196c14f0cbff2243564565fe82cdb3b013e2b4a3b2fd890059c77c7bbd1b96  units/textile/pressed_bobbin.toml
-//   7bbd07021cac34d6ebc3be5705e1b5c2371b2576809731c9bcc734773a10f973  units/textile/yarn_layer_one_sided.toml
-//   835ec1635a391df52317c200aa2226e55b3e0f1921565ba9130e5d4a904a0206  units/textile/winding_pair.toml
+//   b0777112c10792aedb2374cadacd873b6b4d78dfb288e3bc9ed2fc9d027ed5b1  scenes/winder_full.toml
+//   496e31a2c43e3bf46e48a1bf46877ff5ab1f1b94d06e928363569cc44f7a3b4f  units/textile/pressed_bobbin.toml
+//   4523628caac5f68f1a18bee3f7880ce2eeff3e8fe2b093aa6e909eb732e6e265  units/textile/yarn_layer_one_sided.toml
+//   716ca9f901b4e7419a8c328854ce4db086c917d9c218b8a98f52cecd07e306a7  units/textile/winding_pair.toml
 //
 // Bobbin on a winding drum, all nonlinearities
 //
-// The bobbin of `winder_nonlinear` on a layer that only pushes, so that it may leave the drum; the
-// package turned by friction, which is lost with the pressure; and the package grows. Third stage
-// of modelling. As long as there is contact, its deflection is that of `winder_nonlinear`.
+// The bobbin of `winder_nonlinear` on a one-sided layer, so it may leave the drum. Friction, which is
+// lost with the contact force, turns the package, and the package grows. Third stage of modelling.
+// While in contact, its deflection is that of `winder_nonlinear`.
 //
 // Source:
 //   Winder study, third stage of modelling; frictions lie within its ranges. Every mass, stiffness, dimension, speed, pressure and disturbance is ours, for the study gives none.
@@ -21,8 +21,8 @@
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 31, outputs 8, events 9.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 14 of 8 by 8, parameter_jacobian 54 of 8 by 31.
 // Operations: initial_state 5, rate 110, mass_matrix 19, forcing 87, rate_jacobian 189,
-//     parameter_jacobian 529, time_derivative 103, outputs 84, energy 64, power_balance 167,
-//     guards 69, guard_rates 237, resets 73, prepare 66, prepared_rate 91,
+//     parameter_jacobian 529, time_derivative 103, outputs 84, energy 64, power_balance 168,
+//     guards 69, guard_rates 238, resets 73, prepare 66, prepared_rate 91,
 //     prepared_rate_jacobian 165, prepared_jacobians 536.
 
 use ::machinist_contract::{
@@ -32,9 +32,9 @@ use ::machinist_contract::{
 ::machinist_contract::simulator! {
     /// Bobbin on a winding drum, all nonlinearities
     ///
-    /// The bobbin of \`winder_nonlinear\` on a layer that only pushes, so that it may leave the drum; the
-    /// package turned by friction, which is lost with the pressure; and the package grows. Third stage
-    /// of modelling. As long as there is contact, its deflection is that of \`winder_nonlinear\`.
+    /// The bobbin of \`winder_nonlinear\` on a one-sided layer, so it may leave the drum. Friction, which is
+    /// lost with the contact force, turns the package, and the package grows. Third stage of modelling.
+    /// While in contact, its deflection is that of \`winder_nonlinear\`.
     ///
     /// Source: Winder study, third stage of modelling; frictions lie within its ranges. Every mass, stiffness, dimension, speed, pressure and disturbance is ours, for the study gives none.
     WinderFull: "winder_full", "Bobbin on a winding drum, all nonlinearities";
@@ -44,70 +44,70 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::parameters! {
-    winding_speed: 5.5, "m/s", "winding_speed", "speed of the drum's surface at the start";
-    acceleration: 0.0, "m/s^2", "acceleration", "rate of that speed; below zero the drum brakes";
+    winding_speed: 5.5, "m/s", "winding_speed", "initial speed of the drum's surface";
+    acceleration: 0.0, "m/s^2", "acceleration", "acceleration of the drum's surface; below zero the drum brakes";
     drum_radius: 0.05, "m", "drum_radius", "R0, radius of the drum";
-    force_amplitude: 25.0, "N", "force_amplitude", "F0, force once a turn of the drum, from its unbalance";
-    force_phase: 0.0, "rad", "force_phase", "phase of that force";
-    package_force: 0.0, "N", "package_force", "amplitude of the force once a turn of the package";
-    package_phase: 0.0, "rad", "package_phase", "phase of that force";
-    ovality: 0.0002, "m", "ovality", "Y0, amplitude of the drum's shape twice a turn";
-    ovality_phase: 0.0, "rad", "ovality_phase", "phase of that shape";
-    eccentricity: 0.0, "m", "eccentricity", "amplitude of the drum's shape once a turn";
-    initial_deflection: 0.0, "m", "initial_deflection", "deflection at the start";
-    initial_velocity: 0.0, "m/s", "initial_velocity", "velocity at the start";
+    force_amplitude: 25.0, "N", "force_amplitude", "F0, amplitude of the unbalance force, once per drum revolution";
+    force_phase: 0.0, "rad", "force_phase", "phase of the unbalance force";
+    package_force: 0.0, "N", "package_force", "amplitude of the force once per package revolution";
+    package_phase: 0.0, "rad", "package_phase", "phase of the package force";
+    ovality: 0.0002, "m", "ovality", "Y0, amplitude of the drum profile, twice per revolution";
+    ovality_phase: 0.0, "rad", "ovality_phase", "phase of the drum profile";
+    eccentricity: 0.0, "m", "eccentricity", "amplitude of the drum profile, once per revolution";
+    initial_deflection: 0.0, "m", "initial_deflection", "initial deflection";
+    initial_velocity: 0.0, "m/s", "initial_velocity", "initial velocity";
     holder_bobbin_mass: 1.5, "kg", "holder.bobbin_mass", "m0, mass of bobbin and plate";
     holder_link_mass: 0.9, "kg", "holder.link_mass", "mn, mass of the links";
-    holder_link_arm: 0.1, "m", "holder.link_arm", "lbc, arm of the links' mass";
-    holder_holder_arm: 0.15, "m", "holder.holder_arm", "lab, arm of the bobbin";
-    holder_stiffness: 3800.0, "N/m", "holder.stiffness", "c_p, spring of the holder, reduced to the bobbin's centre";
-    holder_preload: 40.0, "N", "holder.preload", "N0, pressure at rest";
+    holder_link_arm: 0.1, "m", "holder.link_arm", "lbc, lever arm of the link mass";
+    holder_holder_arm: 0.15, "m", "holder.holder_arm", "lab, lever arm of the bobbin";
+    holder_stiffness: 3800.0, "N/m", "holder.stiffness", "c_p, stiffness of the holder, reduced to the bobbin centre";
+    holder_preload: 40.0, "N", "holder.preload", "N0, contact force at rest";
     layer_stiffness: 42000.0, "N/m", "layer.stiffness", "c, stiffness of the layer";
-    layer_cubic_stiffness: 2e9, "N/m^3", "layer.cubic_stiffness", "c3, stiffening of the layer: a fifth of the stiffness at 2 mm";
-    layer_viscosity: 95.0, "N s/m", "layer.viscosity", "h, viscosity of the layer, above zero";
+    layer_cubic_stiffness: 2e9, "N/m^3", "layer.cubic_stiffness", "c3, cubic stiffness of the layer: a fifth of the stiffness at 2 mm";
+    layer_viscosity: 95.0, "N s/m", "layer.viscosity", "h, damping of the layer, above zero";
     pair_bobbin_radius: 0.03, "m", "pair.bobbin_radius", "Rmin, radius of the empty bobbin";
-    pair_package_radius: 0.03, "m", "pair.package_radius", "radius of the package at the start";
+    pair_package_radius: 0.03, "m", "pair.package_radius", "initial radius of the package";
     pair_package_width: 0.15, "m", "pair.package_width", "H, width of the package";
     pair_yarn_density: 350.0, "kg/m^3", "pair.yarn_density", "rho, density of the wound yarn";
-    pair_thread_area: 5.7e-8, "m^2", "pair.thread_area", "volume that a length of thread takes up on the package: that of 20 tex";
+    pair_thread_area: 5.7e-8, "m^2", "pair.thread_area", "volume on the package per unit length of thread, for 20 tex";
     pair_bobbin_inertia: 0.0006, "kg m^2", "pair.bobbin_inertia", "moment of inertia of the empty bobbin";
     pair_tension: 0.6, "N", "pair.tension", "Pn, tension of the thread";
-    pair_friction: 0.18, "1", "pair.friction", "f, between drum and package";
-    pair_support_arm: 0.0004, "m", "pair.support_arm", "fa r, friction of the support times its radius";
+    pair_friction: 0.18, "1", "pair.friction", "f, coefficient of friction between drum and package";
+    pair_support_arm: 0.0004, "m", "pair.support_arm", "fa r, coefficient of support friction times its radius";
     pair_rolling_arm: 0.0006, "m", "pair.rolling_arm", "k, arm of rolling friction";
 }
 
 ::machinist_contract::outputs! {
-    deflection: "m", "deflection", "deflection of the bobbin's centre";
+    deflection: "m", "deflection", "deflection of the bobbin centre";
     pressure: "N", "pressure", "N, force of the layer on the bobbin";
     mass: "kg", "mass", "reduced mass m(R)";
     radius: "m", "radius", "R, radius of the package";
-    friction: "N", "friction", "friction of the drum on the package";
-    slip: "1", "slip", "nu, share by which the package lags behind the drum";
-    force: "N", "force", "force disturbance";
-    shape: "m", "shape", "shape of the drum";
+    friction: "N", "friction", "friction force of the drum on the package";
+    slip: "1", "slip", "nu, relative slip of the package behind the drum";
+    force: "N", "force", "disturbance force";
+    shape: "m", "shape", "drum profile";
 }
 
 ::machinist_contract::states! {
-    HOLDER_X: position, 0.001, "m", "holder.x", "deflection of the bobbin's centre";
+    HOLDER_X: position, 0.001, "m", "holder.x", "deflection of the bobbin centre";
     PAIR_PHI: position, 1.0, "rad", "pair.phi", "angle of the package";
-    HOLDER_V: velocity, 0.1, "m/s", "holder.v", "rate of deflection of the bobbin's centre";
+    HOLDER_V: velocity, 0.1, "m/s", "holder.v", "rate of deflection of the bobbin centre";
     PAIR_OMEGA: velocity, 100.0, "rad/s", "pair.omega", "rate of angle of the package";
-    LAYER_SURFACE: first_order, 0.001, "m", "layer.surface", "s, compression of the layer beyond that at rest, while nothing touches it";
-    LAYER_CLOSED: mode, 1.0, "1", "layer.closed", "1 while bobbin and drum touch";
+    LAYER_SURFACE: first_order, 0.001, "m", "layer.surface", "s, compression of the free layer, relative to rest";
+    LAYER_CLOSED: mode, 1.0, "1", "layer.closed", "1 while in contact";
     PAIR_RADIUS: first_order, 0.03, "m", "pair.radius", "R, radius of the package";
-    PAIR_SLIP: mode, 1.0, "1", "pair.slip", "-1 while the package lags behind the drum, 0 while it sticks to it, 1 while it runs ahead; -2 while it stands still" as "pair.slip: \\-1 while the package lags behind the drum, 0 while it sticks to it, 1 while it runs ahead; -2 while it stands still \\[1\\].";
+    PAIR_SLIP: mode, 1.0, "1", "pair.slip", "-1 while the package lags behind the drum, 0 while it sticks, 1 while it runs ahead; -2 at standstill" as "pair.slip: \\-1 while the package lags behind the drum, 0 while it sticks, 1 while it runs ahead; -2 at standstill \\[1\\].";
 }
 
 ::machinist_contract::events! {
-    "layer.touches": Rising, when [(5, 0.0)], sets [5], "the bobbin is back on the layer";
+    "layer.touches": Rising, when [(5, 0.0)], sets [5], "the bobbin meets the layer again";
     "layer.opens": Falling, when [(5, 1.0)], sets [5, 4], "the layer would pull";
-    "pair.begins": Rising, when [(7, 0.0)], sets [7], "at the start: whether friction suffices";
-    "pair.breaks_back": Rising, when [(7, 0.0)], sets [7], "friction suffices no longer: the package lags behind";
-    "pair.breaks_forth": Falling, when [(7, 0.0)], sets [7], "friction suffices no longer: the package runs ahead";
-    "pair.ends_back": Rising, when [(7, -1.0)], sets [3, 7], "the package has caught up; it sticks or runs ahead";
-    "pair.ends_forth": Falling, when [(7, 1.0)], sets [3, 7], "the drum has caught up; the package sticks or lags behind";
-    "pair.halts": Falling, when [(7, -1.0)], sets [3, 7], "friction cannot turn the package, which stands still";
+    "pair.begins": Rising, when [(7, 0.0)], sets [7], "initial choice of stick or slip";
+    "pair.breaks_back": Rising, when [(7, 0.0)], sets [7], "the friction limit is reached: the package lags behind";
+    "pair.breaks_forth": Falling, when [(7, 0.0)], sets [7], "the friction limit is reached: the package runs ahead";
+    "pair.ends_back": Rising, when [(7, -1.0)], sets [3, 7], "the package catches up: it sticks or runs ahead";
+    "pair.ends_forth": Falling, when [(7, 1.0)], sets [3, 7], "the drum catches up: the package sticks or lags behind";
+    "pair.halts": Falling, when [(7, -1.0)], sets [3, 7], "the package comes to a standstill";
     "pair.turns": Rising, when [(7, -2.0)], sets [7], "friction turns the package again";
 }
 
@@ -131,7 +131,7 @@ use ::machinist_contract::{
     t32, t33, t34, t35, t36
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 66 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 66 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -256,7 +256,7 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         R::select_less(pair_slip, R::literal(0.5), pair_held, R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
     let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
-        * (pair_carried - pair_resistance)) * (R::literal(1.0) / pair_inertia);
+        * (pair_carried - pair_resistance) * (R::literal(1.0) / pair_inertia));
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         -t4)).sub_product(c.t9 * holder_v * pair_omega, pair_radius) - (p.holder_preload
         .add_product(p.holder_stiffness, holder_x) + R::select_less(layer_closed, R::literal(0.5),
@@ -381,7 +381,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let t7 = c.t9 * holder_v;
     let t8 = t7 * pair_omega;
     let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
-        * (pair_carried - pair_resistance)) * inverse_pair_inertia;
+        * (pair_carried - pair_resistance) * inverse_pair_inertia);
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         -t3)).sub_product(t8, pair_radius) - (p.holder_preload.add_product(p.holder_stiffness,
         holder_x) + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t4)))
@@ -392,7 +392,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let t12 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), R::literal(1.0));
     let pair_omega_dot_by_holder_x = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t11, R::select_less(pair_slip,
-        R::literal(0.5), -t10, t11)) + t10) * t12) * inverse_pair_inertia;
+        R::literal(0.5), -t10, t11)) + t10) * t12 * inverse_pair_inertia);
     let holder_v_dot_by_holder_x = -((p.holder_stiffness + R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), t9)) * inverse_holder_mass);
     let holder_v_dot_by_pair_phi = -(p.package_force * sin_package_phase_plus_pair_phi
@@ -401,7 +401,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let pair_omega_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         p.layer_viscosity * (c.t8 + R::select_less(pair_slip, R::literal(-0.5),
         -pair_friction_times_pair_radius, R::select_less(pair_slip, R::literal(0.5), c.t12,
-        pair_friction_times_pair_radius))) * t12) * inverse_pair_inertia;
+        pair_friction_times_pair_radius))) * t12 * inverse_pair_inertia);
     let holder_v_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         c.minus_layer_viscosity).sub_product(c.t9 * pair_omega, pair_radius) * inverse_holder_mass;
     let layer_surface_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5),
@@ -409,7 +409,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let pair_omega_dot_by_pair_omega = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
         R::literal(-2.0) * pair_growth * pair_inertia * R::select_less(pair_slip, R::literal(-0.5),
         R::literal(0.0), R::literal(1.0)) * R::select_less(pair_slip, R::literal(0.5),
-        R::literal(1.0), R::literal(0.0)) / pair_radius) * inverse_pair_inertia;
+        R::literal(1.0), R::literal(0.0)) / pair_radius * inverse_pair_inertia);
     let holder_v_dot_by_pair_omega = -(t7 * pair_radius * inverse_holder_mass);
     let layer_surface_dot_by_layer_surface = R::select_less(layer_closed, R::literal(0.5),
         -(c.inverse_layer_viscosity * p.layer_stiffness.add_product(c.t11, layer_surface
@@ -486,7 +486,7 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t12 = c.t9 * holder_v;
     let t13 = t12 * pair_omega;
     let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
-        * (pair_carried - pair_resistance)) * inverse_pair_inertia;
+        * (pair_carried - pair_resistance) * inverse_pair_inertia);
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         -t8)).sub_product(t13, pair_radius) - (p.holder_preload.add_product(p.holder_stiffness,
         holder_x) + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t9)))
@@ -498,7 +498,7 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t18 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), R::literal(1.0));
     let pair_omega_dot_by_holder_x = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t17, R::select_less(pair_slip,
-        R::literal(0.5), -t16, t17)) + t16) * t18) * inverse_pair_inertia;
+        R::literal(0.5), -t16, t17)) + t16) * t18 * inverse_pair_inertia);
     let holder_v_dot_by_holder_x = -((p.holder_stiffness + R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), t15)) * inverse_holder_mass);
     let holder_v_dot_by_pair_phi = -(p.package_force * sin_package_phase_plus_pair_phi
@@ -507,8 +507,8 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t19 = -pair_friction_times_pair_radius;
     let pair_omega_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         p.layer_viscosity * (c.t8 + R::select_less(pair_slip, R::literal(-0.5), t19,
-        R::select_less(pair_slip, R::literal(0.5), c.t12, pair_friction_times_pair_radius))) * t18)
-        * inverse_pair_inertia;
+        R::select_less(pair_slip, R::literal(0.5), c.t12, pair_friction_times_pair_radius))) * t18
+        * inverse_pair_inertia);
     let holder_v_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         c.minus_layer_viscosity).sub_product(c.t9 * pair_omega, pair_radius) * inverse_holder_mass;
     let layer_surface_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5),
@@ -516,8 +516,8 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t20 = R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0), R::literal(1.0));
     let t21 = R::select_less(pair_slip, R::literal(0.5), R::literal(1.0), R::literal(0.0));
     let pair_omega_dot_by_pair_omega = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
-        R::literal(-2.0) * pair_growth * pair_inertia * t20 * t21 / pair_radius)
-        * inverse_pair_inertia;
+        R::literal(-2.0) * pair_growth * pair_inertia * t20 * t21 / pair_radius
+        * inverse_pair_inertia);
     let holder_v_dot_by_pair_omega = -(t12 * pair_radius * inverse_holder_mass);
     let layer_surface_dot_by_layer_surface = R::select_less(layer_closed, R::literal(0.5),
         -(c.inverse_layer_viscosity * p.layer_stiffness.add_product(c.t11, layer_surface_squared)),
@@ -536,7 +536,6 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t25 = layer_surface_squared * layer_surface;
     let layer_swelling = p.holder_preload.add_product(p.layer_stiffness, layer_surface)
         .add_product(p.layer_cubic_stiffness, t25);
-    let layer_compression_rate = -t6;
     let t26 = c.t14 * time * t1;
     let t27 = c.eccentricity_over_drum_radius * time;
     let t28 = t27 * sin_drum_angle;
@@ -549,7 +548,7 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t33 = p.pair_friction * t31;
     let pair_omega_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t33,
-        R::select_less(pair_slip, R::literal(0.5), -t32, t33)) + t32) * t18) * inverse_pair_inertia;
+        R::select_less(pair_slip, R::literal(0.5), -t32, t33)) + t32) * t18 * inverse_pair_inertia);
     let holder_v_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -t31).sub_product(c.force_amplitude_over_drum_radius * time,
         sin_force_phase_plus_drum_angle) * inverse_holder_mass;
@@ -572,7 +571,7 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         R::literal(0.5), R::literal(0.0), R::select_less(pair_slip, R::literal(0.5),
         R::literal(0.0), t39)) + R::select_less(pair_slip, R::literal(0.5), pair_inertia
         / pair_radius_squared + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        -t38), R::literal(0.0))))) * inverse_pair_inertia;
+        -t38), R::literal(0.0)))) * inverse_pair_inertia);
     let holder_v_dot_by_acceleration = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -t37).sub_product(c.t16 * time_squared, sin_force_phase_plus_drum_angle)
         * inverse_holder_mass;
@@ -588,7 +587,7 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t45 = p.pair_friction * t43;
     let pair_omega_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t45,
-        R::select_less(pair_slip, R::literal(0.5), t44, -t45)) - t44) * t18) * inverse_pair_inertia;
+        R::select_less(pair_slip, R::literal(0.5), t44, -t45)) - t44) * t18 * inverse_pair_inertia);
     let holder_v_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), t43).add_product(c.force_amplitude_over_drum_radius * drum_angle,
         sin_force_phase_plus_drum_angle) * inverse_holder_mass;
@@ -603,9 +602,9 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t48 = p.pair_friction * t46;
     let pair_omega_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t48, R::select_less(pair_slip,
-        R::literal(0.5), t47, -t48)) - t47) * t18) * inverse_pair_inertia;
+        R::literal(0.5), t47, -t48)) - t47) * t18 * inverse_pair_inertia);
     let holder_v_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        t46) * inverse_holder_mass;
+        t46 * inverse_holder_mass);
     let layer_surface_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), R::literal(-2.0) * turning * t1);
     let t49 = c.t19 * turning * t2;
@@ -616,9 +615,9 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t54 = p.pair_friction * t52;
     let pair_omega_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t54,
-        R::select_less(pair_slip, R::literal(0.5), -t53, t54)) + t53) * t18) * inverse_pair_inertia;
+        R::select_less(pair_slip, R::literal(0.5), -t53, t54)) + t53) * t18 * inverse_pair_inertia);
     let holder_v_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(t49 + (t50 + t51))) * inverse_holder_mass;
+        R::literal(0.0), -((t49 + (t50 + t51)) * inverse_holder_mass));
     let layer_surface_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(t5 * t2));
     let t55 = (p.layer_stiffness * cos_drum_angle).add_product(t14, cos_drum_angle)
@@ -627,9 +626,9 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t57 = p.pair_friction * t55;
     let pair_omega_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t57,
-        R::select_less(pair_slip, R::literal(0.5), t56, -t57)) - t56) * t18) * inverse_pair_inertia;
+        R::select_less(pair_slip, R::literal(0.5), t56, -t57)) - t56) * t18 * inverse_pair_inertia);
     let holder_v_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t55) * inverse_holder_mass;
+        R::literal(0.0), t55 * inverse_holder_mass);
     let layer_surface_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(turning * sin_drum_angle));
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * inverse_holder_mass);
@@ -639,9 +638,9 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let holder_v_dot_by_holder_stiffness = -(holder_x * inverse_holder_mass);
     let pair_omega_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
-        R::select_less(pair_slip, R::literal(-0.5), pair_friction_times_pair_radius,
+        (R::select_less(pair_slip, R::literal(-0.5), pair_friction_times_pair_radius,
         R::select_less(pair_slip, R::literal(0.5), c.t8, t19)) - p.pair_support_arm
-        - p.pair_rolling_arm)) * inverse_pair_inertia;
+        - p.pair_rolling_arm) * inverse_pair_inertia));
     let holder_v_dot_by_holder_preload = (R::literal(-1.0) - layer_surface_dot_by_holder_v)
         * inverse_holder_mass;
     let layer_surface_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
@@ -650,27 +649,27 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t59 = p.pair_friction * layer_compression;
     let pair_omega_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t59,
-        R::select_less(pair_slip, R::literal(0.5), t58, -t59)) - t58) * t18) * inverse_pair_inertia;
+        R::select_less(pair_slip, R::literal(0.5), t58, -t59)) - t58) * t18 * inverse_pair_inertia);
     let holder_v_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), layer_compression) * inverse_holder_mass;
+        R::literal(0.0), layer_compression * inverse_holder_mass);
     let layer_surface_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
         -(c.inverse_layer_viscosity * layer_surface), R::literal(0.0));
     let t60 = c.t8 * t7 / pair_radius;
     let t61 = p.pair_friction * t7;
     let pair_omega_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t61,
-        R::select_less(pair_slip, R::literal(0.5), t60, -t61)) - t60) * t18) * inverse_pair_inertia;
+        R::select_less(pair_slip, R::literal(0.5), t60, -t61)) - t60) * t18 * inverse_pair_inertia);
     let holder_v_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t7) * inverse_holder_mass;
+        R::literal(0.0), t7 * inverse_holder_mass);
     let layer_surface_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
         -(c.inverse_layer_viscosity * t25), R::literal(0.0));
     let t62 = c.t8 * t6 / pair_radius;
     let t63 = p.pair_friction * t6;
     let pair_omega_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t63,
-        R::select_less(pair_slip, R::literal(0.5), -t62, t63)) + t62) * t18) * inverse_pair_inertia;
+        R::select_less(pair_slip, R::literal(0.5), -t62, t63)) + t62) * t18 * inverse_pair_inertia);
     let holder_v_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), layer_compression_rate) * inverse_holder_mass;
+        R::literal(0.0), -(t6 * inverse_holder_mass));
     let layer_surface_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
         c.inverse_layer_viscosity_squared * layer_swelling, R::literal(0.0));
     let pair_omega_squared = pair_omega * pair_omega;
@@ -691,26 +690,26 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let holder_v_dot_by_pair_yarn_density = -((p.pair_thread_area * holder_v * pair_omega
         * pair_radius).add_product(c.t0 * t3, holder_v_dot) * inverse_holder_mass);
     let pair_omega_dot_by_pair_thread_area = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), -(c.t36 * pair_inertia * pair_omega_squared * t20 * t21 / pair_radius))
-        * inverse_pair_inertia;
+        R::literal(0.0), -(c.t36 * pair_inertia * pair_omega_squared * t20 * t21 / pair_radius
+        * inverse_pair_inertia));
     let holder_v_dot_by_pair_thread_area = -(p.pair_yarn_density * holder_v * pair_omega
         * pair_radius * inverse_holder_mass);
     let pair_radius_dot_by_pair_thread_area = c.t36 * pair_omega;
     let pair_omega_dot_by_pair_bobbin_inertia = (R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), t11 * t20 * t21 / pair_radius) - pair_omega_dot) * inverse_pair_inertia;
     let pair_omega_dot_by_pair_tension = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0),
+        R::literal(0.0), (R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0),
         R::select_less(pair_slip, R::literal(0.5), pair_radius, R::literal(0.0))) - pair_radius)
-        * inverse_pair_inertia;
+        * inverse_pair_inertia);
     let pair_omega_dot_by_pair_friction = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * t18 * R::select_less(pair_slip, R::literal(-0.5),
-        layer_push, R::select_less(pair_slip, R::literal(0.5), R::literal(0.0), t8 - t9)))
-        * inverse_pair_inertia;
+        layer_push, R::select_less(pair_slip, R::literal(0.5), R::literal(0.0), t8 - t9))
+        * inverse_pair_inertia);
     let layer_push_over_pair_radius = layer_push / pair_radius;
     let pair_omega_dot_by_pair_support_arm = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(0.5), layer_push_over_pair_radius,
-        R::literal(0.0))) - layer_push_over_pair_radius) * t18) * inverse_pair_inertia;
+        R::literal(0.0))) - layer_push_over_pair_radius) * t18 * inverse_pair_inertia);
     [R::literal(1.0), R::literal(1.0), holder_v_dot_by_holder_x, holder_v_dot_by_pair_phi,
         holder_v_dot_by_holder_v, holder_v_dot_by_pair_omega, holder_v_dot_by_pair_radius,
         pair_omega_dot_by_holder_x, pair_omega_dot_by_holder_v, pair_omega_dot_by_pair_omega,
@@ -782,7 +781,7 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     let pair_omega_dot_by_time = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t11, R::select_less(pair_slip,
         R::literal(0.5), -t10, t11)) + t10) * R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), R::literal(1.0))) * (R::literal(1.0) / pair_inertia);
+        R::literal(0.0), R::literal(1.0)) * (R::literal(1.0) / pair_inertia));
     let holder_v_dot_by_time = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t9)
         .sub_product(p.force_amplitude * t5, sin_force_phase_plus_drum_angle) * (R::literal(1.0)
         / holder_mass);
@@ -884,7 +883,7 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 167 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 168 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed, pair_radius,
@@ -937,9 +936,9 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let t12 = p.pair_yarn_density * p.pair_thread_area;
     let t13 = p.holder_preload.add_product(p.holder_stiffness, holder_x)
         + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t11);
-    let t14 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
-        * (pair_carried - pair_resistance));
-    let pair_omega_dot = t14 * (R::literal(1.0) / pair_inertia);
+    let t14 = pair_radius * (pair_carried - pair_resistance);
+    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t14
+        * (R::literal(1.0) / pair_inertia));
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         -t10)).sub_product(t12 * holder_v * pair_omega, pair_radius) - t13) * (R::literal(1.0)
         / holder_mass);
@@ -960,8 +959,9 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
             holder_v_dot).add_product(pair_omega * pair_inertia, pair_omega_dot)
             .add_product(R::select_less(layer_closed, R::literal(0.5), layer_swelling,
             R::literal(0.0)), layer_surface_dot) + t18,
-        supplied: (holder_v * force).add_product(pair_omega, t14.add_product(t12
-            * pair_omega_squared, t15)) + t17 - t18,
+        supplied: (holder_v * force).add_product(pair_omega, R::select_less(pair_slip,
+            R::literal(-1.5), R::literal(0.0), t14).add_product(t12 * pair_omega_squared, t15))
+            + t17 - t18,
         dissipated: R::select_less(layer_closed, R::literal(0.5), inverse_layer_viscosity
             * (layer_swelling * layer_swelling), p.layer_viscosity * holder_v * t7),
     }
@@ -1010,7 +1010,7 @@ pub fn guards<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; E
         pair_sliding, pair_sliding, pair_omega, pair_turns_guard]
 }
 
-/// `dg/dt` of the guards along the motion. 237 operations.
+/// `dg/dt` of the guards along the motion. 238 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed, pair_radius,
@@ -1064,8 +1064,8 @@ pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> 
     let pair_carried = R::select_less(pair_slip, R::literal(-0.5), pair_limit,
         R::select_less(pair_slip, R::literal(0.5), pair_held, R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
-    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
-        * (pair_carried - pair_resistance)) * (R::literal(1.0) / pair_inertia);
+    let t13 = pair_radius * (pair_carried - pair_resistance) * (R::literal(1.0) / pair_inertia);
+    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t13);
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         -t8)).sub_product(p.pair_yarn_density * p.pair_thread_area * holder_v * pair_omega,
         pair_radius) - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
@@ -1073,53 +1073,54 @@ pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> 
         / holder_mass);
     let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), R::literal(-1.0)
         / p.layer_viscosity * layer_swelling, layer_compression_rate);
-    let t13 = R::literal(3.0) * p.layer_cubic_stiffness;
-    let t14 = p.layer_stiffness.add_product(t13, layer_compression_squared);
-    let t15 = t10 * t14 / pair_radius;
-    let t16 = p.pair_friction * t14;
-    let t17 = t11 / pair_radius_squared;
-    let t18 = (inverse_drum_radius * t1).add_product(t0 / p.drum_radius, time);
-    let t19 = (R::literal(2.0) / p.drum_radius * t1).add_product(p.acceleration / p.drum_radius,
+    let t14 = R::literal(3.0) * p.layer_cubic_stiffness;
+    let t15 = p.layer_stiffness.add_product(t14, layer_compression_squared);
+    let t16 = t10 * t15 / pair_radius;
+    let t17 = p.pair_friction * t15;
+    let t18 = t11 / pair_radius_squared;
+    let t19 = (inverse_drum_radius * t1).add_product(t0 / p.drum_radius, time);
+    let t20 = (R::literal(2.0) / p.drum_radius * t1).add_product(p.acceleration / p.drum_radius,
         time);
-    let t20 = (p.eccentricity * t18 * sin_drum_angle).add_product(p.ovality * t19, t3);
-    let t21 = R::literal(2.0) * p.acceleration * p.ovality;
+    let t21 = (p.eccentricity * t19 * sin_drum_angle).add_product(p.ovality * t20, t3);
+    let t22 = R::literal(2.0) * p.acceleration * p.ovality;
     let acceleration_times_eccentricity = p.acceleration * p.eccentricity;
-    let t22 = (p.layer_stiffness * t20).add_product(t13 * t20, layer_compression_squared)
-        .add_product(p.layer_viscosity, (t21 / p.drum_radius * t3).add_product(t6 * t19, t4)
+    let t23 = (p.layer_stiffness * t21).add_product(t14 * t21, layer_compression_squared)
+        .add_product(p.layer_viscosity, (t22 / p.drum_radius * t3).add_product(t6 * t20, t4)
         .add_product(acceleration_times_eccentricity / p.drum_radius, sin_drum_angle)
-        .add_product(eccentricity_times_turning * t18, cos_drum_angle));
-    let t23 = t10 * t22 / pair_radius;
-    let t24 = p.pair_friction * t22;
+        .add_product(eccentricity_times_turning * t19, cos_drum_angle));
+    let t24 = t10 * t23 / pair_radius;
+    let t25 = p.pair_friction * t23;
     let layer_touches_guard_rate = (-holder_v).add_product(inverse_drum_radius, (R::literal(-2.0)
-        * p.winding_speed * p.ovality * t3).sub_product(t21 * time, t3)
+        * p.winding_speed * p.ovality * t3).sub_product(t22 * time, t3)
         .sub_product(acceleration_times_eccentricity * time, sin_drum_angle)
         .sub_product(p.winding_speed * p.eccentricity, sin_drum_angle)) - layer_surface_dot;
-    let layer_opens_guard_rate = -t22.add_product(t14, holder_v).add_product(p.layer_viscosity,
+    let layer_opens_guard_rate = -t23.add_product(t15, holder_v).add_product(p.layer_viscosity,
         holder_v_dot);
-    let t25 = p.layer_viscosity * t10 / pair_radius;
+    let t26 = p.layer_viscosity * t10 / pair_radius;
     let layer_viscosity_times_pair_friction = p.layer_viscosity * p.pair_friction;
-    let t26 = R::literal(2.0) * pair_growth * pair_inertia / pair_radius_squared * pair_omega_dot;
-    let t27 = (R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t17)
+    let t27 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), R::literal(2.0)
+        * pair_growth * pair_inertia / pair_radius_squared * t13);
+    let t28 = (R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t18)
         .add_product(R::literal(core::f64::consts::TAU) * p.pair_package_width
         * p.pair_yarn_density * pair_radius, t12) - R::literal(2.0) * pair_inertia * t12
         / (pair_radius_squared * pair_radius)) * pair_growth;
     let pair_breaks_back_guard_rate = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t24 - t23).add_product(R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t16 - t15), holder_v).add_product(R::select_less(layer_closed,
-        R::literal(0.5), R::literal(0.0), layer_viscosity_times_pair_friction - t25), holder_v_dot)
-        - t26 + t27;
+        R::literal(0.0), t25 - t24).add_product(R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), t17 - t16), holder_v).add_product(R::select_less(layer_closed,
+        R::literal(0.5), R::literal(0.0), layer_viscosity_times_pair_friction - t26), holder_v_dot)
+        - t27 + t28;
     let pair_breaks_forth_guard_rate = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(t24 + t23)).add_product(R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(t16 + t15)), holder_v).add_product(R::select_less(layer_closed,
-        R::literal(0.5), R::literal(0.0), -(layer_viscosity_times_pair_friction + t25)),
-        holder_v_dot) - t26 + t27;
+        R::literal(0.0), -(t25 + t24)).add_product(R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), -(t17 + t16)), holder_v).add_product(R::select_less(layer_closed,
+        R::literal(0.5), R::literal(0.0), -(layer_viscosity_times_pair_friction + t26)),
+        holder_v_dot) - t27 + t28;
     let pair_ends_back_guard_rate = (-p.acceleration).add_product(pair_radius, pair_omega_dot)
         + pair_omega_times_pair_growth;
-    let pair_turns_guard_rate = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t23
-        - t24).add_product(R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t15
-        - t16), holder_v).add_product(R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t25 - layer_viscosity_times_pair_friction), holder_v_dot)
-        .add_product(R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t17),
+    let pair_turns_guard_rate = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t24
+        - t25).add_product(R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t16
+        - t17), holder_v).add_product(R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), t26 - layer_viscosity_times_pair_friction), holder_v_dot)
+        .add_product(R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t18),
         pair_growth);
     [layer_touches_guard_rate, layer_opens_guard_rate, R::literal(1.0),
         pair_breaks_back_guard_rate, pair_breaks_forth_guard_rate, pair_ends_back_guard_rate,
@@ -1302,8 +1303,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t86 = t85 - t82;
     let t87 = pair_carried - pair_resistance;
     let t88 = pair_radius * t87;
-    let t89 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t88);
-    let pair_omega_dot = t89 * t73;
+    let t89 = t88 * t73;
+    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t89);
     let holder_v_dot = t86 * t72;
     let t90 = R::literal(-1.0) / p.layer_viscosity;
     let t91 = layer_swelling * t90;
@@ -1396,8 +1397,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let t86_k = t85_k - t82_k;
         let t87_k = pair_carried_k - t64_k;
         let t88_k = pair_radius.mul_add(t87_k, t87.mul_add(pair_radius_k, sums_5[3]));
-        let t89_k = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t88_k);
-        let pair_omega_dot_k = t73.mul_add(t89_k, t89.mul_add(t73_k, sums_6[0]));
+        let t89_k = t73.mul_add(t88_k, t88.mul_add(t73_k, sums_6[0]));
+        let pair_omega_dot_k = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t89_k);
         let holder_v_dot_k = t72.mul_add(t86_k, t86.mul_add(t72_k, sums_5[2]));
         let t91_k = layer_swelling_k * t90;
         let layer_surface_dot_k = R::select_less(layer_closed, R::literal(0.5), t91_k,
@@ -1414,7 +1415,7 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
             layer_compression_k], [t39_k, t73_k, t68_k, layer_compression_k]);
         lanes_5.set(order, [layer_compression_k, pair_radius_k, t72_k, pair_radius_k],
             [t53_k, t63_k, t86_k, t87_k]);
-        lanes_6.set(order, [t73_k], [t89_k]);
+        lanes_6.set(order, [t73_k], [t88_k]);
         t12_before = time_k * t10;
         t39_before = t39_k;
         sin_drum_angle_before = sin_drum_angle_k;

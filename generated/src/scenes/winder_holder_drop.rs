@@ -3,16 +3,16 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   2c622173c78d55597b22cc9230d61806ab36c57718b453abf3ae06e219db3de5  scenes/winder_holder_drop.toml
-//   b4594591158f68ce8c9070674fa9b2138edb31e0a5645bf03c9d1c4965420587  units/planar_body.toml
-//   f16080366c1876ed3761f64515d9615b15b3dbd6017cdb3eb0cba34abb073dd2  units/spring_damper.toml
-//   975244d90bcd2ad5b18417df1a2902dfe173a10f5b4b8538d5616fd2a4d99061  units/one_sided_contact.toml
+//   8862665d9323a60a12b1825abb2e632fc4b6e54cf82ec877526623a7fbf494e6  scenes/winder_holder_drop.toml
+//   9870540d48dd190f3f4e3c2fea172f613c63b75b8e7bdb1d3432a0e230aaf646  units/planar_body.toml
+//   c54202922c084fa221d54078498bfb0106d6b12d47343c2f291d70c177b5ce3c  units/spring_damper.toml
+//   517928947f958357c2690e0097ee05329d59184bf1a5fe4f24131242e7a636cf  units/one_sided_contact.toml
 //
-// Four-link bobbin holder, let go
+// Four-link bobbin holder, released
 //
-// The holder of `winder_linkage` with package and post lifted: it falls until the bobbin meets
-// the drum and the post its stop, bounces, and settles at work. Drum and stop only push: both
-// contacts are springs and dampers that open and close by events. The drum stands still; with a
+// The holder of `winder_linkage` with package and post lifted. It falls until the bobbin meets the
+// drum and the post its stop, bounces, and settles in its working position. Drum and stop only push:
+// both contacts are springs and dampers that open and close by events. The drum stands still; with a
 // `grip` it drags the bobbin, P = N f.
 //
 // Source:
@@ -20,39 +20,41 @@
 //
 // All quantities are in SI units.
 // Shapes: coordinates 14, first-order states 2, states 30, parameters 7, outputs 7, events 4,
-//     constraints 12.
+//     constraints 12, kinks 2, relations 2.
 // Nonzeros: mass_matrix 14 of 14 by 14, rate_jacobian 294 of 30 by 30,
 //     parameter_jacobian 70 of 30 by 7, constraint_matrix 37 of 12 by 14.
 // Operations: initial_state 1, rate 744, forcing 88, rate_jacobian 4547, parameter_jacobian 86,
-//     outputs 52, energy 78, power_balance 124, guards 31, guard_rates 57, constraint_values 49,
-//     constraint_rates 63, constraint_matrix 30, prepare 2, prepared_rate 744,
-//     prepared_rate_jacobian 4545, prepared_parameter_jacobian 86, motion 768.
+//     outputs 52, energy 78, power_balance 124, guards 33, guard_rates 59, constraint_values 49,
+//     constraint_rates 63, constraint_matrix 30, kink_guards 28, kink_rates 39, prepare 2,
+//     prepared_rate 744, prepared_rate_jacobian 4545, prepared_parameter_jacobian 86, motion 768.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitute}};
 
 ::machinist_contract::simulator! {
-    /// Four-link bobbin holder, let go
+    /// Four-link bobbin holder, released
     ///
-    /// The holder of \`winder_linkage\` with package and post lifted: it falls until the bobbin meets
-    /// the drum and the post its stop, bounces, and settles at work. Drum and stop only push: both
-    /// contacts are springs and dampers that open and close by events. The drum stands still; with a
+    /// The holder of \`winder_linkage\` with package and post lifted. It falls until the bobbin meets the
+    /// drum and the post its stop, bounces, and settles in its working position. Drum and stop only push:
+    /// both contacts are springs and dampers that open and close by events. The drum stands still; with a
     /// \`grip\` it drags the bobbin, P = N f.
     ///
     /// Source: Winder study, figures 2 and 3 and its table of links and pairs; every dimension, mass and stiffness is ours.
-    WinderHolderDrop: "winder_holder_drop", "Four-link bobbin holder, let go";
+    WinderHolderDrop: "winder_holder_drop", "Four-link bobbin holder, released";
     run from 0.0, until 1.0, points 1001, rtol 1e-7, method "auto";
     quadratures 0, discontinuities 0;
-    events; constraints; prepared; jacobians_apart;
+    events; constraints; prepared; jacobians_apart; kinks 2; relations;
 }
 
 ::machinist_contract::parameters! {
-    lift: 0.03, "rad", "lift", "angle of the post over its stop at the start";
-    plate_angle: 1.95, "rad", "plate_angle", "angle of the plate at the start";
-    grip: 0.0, "1", "grip", "P/N at K: f where the drum turns under the bobbin and drags it to the left, k/R where the bobbin rolls on a drum at rest; below zero to the right";
-    spring_stiffness: 2000.0, "N/m", "spring.stiffness", "spring";
-    spring_damping: 400.0, "N s/m", "spring.damping", "damper";
-    contact_stiffness: 1_000_000.0, "N/m", "contact.stiffness", "spring of the contact";
-    contact_damping: 1500.0, "N s/m", "contact.damping", "damper of the contact";
+    lift: 0.03, "rad", "lift", "initial angle of the post above its stop";
+    plate_angle: 1.95, "rad", "plate_angle", "initial angle of the plate";
+    grip: 0.0, "1", "grip", "ratio P/N at K: f if the drum turns under the bobbin and drags it to the left, k/R if the bobbin rolls on a drum at rest; below zero to the right";
+    spring_stiffness: 2000.0, "N/m", "spring.stiffness", "stiffness of the spring";
+    spring_damping: 400.0, "N s/m", "spring.damping", "damping";
+    contact_stiffness: 1_000_000.0, "N/m", "contact.stiffness", "stiffness of the contact";
+    contact_damping: 1500.0, "N s/m", "contact.damping", "damping of the contact";
+    @ held_1: Branch;
+    @ held_2: Branch;
 }
 
 ::machinist_contract::outputs! {
@@ -60,42 +62,42 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
     stop_force: "N", "stop_force", "force of the contact";
     contact_gap: "m", "contact_gap", "gap between bobbin and drum at K";
     stop_gap: "m", "stop_gap", "gap between post and stop at T";
-    strut_push: "N", "strut_push", "force with which it pushes its ends apart";
-    post_angle: "rad", "post_angle", "angle of the bar from sideways";
-    plate_angle: "rad", "plate_angle", "angle of the bar from sideways";
+    strut_push: "N", "strut_push", "force that pushes the ends apart";
+    post_angle: "rad", "post_angle", "angle of the bar from the horizontal";
+    plate_angle: "rad", "plate_angle", "angle of the bar from the horizontal";
 }
 
 ::machinist_contract::states! {
-    POST_X: position guess, 0.1, "m", "post.x", "centre of mass, sideways";
-    POST_Y: position guess, 0.1, "m", "post.y", "centre of mass, upwards";
-    POST_PHI: position, 1.0, "rad", "post.phi", "angle of the bar from sideways";
-    PLATE_X: position guess, 0.1, "m", "plate.x", "centre of mass, sideways";
-    PLATE_Y: position guess, 0.1, "m", "plate.y", "centre of mass, upwards";
-    PLATE_PHI: position, 1.0, "rad", "plate.phi", "angle of the bar from sideways";
-    CYLINDER_X: position guess, 0.1, "m", "cylinder.x", "centre of mass, sideways";
-    CYLINDER_Y: position guess, 0.1, "m", "cylinder.y", "centre of mass, upwards";
-    CYLINDER_PHI: position guess, 1.0, "rad", "cylinder.phi", "angle of the bar from sideways";
-    ROD_X: position guess, 0.1, "m", "rod.x", "centre of mass, sideways";
-    ROD_Y: position guess, 0.1, "m", "rod.y", "centre of mass, upwards";
-    ROD_PHI: position guess, 1.0, "rad", "rod.phi", "angle of the bar from sideways";
-    BOBBIN_X: position guess, 0.1, "m", "bobbin.x", "centre of mass, sideways";
-    BOBBIN_Y: position guess, 0.1, "m", "bobbin.y", "centre of mass, upwards";
-    POST_V_X: velocity guess, 1.0, "m/s", "post.v_x", "rate of centre of mass, sideways";
-    POST_V_Y: velocity guess, 1.0, "m/s", "post.v_y", "rate of centre of mass, upwards";
-    POST_OMEGA: velocity, 10.0, "rad/s", "post.omega", "rate of angle of the bar from sideways";
-    PLATE_V_X: velocity guess, 1.0, "m/s", "plate.v_x", "rate of centre of mass, sideways";
-    PLATE_V_Y: velocity guess, 1.0, "m/s", "plate.v_y", "rate of centre of mass, upwards";
-    PLATE_OMEGA: velocity, 10.0, "rad/s", "plate.omega", "rate of angle of the bar from sideways";
-    CYLINDER_V_X: velocity guess, 1.0, "m/s", "cylinder.v_x", "rate of centre of mass, sideways";
-    CYLINDER_V_Y: velocity guess, 1.0, "m/s", "cylinder.v_y", "rate of centre of mass, upwards";
-    CYLINDER_OMEGA: velocity guess, 10.0, "rad/s", "cylinder.omega", "rate of angle of the bar from sideways";
-    ROD_V_X: velocity guess, 1.0, "m/s", "rod.v_x", "rate of centre of mass, sideways";
-    ROD_V_Y: velocity guess, 1.0, "m/s", "rod.v_y", "rate of centre of mass, upwards";
-    ROD_OMEGA: velocity guess, 10.0, "rad/s", "rod.omega", "rate of angle of the bar from sideways";
-    BOBBIN_V_X: velocity guess, 1.0, "m/s", "bobbin.v_x", "rate of centre of mass, sideways";
-    BOBBIN_V_Y: velocity guess, 1.0, "m/s", "bobbin.v_y", "rate of centre of mass, upwards";
-    CONTACT_CLOSED: mode, 1.0, "1", "contact.closed", "1 while there is contact";
-    STOP_CLOSED: mode, 1.0, "1", "stop.closed", "1 while there is contact";
+    POST_X: position guess, 0.1, "m", "post.x", "horizontal position of the centre of mass";
+    POST_Y: position guess, 0.1, "m", "post.y", "height of the centre of mass";
+    POST_PHI: position, 1.0, "rad", "post.phi", "angle of the bar from the horizontal";
+    PLATE_X: position guess, 0.1, "m", "plate.x", "horizontal position of the centre of mass";
+    PLATE_Y: position guess, 0.1, "m", "plate.y", "height of the centre of mass";
+    PLATE_PHI: position, 1.0, "rad", "plate.phi", "angle of the bar from the horizontal";
+    CYLINDER_X: position guess, 0.1, "m", "cylinder.x", "horizontal position of the centre of mass";
+    CYLINDER_Y: position guess, 0.1, "m", "cylinder.y", "height of the centre of mass";
+    CYLINDER_PHI: position guess, 1.0, "rad", "cylinder.phi", "angle of the bar from the horizontal";
+    ROD_X: position guess, 0.1, "m", "rod.x", "horizontal position of the centre of mass";
+    ROD_Y: position guess, 0.1, "m", "rod.y", "height of the centre of mass";
+    ROD_PHI: position guess, 1.0, "rad", "rod.phi", "angle of the bar from the horizontal";
+    BOBBIN_X: position guess, 0.1, "m", "bobbin.x", "horizontal position of the centre of mass";
+    BOBBIN_Y: position guess, 0.1, "m", "bobbin.y", "height of the centre of mass";
+    POST_V_X: velocity guess, 1.0, "m/s", "post.v_x", "rate of horizontal position of the centre of mass";
+    POST_V_Y: velocity guess, 1.0, "m/s", "post.v_y", "rate of height of the centre of mass";
+    POST_OMEGA: velocity, 10.0, "rad/s", "post.omega", "rate of angle of the bar from the horizontal";
+    PLATE_V_X: velocity guess, 1.0, "m/s", "plate.v_x", "rate of horizontal position of the centre of mass";
+    PLATE_V_Y: velocity guess, 1.0, "m/s", "plate.v_y", "rate of height of the centre of mass";
+    PLATE_OMEGA: velocity, 10.0, "rad/s", "plate.omega", "rate of angle of the bar from the horizontal";
+    CYLINDER_V_X: velocity guess, 1.0, "m/s", "cylinder.v_x", "rate of horizontal position of the centre of mass";
+    CYLINDER_V_Y: velocity guess, 1.0, "m/s", "cylinder.v_y", "rate of height of the centre of mass";
+    CYLINDER_OMEGA: velocity guess, 10.0, "rad/s", "cylinder.omega", "rate of angle of the bar from the horizontal";
+    ROD_V_X: velocity guess, 1.0, "m/s", "rod.v_x", "rate of horizontal position of the centre of mass";
+    ROD_V_Y: velocity guess, 1.0, "m/s", "rod.v_y", "rate of height of the centre of mass";
+    ROD_OMEGA: velocity guess, 10.0, "rad/s", "rod.omega", "rate of angle of the bar from the horizontal";
+    BOBBIN_V_X: velocity guess, 1.0, "m/s", "bobbin.v_x", "rate of horizontal position of the centre of mass";
+    BOBBIN_V_Y: velocity guess, 1.0, "m/s", "bobbin.v_y", "rate of height of the centre of mass";
+    CONTACT_CLOSED: mode, 1.0, "1", "contact.closed", "1 while in contact";
+    STOP_CLOSED: mode, 1.0, "1", "stop.closed", "1 while in contact";
 }
 
 ::machinist_contract::events! {
@@ -106,18 +108,23 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
 }
 
 ::machinist_contract::constraints! {
-    "pin_o_x": of_positions, "m", "pin O in the frame, sideways";
-    "pin_o_y": of_positions, "m", "pin O in the frame, upwards";
-    "pin_c_x": of_positions, "m", "pin C of post and plate, sideways";
-    "pin_c_y": of_positions, "m", "pin C of post and plate, upwards";
-    "pin_d_x": of_positions, "m", "pin D of plate and cylinder, sideways";
-    "pin_d_y": of_positions, "m", "pin D of plate and cylinder, upwards";
+    "pin_o_x": of_positions, "m", "pin O in the frame, horizontal";
+    "pin_o_y": of_positions, "m", "pin O in the frame, vertical";
+    "pin_c_x": of_positions, "m", "pin C of post and plate, horizontal";
+    "pin_c_y": of_positions, "m", "pin C of post and plate, vertical";
+    "pin_d_x": of_positions, "m", "pin D of plate and cylinder, horizontal";
+    "pin_d_y": of_positions, "m", "pin D of plate and cylinder, vertical";
     "slide_angle": of_positions, "1", "S: rod and cylinder are parallel";
-    "slide_across": of_positions, "m", "S: and in line";
-    "pin_e_x": of_positions, "m", "pin E in the frame, sideways";
-    "pin_e_y": of_positions, "m", "pin E in the frame, upwards";
-    "axle_a_x": of_positions, "m", "axle A of the bobbin on the plate, sideways";
-    "axle_a_y": of_positions, "m", "axle A of the bobbin on the plate, upwards";
+    "slide_across": of_positions, "m", "S: rod and cylinder are in line";
+    "pin_e_x": of_positions, "m", "pin E in the frame, horizontal";
+    "pin_e_y": of_positions, "m", "pin E in the frame, vertical";
+    "axle_a_x": of_positions, "m", "axle A of the bobbin on the plate, horizontal";
+    "axle_a_y": of_positions, "m", "axle A of the bobbin on the plate, vertical";
+}
+
+::machinist_contract::relations! {
+    Branch [Event(2), Event(3)];
+    Branch [Event(0), Event(1)];
 }
 
 ::machinist_contract::patterns! {
@@ -154,7 +161,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
     t0, grip_times_contact_damping
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 2 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 2 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -2909,7 +2916,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     }
 }
 
-/// What passes zero where events happen, one for each event. 31 operations.
+/// What passes zero where events happen, one for each event. 33 operations.
 #[must_use]
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let post_phi = state[2];
@@ -2934,12 +2941,12 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let t4 = -contact_stiffness_times_contact_gap;
     let contact_push = -contact_stiffness_times_contact_gap.add_product(p.contact_damping,
         contact_rate);
-    let stop_contact = R::select_less(t3, stop_push, t3, stop_push);
-    let contact_contact = R::select_less(t4, contact_push, t4, contact_push);
+    let stop_contact = R::select_less(t3 + p.held_1, stop_push, t3, stop_push);
+    let contact_contact = R::select_less(t4 + p.held_2, contact_push, t4, contact_push);
     [contact_contact, contact_contact, stop_contact, stop_contact]
 }
 
-/// `dg/dt` of the guards along the motion. 57 operations.
+/// `dg/dt` of the guards along the motion. 59 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let bobbin_x = state[12];
@@ -2953,24 +2960,24 @@ pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> 
     let t1 = bobbin_y - R::literal(0.058);
     let contact_gap = m.between - R::literal(0.1);
     let t2 = R::literal(1_000_000.0) * m.stop_gap;
-    let t3 = -t2;
     let stop_push = -t2.add_product(R::literal(1500.0), stop_rate);
-    let t4 = -(p.contact_stiffness * contact_gap);
     let contact_push = -m.t13;
-    let t5 = p.contact_stiffness * t0 / m.between;
-    let t6 = m.between * m.between;
-    let t7 = p.contact_stiffness * t1 / m.between;
-    let t8 = (R::select_less(t4, contact_push, -t5, m.t181 / t6 - p.contact_damping * bobbin_v_x
-        / m.between - t5) * bobbin_v_x).add_product(R::select_less(t4, contact_push, -t7, m.t183
-        / t6 - p.contact_damping * bobbin_v_y / m.between - t7), bobbin_v_y)
-        .add_product(R::select_less(t4, contact_push, R::literal(0.0), -(p.contact_damping * t0
+    let t3 = p.contact_stiffness * t0 / m.between;
+    let t4 = m.between * m.between;
+    let t5 = p.contact_stiffness * t1 / m.between;
+    let t6 = p.held_2.sub_product(p.contact_stiffness, contact_gap);
+    let t7 = (R::select_less(t6, contact_push, -t3, m.t181 / t4 - p.contact_damping * bobbin_v_x
+        / m.between - t3) * bobbin_v_x).add_product(R::select_less(t6, contact_push, -t5, m.t183
+        / t4 - p.contact_damping * bobbin_v_y / m.between - t5), bobbin_v_y)
+        .add_product(R::select_less(t6, contact_push, R::literal(0.0), -(p.contact_damping * t0
         / m.between)), m.bobbin_v_x_dot);
-    let contact_touches_guard_rate = t8.add_product(R::select_less(t4, contact_push,
+    let contact_touches_guard_rate = t7.add_product(R::select_less(t6, contact_push,
         R::literal(0.0), -(p.contact_damping * t1 / m.between)), m.bobbin_v_y_dot);
-    let t9 = R::literal(1_000_000.0) * m.t7;
-    let stop_touches_guard_rate = (R::select_less(t3, stop_push, -t9, (-t9)
+    let t8 = R::literal(1_000_000.0) * m.t7;
+    let t9 = -t2 + p.held_1;
+    let stop_touches_guard_rate = (R::select_less(t9, stop_push, -t8, (-t8)
         .add_product(R::literal(1500.0) * post_omega, m.stop_gap)) * post_omega)
-        .add_product(R::select_less(t3, stop_push, R::literal(0.0), R::literal(-1500.0) * m.t7),
+        .add_product(R::select_less(t9, stop_push, R::literal(0.0), R::literal(-1500.0) * m.t7),
         m.post_omega_dot);
     [contact_touches_guard_rate, contact_touches_guard_rate, stop_touches_guard_rate,
         stop_touches_guard_rate]
@@ -3092,4 +3099,57 @@ pub fn constraint_matrix<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters
         R::literal(-1.0), (R::literal(-0.01) * sin_plate_phi).sub_product(R::literal(0.1),
         cos_plate_phi), R::literal(1.0), R::literal(-1.0), (R::literal(0.01)
         * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi), R::literal(1.0)]
+}
+
+/// What passes zero where the rate has a kink or a jump: arguments of `abs` and `sign`, differences
+/// of what `min` and `max` compare, ends of tables. 28 operations.
+#[must_use]
+pub fn kink_guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; KINKS] {
+    let post_phi = state[2];
+    let bobbin_x = state[12];
+    let bobbin_y = state[13];
+    let post_omega = state[16];
+    let bobbin_v_x = state[26];
+    let bobbin_v_y = state[27];
+    let (sin_post_phi, cos_post_phi) = post_phi.sin_cos();
+    let stop_gap = (R::literal(0.143) * sin_post_phi).sub_product(R::literal(0.044), cos_post_phi);
+    let stop_rate = post_omega * (R::literal(0.044) * sin_post_phi).add_product(R::literal(0.143),
+        cos_post_phi);
+    let t0 = bobbin_x - R::literal(0.328);
+    let t1 = bobbin_y - R::literal(0.058);
+    let between = (t0 * t0).add_product(t1, t1).sqrt();
+    let contact_gap = between - R::literal(0.1);
+    let t2 = R::literal(1_000_000.0) * stop_gap;
+    let contact_rate = (bobbin_v_x * t0).add_product(bobbin_v_y, t1) / between;
+    let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
+    let kink_1 = t2.add_product(R::literal(1500.0), stop_rate) - t2;
+    let kink_2 = contact_stiffness_times_contact_gap.add_product(p.contact_damping, contact_rate)
+        - contact_stiffness_times_contact_gap;
+    [kink_1, kink_2]
+}
+
+/// Rates along the motion of what passes zero at kinks. 39 operations.
+#[must_use]
+pub fn kink_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; KINKS] {
+    let bobbin_x = state[12];
+    let bobbin_y = state[13];
+    let post_omega = state[16];
+    let bobbin_v_x = state[26];
+    let bobbin_v_y = state[27];
+    let m = &motion(time, state, p, &prepare(p));
+    let t0 = bobbin_x - R::literal(0.328);
+    let t1 = bobbin_y - R::literal(0.058);
+    let t2 = bobbin_v_x * t0;
+    let t3 = bobbin_v_y * t1;
+    let t4 = m.sin_post_phi * post_omega;
+    let t5 = m.cos_post_phi * post_omega;
+    let t6 = R::literal(1.0) / (R::literal(2.0) * m.between) * (t2 + t2 + (t3 + t3));
+    let t7 = R::literal(1_000_000.0) * (R::literal(0.143) * t5).add_product(R::literal(0.044), t4);
+    let t8 = p.contact_stiffness * t6;
+    let kink_rate_1 = t7.add_product(R::literal(1500.0), (m.post_omega_dot * m.t7)
+        .add_product(post_omega, (R::literal(0.044) * t5).sub_product(R::literal(0.143), t4))) - t7;
+    let kink_rate_2 = t8.add_product(p.contact_damping, ((bobbin_v_x * bobbin_v_x)
+        .add_product(m.bobbin_v_x_dot, t0) + (bobbin_v_y * bobbin_v_y)
+        .add_product(m.bobbin_v_y_dot, t1)).sub_product(m.contact_rate, t6) / m.between) - t8;
+    [kink_rate_1, kink_rate_2]
 }

@@ -3,14 +3,14 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   715cb9c7592b694b09947fddf4567dc44c986cd1755cd1aa89a06720ba1162b7  scenes/winder_linear.toml
-//   8de1bbb3fa64bbae2cf672dee1c82fb8ef0ed3eb5d297699f2da7fef8911ea85  units/textile/bobbin_holder.toml
-//   87143029f001321748b22f512a5e76a6d27d20b7bc1f4ba603270e6c99a9ee50  units/textile/yarn_layer.toml
+//   837165f6db897afb171b413f86a8eda97ca0875447a26ad3812276e261850393  scenes/winder_linear.toml
+//   4a3ff1ba194c6472c0c355ca362be1d9f300b7a001ca8f23be4f6b2535468149  units/textile/bobbin_holder.toml
+//   810052002bc2a51c9d17a23c2e6307af4fcc0515b7557ff0f6eec05a28d2a458  units/textile/yarn_layer.toml
 //
 // Bobbin on a winding drum, linear layer
 //
-// The bobbin rests on a drum that shakes it once a turn by its unbalance and twice a
-// turn by its shape. First stage of modelling: layer and holder are linear.
+// The bobbin rests on a drum that excites it once per revolution by its unbalance and twice per
+// revolution by its shape. First stage of modelling: layer and holder are linear.
 //
 // Source:
 //   Winder study, first stage of modelling; every mass, stiffness, dimension, speed and disturbance is ours, for the study gives none.
@@ -27,8 +27,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 ::machinist_contract::simulator! {
     /// Bobbin on a winding drum, linear layer
     ///
-    /// The bobbin rests on a drum that shakes it once a turn by its unbalance and twice a
-    /// turn by its shape. First stage of modelling: layer and holder are linear.
+    /// The bobbin rests on a drum that excites it once per revolution by its unbalance and twice per
+    /// revolution by its shape. First stage of modelling: layer and holder are linear.
     ///
     /// Source: Winder study, first stage of modelling; every mass, stiffness, dimension, speed and disturbance is ours, for the study gives none.
     WinderLinear: "winder_linear", "Bobbin on a winding drum, linear layer";
@@ -40,39 +40,39 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 ::machinist_contract::parameters! {
     winding_speed: 5.5, "m/s", "winding_speed", "speed of the drum's surface";
     drum_radius: 0.05, "m", "drum_radius", "R0, radius of the drum";
-    force_amplitude: 25.0, "N", "force_amplitude", "F0, force once a turn of the drum, from its unbalance";
-    force_phase: 0.0, "rad", "force_phase", "phase of that force";
-    package_force: 0.0, "N", "package_force", "amplitude of the force once a turn of the package";
-    package_phase: 0.0, "rad", "package_phase", "phase of that force";
-    ovality: 0.0002, "m", "ovality", "Y0, amplitude of the drum's shape twice a turn";
-    ovality_phase: 0.0, "rad", "ovality_phase", "phase of that shape";
-    eccentricity: 0.0, "m", "eccentricity", "amplitude of the drum's shape once a turn";
-    initial_deflection: 0.0, "m", "initial_deflection", "deflection at the start";
-    initial_velocity: 0.0, "m/s", "initial_velocity", "velocity at the start";
+    force_amplitude: 25.0, "N", "force_amplitude", "F0, amplitude of the unbalance force, once per drum revolution";
+    force_phase: 0.0, "rad", "force_phase", "phase of the unbalance force";
+    package_force: 0.0, "N", "package_force", "amplitude of the force once per package revolution";
+    package_phase: 0.0, "rad", "package_phase", "phase of the package force";
+    ovality: 0.0002, "m", "ovality", "Y0, amplitude of the drum profile, twice per revolution";
+    ovality_phase: 0.0, "rad", "ovality_phase", "phase of the drum profile";
+    eccentricity: 0.0, "m", "eccentricity", "amplitude of the drum profile, once per revolution";
+    initial_deflection: 0.0, "m", "initial_deflection", "initial deflection";
+    initial_velocity: 0.0, "m/s", "initial_velocity", "initial velocity";
     holder_bobbin_mass: 1.5, "kg", "holder.bobbin_mass", "m0, mass of bobbin and plate";
     holder_link_mass: 0.9, "kg", "holder.link_mass", "mn, mass of the links";
-    holder_link_arm: 0.1, "m", "holder.link_arm", "lbc, arm of the links' mass";
-    holder_holder_arm: 0.15, "m", "holder.holder_arm", "lab, arm of the bobbin";
-    holder_package_radius: 0.03, "m", "holder.package_radius", "R, radius of the package; that of an empty bobbin by default";
+    holder_link_arm: 0.1, "m", "holder.link_arm", "lbc, lever arm of the link mass";
+    holder_holder_arm: 0.15, "m", "holder.holder_arm", "lab, lever arm of the bobbin";
+    holder_package_radius: 0.03, "m", "holder.package_radius", "R, radius of the package; by default that of an empty bobbin";
     holder_bobbin_radius: 0.03, "m", "holder.bobbin_radius", "Rmin, radius of the empty bobbin";
     holder_package_width: 0.15, "m", "holder.package_width", "H, width of the package";
     holder_yarn_density: 350.0, "kg/m^3", "holder.yarn_density", "rho, density of the wound yarn";
-    holder_stiffness: 3800.0, "N/m", "holder.stiffness", "c_p, spring of the holder, reduced to the bobbin's centre";
+    holder_stiffness: 3800.0, "N/m", "holder.stiffness", "c_p, stiffness of the holder, reduced to the bobbin centre";
     layer_stiffness: 42000.0, "N/m", "layer.stiffness", "c, stiffness of the layer";
-    layer_viscosity: 95.0, "N s/m", "layer.viscosity", "h, viscosity of the layer";
+    layer_viscosity: 95.0, "N s/m", "layer.viscosity", "h, damping of the layer";
 }
 
 ::machinist_contract::outputs! {
-    deflection: "m", "deflection", "deflection of the bobbin's centre";
-    pressure: "N", "pressure", "force of the layer on the bobbin beyond that at rest";
+    deflection: "m", "deflection", "deflection of the bobbin centre";
+    pressure: "N", "pressure", "force of the layer on the bobbin, relative to rest";
     mass: "kg", "mass", "reduced mass m(R)";
-    force: "N", "force", "force disturbance";
-    shape: "m", "shape", "shape of the drum";
+    force: "N", "force", "disturbance force";
+    shape: "m", "shape", "drum profile";
 }
 
 ::machinist_contract::states! {
-    HOLDER_X: position, 0.001, "m", "holder.x", "deflection of the bobbin's centre";
-    HOLDER_V: velocity, 0.1, "m/s", "holder.v", "rate of deflection of the bobbin's centre";
+    HOLDER_X: position, 0.001, "m", "holder.x", "deflection of the bobbin centre";
+    HOLDER_V: velocity, 0.1, "m/s", "holder.v", "rate of deflection of the bobbin centre";
 }
 
 ::machinist_contract::patterns! {
@@ -93,7 +93,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     t33, t34, t35, t36
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 80 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 80 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

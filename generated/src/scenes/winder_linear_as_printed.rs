@@ -3,14 +3,14 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   385dd59f64e834d48ce7559334febbf24f4777d6686202ff635ee0adda534e14  scenes/winder_linear_as_printed.toml
-//   186cd74806262b01452c3090948d6d81b0bfa8f8fb7c169dc3fab37d6faf989f  units/textile/bobbin_holder_as_printed.toml
-//   553edee0de9681f6d8e7ab7b08e77cba19ea99ba218bb322889a7f99244a863e  units/textile/yarn_layer_as_printed.toml
+//   ced5fb7616f9cf1aab4663713b5b9dcc536ce138f9268ec76cbb7e61392d0727  scenes/winder_linear_as_printed.toml
+//   8c984ef752d36cb5a807e0f81452ed28362b242a0448d58c3aaf687ad0fa4813  units/textile/bobbin_holder_as_printed.toml
+//   a98fb80ae147033f3728d258add893c08815c557d9b5492e4a39a4ca0d59636a  units/textile/yarn_layer_as_printed.toml
 //
 // Bobbin on a winding drum as printed
 //
-// The bobbin of `winder_linear` by the equation that the study prints, m q'' + h q' + (c + c_p) q
-// = F(t) + c Y(t), with the mass of its reduced weight: for the reproduction ledger.
+// The bobbin of `winder_linear` by the printed equation, m q'' + h q' + (c + c_p) q = F(t) + c Y(t),
+// with the mass of its reduced weight. For the reproduction ledger.
 //
 // Source:
 //   Winder study, equations (16) and (18), as printed; every mass, stiffness, dimension, speed and disturbance is ours.
@@ -27,8 +27,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 ::machinist_contract::simulator! {
     /// Bobbin on a winding drum as printed
     ///
-    /// The bobbin of \`winder_linear\` by the equation that the study prints, m q'' + h q' + (c + c_p) q
-    /// \= F(t) + c Y(t), with the mass of its reduced weight: for the reproduction ledger.
+    /// The bobbin of \`winder_linear\` by the printed equation, m q'' + h q' + (c + c_p) q = F(t) + c Y(t),
+    /// with the mass of its reduced weight. For the reproduction ledger.
     ///
     /// Source: Winder study, equations (16) and (18), as printed; every mass, stiffness, dimension, speed and disturbance is ours.
     WinderLinearAsPrinted: "winder_linear_as_printed", "Bobbin on a winding drum as printed";
@@ -40,39 +40,39 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 ::machinist_contract::parameters! {
     winding_speed: 5.5, "m/s", "winding_speed", "speed of the drum's surface";
     drum_radius: 0.05, "m", "drum_radius", "R0, radius of the drum";
-    force_amplitude: 25.0, "N", "force_amplitude", "F0, force once a turn of the drum, from its unbalance";
-    force_phase: 0.0, "rad", "force_phase", "phase of that force";
-    package_force: 0.0, "N", "package_force", "amplitude of the force once a turn of the package";
-    package_phase: 0.0, "rad", "package_phase", "phase of that force";
-    ovality: 0.0002, "m", "ovality", "Y0, amplitude of the drum's shape twice a turn";
-    ovality_phase: 0.0, "rad", "ovality_phase", "phase of that shape";
-    eccentricity: 0.0, "m", "eccentricity", "amplitude of the drum's shape once a turn";
-    initial_deflection: 0.0, "m", "initial_deflection", "deflection at the start";
-    initial_velocity: 0.0, "m/s", "initial_velocity", "velocity at the start";
+    force_amplitude: 25.0, "N", "force_amplitude", "F0, amplitude of the unbalance force, once per drum revolution";
+    force_phase: 0.0, "rad", "force_phase", "phase of the unbalance force";
+    package_force: 0.0, "N", "package_force", "amplitude of the force once per package revolution";
+    package_phase: 0.0, "rad", "package_phase", "phase of the package force";
+    ovality: 0.0002, "m", "ovality", "Y0, amplitude of the drum profile, twice per revolution";
+    ovality_phase: 0.0, "rad", "ovality_phase", "phase of the drum profile";
+    eccentricity: 0.0, "m", "eccentricity", "amplitude of the drum profile, once per revolution";
+    initial_deflection: 0.0, "m", "initial_deflection", "initial deflection";
+    initial_velocity: 0.0, "m/s", "initial_velocity", "initial velocity";
     holder_bobbin_mass: 1.5, "kg", "holder.bobbin_mass", "m0, mass of bobbin and plate";
     holder_link_mass: 0.9, "kg", "holder.link_mass", "mn, mass of the links";
-    holder_link_arm: 0.1, "m", "holder.link_arm", "lbc, arm of the links' mass";
-    holder_holder_arm: 0.15, "m", "holder.holder_arm", "lab, arm of the bobbin";
-    holder_package_radius: 0.03, "m", "holder.package_radius", "R, radius of the package; that of an empty bobbin by default";
+    holder_link_arm: 0.1, "m", "holder.link_arm", "lbc, lever arm of the link mass";
+    holder_holder_arm: 0.15, "m", "holder.holder_arm", "lab, lever arm of the bobbin";
+    holder_package_radius: 0.03, "m", "holder.package_radius", "R, radius of the package; by default that of an empty bobbin";
     holder_bobbin_radius: 0.03, "m", "holder.bobbin_radius", "Rmin, radius of the empty bobbin";
     holder_package_width: 0.15, "m", "holder.package_width", "H, width of the package";
     holder_yarn_density: 350.0, "kg/m^3", "holder.yarn_density", "rho, density of the wound yarn";
-    holder_stiffness: 3800.0, "N/m", "holder.stiffness", "c_p, spring of the holder, reduced to the bobbin's centre";
+    holder_stiffness: 3800.0, "N/m", "holder.stiffness", "c_p, stiffness of the holder, reduced to the bobbin centre";
     layer_stiffness: 42000.0, "N/m", "layer.stiffness", "c, stiffness of the layer";
-    layer_viscosity: 95.0, "N s/m", "layer.viscosity", "h, viscosity of the layer";
+    layer_viscosity: 95.0, "N s/m", "layer.viscosity", "h, damping of the layer";
 }
 
 ::machinist_contract::outputs! {
-    deflection: "m", "deflection", "deflection of the bobbin's centre";
-    pressure: "N", "pressure", "force of the layer on the bobbin beyond that at rest";
+    deflection: "m", "deflection", "deflection of the bobbin centre";
+    pressure: "N", "pressure", "force of the layer on the bobbin, relative to rest";
     mass: "kg", "mass", "reduced mass m(R)";
-    force: "N", "force", "force disturbance";
-    shape: "m", "shape", "shape of the drum";
+    force: "N", "force", "disturbance force";
+    shape: "m", "shape", "drum profile";
 }
 
 ::machinist_contract::states! {
-    HOLDER_X: position, 0.001, "m", "holder.x", "deflection of the bobbin's centre";
-    HOLDER_V: velocity, 0.1, "m/s", "holder.v", "rate of deflection of the bobbin's centre";
+    HOLDER_X: position, 0.001, "m", "holder.x", "deflection of the bobbin centre";
+    HOLDER_V: velocity, 0.1, "m/s", "holder.v", "rate of deflection of the bobbin centre";
 }
 
 ::machinist_contract::patterns! {
@@ -91,7 +91,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     t10, t11, t12, t13, t14, t15, t16, t17
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 47 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 47 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

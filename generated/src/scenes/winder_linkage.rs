@@ -3,17 +3,17 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   e066b9f81bb9983109f8ee8862642683da5493e48442acf07d6da6879fe22a62  scenes/winder_linkage.toml
-//   b4594591158f68ce8c9070674fa9b2138edb31e0a5645bf03c9d1c4965420587  units/planar_body.toml
-//   f16080366c1876ed3761f64515d9615b15b3dbd6017cdb3eb0cba34abb073dd2  units/spring_damper.toml
+//   120b1ba44467c8ceabf41e750243675fcf7e8b929410472d7b03d182240d9ef0  scenes/winder_linkage.toml
+//   9870540d48dd190f3f4e3c2fea172f613c63b75b8e7bdb1d3432a0e230aaf646  units/planar_body.toml
+//   c54202922c084fa221d54078498bfb0106d6b12d47343c2f291d70c177b5ce3c  units/spring_damper.toml
 //
-// Four-link bobbin holder, at work
+// Four-link bobbin holder, working position
 //
-// The holder of a self-twist spinning machine: post OC, plate ACD that carries the bobbin at
-// A, and a strut D-S-E, a spring and an oil damper in a cylinder that slides on a rod. The
-// bobbin rests on the drum at K, the post on a stop at T. All six bodies are free in the
-// plane and held by fourteen constraints of pins and slide and by the two of the contacts,
-// whose forces are N and Q; the holder works steadily while both are above zero.
+// The holder of a self-twist spinning machine: post OC, plate ACD that carries the bobbin at A, and
+// strut D-S-E, a spring and an oil damper in a cylinder that slides on a rod. The bobbin rests on the
+// drum at K, the post on a stop at T. All six bodies are free in the plane. Fourteen constraints of
+// pins and slide hold them, and two of the contacts, whose forces are N and Q. The holder works
+// steadily while both forces are above zero.
 //
 // The study gives no dimensions, masses or stiffnesses; these are ours.
 //
@@ -31,18 +31,18 @@
 use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitute}};
 
 ::machinist_contract::simulator! {
-    /// Four-link bobbin holder, at work
+    /// Four-link bobbin holder, working position
     ///
-    /// The holder of a self-twist spinning machine: post OC, plate ACD that carries the bobbin at
-    /// A, and a strut D-S-E, a spring and an oil damper in a cylinder that slides on a rod. The
-    /// bobbin rests on the drum at K, the post on a stop at T. All six bodies are free in the
-    /// plane and held by fourteen constraints of pins and slide and by the two of the contacts,
-    /// whose forces are N and Q; the holder works steadily while both are above zero.
+    /// The holder of a self-twist spinning machine: post OC, plate ACD that carries the bobbin at A, and
+    /// strut D-S-E, a spring and an oil damper in a cylinder that slides on a rod. The bobbin rests on the
+    /// drum at K, the post on a stop at T. All six bodies are free in the plane. Fourteen constraints of
+    /// pins and slide hold them, and two of the contacts, whose forces are N and Q. The holder works
+    /// steadily while both forces are above zero.
     ///
     /// The study gives no dimensions, masses or stiffnesses; these are ours.
     ///
     /// Source: Winder study, figures 2 and 3 and its table of links and pairs; every dimension, mass and stiffness is ours.
-    WinderLinkage: "winder_linkage", "Four-link bobbin holder, at work";
+    WinderLinkage: "winder_linkage", "Four-link bobbin holder, working position";
     run from 0.0, until 1.0, points 101, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
     constraints; prepared; jacobians_apart;
@@ -50,76 +50,76 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
 
 ::machinist_contract::parameters! {
     bobbin_radius: 0.06, "m", "bobbin_radius", "radius of the package on the bobbin";
-    winding_force: 0.0, "N", "winding_force", "force of the drum on the bobbin along its surface, to the left over the drum";
-    bobbin_mass: 0.7, "kg", "bobbin.mass", "the mass";
-    spring_stiffness: 2000.0, "N/m", "spring.stiffness", "spring";
-    spring_free_length: 0.116, "m", "spring.free_length", "distance at which the spring is at rest";
+    winding_force: 0.0, "N", "winding_force", "tangential force of the drum on the bobbin, to the left above the drum";
+    bobbin_mass: 0.7, "kg", "bobbin.mass", "mass";
+    spring_stiffness: 2000.0, "N/m", "spring.stiffness", "stiffness of the spring";
+    spring_free_length: 0.116, "m", "spring.free_length", "free length of the spring";
 }
 
 ::machinist_contract::outputs! {
     contact_force: at_once "N", "contact_force", "N, force of the drum on the bobbin at K";
     stop_force: at_once "N", "stop_force", "Q, force of the stop on the post at T";
-    strut_push: "N", "strut_push", "force with which it pushes its ends apart";
-    post_angle: "rad", "post_angle", "angle of the bar from sideways";
-    plate_angle: "rad", "plate_angle", "angle of the bar from sideways";
-    bobbin_angle: "rad", "bobbin_angle", "angle of the bar from sideways";
-    drum_angle: "rad", "drum_angle", "angle of the bar from sideways";
+    strut_push: "N", "strut_push", "force that pushes the ends apart";
+    post_angle: "rad", "post_angle", "angle of the bar from the horizontal";
+    plate_angle: "rad", "plate_angle", "angle of the bar from the horizontal";
+    bobbin_angle: "rad", "bobbin_angle", "angle of the bar from the horizontal";
+    drum_angle: "rad", "drum_angle", "angle of the bar from the horizontal";
 }
 
 ::machinist_contract::states! {
-    POST_X: position guess, 0.1, "m", "post.x", "centre of mass, sideways";
-    POST_Y: position guess, 0.1, "m", "post.y", "centre of mass, upwards";
-    POST_PHI: position guess, 1.0, "rad", "post.phi", "angle of the bar from sideways";
-    PLATE_X: position guess, 0.1, "m", "plate.x", "centre of mass, sideways";
-    PLATE_Y: position guess, 0.1, "m", "plate.y", "centre of mass, upwards";
-    PLATE_PHI: position guess, 1.0, "rad", "plate.phi", "angle of the bar from sideways";
-    CYLINDER_X: position guess, 0.1, "m", "cylinder.x", "centre of mass, sideways";
-    CYLINDER_Y: position guess, 0.1, "m", "cylinder.y", "centre of mass, upwards";
-    CYLINDER_PHI: position guess, 1.0, "rad", "cylinder.phi", "angle of the bar from sideways";
-    ROD_X: position guess, 0.1, "m", "rod.x", "centre of mass, sideways";
-    ROD_Y: position guess, 0.1, "m", "rod.y", "centre of mass, upwards";
-    ROD_PHI: position guess, 1.0, "rad", "rod.phi", "angle of the bar from sideways";
-    BOBBIN_X: position guess, 0.1, "m", "bobbin.x", "centre of mass, sideways";
-    BOBBIN_Y: position guess, 0.1, "m", "bobbin.y", "centre of mass, upwards";
-    BOBBIN_PHI: position guess, 1.0, "rad", "bobbin.phi", "angle of the bar from sideways";
-    DRUM_X: position guess, 0.1, "m", "drum.x", "centre of mass, sideways";
-    DRUM_Y: position guess, 0.1, "m", "drum.y", "centre of mass, upwards";
-    DRUM_PHI: position guess, 1.0, "rad", "drum.phi", "angle of the bar from sideways";
-    POST_V_X: velocity guess, 1.0, "m/s", "post.v_x", "rate of centre of mass, sideways";
-    POST_V_Y: velocity guess, 1.0, "m/s", "post.v_y", "rate of centre of mass, upwards";
-    POST_OMEGA: velocity guess, 10.0, "rad/s", "post.omega", "rate of angle of the bar from sideways";
-    PLATE_V_X: velocity guess, 1.0, "m/s", "plate.v_x", "rate of centre of mass, sideways";
-    PLATE_V_Y: velocity guess, 1.0, "m/s", "plate.v_y", "rate of centre of mass, upwards";
-    PLATE_OMEGA: velocity guess, 10.0, "rad/s", "plate.omega", "rate of angle of the bar from sideways";
-    CYLINDER_V_X: velocity guess, 1.0, "m/s", "cylinder.v_x", "rate of centre of mass, sideways";
-    CYLINDER_V_Y: velocity guess, 1.0, "m/s", "cylinder.v_y", "rate of centre of mass, upwards";
-    CYLINDER_OMEGA: velocity guess, 10.0, "rad/s", "cylinder.omega", "rate of angle of the bar from sideways";
-    ROD_V_X: velocity guess, 1.0, "m/s", "rod.v_x", "rate of centre of mass, sideways";
-    ROD_V_Y: velocity guess, 1.0, "m/s", "rod.v_y", "rate of centre of mass, upwards";
-    ROD_OMEGA: velocity guess, 10.0, "rad/s", "rod.omega", "rate of angle of the bar from sideways";
-    BOBBIN_V_X: velocity guess, 1.0, "m/s", "bobbin.v_x", "rate of centre of mass, sideways";
-    BOBBIN_V_Y: velocity guess, 1.0, "m/s", "bobbin.v_y", "rate of centre of mass, upwards";
-    BOBBIN_OMEGA: velocity, 10.0, "rad/s", "bobbin.omega", "rate of angle of the bar from sideways";
-    DRUM_V_X: velocity guess, 1.0, "m/s", "drum.v_x", "rate of centre of mass, sideways";
-    DRUM_V_Y: velocity guess, 1.0, "m/s", "drum.v_y", "rate of centre of mass, upwards";
-    DRUM_OMEGA: velocity, 10.0, "rad/s", "drum.omega", "rate of angle of the bar from sideways";
+    POST_X: position guess, 0.1, "m", "post.x", "horizontal position of the centre of mass";
+    POST_Y: position guess, 0.1, "m", "post.y", "height of the centre of mass";
+    POST_PHI: position guess, 1.0, "rad", "post.phi", "angle of the bar from the horizontal";
+    PLATE_X: position guess, 0.1, "m", "plate.x", "horizontal position of the centre of mass";
+    PLATE_Y: position guess, 0.1, "m", "plate.y", "height of the centre of mass";
+    PLATE_PHI: position guess, 1.0, "rad", "plate.phi", "angle of the bar from the horizontal";
+    CYLINDER_X: position guess, 0.1, "m", "cylinder.x", "horizontal position of the centre of mass";
+    CYLINDER_Y: position guess, 0.1, "m", "cylinder.y", "height of the centre of mass";
+    CYLINDER_PHI: position guess, 1.0, "rad", "cylinder.phi", "angle of the bar from the horizontal";
+    ROD_X: position guess, 0.1, "m", "rod.x", "horizontal position of the centre of mass";
+    ROD_Y: position guess, 0.1, "m", "rod.y", "height of the centre of mass";
+    ROD_PHI: position guess, 1.0, "rad", "rod.phi", "angle of the bar from the horizontal";
+    BOBBIN_X: position guess, 0.1, "m", "bobbin.x", "horizontal position of the centre of mass";
+    BOBBIN_Y: position guess, 0.1, "m", "bobbin.y", "height of the centre of mass";
+    BOBBIN_PHI: position guess, 1.0, "rad", "bobbin.phi", "angle of the bar from the horizontal";
+    DRUM_X: position guess, 0.1, "m", "drum.x", "horizontal position of the centre of mass";
+    DRUM_Y: position guess, 0.1, "m", "drum.y", "height of the centre of mass";
+    DRUM_PHI: position guess, 1.0, "rad", "drum.phi", "angle of the bar from the horizontal";
+    POST_V_X: velocity guess, 1.0, "m/s", "post.v_x", "rate of horizontal position of the centre of mass";
+    POST_V_Y: velocity guess, 1.0, "m/s", "post.v_y", "rate of height of the centre of mass";
+    POST_OMEGA: velocity guess, 10.0, "rad/s", "post.omega", "rate of angle of the bar from the horizontal";
+    PLATE_V_X: velocity guess, 1.0, "m/s", "plate.v_x", "rate of horizontal position of the centre of mass";
+    PLATE_V_Y: velocity guess, 1.0, "m/s", "plate.v_y", "rate of height of the centre of mass";
+    PLATE_OMEGA: velocity guess, 10.0, "rad/s", "plate.omega", "rate of angle of the bar from the horizontal";
+    CYLINDER_V_X: velocity guess, 1.0, "m/s", "cylinder.v_x", "rate of horizontal position of the centre of mass";
+    CYLINDER_V_Y: velocity guess, 1.0, "m/s", "cylinder.v_y", "rate of height of the centre of mass";
+    CYLINDER_OMEGA: velocity guess, 10.0, "rad/s", "cylinder.omega", "rate of angle of the bar from the horizontal";
+    ROD_V_X: velocity guess, 1.0, "m/s", "rod.v_x", "rate of horizontal position of the centre of mass";
+    ROD_V_Y: velocity guess, 1.0, "m/s", "rod.v_y", "rate of height of the centre of mass";
+    ROD_OMEGA: velocity guess, 10.0, "rad/s", "rod.omega", "rate of angle of the bar from the horizontal";
+    BOBBIN_V_X: velocity guess, 1.0, "m/s", "bobbin.v_x", "rate of horizontal position of the centre of mass";
+    BOBBIN_V_Y: velocity guess, 1.0, "m/s", "bobbin.v_y", "rate of height of the centre of mass";
+    BOBBIN_OMEGA: velocity, 10.0, "rad/s", "bobbin.omega", "rate of angle of the bar from the horizontal";
+    DRUM_V_X: velocity guess, 1.0, "m/s", "drum.v_x", "rate of horizontal position of the centre of mass";
+    DRUM_V_Y: velocity guess, 1.0, "m/s", "drum.v_y", "rate of height of the centre of mass";
+    DRUM_OMEGA: velocity, 10.0, "rad/s", "drum.omega", "rate of angle of the bar from the horizontal";
 }
 
 ::machinist_contract::constraints! {
-    "pin_o_x": of_positions, "m", "pin O in the frame, sideways";
-    "pin_o_y": of_positions, "m", "pin O in the frame, upwards";
-    "pin_c_x": of_positions, "m", "pin C of post and plate, sideways";
-    "pin_c_y": of_positions, "m", "pin C of post and plate, upwards";
-    "pin_d_x": of_positions, "m", "pin D of plate and cylinder, sideways";
-    "pin_d_y": of_positions, "m", "pin D of plate and cylinder, upwards";
+    "pin_o_x": of_positions, "m", "pin O in the frame, horizontal";
+    "pin_o_y": of_positions, "m", "pin O in the frame, vertical";
+    "pin_c_x": of_positions, "m", "pin C of post and plate, horizontal";
+    "pin_c_y": of_positions, "m", "pin C of post and plate, vertical";
+    "pin_d_x": of_positions, "m", "pin D of plate and cylinder, horizontal";
+    "pin_d_y": of_positions, "m", "pin D of plate and cylinder, vertical";
     "slide_angle": of_positions, "1", "S: rod and cylinder are parallel";
-    "slide_across": of_positions, "m", "S: and in line";
-    "pin_e_x": of_positions, "m", "pin E in the frame, sideways";
-    "pin_e_y": of_positions, "m", "pin E in the frame, upwards";
-    "axle_a_x": of_positions, "m", "axle A of the bobbin on the plate, sideways";
-    "axle_a_y": of_positions, "m", "axle A of the bobbin on the plate, upwards";
-    "axle_b_x": of_positions, "m", "axle B of the drum in the frame, sideways";
-    "axle_b_y": of_positions, "m", "axle B of the drum in the frame, upwards";
+    "slide_across": of_positions, "m", "S: rod and cylinder are in line";
+    "pin_e_x": of_positions, "m", "pin E in the frame, horizontal";
+    "pin_e_y": of_positions, "m", "pin E in the frame, vertical";
+    "axle_a_x": of_positions, "m", "axle A of the bobbin on the plate, horizontal";
+    "axle_a_y": of_positions, "m", "axle A of the bobbin on the plate, vertical";
+    "axle_b_x": of_positions, "m", "axle B of the drum in the frame, horizontal";
+    "axle_b_y": of_positions, "m", "axle B of the drum in the frame, vertical";
     "contact": of_positions, "m", "K: the bobbin touches the drum";
     "stop": of_positions, "m", "T: the post touches its stop";
 }
@@ -152,7 +152,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
     inverse_bobbin_mass
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 1 operation.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 1 operation.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

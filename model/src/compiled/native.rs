@@ -314,7 +314,8 @@ pub struct Again {
     short: Short,
     /// Lengths of state, parameters, constants and results.
     lengths: [usize; 4],
-    /// Number of parameters before the values that fields hand over.
+    /// Number of parameters before the values that fields hand over, which are part of the
+    /// parameters.
     own: usize,
     /// Code that the piece is part of.
     _code: Arc<Code>,
@@ -326,13 +327,19 @@ impl Again {
     pub fn new(code: &Arc<Code>, read: &Regions<'_>, results: usize) -> Option<Self> {
         let Pieces::Short(short) = code.pieces else { return None };
         let Regions { time, state, parameters, handed, constants, motion } = *read;
-        let [time, state, own, handed, constants, motion] =
+        let own = if handed.is_empty() {
+            0
+        } else {
+            let before = handed.as_ptr().addr().checked_sub(parameters.as_ptr().addr())?;
+            before / size_of::<f64>()
+        };
+        let [time, state, all, handed, constants, motion] =
             [time, state, parameters, handed, constants, motion].map(<[f64]>::len);
-        let lengths = [time, state, own, handed, constants, motion, results];
+        let lengths = [time, state, all, handed, constants, motion, results];
         let is_enough = code.needs.iter().zip(&lengths).all(|(need, length)| need <= length);
-        is_enough.then(|| Self {
+        (is_enough && own + handed <= all).then(|| Self {
             short,
-            lengths: [state, own + handed, constants, results],
+            lengths: [state, all, constants, results],
             own,
             _code: code.clone(),
         })

@@ -99,7 +99,7 @@ impl Builder {
             return self.push(Recurrence::Constant(op));
         }
         match op {
-            Op::Literal(_) | Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) => {
+            Op::Literal(_) | Op::Parameter(_) | Op::Handed(_) | Op::Held(_) | Op::Constant(_) => {
                 self.push(Recurrence::Constant(op))
             }
             Op::Motion(_) => unreachable!("the tapes that series are made of stand by themselves"),

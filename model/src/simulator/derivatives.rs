@@ -16,7 +16,8 @@ impl ModelSimulator {
         (time, state): (Dual, &'a [Dual]),
         parameters: &'a [Dual],
     ) -> Inputs<'a, Dual> {
-        let (parameters, handed) = parameters.split_at(self.model.parameters.len());
+        let own = self.model.parameters.len();
+        let handed = &parameters[own..own + self.model.handed.len()];
         let tables = &self.model.tables;
         Inputs { time, state, parameters, handed, constants: &[], motion: &[], tables }
     }
@@ -24,6 +25,18 @@ impl ModelSimulator {
 
 impl Runs<Dual> for ModelSimulator {
     fn run(
+        &self,
+        function: FunctionId,
+        motion: Option<(&Dual, &[Dual])>,
+        p: &[Dual],
+        results: &mut [Dual],
+    ) {
+        self.with_slots(p, |p| self.run_with_slots(function, motion, p, results));
+    }
+}
+
+impl ModelSimulator {
+    fn run_with_slots(
         &self,
         function: FunctionId,
         motion: Option<(&Dual, &[Dual])>,

@@ -196,6 +196,7 @@ pub fn model(n: usize, rate: Tape, mass: MatrixTape, forcing: Tape) -> Model {
         kink_guards: Tape::default(),
         kink_rates: Tape::default(),
         resets: Tape::default(),
+        relations: vec![],
         constraints: vec![],
         constraint_values: Tape::default(),
         constraint_rates: Tape::default(),

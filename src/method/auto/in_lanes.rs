@@ -1,8 +1,8 @@
-//! What `auto` asks of the steps of Taylor's method, where variants take them side by side.
+//! Checks of `auto` on the steps of Taylor's method, where variants take them side by side.
 //!
-//! A variant goes on in its lane for as long as a run of its own would go on by Taylor's
-//! method, with the same bits; one that would change the method is sent away. Lanes are asked side
-//! by side, and no lane that is not due.
+//! A variant stays in its lane for as long as a run of its own would continue by Taylor's method,
+//! with bitwise equal results. A variant that would change the method leaves its lane. Lanes are
+//! checked side by side, and only those that are due.
 
 use machinist_contract::{SideBySide, Simulator};
 
@@ -17,7 +17,7 @@ use crate::method::taylor::FEW;
 use crate::method::taylor::step::order_for;
 use crate::method::taylor::variants::{Equations, Moment, Overseer, Variant, places};
 
-/// Whether `auto` runs a machine by Taylor's method alone until something turns out to be stiff.
+/// Returns whether `auto` runs a machine by Taylor's method alone until something becomes stiff.
 pub(crate) fn goes_in_lanes(simulator: &dyn Simulator<f64>, rtol: f64) -> bool {
     let is_plain = simulator.events() == 0
         && simulator.kinks() == 0
@@ -27,25 +27,25 @@ pub(crate) fn goes_in_lanes(simulator: &dyn Simulator<f64>, rtol: f64) -> bool {
     is_plain && Method::Auto.paces(rtol).all(is_suitable)
 }
 
-/// Looks at the steps of all lanes.
+/// Checks the steps of all lanes.
 pub(crate) struct Lookout<'a, R> {
     machine: &'a dyn SideBySide<R>,
     limit: f64,
     few: f64,
     worth_beginning: f64,
-    /// Of stretches that begin.
+    /// Spectral radius for stretches that begin.
     beginning: SpectralRadius<'a, R>,
     radius: SpectralRadius<'a, R>,
     jacobian: Vec<R>,
-    /// Steps of every lane until it is looked at next.
+    /// Number of steps of every lane until the next check.
     wait: R,
-    /// Lanes that were beyond the limit when they were looked at, as bits.
+    /// Lanes that were beyond the limit at the last check, as bits.
     near: u32,
     evidence: Vec<Evidence>,
 }
 
 impl<'a, R: Lanes> Lookout<'a, R> {
-    /// For steps of a relative tolerance.
+    /// Returns the checks for steps of a relative tolerance.
     pub(crate) fn new(machine: &'a dyn SideBySide<R>, rtol: f64) -> Self {
         let states = machine.shape().states();
         Self {
@@ -62,7 +62,8 @@ impl<'a, R: Lanes> Lookout<'a, R> {
         }
     }
 
-    /// Lanes in which stability would ask for so many steps that an implicit method begins.
+    /// Returns the lanes in which stability would require so many steps that an implicit method
+    /// begins.
     fn held(&mut self, at: &Moment<'_, R>) -> u32 {
         at.equations.jacobian(at.time, at.state, &mut self.jacobian);
         let limits = at.left / R::literal(self.limit);

@@ -1,23 +1,23 @@
-//! Linear machines that no method could step through as exactly as closed forms do.
+//! Linear machines for which steps of any method are less accurate than closed forms.
 
 use nalgebra::linalg::Schur;
 
 use super::Stretch;
 use crate::dense::{balance, dense};
 
-/// By so many tolerances more a closed form may err by rounding, where steps would do
-/// as much and more.
+/// Number of tolerances by which the rounding error of a closed form may be larger, if steps would
+/// err by at least as much.
 pub(super) const LENIENT: f64 = 100.0;
-/// Larger matrices are better stepped.
+/// Number of states above which steps are preferable.
 const MOST_STATES: usize = 200;
-/// |h lambda| of the longest steps by which a motion that rings can be followed.
+/// |h lambda| of the longest steps that can follow an oscillation.
 const LONGEST: f64 = 8.0;
-/// Rounding of a closed form, for each radian of the motion.
+/// Rounding error of a closed form per radian of the motion.
 const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
-/// Whether every motion for whose rounding a closed form was refused rings on for so
-/// long that a method which steps would take more than [`LENIENT`] steps, each with an
-/// error of its own of about a tolerance.
+/// Returns whether every motion for whose rounding a closed form was refused oscillates so long
+/// that a stepping method would take more than [`LENIENT`] steps, each with an error of about a
+/// tolerance.
 pub(super) fn rings(stretch: &Stretch<'_>) -> bool {
     let system = stretch.system;
     let states = system.states();

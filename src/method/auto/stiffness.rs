@@ -1,45 +1,44 @@
-//! How it is found that stability, not accuracy, holds the steps of an explicit method, and
-//! whether an implicit one is worth its steps.
+//! Detection of explicit steps that are limited by stability and not by accuracy, and the decision
+//! whether an implicit method is worth its steps.
 
 use machinist_contract::{Describe, Real, Simulator};
 
 use crate::method::Stretch;
 
-/// So many steps of evidence change the method.
+/// Number of steps of evidence after which the method changes.
 pub(super) const STIFF_STEPS: usize = 15;
-/// So many without it make the evidence void.
+/// Number of steps without evidence after which earlier evidence is void.
 const EASY_STEPS: usize = 6;
-/// Taylor's method looks for stiffness every so many steps, each of which costs as much
-/// as this many rates and more, while a look costs a Jacobian.
+/// Number of steps of Taylor's method between checks for stiffness. Each step costs at least as
+/// much as this many rates, and a check costs a Jacobian.
 pub(super) const LOOKS_EVERY: usize = 8;
-/// Steps of a pair show most of it themselves.
+/// Number of steps of a pair between checks; its steps show most of the stiffness themselves.
 pub(super) const LOOKS_OF_PAIR_EVERY: usize = 24;
-/// What is fast and decays has done so after so many explicit steps; an implicit method is not left
-/// for steps that are short before.
+/// Number of explicit steps after which fast motions have decayed. Before that, short steps are no
+/// reason to leave an implicit method.
 pub(super) const TRANSIENT: f64 = 10.0;
-/// So many steps an implicit method takes at least to find its step and follow a motion.
+/// Minimum number of steps of an implicit method to find its step and follow a motion.
 const IMPLICIT_STEPS: f64 = 150.0;
-/// An implicit method begins where an explicit one would take so many times as many steps as
-/// make a change worth it.
+/// Factor of the number of explicit steps worth a change, above which an implicit method begins.
 const CLEARLY: f64 = 1.5;
 
-/// How many times as long as an explicit step an implicit one has to be to pay for its
-/// factorization.
+/// Returns the ratio of an implicit to an explicit step length at which its factorization pays.
 ///
-/// So much a step of `radau` costs of one by `taylor` and `dop853`: of the saw gin's 7 states 5.4
-/// and 3.9, of a shaft's 26 2.1 and 2.4, of the loom's 76 3.6 by `dop853`, of 206 in a row 1.1.
+/// Measured cost of a step of `radau` over one of `taylor` and `dop853`: with the saw gin's 7
+/// states 5.4 and 3.9, with a shaft's 26 states 2.1 and 2.4, with the loom's 76 states 3.6 over
+/// `dop853`, with 206 states in a row 1.1.
 pub(super) fn worth(states: usize) -> f64 {
     (1.5 + 20.0 / states as f64).clamp(2.0, 4.0)
 }
 
-/// Taylor's method goes on where so many steps more would do, stiff or not.
+/// Returns the number of remaining steps with which Taylor's method continues, stiff or not.
 pub(super) fn few_steps(states: usize) -> f64 {
     IMPLICIT_STEPS * worth(states)
 }
 
-/// Over a stretch of `limits` times the length that is stable at |lambda| = 1, how many steps
-/// stability alone would ask of an explicit method, if that is so many that an implicit one is to
-/// begin. One that begins for nothing is left soon.
+/// Returns the number of explicit steps that stability alone would require over a stretch of
+/// `limits` times the length that is stable at |lambda| = 1, if an implicit method should begin.
+/// One that begins in vain is soon left.
 pub(super) fn is_worth_beginning(
     simulator: &dyn Simulator<f64>,
     limits: f64,
@@ -51,12 +50,12 @@ pub(super) fn is_worth_beginning(
     (steps > worth_beginning(simulator.shape().states())).then_some(steps)
 }
 
-/// An implicit method begins where stability would ask for more steps than so many.
+/// Returns the number of steps required by stability above which an implicit method begins.
 pub(super) fn worth_beginning(states: usize) -> f64 {
     CLEARLY * few_steps(states)
 }
 
-/// How near an explicit method is to the limit of its stability.
+/// Distance of an explicit method from its stability limit.
 pub(super) struct Strain<'a> {
     radius: SpectralRadius<'a, f64>,
     jacobian: Vec<f64>,
@@ -68,7 +67,7 @@ pub(super) struct Strain<'a> {
 }
 
 impl<'a> Strain<'a> {
-    /// Looked at every so many steps.
+    /// Returns a strain that is checked once every `every` steps.
     pub(super) fn new(simulator: &'a dyn Simulator<f64>, limit: f64, every: usize) -> Self {
         let entries = simulator.rate_jacobian_pattern().entries.len();
         Self {
@@ -82,8 +81,8 @@ impl<'a> Strain<'a> {
         }
     }
 
-    /// |h lambda| after a step to a time and a state: now and then, and after every one beyond
-    /// the limit; not where few steps are left.
+    /// Returns |h lambda| after a step to a time and a state. It is evaluated occasionally, after
+    /// every step beyond the limit, and not if few steps are left.
     pub(super) fn look(
         &mut self,
         stretch: &Stretch<'_>,
@@ -102,8 +101,7 @@ impl<'a> Strain<'a> {
     }
 }
 
-/// Steps that speak for a change, not too far apart (Hairer, Wanner, section
-/// IV.2).
+/// Steps that are evidence for a change, not too far apart (Hairer, Wanner, section IV.2).
 pub(super) struct Evidence {
     enough: usize,
     found: usize,
@@ -111,12 +109,12 @@ pub(super) struct Evidence {
 }
 
 impl Evidence {
-    /// So many steps are enough.
+    /// Returns evidence for which this number of steps is enough.
     pub(super) fn of(enough: usize) -> Self {
         Self { enough, found: 0, missed: 0 }
     }
 
-    /// Takes the evidence of one step; true if it is enough.
+    /// Takes the evidence of one step; returns whether it is enough.
     pub(super) fn grows(&mut self, is_evidence: bool) -> bool {
         if is_evidence {
             self.missed = 0;
@@ -131,12 +129,12 @@ impl Evidence {
     }
 }
 
-/// Doubt whether it was right to leave an implicit method because its steps were short.
+/// Doubt about leaving an implicit method because of its short steps.
 ///
-/// An explicit method that is held by stability may never show it: at tolerances near rounding, what
-/// is rounded of a stiff force is an error of a step, and makes it shorter than stability would.
-/// After very many steps near what stability allows the implicit method is tried once more, which is
-/// left soon if its steps are short again.
+/// An explicit method limited by stability may never show it. At tolerances near rounding, the
+/// rounding of a stiff force is an error of a step, and makes the step shorter than stability
+/// would. After very many steps near the stability limit, the implicit method is tried once more;
+/// it is soon left if its steps are short again.
 pub(super) struct Doubt {
     steps: f64,
     enough: f64,
@@ -147,7 +145,7 @@ impl Doubt {
         Self { steps: 0.0, enough: worth_beginning(states) }
     }
 
-    /// The explicit method goes on; a doubt that was wrong is not repeated as soon.
+    /// Continues with the explicit method; after a wrong doubt, the next one takes longer.
     pub(super) fn begin(&mut self, was_wrong: bool) {
         self.steps = 0.0;
         if was_wrong {
@@ -155,20 +153,20 @@ impl Doubt {
         }
     }
 
-    /// Takes a step of so much of what is stable; true if another try is due.
+    /// Takes a step, as a share of the stability limit; returns whether another try is due.
     pub(super) fn grows(&mut self, strain: f64) -> bool {
-        /// Steps nearer than this may be held by stability.
+        /// Share of the stability limit above which stability may limit steps.
         const NEAR: f64 = 1.0 / 3.0;
         self.steps += 1.0;
         self.steps > self.enough && strain > NEAR
     }
 }
 
-/// Largest |eigenvalue| of the Jacobian, by two more powers of it a step; of numbers in lanes each
-/// on its own.
+/// Largest |eigenvalue| of the Jacobian, estimated by two more powers per step; for numbers in
+/// lanes, separately for each lane.
 pub(super) struct SpectralRadius<'a, R> {
     entries: &'a [(u32, u32)],
-    /// Of length 1.
+    /// Unit vector.
     vector: Vec<R>,
     between: Vec<R>,
     next: Vec<R>,
@@ -186,9 +184,9 @@ impl<'a, R: Real> SpectralRadius<'a, R> {
         radius
     }
 
-    /// Forgets what it knows where this is 1.
+    /// Resets the estimate where `takes` is 1.
     pub(super) fn begin(&mut self, takes: R) {
-        // Anything but an eigenvector.
+        // Any vector that is not an eigenvector.
         let value = |index: usize| 1.0 + 0.1 * ((index % 7) as f64);
         let squares: f64 = (0..self.vector.len()).map(|index| value(index) * value(index)).sum();
         let (half, zero) = (R::literal(0.5), R::literal(0.0));
@@ -199,10 +197,10 @@ impl<'a, R: Real> SpectralRadius<'a, R> {
         self.estimate = R::select_less(half, takes, zero, self.estimate);
     }
 
-    /// The estimate after two more multiplications, where `takes` is 1: the square root of the
-    /// growth over both, for one alone turns positions into accelerations and says
-    /// nothing. It decays slowly, so that a vector that happens to be short of
-    /// the fastest motion does not make a machine look easy.
+    /// Returns the estimate after two more multiplications, where `takes` is 1: the square root of
+    /// the growth over both, because a single one turns positions into accelerations and tells
+    /// nothing. It decays slowly, so a vector that happens to have a small part of the fastest
+    /// motion does not make the machine look easy.
     pub(super) fn renew(&mut self, jacobian: &[R], takes: R) -> R {
         let radius = self.grow(jacobian, takes).sqrt();
         let kept = R::literal(0.9) * self.estimate;
@@ -212,13 +210,13 @@ impl<'a, R: Real> SpectralRadius<'a, R> {
         self.estimate
     }
 
-    /// The estimate that a look gives: by twice as many multiplications.
+    /// Returns the estimate of a check, by twice as many multiplications.
     pub(super) fn looked_at(&mut self, jacobian: &[R], takes: R) -> R {
         self.renew(jacobian, takes);
         self.renew(jacobian, takes)
     }
 
-    /// The estimate by so many multiplications that what the vector began with hardly counts.
+    /// Returns the estimate after enough multiplications to make the initial vector irrelevant.
     pub(super) fn settled(&mut self, jacobian: &[R]) -> R {
         const ROUNDS: usize = 8;
         let (zero, one) = (R::literal(0.0), R::literal(1.0));
@@ -230,7 +228,7 @@ impl<'a, R: Real> SpectralRadius<'a, R> {
         self.renew(jacobian, one)
     }
 
-    /// vector = J J vector, then made of length 1, where `takes` is 1; gives the length it had.
+    /// Sets vector = J J vector, normalized, where `takes` is 1; returns the previous length.
     fn grow(&mut self, jacobian: &[R], takes: R) -> R {
         multiply(self.entries, jacobian, &self.vector, &mut self.between);
         multiply(self.entries, jacobian, &self.between, &mut self.next);
@@ -247,11 +245,11 @@ impl<'a, R: Real> SpectralRadius<'a, R> {
     }
 }
 
-/// product = J vector.
+/// Computes product = J vector.
 fn multiply<R: Real>(entries: &[(u32, u32)], jacobian: &[R], vector: &[R], product: &mut [R]) {
     let zero = R::literal(0.0);
     product.fill(zero);
-    // Sums of neighbouring entries of a row do not go through memory.
+    // Sums of neighbouring entries of a row stay in registers.
     let (mut at, mut sum) = (0, zero);
     for (&(row, column), value) in entries.iter().zip(jacobian) {
         if row != at {

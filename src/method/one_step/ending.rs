@@ -1,22 +1,23 @@
-//! Steps that end where a guard passes zero.
+//! Steps that end where a guard crosses zero.
 
 use super::kept::Kept;
 use super::{OneStep, constrain_tangents, sample};
-use crate::method::sensitivity::{Passing, moment};
+use crate::method::sensitivity::Passing;
 use crate::method::{Samples, Stopped, Stretch, Watch};
 
-/// What became of a step that was to end where a guard passes zero.
+/// Outcome of a step that was to end at a zero crossing.
 pub(super) enum Ending {
-    /// There is an event for the watch.
+    /// The watch has an event to apply.
     Event,
-    /// It ended at a kink; the state is behind it now.
-    Kink { time: f64 },
-    /// That shorter step could not be taken.
+    /// Relations changed there; the state is after the change.
+    Change { time: f64 },
+    /// The shorter step could not be taken.
     NotReached,
+    /// The guard moves the other way there: a shorter step does not cross.
+    OfError,
 }
 
-/// Takes the current step anew, so that it ends where a guard passes zero, and leaves
-/// the rest to the watch.
+/// Retakes the current step to end at a zero crossing, and leaves events to the watch.
 pub(super) fn end_at(
     method: &mut dyn OneStep,
     stretch: &Stretch<'_>,
@@ -26,29 +27,23 @@ pub(super) fn end_at(
     samples: &mut Samples<'_>,
 ) -> Result<Ending, Stopped> {
     let Some(watch) = stretch.watch else { return Ok(Ending::NotReached) };
-    if passing <= from {
+    // The time left is below the resolution: no step is so short.
+    let is_short = until - from <= 1e3 * f64::EPSILON * until.abs();
+    if passing - from <= 4.0 * f64::EPSILON * passing.abs() {
         watch.copy_start(state);
-        stretch.system.tangents().inspect(|tangents| tangents.comes_from(from, state));
-        watch.happens(from, passing, state);
-        return Ok(Ending::Event);
-    }
-    // Less than what time resolves is left until there: no step is so short.
-    let is_there = passing - from <= 4.0 * f64::EPSILON * passing.abs();
-    if is_there && watch.passes_kink() && stretch.system.tangents().is_none() {
-        watch.copy_start(state);
-        stretch.system.count_step();
-        if let Some(cause) = stretch.out_of_steps(from) {
-            return Err(Stopped { time: from, cause });
+        if !is_short && watch.is_of_error(from, state) {
+            return Ok(Ending::OfError);
         }
         watch.happens(from, passing, state);
-        let Some((behind, _)) = watch.cross(stretch, state)? else { return Ok(Ending::Event) };
-        stretch.take_up((from, behind), state)?;
-        return Ok(Ending::Kink { time: behind });
+        return change(stretch, watch, from, state);
     }
     method.is_last(true);
-    let Some((time, passing)) = reach(method, (stretch, watch), (from, until), passing) else {
+    let Some(time) = correct(method, watch, (from, until), passing) else {
         return Ok(Ending::NotReached);
     };
+    if !is_short && watch.is_of_error(time, method.end()) {
+        return Ok(Ending::OfError);
+    }
     if let Some(tangents) = stretch.system.tangents()
         && !tangents.carry(method, 0.0).is_good()
     {
@@ -59,73 +54,42 @@ pub(super) fn end_at(
         return Err(Stopped { time, cause });
     }
     let mut kept = Kept::new(state);
-    let front = in_front(stretch, (from, time));
-    if watch.passes_kink() {
-        kept.stay_in_front(method, stretch, (front, time))?;
-    } else {
-        kept.put_back(method, stretch, time)?;
-    }
+    kept.put_back(method, stretch, time)?;
     constrain_tangents(stretch, time, &kept.end);
     sample(method, stretch, (time, &kept.end), state, samples)?;
-    if let Some(tangents) = stretch.system.tangents() {
-        tangents.accept();
-        state.copy_from_slice(&kept.end);
-        if stretch.system.simulator().kinks() > 0 {
-            method.interpolate(front, state);
-            tangents.comes_from(front, state);
-        } else {
-            tangents.comes_from(time, state);
-        }
-    }
+    stretch.system.tangents().inspect(|tangents| tangents.accept());
     state.copy_from_slice(&kept.end);
-    let time = watch.leap_behind_jumps(stretch, (time, passing), state);
     watch.happens(time, passing, state);
-    let Some((behind, kinks)) = watch.cross(stretch, state)? else { return Ok(Ending::Event) };
-    let has_moved = stretch.take_up((front, behind), state)?;
-    if let Some(tangents) = stretch.system.tangents() {
-        let (earlier, front) = tangents.front();
-        let time = stretch.within(time);
-        let passing = Passing { time, before: &kept.end, front: (earlier, &front) };
-        tangents.cross(stretch, watch, &passing, &kinks, ((behind, state), has_moved))?;
-    }
-    if watch.turns(stretch, behind, state) {
+    change(stretch, watch, time, state)
+}
+
+/// Changes relations without leaving the method, if nothing else happens.
+fn change(
+    stretch: &Stretch<'_>,
+    watch: &Watch<'_>,
+    time: f64,
+    state: &mut [f64],
+) -> Result<Ending, Stopped> {
+    // Parts that are held in modes may come to rest or start to move, and surfaces need other
+    // methods.
+    if !watch.is_of_kinks() || stretch.system.constraints().is_some() {
         return Ok(Ending::Event);
     }
-    Ok(Ending::Kink { time: behind })
-}
-
-/// Takes steps that end where a guard passes first; gives the time at which the last of them ends, and
-/// when that guard passes.
-fn reach(
-    method: &mut dyn OneStep,
-    (stretch, watch): (&Stretch<'_>, &Watch<'_>),
-    (from, until): (f64, f64),
-    mut passing: f64,
-) -> Option<(f64, f64)> {
-    /// So often another guard may turn out to pass before.
-    const MOST: usize = 16;
-    for _ in 0..MOST {
-        let time = if watch.passes_kink() {
-            approach(method, (stretch, watch), (from, watch.next_event(until)), passing)
-        } else {
-            correct(method, watch, (from, until), passing)
-        }?;
-        let front = in_front(stretch, (from, time));
-        let Some(earlier) = watch.passes_in_front(method, (from, front)) else {
-            return Some((time, passing));
-        };
-        passing = earlier;
+    let (before, slides) = (state.to_vec(), stretch.system.slides());
+    watch.switch(state)?;
+    if let Some(tangents) = stretch.system.tangents() {
+        let passing = Passing { time, before: &before };
+        tangents.cross(stretch, watch, &passing, (state, false))?;
     }
-    None
+    if slides != stretch.system.slides() {
+        watch.goes_on_elsewhere(time);
+        return Ok(Ending::Event);
+    }
+    Ok(Ending::Change { time })
 }
 
-/// A moment before the end of a step, where what jumps there has not jumped yet.
-fn in_front(stretch: &Stretch<'_>, (from, time): (f64, f64)) -> f64 {
-    (time - moment(stretch, time)).max(0.5 * (from + time))
-}
-
-/// Takes steps that end where an event is, corrected by Newton's method; gives the time at
-/// which the last of them ends.
+/// Takes steps to a zero of a guard, corrected by Newton's method. Returns the end time of the last
+/// one.
 fn correct(
     method: &mut dyn OneStep,
     watch: &Watch<'_>,
@@ -138,64 +102,92 @@ fn correct(
         if !method.attempt(time - from).is_good() {
             return None;
         }
-        let correction = watch.correction(time, method.end());
-        let small = 1e-3 * (until - from);
-        let Some(correction) = correction.filter(|c| c.abs() <= small) else { break };
+        let Some(correction) = watch.correction(time, method.end()) else { break };
         let corrected = (time + correction).min(until);
-        let is_settled = correction.abs() <= 4.0 * f64::EPSILON * time.abs() || corrected <= from;
-        if is_settled || round == corrections {
+        if correction.abs() <= 4.0 * f64::EPSILON * time.abs() || corrected <= from {
             break;
         }
-        time = corrected;
-    }
-    Some(time)
-}
-
-/// Takes steps that end nearer and nearer to a kink, which is somewhere about `passing`; gives
-/// the time at which the last of them ends.
-///
-/// A rate that jumps there spoils steps that end beyond it, so that these tell no more than
-/// that they do: the root is foretold from in front of it.
-fn approach(
-    method: &mut dyn OneStep,
-    (stretch, watch): (&Stretch<'_>, &Watch<'_>),
-    (from, until): (f64, f64),
-    passing: f64,
-) -> Option<f64> {
-    const ROUNDS: usize = 12;
-    /// So many times what time resolves it goes back.
-    const MOST: f64 = 4.0;
-    let resolved = 4.0 * f64::EPSILON * until.abs().max(until - from);
-    let mut back = 0.5 * resolved;
-    let (mut front, mut beyond) = (from, until);
-    let mut foretold = None;
-    let mut time = passing;
-    for _ in 0..ROUNDS {
-        let is_good = method.attempt(time - from).is_good();
-        let (distance, correction) = watch.before_kink(time, method.end());
-        if is_good && (correction.abs() <= resolved || distance.abs() <= watch.rounding()) {
-            let is_front = distance > 0.0 || time - back <= from || back > MOST * resolved;
-            let earlier = time - MOST * resolved;
-            if is_front || !stretch.rate_jumps(method.end(), (earlier, time), time - from) {
-                return Some(time);
-            }
-            // Methods ask for the rate at the end, which is to be that in front of the kink.
-            time -= back;
-            back *= 2.0;
+        let is_near = correction.abs() <= 1e-3 * (until - from);
+        if is_near && round < corrections {
+            time = corrected;
             continue;
         }
-        let next = Some(time + correction);
-        if is_good && distance > 0.0 {
-            (front, foretold) = (time, next);
-        } else {
-            beyond = time;
+        // Newton's method must leave less than it began with; otherwise the guard here is not what
+        // it was along the way.
+        let is_nearer = correction.abs() <= 1e-3 * (passing - from);
+        if !(is_near && is_nearer) && watch.has_passed_at(time, method.end()) {
+            return earlier(method, watch, from, time);
         }
-        let is_between = |next: &f64| front < *next && *next < beyond;
-        let own = next.filter(|_| is_good).filter(is_between);
-        time = own.or(foretold.filter(is_between)).unwrap_or(0.5 * (front + beyond));
-        if beyond - front <= resolved {
+        break;
+    }
+    if !watch.is_short_of(time, method.end()) {
+        return Some(time);
+    }
+    let found = beyond(method, watch, (from, until), time);
+    if found.is_none() && !method.attempt(time - from).is_good() {
+        return None;
+    }
+    Some(found.unwrap_or(time))
+}
+
+/// Takes steps that end where a guard has just crossed, between the start and a time at which it is
+/// far beyond.
+fn earlier(method: &mut dyn OneStep, watch: &Watch<'_>, from: f64, mut high: f64) -> Option<f64> {
+    let resolved = 4.0 * f64::EPSILON * high.abs().max(high - from);
+    let mut low = from;
+    while high - low > resolved {
+        let middle = low + 0.5 * (high - low);
+        if !method.attempt(middle - from).is_good() {
+            return None;
+        }
+        if watch.has_passed_at(middle, method.end()) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+        let there = watch.correction(middle, method.end()).map_or(f64::NAN, |by| middle + by);
+        if (there - middle).abs() <= 1e-3 * (high - low) && low <= there && there <= high {
+            high = there;
             break;
         }
     }
-    (front > from && method.attempt(front - from).is_good()).then_some(front)
+    method.attempt(high - from).is_good().then_some(high)
+}
+
+/// Takes steps that end ever further after `time`, before which a guard is too steep for Newton's
+/// method, until one crosses; then as close as time resolves.
+fn beyond(
+    method: &mut dyn OneStep,
+    watch: &Watch<'_>,
+    (from, until): (f64, f64),
+    time: f64,
+) -> Option<f64> {
+    let resolved = 4.0 * f64::EPSILON * time.abs().max(time - from);
+    let (mut low, mut high, mut by) = (time, until, resolved);
+    while low < until {
+        let next = (low + by).min(until);
+        if !method.attempt(next - from).is_good() {
+            return None;
+        }
+        if !watch.is_short_of(next, method.end()) {
+            high = next;
+            break;
+        }
+        (low, by) = (next, 4.0 * by);
+    }
+    if low >= until {
+        return None;
+    }
+    while high - low > resolved {
+        let middle = low + 0.5 * (high - low);
+        if !method.attempt(middle - from).is_good() {
+            return None;
+        }
+        if watch.is_short_of(middle, method.end()) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    method.attempt(high - from).is_good().then_some(high)
 }

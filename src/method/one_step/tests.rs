@@ -1,4 +1,4 @@
-//! Step sizes by errors, and what steps are looked at for.
+//! Step sizes from errors, and checks of steps.
 
 use super::{Pace, Trial, end_of_step, first_not_finite, is_too_small, rests, shrink};
 
@@ -43,7 +43,7 @@ fn refused_steps_shrink_by_their_error() {
     assert_eq!(limits.map(f64::to_bits), [0.1f64, 0.9, 0.2, 0.2].map(f64::to_bits));
     assert!((shrink(Trial::Unsolved { shrink: 0.3 }, pace) - 0.3).abs() < 1e-15);
     assert!((shrink(Trial::NotFinite { what: "y", index: 0 }, pace) - 0.2).abs() < 1e-15);
-    // Accepted ones are followed by what both errors say: 0.8 / 0.5 * 0.8, within limits.
+    // For accepted steps both errors count: 0.8 / 0.5 * 0.8, within limits.
     let memory = 0.8f64.powf(10.0);
     assert!((pace.factor(0.0625, memory) - 1.28).abs() < 1e-14);
     assert!((pace.factor(0.0625, 1.0) - 1.6).abs() < 1e-14);
@@ -75,16 +75,17 @@ fn sums_of_squares_of_any_length_are_whole() {
 fn an_error_far_below_what_was_foretold_is_not_believed_at_once() {
     let pace =
         Pace { exponent: 0.125, memory: 0.0, safety: 0.9, smallest: 0.2, largest: 8.0, hold: 1.0 };
-    // As foretold, and better than foretold by little: as it is.
+    // As predicted, or a little better: unchanged.
     assert_eq!(pace.believed(0.2, 1.0, Some((1.0, 0.5))).to_bits(), 0.2f64.to_bits());
     assert_eq!(pace.believed(1e-9, 1.0, None).to_bits(), 1e-9f64.to_bits());
-    // Growth at the order of the method, as after a short first step: as it is.
+    // Growth at the order of the method, as after a short first step: unchanged.
     let grown = 1e-12 * 8f64.powi(8);
     assert_eq!(pace.believed(grown, 8.0, Some((1.0, 1e-12))).to_bits(), grown.to_bits());
-    // Foretold by steps of 2 and 8, the error is 4^8 times that before; a hundredth is believed.
+    // Predicted from steps of 2 and 8, the error is 4^8 times the previous one; a hundredth is
+    // believed.
     let hundredth = pace.believed(1e-30, 8.0, Some((2.0, 1e-12)));
     assert!((hundredth / (1e-14 * 4f64.powi(8)) - 1.0).abs() < 1e-14);
-    // Out of the blue: the step grows less than twofold.
+    // Unpredicted: the step grows less than twofold.
     let believed = pace.believed(1e-9, 1.0, Some((1.0, 0.5)));
     assert!(pace.factor(believed, 0.5) < 2.0 && pace.factor(1e-9, 0.5) > 7.0);
 }

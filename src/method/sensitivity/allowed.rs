@@ -1,29 +1,30 @@
-//! Errors of S over what tolerances allow.
+//! Errors of S over the tolerances.
 
 use crate::method::vectors::{Work, widest};
 
-/// What errors of S are allowed:
+/// Tolerances of errors of S:
 ///
 /// ```text
 /// atol / |p| + rtol |S|
 /// ```
 ///
-/// where |S| is the largest that an entry was until now, its natural size: where it passes
-/// zero, nothing is to be held that is better than that.
+/// where |S| is the largest value of an entry so far, its natural size. Where it passes zero, no
+/// better tolerance is reasonable.
 #[derive(Default)]
 pub(super) struct Allowed {
     /// atol / |p| of every entry.
     absolute: Vec<f64>,
-    /// The largest that entries were at the ends of steps until now.
+    /// Largest values of entries at the ends of steps so far.
     largest: Vec<f64>,
-    /// One over what is allowed over the step.
+    /// Reciprocals of the tolerances over the step.
     inverse: Vec<f64>,
     /// Sums of (error / allowed)^2 over the states, one for each direction.
     sums: Vec<f64>,
 }
 
 impl Allowed {
-    /// What is allowed by absolute tolerances of states, and sizes of what is differentiated by.
+    /// Returns the tolerances for absolute tolerances of states and sizes of the quantities to
+    /// differentiate by.
     pub(super) fn new(atol: &[f64], sizes: &[f64]) -> Self {
         let of_state = |atol: &f64| sizes.iter().map(move |size| atol / size).collect::<Vec<_>>();
         let absolute: Vec<f64> = atol.iter().flat_map(of_state).collect();
@@ -31,13 +32,13 @@ impl Allowed {
         Self { absolute, largest: zeros.clone(), inverse: zeros, sums: vec![0.0; sizes.len()] }
     }
 
-    /// Takes the ends of a step, over which errors are to be judged.
+    /// Takes the ends of a step whose errors are to be judged.
     pub(super) fn set(&mut self, rtol: f64, (start, end): (&[f64], &[f64])) {
         widest(Sizes { of: self, rtol, start, end });
     }
 
-    /// The greatest error of all directions over what is allowed, each the root mean square of
-    /// those of the states.
+    /// Returns the largest error of all directions over the tolerances, each the root mean square
+    /// over the states.
     pub(super) fn norm(&mut self, errors: &[f64]) -> f64 {
         widest(Squares { of: self, errors });
         // A NaN is kept.
@@ -45,7 +46,7 @@ impl Allowed {
         (greatest / (self.inverse.len() / self.sums.len()) as f64).sqrt()
     }
 
-    /// Takes S at the end of a step that is taken.
+    /// Takes S at the end of an accepted step.
     pub(super) fn keep(&mut self, tangents: &[f64]) {
         for (largest, value) in self.largest.iter_mut().zip(tangents) {
             *largest = larger(*largest, value.abs());
@@ -53,7 +54,7 @@ impl Allowed {
     }
 }
 
-/// The larger of a number and another that may be none.
+/// Returns the larger of a number and another that may be NaN.
 #[inline(always)]
 fn larger(number: f64, other: f64) -> f64 {
     if other > number { other } else { number }

@@ -5,9 +5,9 @@ use machinist_contract::{Dual, DualFunction, Quantity, Simulator};
 use super::{By, Tangents};
 use crate::trajectory::{Column, ColumnKind, sensitivity_name};
 
-/// `d(y)/d(p)` of every state, then of every output, by each p in turn.
+/// Returns `d(y)/d(p)` of every state, then of every output, for each p in turn.
 ///
-/// `rows` are states of so many entries each at `times`.
+/// `rows` are states with this many entries at `times`.
 pub(crate) fn columns(
     simulator: &dyn Simulator<f64>,
     tangents: &Tangents<'_>,
@@ -30,7 +30,7 @@ pub(crate) fn columns(
 }
 
 impl Tangents<'_> {
-    /// Derivatives of outputs at states and S of many times, row after row.
+    /// Returns derivatives of outputs at states and S of many times, row after row.
     pub(crate) fn of_outputs(
         &self,
         outputs: usize,
@@ -43,7 +43,8 @@ impl Tangents<'_> {
         let mut results = vec![Dual::constant(0.0); outputs];
         let mut state = vec![Dual::constant(0.0); self.states];
         for directions in self.chunks() {
-            let parameters = self.parameters_along(&directions);
+            // Outputs use live relations at each time, whatever was held at the end of the run.
+            let parameters = self.live_parameters_along(&directions);
             let of_each = sensitivities.chunks_exact(self.len().max(1));
             let states = rows.chunks_exact(width).zip(of_each);
             let derivatives = derivatives.chunks_exact_mut((outputs * count).max(1));
@@ -65,8 +66,8 @@ impl Tangents<'_> {
     }
 }
 
-/// The columns of a matrix that is given row after row; so many at once that a row is read by
-/// whole lines of the cache.
+/// Returns the columns of a matrix given row after row; several at once, so that a row is read by
+/// whole cache lines.
 fn transposed(rows: &[f64], width: usize) -> Vec<Vec<f64>> {
     const BLOCK: usize = 8;
     let count = rows.len().checked_div(width).unwrap_or(0);
@@ -95,7 +96,7 @@ fn column(of: Quantity<'_>, by: By, quantity: Quantity<'_>, values: Vec<f64>) ->
     }
 }
 
-/// One unit over another.
+/// Returns the quotient of two units.
 fn unit(of: &str, by: &str) -> String {
     let is_one_word = by.chars().all(|c| c.is_alphanumeric() || c == '^');
     match (of, by) {

@@ -6,13 +6,13 @@ use machinist_contract::{Real, SparsityPattern};
 
 use crate::method::vectors::Work;
 
-/// Where the nonzeros of J and df/dp stand in S and S', whose entries stand at
-/// `state * directions + direction`.
+/// Positions of the nonzeros of J and df/dp in S and S', whose entries are at `state * directions +
+/// direction`.
 pub(crate) struct Equations {
     directions: usize,
     /// Rows of J, one for each state: where they begin in S', and their entries.
     rows: Vec<(usize, Range<usize>)>,
-    /// Where the row of S begins that an entry of J is multiplied with.
+    /// Start of the row of S that an entry of J is multiplied with.
     columns: Vec<usize>,
     /// (place among the values, place in S') of entries of dy'/dp of the parameters among the
     /// directions.
@@ -22,8 +22,8 @@ pub(crate) struct Equations {
 }
 
 impl Equations {
-    /// Those of a J and a dy'/dp with these nonzeros; `directions` says of each direction which
-    /// parameter it is, if any.
+    /// Returns the equations for a J and a dy'/dp with these nonzeros; `directions` gives the
+    /// parameter of each direction, if any.
     pub(super) fn new(
         jacobian: SparsityPattern<'_>,
         by_parameters: SparsityPattern<'_>,
@@ -52,24 +52,25 @@ impl Equations {
         Self { directions: count, rows, columns, driven, values }
     }
 
-    /// How many values they are made of: nonzeros of J, then those of dy'/dp if any is asked for.
+    /// Returns the number of values they are made of: nonzeros of J, then those of dy'/dp if any is
+    /// requested.
     pub(crate) fn values(&self) -> usize {
         self.values
     }
 
-    /// Whether any direction is a parameter that a rate depends on.
+    /// Returns whether any direction is a parameter that a rate depends on.
     pub(super) fn are_driven(&self) -> bool {
         !self.driven.is_empty()
     }
 
-    /// Writes df/dp of the directions where it is not zero, from the values.
+    /// Writes df/dp of the directions where it is nonzero, from the values.
     pub(super) fn drive(&self, values: &[f64], into: &mut [f64]) {
         for (entry, place) in &self.driven {
             into[*place] = values[*entry];
         }
     }
 
-    /// J S + df/dp, as many directions at once as registers hold.
+    /// Computes J S + df/dp, for as many directions at once as registers hold.
     #[inline(always)]
     pub(crate) fn rate(&self, of: Linear<'_>, tangents: &[f64], into: &mut [f64]) {
         let mut first = 0;
@@ -86,7 +87,7 @@ impl Equations {
         }
     }
 
-    /// J S + df/dp in the first directions of every row; so many.
+    /// Computes J S + df/dp in the first `N` directions of every row; returns their number.
     #[inline(always)]
     fn rate_of<const N: usize>(
         &self,
@@ -116,13 +117,13 @@ impl Equations {
 /// Values that begin with J, and df/dp.
 pub(crate) type Linear<'a> = (&'a [f64], &'a [f64]);
 
-/// So many numbers from a place on.
+/// Returns `N` numbers from a place on.
 #[inline(always)]
 fn first_of<const N: usize>(numbers: &[f64], place: usize) -> Option<&[f64; N]> {
     numbers.get(place..)?.first_chunk()
 }
 
-/// J S + df/dp.
+/// The product J S + df/dp.
 pub(super) struct Product<'a> {
     pub(super) equations: &'a Equations,
     pub(super) of: Linear<'a>,
@@ -145,8 +146,8 @@ mod tests {
     use super::{Equations, Product};
     use crate::method::vectors::widest;
 
-    /// A row of J without entries has its df/dp all the same; thirteen directions are blocks of
-    /// several widths.
+    /// A row of J without entries still has its df/dp; thirteen directions are blocks of several
+    /// widths.
     #[test]
     #[allow(clippy::float_cmp, reason = "small whole numbers are exact")]
     fn sums_are_those_of_dense_matrices() {

@@ -1,56 +1,54 @@
-//! What S does where the rate jumps: at events, kinks, and jumps in time.
+//! Jumps of S where the rate jumps: at events, kinks, and jumps in time.
 //!
-//! A guard g(t, y, p) passes zero at a time that moves with p; behind it the state is
-//! r(t, y, p) and the rate another one. With f- and f+ the rates on both sides,
+//! A guard g(t, y, p) crosses zero at a time that moves with p; after it the state is r(t, y, p)
+//! and the rate another one. With f- and f+ the rates on both sides,
 //!
 //! ```text
 //! dt_e/dp = -(g_y S- + g_p) / (g_y f- + g_t)
 //! S+ = (r_y (S- + f- dt_e/dp) + r_p + r_t dt_e/dp) - f+ dt_e/dp
 //! ```
 //!
-//! At a jump of the rate in time r is the identity and dt_e/dp that of its time; at a kink
-//! likewise, and S is continuous where the rate is. Dual numbers of time, state and parameters
-//! at once give the parenthesis, through any number of resets and the move back onto
+//! At a jump of the rate in time, r is the identity and dt_e/dp that of its time. The same holds
+//! where a relation changes, and S is continuous where the rate is. Dual numbers of time, state and
+//! parameters at once give the parenthesis, through any number of resets and the projection onto
 //! constraints.
 //!
-//! Where two things happen at once that p moves apart, and where a guard is grazed, there is no
-//! derivative, and the run stops and says so.
+//! If two things happen at once that p moves apart, or if a guard is grazed, there is no
+//! derivative; the run stops with a message.
 
 use machinist_contract::{Dual, DualFunction};
 use nalgebra::DMatrix;
 
 use super::Tangents;
 use crate::error::StopCause;
-use crate::method::{Happened, Stopped, Stretch, System, Watch};
+use crate::method::{Front, Happened, Stopped, Stretch, System, Watch};
 
-/// When something happened, and how that moves with what is differentiated by.
+/// Time of a change, and its derivatives.
 #[derive(Debug, Clone)]
 pub(super) struct Instant {
     pub(super) time: f64,
     pub(super) shifts: Vec<f64>,
 }
 
-/// Shifts of times that differ by no more than this share are the same.
+/// Relative difference up to which shifts of times are the same.
 const SAME: f64 = 1e-6;
 
-/// Times that differ by rounding are the same.
+/// Returns whether times differ only by rounding.
 fn is_at(a: f64, b: f64) -> bool {
     (a - b).abs() <= 64.0 * f64::EPSILON * a.abs().max(b.abs())
 }
 
-/// What is known of a passing.
+/// State at a crossing.
 pub(crate) struct Passing<'p> {
-    /// When.
+    /// Time.
     pub(crate) time: f64,
-    /// The state there, before anything happens.
+    /// The state there, before any change.
     pub(crate) before: &'p [f64],
-    /// The same or a moment earlier, where the rate is surely that of before.
-    pub(crate) front: (f64, &'p [f64]),
 }
 
 impl Tangents<'_> {
-    /// Jumps S where the rate jumps in time; and where constraints move the state, from what it was
-    /// `before` to what it is `behind`.
+    /// Jumps S where the rate jumps in time, and where constraints move the state from `before` to
+    /// `behind`.
     ///
     /// # Errors
     /// [`StopCause::AtOnce`] if several things happen there that are moved apart.
@@ -80,7 +78,7 @@ impl Tangents<'_> {
         };
         let rate_before = rate(time.next_down(), before);
         if has_moved {
-            let passing = Passing { time: behind, before, front: (time, before) };
+            let passing = Passing { time: behind, before };
             self.take_up(system, &passing, &shifts, [&rate_before, &rate(behind, after)], after)?;
         } else {
             self.shift(&rate_before, &rate(time, before), &shifts);
@@ -89,7 +87,7 @@ impl Tangents<'_> {
         Ok(())
     }
 
-    /// S where constraints move the state as its rate jumps.
+    /// Jumps S where constraints move the state as its rate jumps.
     fn take_up(
         &self,
         system: &System<'_>,
@@ -103,7 +101,7 @@ impl Tangents<'_> {
         Ok(())
     }
 
-    /// S+ = S- + (f- - f+) dt/dp.
+    /// Computes S+ = S- + (f- - f+) dt/dp.
     fn shift(&self, before: &[f64], after: &[f64], shifts: &[f64]) {
         let count = self.by.len();
         let start = &mut self.inner.borrow_mut().start;
@@ -116,26 +114,26 @@ impl Tangents<'_> {
         }
     }
 
-    /// Jumps S where kinks were passed and nothing else; `after` is the state behind them, to which
-    /// constraints may have moved it.
+    /// Jumps S where relations changed and nothing else; `after` is the state after the change, to
+    /// which constraints may have moved it.
     ///
     /// # Errors
-    /// If the rate jumps there, and the kinks are moved apart or grazed.
+    /// Returns an error if the rate jumps there, and the guards are moved apart or grazed.
     pub(crate) fn cross(
         &self,
         stretch: &Stretch<'_>,
         watch: &Watch<'_>,
         passing: &Passing<'_>,
-        kinks: &[usize],
-        ((behind, after), has_moved): ((f64, &[f64]), bool),
+        (after, has_moved): (&[f64], bool),
     ) -> Result<(), Stopped> {
-        let rates = rates_beside(stretch, passing.front, (behind, after));
-        if !has_moved && !self.rate_jumps(stretch, passing.front, (behind, after), &rates) {
+        let Some(front) = watch.front() else { return Ok(()) };
+        let behind = rate_of(stretch, passing.time, after);
+        if !has_moved && front.rate == behind {
             return Ok(());
         }
         let mut found: Option<Vec<f64>> = None;
-        for kink in kinks {
-            let shifts = self.shifts_of_guard(watch, passing, *kink)?;
+        for guard in watch.happened().passed {
+            let shifts = self.shifts_of_guard(watch, &front, passing, guard)?;
             if let Some(others) = &found {
                 self.require_same(passing.time, others, &shifts)?;
             }
@@ -143,48 +141,21 @@ impl Tangents<'_> {
         }
         if let Some(shifts) = found {
             if has_moved {
-                let passing = Passing { time: stretch.within(behind), ..*passing };
-                let rates = rates.each_ref().map(Vec::as_slice);
-                self.take_up(stretch.system, &passing, &shifts, rates, after)?;
+                let rates = [&front.rate[..], &behind];
+                self.take_up(stretch.system, passing, &shifts, rates, after)?;
             } else {
-                self.shift(&rates[0], &rates[1], &shifts);
+                self.shift(&front.rate, &behind, &shifts);
             }
             self.inner.borrow_mut().latest = Instant { time: passing.time, shifts };
         }
         Ok(())
     }
 
-    /// Whether the rate is another one on both sides, by more than it changes beside them.
-    fn rate_jumps(
-        &self,
-        stretch: &Stretch<'_>,
-        front: (f64, &[f64]),
-        behind: (f64, &[f64]),
-        rates: &[Vec<f64>; 2],
-    ) -> bool {
-        const BESIDE: f64 = 100.0;
-        const ROUNDING: f64 = 1e-13;
-        let by = moment(stretch, front.0);
-        let aside = |(time, state): (f64, &[f64]), rate: &[f64], by: f64| {
-            let moved: Vec<f64> = state.iter().zip(rate).map(|(y, f)| y + by * f).collect();
-            (time + by, moved)
-        };
-        let earlier = aside(front, &rates[0], -by);
-        let later = aside(behind, &rates[1], by);
-        let beside = rates_beside(stretch, (earlier.0, &earlier.1), (later.0, &later.1));
-        (0..self.states).any(|index| {
-            let [before, after] = [0, 1].map(|side: usize| rates[side][index]);
-            let change = |side: usize| (beside[side][index] - rates[side][index]).abs();
-            let usual = self.simulator.state_scale(index) / (stretch.until - stretch.from);
-            let size = before.abs().max(after.abs()).max(usual);
-            (before - after).abs() > BESIDE * (change(0) + change(1)) + ROUNDING * size
-        })
-    }
-
-    /// Jumps S where events happened; `after` is the state behind them.
+    /// Jumps S where events happened; `after` is the state after them.
     ///
     /// # Errors
-    /// If they are moved apart, grazed, or set positions that constraints then move.
+    /// Returns an error if the guards are moved apart or grazed, or events set positions that
+    /// constraints then move.
     pub(crate) fn switch(
         &self,
         stretch: &Stretch<'_>,
@@ -194,9 +165,10 @@ impl Tangents<'_> {
         after: &[f64],
     ) -> Result<(), Stopped> {
         let time = passing.time;
+        let Some(front) = watch.front() else { return Ok(()) };
         let mut found: Option<Vec<f64>> = None;
         for guard in &happened.passed {
-            let shifts = self.shifts_of_guard(watch, passing, *guard)?;
+            let shifts = self.shifts_of_guard(watch, &front, passing, *guard)?;
             if let Some(others) = &found {
                 self.require_same(time, others, &shifts)?;
             }
@@ -205,12 +177,11 @@ impl Tangents<'_> {
         let shifts = match found {
             Some(shifts) => shifts,
             None if happened.applied.is_empty() => return Ok(()),
-            // What happened just before has led to it.
+            // Caused by what happened just before.
             None => self.inner.borrow().latest.shifts.clone(),
         };
-        let ahead = self.ahead(stretch, time, after);
-        let [before, behind] = rates_beside(stretch, passing.front, (ahead.0, &ahead.1));
-        self.map(stretch.system, passing, &shifts, &before, (happened, after))?;
+        let behind = rate_of(stretch, time, after);
+        self.map(stretch.system, passing, &shifts, &front.rate, (happened, after))?;
         let count = self.by.len();
         {
             let start = &mut self.inner.borrow_mut().start;
@@ -227,7 +198,7 @@ impl Tangents<'_> {
         self.require_finite(stretch, time, &start)
     }
 
-    /// S through what events did at the start of the run, which does not move.
+    /// Maps S through the events at the start of the run, whose time does not move.
     pub(crate) fn settle(
         &self,
         system: &System<'_>,
@@ -239,12 +210,12 @@ impl Tangents<'_> {
         if happened.applied.is_empty() {
             return Ok(());
         }
-        let passing = Passing { time, before, front: (time, before) };
+        let passing = Passing { time, before };
         let (shifts, rate) = (vec![0.0; self.by.len()], vec![0.0; before.len()]);
         self.map(system, &passing, &shifts, &rate, (happened, after))
     }
 
-    /// S = r_y (S + f dt/dp) + r_p + r_t dt/dp of what events do, one after the other.
+    /// Computes S = r_y (S + f dt/dp) + r_p + r_t dt/dp for the events, one after another.
     fn map(
         &self,
         system: &System<'_>,
@@ -274,8 +245,9 @@ impl Tangents<'_> {
                 }
             }
             for index in &happened.applied {
-                let function = DualFunction::Resets;
-                self.derivatives.on_duals(function, time, &state, &parameters, &mut values);
+                // New values use live relations, whatever is held.
+                let (function, live) = (DualFunction::Resets, &parameters[..self.parameters.len()]);
+                self.derivatives.on_duals(function, time, &state, live, &mut values);
                 let first: usize = lengths[..*index].iter().sum();
                 for (entry, value) in events[*index].sets.iter().zip(&values[first..]) {
                     let entry = *entry as usize;
@@ -300,28 +272,30 @@ impl Tangents<'_> {
         Ok(())
     }
 
-    /// How the time moves at which a guard passes.
+    /// Returns the derivatives of the time at which a guard crosses.
     fn shifts_of_guard(
         &self,
         watch: &Watch<'_>,
+        front: &Front,
         passing: &Passing<'_>,
         guard: usize,
     ) -> Result<Vec<f64>, Stopped> {
         let events = self.simulator.events();
-        let (function, count, place) = if guard < events {
-            (DualFunction::Guards, events, guard)
-        } else {
-            (DualFunction::KinkGuards, self.simulator.kinks(), guard - events)
+        let (function, count, place, sign) = match watch.kink_of(guard) {
+            None => (DualFunction::Guards, events, guard, 1.0),
+            Some((place, sign)) => (DualFunction::KinkGuards, self.simulator.kinks(), place, sign),
         };
-        let Passing { time, before, front } = *passing;
-        let (value, _) = watch.guard_at(time, before, guard);
-        let (_, rate) = watch.guard_at(front.0, front.1, guard);
+        let Passing { time, before } = *passing;
+        let (value, rate) = front.guards[guard];
         let start = self.inner.borrow().start.clone();
-        let slopes = self.slopes(function, count, time, before, &start).swap_remove(place);
+        let mut slopes = self.slopes(function, count, time, before, &start).swap_remove(place);
+        for slope in &mut slopes {
+            *slope *= sign;
+        }
         let latest = self.inner.borrow().latest.clone();
         let room = watch.blur(guard, time, before);
         if is_at(latest.time, time) {
-            // What happened just before has put the guard there, or made it jump beyond.
+            // What happened just before put the guard there, or made it jump beyond.
             let follows = slopes.iter().zip(&latest.shifts).all(|(slope, shift)| {
                 let moved = rate * shift;
                 (slope + moved).abs() <= SAME * slope.abs().max(moved.abs())
@@ -349,7 +323,7 @@ impl Tangents<'_> {
         }
     }
 
-    /// Refuses what happens at once with what happened just before, but moves otherwise.
+    /// Refuses a change at the time of the last one if it moves differently.
     fn require_apart(&self, time: f64, shifts: &[f64]) -> Result<(), Stopped> {
         let latest = self.inner.borrow().latest.clone();
         if is_at(latest.time, time) {
@@ -369,49 +343,23 @@ impl Tangents<'_> {
             }
         }
     }
-
-    /// A moment behind events, where kinks that are at zero there have taken their side.
-    fn ahead(&self, stretch: &Stretch<'_>, time: f64, after: &[f64]) -> (f64, Vec<f64>) {
-        let mut ahead = after.to_vec();
-        if self.simulator.kinks() == 0 {
-            return (time, ahead);
-        }
-        let by = moment(stretch, time);
-        let mut rate = vec![0.0; stretch.system.len()];
-        stretch.rate(time, after, &mut rate);
-        for (value, rate) in ahead.iter_mut().zip(&rate) {
-            *value += by * rate;
-        }
-        (time + by, ahead)
-    }
 }
 
-/// f on both sides.
-fn rates_beside(
-    stretch: &Stretch<'_>,
-    front: (f64, &[f64]),
-    behind: (f64, &[f64]),
-) -> [Vec<f64>; 2] {
-    [front, behind].map(|(time, state)| {
-        let mut rate = vec![0.0; stretch.system.len()];
-        stretch.rate(time, state, &mut rate);
-        rate
-    })
+/// Returns f at a state, with relations as held.
+fn rate_of(stretch: &Stretch<'_>, time: f64, state: &[f64]) -> Vec<f64> {
+    let mut rate = vec![0.0; stretch.system.len()];
+    stretch.rate(time, state, &mut rate);
+    rate
 }
 
-/// No time, but more than rounding \[s\].
-pub(crate) fn moment(stretch: &Stretch<'_>, time: f64) -> f64 {
-    1e-12 * time.abs().max(stretch.until - stretch.from)
-}
-
-/// Puts a state with slopes onto the constraints, as the state `after` was put from where
+/// Projects a state with slopes onto the constraints, as the state `after` was projected from where
 /// events had set it.
 ///
 /// ```text
 /// M(q) (v+ - v-) + G(q, t)^T nu = 0,   g'(q, v+, t) = 0
 /// ```
 ///
-/// differentiated as it stands, with what M and G change by.
+/// differentiated as it is, including the changes of M and G.
 fn put_back(
     tangents: &Tangents<'_>,
     constraints: &crate::constraints::Constraints<'_>,
@@ -419,7 +367,7 @@ fn put_back(
     state: &mut [Dual],
     after: &[f64],
 ) -> Result<(), StopCause> {
-    /// Moves of positions that are no drift.
+    /// Relative move of positions above which it is no drift.
     const DRIFT: f64 = 1e-6;
     let simulator = tangents.simulator;
     let n = simulator.shape().coordinates;

@@ -1,4 +1,4 @@
-//! S at the start: how the initial state follows from parameters and from itself.
+//! S at the start: derivatives of the initial state by parameters and by itself.
 
 use machinist_contract::{Dual, DualFunction};
 #[cfg(feature = "linear")]
@@ -10,26 +10,26 @@ use crate::error::SimulateError;
 #[cfg(feature = "linear")]
 use crate::linear_analysis::{Point, steady_tangents};
 
-/// The start of a run, as the run has found it.
+/// The start of a run.
 pub(crate) struct Start<'s> {
     pub(crate) time: f64,
     pub(crate) state: &'s [f64],
-    /// What the spec gives, before constraints moved it; nothing if the caller has given a
-    /// state.
+    /// True if the spec gives the state, before constraints moved it; false if the caller has given
+    /// one.
     pub(crate) is_of_spec: bool,
     /// Entries that are given otherwise than by the spec.
     pub(crate) set: &'s [usize],
-    /// Of an equilibrium, entries that the search was to move least.
+    /// For an equilibrium, the entries that the search was to move least.
     pub(crate) in_equilibrium: Option<&'s [usize]>,
 }
 
 impl Tangents<'_> {
-    /// Sets S = dy_0/dp; whether the start of an equilibrium follows from its equations alone,
-    /// and not from the guess.
+    /// Sets S = dy_0/dp. Returns whether the start of an equilibrium follows from its equations
+    /// alone, and not from the guess.
     ///
     /// # Errors
-    /// If a jump at the start moves with a parameter, or constraints leave open how the start
-    /// moves.
+    /// Returns an error if a jump at the start moves with a parameter, or if constraints leave open
+    /// how the start moves.
     pub(crate) fn begin(&self, start: &Start<'_>) -> Result<bool, SimulateError> {
         self.refuse_jumps_at(start.time)?;
         let count = self.by.len();
@@ -66,8 +66,8 @@ impl Tangents<'_> {
         Ok(is_determined)
     }
 
-    /// Moves of a guess to those of the equilibrium that is found from it; whether its equations
-    /// leave nothing open.
+    /// Maps moves of a guess to those of the equilibrium found from it. Returns whether its
+    /// equations determine it.
     #[cfg(feature = "linear")]
     fn balance(
         &self,
@@ -80,7 +80,7 @@ impl Tangents<'_> {
         let point = Point { time, state, parameters: self.parameters.to_vec() };
         let first = self.simulator.rate_jacobian_pattern().entries.len();
         let entries = self.simulator.parameter_jacobian_pattern().entries.len();
-        // Behind those of dy'/dy, of which nothing is read here.
+        // Behind those of dy'/dy, which are not read here.
         let mut values = vec![0.0; first + entries];
         let Point { state, parameters, .. } = &point;
         self.simulator.parameter_jacobian(time, state, parameters, &mut values[first..]);
@@ -110,7 +110,7 @@ impl Tangents<'_> {
         Ok(false)
     }
 
-    /// Refuses the initial value of a state that constraints decide.
+    /// Refuses the initial value of a state that constraints determine.
     fn require_free(&self, start: &Start<'_>, index: usize) -> Result<(), SimulateError> {
         if !start.is_of_spec || self.simulator.constraints() == 0 || self.simulator.is_given(index)
         {
@@ -122,7 +122,8 @@ impl Tangents<'_> {
         })
     }
 
-    /// A jump at the very start is within the run or before it, as its parameter moves.
+    /// Refuses a moving jump at the very start, which is within the run or before it, as its
+    /// parameter moves.
     fn refuse_jumps_at(&self, from: f64) -> Result<(), SimulateError> {
         for (time, shifts) in self.jump_times() {
             if let Some(direction) = shifts.iter().position(|shift| *shift != 0.0)
@@ -139,7 +140,7 @@ impl Tangents<'_> {
         Ok(())
     }
 
-    /// Times of jumps, and how they move with what is differentiated by.
+    /// Returns the times of jumps, and their derivatives.
     pub(super) fn jump_times(&self) -> Vec<(f64, Vec<f64>)> {
         let count = self.simulator.shape().discontinuities;
         let mut jumps = vec![(0.0, Vec::with_capacity(self.by.len())); count];
@@ -164,8 +165,8 @@ impl Tangents<'_> {
     /// G_f dq_f = -(G dq + dg/dp)      by least squares, moves measured by the states' scales
     /// ```
     ///
-    /// Where that leaves moves open, which is told, the start also depends on the guesses and on
-    /// how one is looked for; so differences of the search itself have the last word.
+    /// Returns whether this determines the moves. If not, the start also depends on the guesses and
+    /// on the search, and differences of the search decide.
     fn make_consistent(
         &self,
         start: &Start<'_>,
@@ -209,8 +210,8 @@ impl Tangents<'_> {
         Ok(is_determined)
     }
 
-    /// Refuses a start that comes off the constraints, because nothing is left to make up.
-    /// `left` are slopes of the constraints, of which `sizes` were to be made up for.
+    /// Refuses a start that leaves the constraints because nothing is left to compensate. `left`
+    /// are slopes of the constraints, and `sizes` those before the compensation.
     fn require_none_left(
         &self,
         level: Level,
@@ -219,7 +220,7 @@ impl Tangents<'_> {
         left: &[f64],
     ) -> Result<(), SimulateError> {
         const SHARE: f64 = 1e-6;
-        /// Of the move of typical size of all coordinates.
+        /// Share of a move of all coordinates by their typical sizes.
         const ROUNDING: f64 = 1e-10;
         let Some(constraints) = Constraints::of(self.simulator, self.parameters) else {
             return Ok(());

@@ -1,60 +1,104 @@
-//! Guards of a run that somebody else steps, or cuts into pieces.
+//! Guards of a run that a host steps or cuts into pieces.
 //!
-//! A run in pieces is watched as any other; what is known of guards is kept from piece to
-//! piece. Who steps a run himself sees an indicator for each guard, and has to stop where one
-//! changes its sign. Then, and after each of his steps, guards are looked at:
+//! A run in pieces is watched like any other; the state of the guards is kept from piece to piece.
+//! A host that steps a run itself receives an indicator for each guard, and has to stop where an
+//! indicator changes its sign. There, and after each step of the host, the guards are evaluated:
 //!
-//! - A guard that is on the other side of zero has passed, and its event happens.
-//! - A guard that has only now passed is at zero but for rounding. Its indicator is moved by
-//!   some of that to the side it leaves to, so that it changes its sign where the guard comes
-//!   back, however soon; once the guard is clear of zero, its indicator is the guard itself.
-//! - A guard at rest at zero has an indicator that is moved to the near side.
+//! - A guard on the other side of zero has crossed, and its event happens.
+//! - A guard that has just crossed is zero but for rounding. Its indicator is shifted to the side
+//!   to which the guard leaves, so that the sign changes when the guard returns. Once the guard is
+//!   clear of zero, the indicator is the guard itself.
+//! - A guard that rests at zero has an indicator shifted to the near side.
 
 use std::collections::VecDeque;
 
-use machinist_contract::{Direction, Simulator};
+use machinist_contract::{Direction, RelationKind, Simulator};
 use serde::{Deserialize, Serialize};
 
-use super::passing::{AT_REST, guards_at, is_wanted};
+use super::passing::{AT_REST, is_wanted};
 use super::settle::is_beyond;
-use super::{Problem, Side, Stopped, Switch, Watch};
+use super::{Problem, Side, Stopped, Switch, System, Watch, Watched};
 use crate::error::StopCause;
+use crate::method::sliding::{Order, Slide};
 
-/// Of what a guard compares, at the states' typical sizes: no more of it is zero.
+/// Rounding errors of a guard's terms, at the scales of the states, that count as zero.
 const ROUNDINGS: f64 = 64.0;
 
-/// What is known of guards between the pieces of a run.
+/// State of the guards between two pieces of a run.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Memory {
     sides: Vec<Side>,
-    /// By how much indicators are moved to the side their guards are on.
+    /// Shift of each indicator towards the side of its guard.
     slack: Vec<f64>,
     latest: VecDeque<f64>,
     happening: Option<(f64, Vec<usize>)>,
-    /// The largest value that each guard has had: its rounding is that of what it compares.
+    /// Largest value of each guard, which determines its rounding error.
     sizes: Vec<f64>,
+    /// Slots of the relations.
+    slots: Vec<f64>,
+    /// Relations along whose surfaces the motion slides; true if by the second derivative.
+    slides: Vec<(usize, bool)>,
 }
 
 impl Memory {
-    /// Whether it is one of runs of a simulator.
+    /// Returns whether this is the memory of a run of a simulator.
     pub(crate) fn fits(&self, simulator: &dyn Simulator<f64>) -> bool {
-        let count = simulator.events() + simulator.kinks();
+        let count = Watched::all(simulator).len();
         let happening = self.happening.iter().flat_map(|(_, guards)| guards);
         [self.sides.len(), self.slack.len(), self.sizes.len()] == [count; 3]
             && happening.into_iter().all(|guard| *guard < count)
+            && (count == 0 || self.slots.len() == simulator.relations())
+            && self.slides.iter().all(|(relation, _)| *relation < simulator.relations())
     }
 
-    /// Whether events have been found that have not happened yet.
+    /// Returns the parameters with the slots of the relations as held.
+    pub(crate) fn parameters(&self, parameters: &[f64]) -> Vec<f64> {
+        [parameters, &self.slots].concat()
+    }
+
+    /// Returns whether events have been found that have not happened yet.
     pub(crate) fn is_halted(&self) -> bool {
         self.happening.is_some()
     }
 
-    /// Whether the event or the kink of an indicator is watched for, so that it is its guard.
-    pub(crate) fn is_watched(&self, index: usize) -> bool {
-        self.sides.get(index).is_some_and(|side| *side != Side::Idle)
+    /// Returns whether the motion slides along a surface.
+    pub(crate) fn is_sliding(&self) -> bool {
+        !self.slides.is_empty()
     }
 
-    /// What changes its sign where a guard has to be looked at, for each event and each kink.
+    /// Makes a system hold the relations of the run.
+    pub(crate) fn hold(&self, system: &System<'_>) {
+        system.held().set_all(&self.slots);
+        let order = |is_second: bool| if is_second { Order::Second } else { Order::First };
+        let slides = self.slides.iter();
+        let slides =
+            slides.map(|(relation, second)| Slide { relation: *relation, order: order(*second) });
+        system.slide(&slides.collect::<Vec<_>>());
+    }
+
+    /// Returns the derivative of the indicator of a kink by its guard.
+    pub(crate) fn slope(&self, simulator: &dyn Simulator<f64>, kink: usize, guard: f64) -> f64 {
+        let is_whole =
+            kink < simulator.relations() && simulator.relation(kink).kind == RelationKind::Whole;
+        // (a - n) (n + 1 - a)
+        if is_whole { 2.0 * self.slots[kink] + 1.0 - 2.0 * guard } else { 1.0 }
+    }
+
+    /// Returns whether the event or kink of an indicator is watched, so that the indicator is its
+    /// guard.
+    pub(crate) fn is_watched(&self, simulator: &dyn Simulator<f64>, index: usize) -> bool {
+        let events = simulator.events();
+        let of = |watched: &Watched| match watched {
+            Watched::Event(event) => *event == index,
+            other => other.kink().is_some_and(|(kink, _)| events + kink == index),
+        };
+        let places = Watched::all(simulator).into_iter().enumerate();
+        let mut places = places.filter(|(_, watched)| of(watched)).map(|(place, _)| place);
+        places.any(|place| self.sides.get(place).is_some_and(|side| *side != Side::Idle))
+    }
+
+    /// Computes the indicators of all events and kinks. An indicator changes its sign where its
+    /// guard has to be evaluated.
     pub(crate) fn indicators(
         &self,
         (simulator, parameters): (&dyn Simulator<f64>, &[f64]),
@@ -62,27 +106,54 @@ impl Memory {
         values: &mut [f64],
     ) {
         let events = simulator.events();
-        guards_at((simulator, parameters), events, time, state, values);
-        for (index, value) in values.iter_mut().enumerate() {
-            match self.sides[index] {
-                // Of an event that is not watched for, whatever the guard does.
-                Side::Idle => *value = 1.0,
-                Side::Known(side) | Side::Jumped(side) => *value += side * self.slack[index],
-                Side::Fresh { residual, .. } if index < events => {
-                    *value += match simulator.event(index).direction {
-                        Direction::Rising => -residual,
-                        Direction::Falling => residual,
-                        Direction::Both => 0.0,
-                    };
+        let parameters = self.parameters(parameters);
+        let (guards, kinks) = values.split_at_mut(events);
+        if !guards.is_empty() {
+            simulator.guards(time, state, &parameters, guards);
+        }
+        if !kinks.is_empty() {
+            simulator.kink_guards(time, state, &parameters, kinks);
+        }
+        let mut whole = 1.0;
+        for (place, watched) in Watched::all(simulator).into_iter().enumerate() {
+            let (side, slack) = (self.sides[place], self.slack[place]);
+            match watched {
+                Watched::Event(event) => {
+                    values[event] =
+                        shown(values[event], side, slack, simulator.event(event).direction);
                 }
-                Side::Fresh { .. } => {}
+                Watched::Branch(index) | Watched::Border(index) | Watched::Zone(index) => {
+                    let value = &mut values[events + index];
+                    *value = shown(*value, side, slack, Direction::Both);
+                }
+                // For integers, the product of the distances to both ends: positive between them.
+                Watched::Low(index) => whole = values[events + index] - self.slots[index] + slack,
+                Watched::High(index) => {
+                    let above = 1.0 + self.slots[index] - values[events + index] + slack;
+                    values[events + index] = if side == Side::Idle { 1.0 } else { whole * above };
+                }
+                Watched::FromBelow(_) | Watched::FromAbove(_) | Watched::Nearest(_) => {}
             }
         }
     }
 }
 
+/// Returns the indicator of a guard.
+fn shown(guard: f64, side: Side, slack: f64, direction: Direction) -> f64 {
+    match side {
+        // The event is not armed, whatever its guard does.
+        Side::Idle => 1.0,
+        Side::Known(side) => guard + side * slack,
+        Side::Fresh { residual, .. } => match direction {
+            Direction::Rising => guard - residual,
+            Direction::Falling => guard + residual,
+            Direction::Both => guard,
+        },
+    }
+}
+
 impl<'a> Watch<'a> {
-    /// The watch over the next piece of a run; nothing if there is nothing to watch.
+    /// Returns the watch over the next piece of a run; `None` if there is nothing to watch.
     pub(crate) fn resume(problem: &'a Problem<'a>, memory: &Memory) -> Option<Self> {
         let (sides, latest) = (memory.sides.clone(), memory.latest.clone());
         if sides.is_empty() {
@@ -90,32 +161,42 @@ impl<'a> Watch<'a> {
         }
         let watch = Self::with(problem, sides, latest, &problem.initial);
         watch.inner.borrow_mut().parts.sizes_mut().clone_from(&memory.sizes);
+        memory.hold(problem.system);
+        watch.resume_relations(problem.from, &problem.initial);
         Some(watch)
     }
 
-    /// What the next piece of a run has to know.
+    /// Returns the memory for the next piece of a run.
     pub(crate) fn into_memory(self) -> Memory {
+        let (slots, slides) = self.slots_and_slides();
         let mut inner = self.inner.into_inner();
         let sizes = std::mem::take(inner.parts.sizes_mut());
         let (sides, latest, happening) = (inner.sides, inner.latest, inner.happening);
         let slack = vec![0.0; sides.len()];
-        Memory { sides, slack, latest, happening, sizes }
+        Memory { sides, slack, latest, happening, sizes, slots, slides }
     }
 
-    /// The time at which events have been found that have not happened yet.
+    /// Returns the slots and the surfaces along which the motion slides.
+    fn slots_and_slides(&self) -> (Vec<f64>, Vec<(usize, bool)>) {
+        let slides = self.system.slides().into_iter();
+        let slides = slides.map(|slide| (slide.relation, slide.order == Order::Second));
+        (self.system.held().slots(), slides.collect())
+    }
+
+    /// Returns the time of events that have been found and have not happened yet.
     pub(crate) fn has_halted(&self) -> Option<f64> {
         self.inner.borrow().happening.as_ref().map(|(time, _)| *time)
     }
 
-    /// Looks at guards after a step of somebody else's; whether events have to happen, of which
-    /// nothing is done.
+    /// Evaluates guards after a step of the host. Returns whether events have to happen, without
+    /// applying them.
     pub(crate) fn look(&self, memory: &mut Memory, time: f64, state: &[f64]) -> bool {
         let passed = self.passed(memory, time, state);
         memory.sides.clone_from(&self.inner.borrow().sides);
         !passed.is_empty()
     }
 
-    /// Lets happen what a piece of a run has found at its end. The state is then on the
+    /// Applies the events found at the end of a piece of a run. The state is then on the
     /// constraints.
     pub(crate) fn go_through(
         self,
@@ -132,8 +213,8 @@ impl<'a> Watch<'a> {
         Ok(switches)
     }
 
-    /// Lets happen what guards say of a state to which somebody else has stepped, until nothing
-    /// more follows of it at this time. The state is then on the constraints.
+    /// Applies the events at a state to which the host has stepped, until no more events follow at
+    /// this time. The state is then on the constraints.
     pub(crate) fn happen(
         &self,
         memory: &mut Memory,
@@ -144,7 +225,7 @@ impl<'a> Watch<'a> {
         self.follow(found, memory, time, state)
     }
 
-    /// Lets events happen and what follows of them.
+    /// Applies events and those that follow from them.
     fn follow(
         &self,
         mut found: Vec<usize>,
@@ -159,6 +240,7 @@ impl<'a> Watch<'a> {
             if found.is_empty() {
                 memory.sides.clone_from(&self.inner.borrow().sides);
                 memory.latest.clone_from(&self.inner.borrow().latest);
+                (memory.slots, memory.slides) = self.slots_and_slides();
                 return Ok(());
             }
             self.inner.borrow_mut().happening = Some((time, found));
@@ -171,8 +253,7 @@ impl<'a> Watch<'a> {
         Err(Stopped { time, cause })
     }
 
-    /// At the start of a run that somebody else steps: sees to which side guards leave that are
-    /// at zero.
+    /// Determines the sides of guards that are zero at the start of a run of a host.
     pub(crate) fn set_out(&self, time: f64, state: &mut [f64]) -> Result<Memory, Stopped> {
         let sides = self.inner.borrow().sides.clone();
         let [slack, sizes] = [(); 2].map(|()| vec![0.0; sides.len()]);
@@ -182,9 +263,8 @@ impl<'a> Watch<'a> {
         Ok(memory)
     }
 
-    /// Events whose guards have passed since they were last looked at.
+    /// Returns the guards of events that have crossed since they were last evaluated.
     fn passed(&self, memory: &mut Memory, time: f64, state: &[f64]) -> Vec<usize> {
-        let events = self.system.simulator().events();
         let inner = &mut *self.inner.borrow_mut();
         let mut passed = Vec::new();
         for index in 0..inner.sides.len() {
@@ -193,7 +273,7 @@ impl<'a> Watch<'a> {
             let slack = &mut memory.slack[index];
             let (from, is_wanted) = match inner.sides[index] {
                 Side::Idle => continue,
-                Side::Known(side) | Side::Jumped(side) => {
+                Side::Known(side) => {
                     let shown = side * guard + *slack;
                     let is_beyond = shown < 0.0 || shown == 0.0 && side * rate < 0.0;
                     if !is_beyond {
@@ -212,7 +292,7 @@ impl<'a> Watch<'a> {
                     (from, direction != Direction::Both && is_wanted(direction, from))
                 }
             };
-            if is_wanted && index < events {
+            if is_wanted && !self.watched[index].is_border() {
                 passed.push(index);
             } else {
                 inner.sides[index] = Side::Known(-from);
@@ -222,12 +302,20 @@ impl<'a> Watch<'a> {
         passed
     }
 
-    /// Sees to which side guards leave that have just passed zero or begin at it; gives events
-    /// of those that leave it to the far side without having just passed.
+    /// Determines the sides of guards that have just crossed zero or begin at it. Returns the
+    /// events whose guards leave to the far side without having just crossed.
     fn leave_zero(&self, memory: &mut Memory, time: f64, state: &[f64]) -> Vec<usize> {
         let mut found = Vec::new();
         let count = memory.sides.len();
         for index in 0..count {
+            let zero = self.inner.borrow().zeros[index];
+            if let (Side::Known(side), Some(zero), true) =
+                (self.inner.borrow().sides[index], zero, self.is_kink(index))
+            {
+                let size = self.blur(index, time, state) / self.rtol;
+                memory.slack[index] =
+                    1.001 * (-side * zero.residual).max(0.0) + 16.0 * f64::EPSILON * size;
+            }
             let Side::Fresh { passed, residual } = self.inner.borrow().sides[index] else {
                 continue;
             };
@@ -243,7 +331,7 @@ impl<'a> Watch<'a> {
                 continue;
             }
             if rate == 0.0 || rate.abs() * self.span <= AT_REST * size {
-                // Whatever holds it there, who steps the run lets it drift within tolerances.
+                // Whatever holds the guard there, the host lets it drift within the tolerances.
                 let residual = residual.max(blur);
                 self.inner.borrow_mut().sides[index] = Side::Fresh { passed, residual };
                 continue;
@@ -254,7 +342,8 @@ impl<'a> Watch<'a> {
                 found.push(index);
             } else {
                 self.inner.borrow_mut().sides[index] = Side::Known(seen);
-                // No more than it takes: it adds up over bounces that become ever shorter.
+                // The shift is as small as possible, since it accumulates over ever shorter
+                // bounces.
                 let beyond = (-seen * guard).max(0.0);
                 memory.slack[index] = 1.001 * beyond + 16.0 * f64::EPSILON * size;
             }

@@ -1,14 +1,15 @@
-//! What would stick although it is led: friction on a shaft whose motion is imposed, on a slider
-//! at a dead point of its crank.
+//! Parts that would stick although their motion is prescribed: friction on a driven shaft, or on a
+//! slider at a dead point of its crank.
 //!
-//! A constraint that holds in modes may repeat others. Then these lead what it holds:
+//! A constraint that holds in modes may repeat others. These others then prescribe the motion of
+//! the part that it holds:
 //!
-//! - Where they go on as it says, it holds, and they carry all of the force.
-//! - Where they go on otherwise, it cannot: whatever it took, they would take more. Of the events
-//!   that let go, the one happens behind which the motion goes on and no other part would let go
-//!   in its place. So friction whose speed passes zero slides on to the other side at once.
-//! - What rests with them lets go as soon as they move, and what slides begins to stick as they
-//!   come to rest: their guards need not pass zero for that.
+//! - If they continue as the constraint requires, it holds, and they carry all of the force.
+//! - If they continue otherwise, it cannot hold: whatever force it took, they would take more. Of
+//!   the events that release it, one happens after which the motion continues and no other part
+//!   would let go instead. So friction whose speed crosses zero slides to the other side at once.
+//! - A part at rest with them lets go as soon as they move. A sliding part begins to stick as they
+//!   come to rest. Neither needs a zero crossing of its guard.
 
 use super::super::{Stopped, Stretch};
 use super::passing::middle;
@@ -18,18 +19,18 @@ use crate::constraints::Constraints;
 use crate::error::StopCause;
 use crate::method::one_step::OneStep;
 
-/// What is off by less, over its typical size, goes on alike.
+/// Relative residual of a constraint below which motions agree.
 const ALIKE: f64 = 2e-14;
-/// What is off by more goes otherwise; it could still be put back.
+/// Relative residual above which motions differ; a projection could still remove it.
 const OTHERWISE: f64 = 10.0 * ALIKE;
 
-/// Where within a step something that is led begins or ends to rest.
+/// A time within a step at which a prescribed part comes to rest or starts to move.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Turn {
     pub(super) time: f64,
-    /// Events of what begins to.
+    /// Events of the parts that come to rest.
     pub(super) begins: Vec<usize>,
-    /// How much later what ends to has surely moved \[s\].
+    /// Time after which a part that starts to move has certainly moved \[s\].
     moves_within: f64,
 }
 
@@ -38,7 +39,7 @@ impl Watch<'_> {
         self.system.constraints()
     }
 
-    /// Remembers what is led in the modes of a state.
+    /// Records which constraints repeat others in the modes of a state.
     pub(super) fn look_who_is_led(&self, time: f64, state: &[f64]) {
         let states = &state[..self.system.states()];
         let constraints = self.constraints().filter(|constraints| constraints.holds_in_modes());
@@ -46,13 +47,13 @@ impl Watch<'_> {
         self.inner.borrow_mut().parts.led.clone_from(&led);
     }
 
-    /// How often the time of an event is corrected at most: where something may be led, what is
-    /// not quite there yet would hold what leads it.
+    /// Returns the largest number of corrections of an event time. It is larger where a part may be
+    /// prescribed, because a part not quite there would hold its drive.
     pub(in crate::method) fn corrections(&self) -> usize {
         if self.constraints().is_some_and(Constraints::may_lead) { 12 } else { 3 }
     }
 
-    /// A state on what may lead others.
+    /// Returns a state projected onto the constraints that may prescribe a motion.
     pub(super) fn followed(&self, inner: &Inner, time: f64, state: &[f64]) -> Vec<f64> {
         let mut there = state.to_vec();
         if let Some(constraints) = self.constraints().filter(|it| it.may_lead()) {
@@ -61,8 +62,8 @@ impl Watch<'_> {
         there
     }
 
-    /// Whether constraints hold the guard of an event at zero, so that all it does over a step is
-    /// what its end is put back by.
+    /// Returns whether constraints hold the guard of an event at zero. All its changes over a step
+    /// are then removed by the projection of the end.
     pub(super) fn is_held(&self, inner: &mut Inner, index: usize, until: f64, end: &[f64]) -> bool {
         let constraints = self.constraints().filter(|constraints| constraints.holds_in_modes());
         let Some(constraints) = constraints else { return false };
@@ -72,12 +73,12 @@ impl Watch<'_> {
         guard.abs() <= inner.parts.rounding(index)
     }
 
-    /// After how long what is led has gone another way than it would, if it does soon.
+    /// Returns the time after which repeated constraints are violated, if that is soon.
     fn goes_otherwise(&self, led: &[usize], time: f64, state: &[f64], within: f64) -> Option<f64> {
-        /// Of the run.
+        /// Share of the run.
         const SOON: f64 = 1e-6;
         const FINEST: f64 = 1e-13;
-        /// Less than a power of five leaves.
+        /// Less than 0.5^5, which a fifth power leaves at half the time.
         const EVENLY: f64 = 0.02;
         let constraints = self.constraints()?;
         let size = self.span.max(time.abs());
@@ -96,12 +97,12 @@ impl Watch<'_> {
         let halvings = (most / least).log2() as i32;
         let spans = (0..=halvings).rev().map(|finer| most * 0.5_f64.powi(finer));
         let (span, far) = spans.map(|span| (span, off(span))).find(|(_, off)| *off > OTHERWISE)?;
-        // Not what sets out only later: of that nothing is to be seen half as soon.
+        // A motion that starts later is excluded: half as soon, it is not visible yet.
         let is_now = within > 0.0 || off(0.5 * span) > EVENLY * far;
         is_now.then_some(span)
     }
 
-    /// The state a moment later, without what is led.
+    /// Returns the state after a short time, without the constraints that repeat others.
     fn later(&self, led: &[usize], (time, state): (f64, &[f64]), by: f64) -> Vec<f64> {
         let states = self.system.states();
         let mut rate = vec![0.0; states];
@@ -113,10 +114,12 @@ impl Watch<'_> {
         later
     }
 
-    /// Lets go what others lead another way; notes who carries what goes on alike.
+    /// Releases constraints that repeat others which continue otherwise, and notes who carries the
+    /// rest.
     ///
     /// # Errors
-    /// [`StopCause::Overdetermined`] where nothing lets go, behind which the motion could go on.
+    /// [`StopCause::Overdetermined`] if no event releases a constraint so that the motion can
+    /// continue.
     pub(super) fn let_go(
         &self,
         time: f64,
@@ -157,7 +160,7 @@ impl Watch<'_> {
         Err(Stopped { time, cause: StopCause::Contradiction { event } })
     }
 
-    /// The event that lets go something that is led, and the state behind it.
+    /// Returns the event that releases a repeated constraint, and the state after it.
     fn release(
         &self,
         time: f64,
@@ -189,8 +192,8 @@ impl Watch<'_> {
         possible
     }
 
-    /// Whether nothing calls back what has let go: of the events that are watched for behind it
-    /// and were not before, none has happened by then, and some guard moves.
+    /// Returns whether the motion continues after a release: no event that is armed only now has
+    /// happened by then, and some guard changes.
     fn goes_on(
         &self,
         time: f64,
@@ -198,7 +201,7 @@ impl Watch<'_> {
         led: &[usize],
         after: f64,
     ) -> bool {
-        // Other guards than those of speeds need not be as sharp.
+        // Guards other than those of speeds may be less sharp.
         const LONGER: f64 = 8.0;
         let after = LONGER * after;
         let later = self.later(led, (time, behind), after);
@@ -220,7 +223,7 @@ impl Watch<'_> {
         }) && moves
     }
 
-    /// Whether another part would let go, too, that would not before.
+    /// Returns whether another part would also let go that would not have before.
     fn lets_others_go(&self, time: f64, (before, behind): (&[f64], &[f64])) -> bool {
         let (guards, guards_behind) = (self.guards(time, before), self.guards(time, behind));
         (0..self.system.simulator().events()).any(|index| {
@@ -234,8 +237,8 @@ impl Watch<'_> {
         })
     }
 
-    /// What begins or ends to rest with what leads it, if something does in a state that steps
-    /// start from; it then happens.
+    /// Lets parts come to rest or start to move with their drive, in a state from which steps
+    /// start. Returns whether any does.
     pub(in crate::method) fn turns(&self, stretch: &Stretch<'_>, time: f64, state: &[f64]) -> bool {
         let is_led = self.constraints().is_some_and(Constraints::holds_in_modes);
         if !is_led || time >= stretch.until {
@@ -247,12 +250,11 @@ impl Watch<'_> {
         if begins.is_empty() && !ends {
             return false;
         }
-        self.system.tangents().inspect(|tangents| tangents.comes_from(time, state));
         self.inner.borrow_mut().happening = Some((time, begins));
         true
     }
 
-    /// Events whose guards are at rest at zero, behind which something holds that is led along.
+    /// Returns events with guards at rest at zero that make a prescribed constraint hold.
     fn begin_to_rest(&self, time: f64, state: &[f64]) -> Vec<usize> {
         let Some(constraints) = self.constraints().filter(|it| it.may_lead()) else {
             return Vec::new();
@@ -271,8 +273,8 @@ impl Watch<'_> {
         self.that_begin(&at_zero, inner, time, &there)
     }
 
-    /// Of events whose guards are at rest at zero those behind which something holds that is led
-    /// along by what always holds.
+    /// Returns those events with guards at rest at zero that make a constraint hold which repeats
+    /// constraints that always hold.
     fn that_begin(&self, at_zero: &[usize], inner: &Inner, time: f64, state: &[f64]) -> Vec<usize> {
         let Some(constraints) = self.constraints() else { return Vec::new() };
         let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
@@ -299,8 +301,8 @@ impl Watch<'_> {
         at_zero.iter().copied().filter(|index| begins(*index)).collect()
     }
 
-    /// Where within the current step, which ends at `until`, something begins or ends to rest
-    /// with what leads it.
+    /// Returns the first time within the current step, which ends at `until`, at which a prescribed
+    /// part comes to rest or starts to move.
     pub(super) fn turn_within(
         &self,
         inner: &Inner,
@@ -335,8 +337,8 @@ impl Watch<'_> {
         Some(Turn { time, begins, moves_within: 0.0 })
     }
 
-    /// Neighbouring times within the current step, at the latter of which something is so that
-    /// is at its end.
+    /// Returns two neighbouring times within the current step between which a condition that is
+    /// true at the end becomes true.
     fn first_time(
         &self,
         inner: &Inner,

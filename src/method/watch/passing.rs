@@ -1,700 +1,617 @@
-//! Where within a step a guard passes zero.
+//! Times within a step at which guards cross zero.
+//!
+//! Relations are held within a step, so guards are smooth. Each is evaluated in two tiers:
+//!
+//! 1. The cubic through its values and rates at both ends of the step, widened by the extrapolation
+//!    error of the previous step's cubic at the end. If it is clear of zero, so is the guard.
+//! 2. Otherwise, polynomials through samples of the dense output, halved until the sign is certain,
+//!    and a root by bracketing.
+//!
+//! A guard that is zero but for rounding at the start of a segment is divided by the time since
+//! then. The quotient has the same sign and the other roots.
 
-use machinist_contract::{Direction, Simulator};
+use machinist_contract::Direction;
 
 use super::super::System;
 use super::super::one_step::OneStep;
 use super::super::stretch::within;
 use super::Side;
 use super::noise::Noise;
+use super::polynomial::{Enclosure, NODES, SHARES};
+use super::watched::{Sources, Watched};
 
-/// Below this share of its largest value over a step, a guard is zero but for rounding.
-const ROUNDING: f64 = 1e-12;
-/// A guard that would change by less than this share, at the rate it has, is at rest.
+/// Relative change of a guard, at its current rate, below which it is at rest.
 pub(super) const AT_REST: f64 = 1e-9;
 
-/// Guards and their rates at the ends of the parts of a step.
+/// Maximum number of pieces of a step evaluated for one root; enough for 200 periods of an
+/// oscillation within a step.
+const PIECES: usize = 1000;
+
+/// All watched functions at one time.
+#[derive(Debug, Clone, Default)]
+struct Look {
+    time: f64,
+    values: Vec<f64>,
+    rates: Vec<f64>,
+}
+
+/// Guards over the current step.
 pub(super) struct Parts {
-    /// Of the stretch: a guard that jumps at its end has not jumped within it.
+    /// Ends of the stretch; a guard that jumps at one of them has not jumped within it.
     pub(super) ends: (f64, f64),
     /// Constraints that hold in modes and repeat others.
     pub(super) led: Vec<usize>,
-    times: Vec<f64>,
-    /// One row for each time.
-    guards: Vec<f64>,
-    rates: Vec<f64>,
-    /// Guards of events, which come first, and all of them.
-    events: usize,
-    count: usize,
+    watched: Vec<Watched>,
+    sources: Sources,
     state: Vec<f64>,
-    one: [Vec<f64>; 2],
-    /// How fast the rate of each guard changed where last looked at.
+    start: Look,
+    end: Look,
+    /// Start and end of the previous step, within the same segment.
+    before: Option<(Look, Look)>,
+    /// Samples on the dense output of the step.
+    samples: Vec<(f64, Vec<f64>)>,
+    /// Mean rate of change of the rate of each guard over the step.
     bends: Vec<f64>,
-    /// The largest value that each guard has had.
+    /// Largest value of each guard so far.
     sizes: Vec<f64>,
+    /// Largest value of each guard since the start of the segment.
+    excursions: Vec<f64>,
     noise: Noise,
-    /// The share of the step that was looked at of which guards tell what they do, if that is not all.
-    told: Option<f64>,
-    /// Whether some guard was not foretold in it, as where one jumps.
-    is_unclear: bool,
 }
 
-/// A guard to be looked at.
+/// A guard that was zero but for rounding at a time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Zero {
+    pub(super) time: f64,
+    pub(super) residual: f64,
+    pub(super) rate: f64,
+}
+
+/// A guard to evaluate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Guard {
     pub(super) index: usize,
     pub(super) direction: Direction,
     pub(super) is_kink: bool,
+    /// The start of the segment, if the guard was zero there.
+    pub(super) zero: Option<Zero>,
 }
 
-/// What a guard does over a step.
+/// Behaviour of a guard over a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Outcome {
-    /// Its event does not happen; where it is at the end.
+    /// No event happens; the guard ends on this side.
     Stays(Side),
-    /// Its event happens: the guard comes from this side (1 or -1), and may jump over zero.
-    Passes { time: f64, from: f64, jumps: bool },
+    /// The event happens; the guard comes from this side (1 or -1).
+    Passes { time: f64, from: f64 },
+}
+
+/// A step of a method, for samples.
+pub(super) struct Step<'s, 'a> {
+    pub(super) system: &'s System<'a>,
+    pub(super) method: &'s mut dyn OneStep,
 }
 
 impl Parts {
-    /// Of guards of events and of kinks, over so many entries of a state; of those that are
-    /// states, typical sizes, zero of modes.
-    pub(super) fn new([events, kinks]: [usize; 2], entries: usize, scales: Vec<f64>) -> Self {
-        let count = events + kinks;
-        let one = [vec![0.0; count], vec![0.0; count]];
-        let none = Vec::new;
-        let (times, guards, rates) = (none(), none(), none());
-        let (ends, state) = ((f64::NEG_INFINITY, f64::INFINITY), vec![0.0; entries]);
-        let [bends, sizes] = [vec![0.0; count], vec![0.0; count]];
-        let noise = Noise::new(events, kinks, scales);
-        let led = Vec::new();
-        let (told, is_unclear) = (None, false);
-        Self {
-            ends,
-            led,
-            times,
-            guards,
-            rates,
-            events,
-            count,
-            state,
-            one,
-            bends,
-            sizes,
-            noise,
-            told,
-            is_unclear,
-        }
-    }
-
-    /// The share of the step that was looked at of which guards tell what they do, if that is not
-    /// all of it: in what is longer one goes to and fro more often than is looked.
-    pub(super) fn told(&self) -> Option<f64> {
-        self.told
-    }
-
-    /// Whether some guard jumped, perhaps, in the step that was looked at.
-    pub(super) fn is_unclear(&self) -> bool {
-        self.is_unclear
-    }
-
-    /// Looks at a step of `method`, in parts so short that guards between their ends are as
-    /// these and their rates foretell: what goes round passes and comes back within a step.
-    pub(super) fn fill(
-        &mut self,
+    /// Returns the guards of `watched` functions of states with this number of entries; `scales`
+    /// are the typical sizes of states, zero for modes.
+    pub(super) fn new(
         system: &System<'_>,
-        method: &mut dyn OneStep,
-        span: (f64, f64),
-        (start, sides): (&[f64], &[Side]),
-    ) {
-        /// In so many times more parts at most: a guard that jumps is never foretold.
-        const FINEST: usize = 32;
-        let mut finer = 1;
-        (self.told, self.is_unclear) = (None, false);
-        loop {
-            let parts = finer * method.parts();
-            self.fill_parts(system, method, span, start, parts);
-            if finer == 1 {
-                self.look_for_noise(system, span.0, start);
-            }
-            if self.is_foretold(system, method, sides) {
-                break;
-            }
-            if finer >= FINEST {
-                (self.told, self.is_unclear) = (self.share_that_is_told(sides), true);
-                break;
-            }
-            finer *= 2;
-        }
-        for event in 0..self.count {
-            self.sizes[event] = self.sizes[event].max(self.largest(event));
-            let bends = (0..self.parts()).map(|part| {
-                let change = self.rate(part + 1, event) - self.rate(part, event);
-                (change / (self.times[part + 1] - self.times[part])).abs()
-            });
-            self.bends[event] = bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
+        watched: Vec<Watched>,
+        entries: usize,
+        scales: Vec<f64>,
+    ) -> Self {
+        let count = watched.len();
+        let zeros = || vec![0.0; count];
+        let events = system.simulator().events();
+        Self {
+            ends: (f64::NEG_INFINITY, f64::INFINITY),
+            led: Vec::new(),
+            sources: Sources::new(system.simulator()),
+            state: vec![0.0; entries],
+            start: Look::default(),
+            end: Look { time: f64::NAN, ..Look::default() },
+            before: None,
+            samples: Vec::new(),
+            bends: zeros(),
+            sizes: zeros(),
+            excursions: zeros(),
+            noise: Noise::new(events, count - events, scales),
+            watched,
         }
     }
 
-    /// Looks at how far rounding of states moves guards, where that is to be known.
+    /// Starts a segment, in which the previous steps do not apply.
+    pub(super) fn restart(&mut self) {
+        self.before = None;
+        self.end.time = f64::NAN;
+        self.noise.restart();
+        self.excursions.fill(0.0);
+    }
+
+    /// Evaluates guards at both ends of a step.
+    pub(super) fn look(
+        &mut self,
+        step: &mut Step<'_, '_>,
+        (from, until): (f64, f64),
+        start: &[f64],
+    ) {
+        self.samples.clear();
+        if self.end.time.to_bits() == from.to_bits() {
+            let earlier = std::mem::take(&mut self.start);
+            self.start = std::mem::take(&mut self.end);
+            self.before = (!earlier.values.is_empty()).then(|| (earlier, self.start.clone()));
+        } else {
+            self.before = None;
+            self.state.copy_from_slice(start);
+            self.start = self.look_at(step.system, from);
+            self.start.time = from;
+        }
+        self.state.copy_from_slice(step.method.end());
+        self.end = self.look_at(step.system, until);
+        let span = until - from;
+        for index in 0..self.watched.len() {
+            let [low, high] = [&self.start, &self.end].map(|look| look.values[index].abs());
+            self.note_size(index, low.max(high));
+            let bend = ((self.end.rates[index] - self.start.rates[index]) / span).abs();
+            self.bends[index] = if bend.is_finite() { bend } else { 0.0 };
+        }
+        self.look_for_noise(step.system, from, start);
+    }
+
+    fn note_size(&mut self, index: usize, size: f64) {
+        self.sizes[index] = self.sizes[index].max(size);
+        self.excursions[index] = self.excursions[index].max(size);
+    }
+
+    /// Evaluates guards again at the end of the step, which was projected onto constraints or
+    /// surfaces.
+    pub(super) fn renew_end(&mut self, system: &System<'_>, time: f64, state: &[f64]) {
+        if self.end.time.to_bits() == time.to_bits() {
+            self.state.copy_from_slice(state);
+            self.end = self.look_at(system, time);
+        }
+    }
+
+    fn look_at(&mut self, system: &System<'_>, time: f64) -> Look {
+        self.follow(system, time);
+        let at = within(time, self.ends);
+        let count = 0..self.watched.len();
+        self.sources.take(system, at, &self.state);
+        let values = count.clone().map(|i| self.sources.value(system, self.watched[i])).collect();
+        self.sources.take_rates(system, at, &self.state);
+        let rates = count.map(|index| self.sources.rate(self.watched[index])).collect();
+        Look { time, values, rates }
+    }
+
+    /// Estimates the changes of guards by rounding of states, which may be far larger than the
+    /// rounding of the guards.
     fn look_for_noise(&mut self, system: &System<'_>, time: f64, start: &[f64]) {
         const SMALL: f64 = 1e-6;
         let is_small = |index: usize| {
             self.largest(index) <= SMALL * self.sizes[index].max(self.noise.slope(index))
         };
-        let is_any_small = (0..self.count).any(is_small);
+        let is_any_small = (0..self.watched.len()).any(is_small);
         if self.noise.is_due(is_any_small) {
-            let (events, ends) = (self.events, self.ends);
+            let (ends, watched, sources) = (self.ends, &self.watched, &mut self.sources);
             self.noise.look((time, &start[..system.states()]), |time, state, guards| {
-                let of_system = (system.simulator(), system.parameters());
-                guards_at(of_system, events, within(time, ends), state, guards);
+                sources.take(system, within(time, ends), state);
+                for (guard, watched) in guards.iter_mut().zip(watched) {
+                    *guard = sources.value(system, *watched);
+                }
             });
         }
     }
 
-    /// Whether every guard that might pass is, between the ends of parts, as the cubic through
-    /// its values and rates there has it.
-    fn is_foretold(
-        &mut self,
-        system: &System<'_>,
-        method: &mut dyn OneStep,
-        sides: &[Side],
-    ) -> bool {
-        /// Of what a guard goes over a step.
-        const NEAR: f64 = 0.1;
-        /// Parts are even: what goes round once a part looks as if it stood still but here.
-        const UNEVEN: f64 = 0.382;
-        let parts = self.parts();
-        let of_first = self.times[0] + UNEVEN * (self.times[1] - self.times[0]);
-        let mut has_looked = false;
-        for event in (0..self.count).filter(|event| sides[*event] != Side::Idle) {
-            let values = (0..=parts).map(|part| self.guard(part, event));
-            let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], value| {
-                [a.min(value), b.max(value)]
-            });
-            let rates = (0..=parts).map(|part| self.rate(part, event).abs()).fold(0.0, f64::max);
-            let span = self.times[parts] - self.times[0];
-            let bent = 0.5 * span * span * self.bends[event];
-            let far = (most - least).max(span * rates).max(bent);
-            let nearest = if least > 0.0 { least } else { -most };
-            if nearest > 4.0 * far || far <= AT_REST * self.largest(event) {
-                continue;
-            }
-            let range = (most - least).max(AT_REST * self.largest(event));
-            if rates * span > parts as f64 * range.max(self.rounding(event)) {
-                // It may be back where it was between any two looks.
-                return false;
-            }
-            let room = (NEAR * range).max(self.rounding(event));
-            let ends = |low: usize, high: usize| {
-                [low, high]
-                    .map(|part| [self.times[part], self.guard(part, event), self.rate(part, event)])
-            };
-            let mut odd = (1..parts).step_by(2);
-            if !odd.all(|part| {
-                let foretold = cubic(ends(part - 1, part + 1), self.times[part]);
-                is_near(foretold, self.guard(part, event), room)
-            }) {
-                return false;
-            }
-            let foretold = cubic(ends(0, 1), of_first);
-            if !std::mem::replace(&mut has_looked, true) {
-                // Of all guards at once.
-                self.between(system, method, of_first, event);
-            }
-            if !is_near(foretold, self.one[0][event], room) {
-                return false;
-            }
-        }
-        true
-    }
-
-    /// Of the step, where some guard goes further within its parts, at the rates it has, than it
-    /// ever is from where it was: a guard that jumps has no such rate.
-    fn share_that_is_told(&self, sides: &[Side]) -> Option<f64> {
-        /// Of the way between its least and its largest value, in a part.
-        const MOST: f64 = 1.0;
-        /// Of the stretch: shorter steps would not reach its end.
-        const SHORTEST: f64 = 1e-10;
-        let parts = self.parts();
-        let part = (self.times[parts] - self.times[0]) / parts as f64;
-        let shares = (0..self.count).filter(|event| sides[*event] != Side::Idle).map(|event| {
-            let values = (0..=parts).map(|part| self.guard(part, event));
-            let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], value| {
-                [a.min(value), b.max(value)]
-            });
-            let rates = (0..=parts).map(|part| self.rate(part, event).abs());
-            let way = part * rates.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
-            let range = (most - least).max(AT_REST * self.largest(event)).max(self.rounding(event));
-            MOST * range / way
-        });
-        let least = SHORTEST * (self.ends.1 - self.ends.0) / (part * parts as f64);
-        let share = shares.filter(|share| *share < 1.0).reduce(f64::min)?.min(0.5);
-        (share > least).then_some(share)
-    }
-
-    fn fill_parts(
-        &mut self,
-        system: &System<'_>,
-        method: &mut dyn OneStep,
-        (from, until): (f64, f64),
-        start: &[f64],
-        parts: usize,
-    ) {
-        self.times.resize(parts + 1, 0.0);
-        for rows in [&mut self.guards, &mut self.rates] {
-            rows.resize((parts + 1) * self.count, 0.0);
-        }
-        for part in 0..=parts {
-            let time = from + (until - from) * (part as f64 / parts as f64);
-            let time = if part == parts { until } else { time };
-            match part {
-                0 => self.state.copy_from_slice(start),
-                _ if part == parts => self.state.copy_from_slice(method.end()),
-                _ => method.interpolate(time, &mut self.state),
-            }
-            self.follow(system, time);
-            self.times[part] = time;
-            let row = part * self.count..(part + 1) * self.count;
-            let into = [&mut self.guards[row.clone()], &mut self.rates[row]];
-            evaluate(system, self.events, within(time, self.ends), &self.state, into);
-        }
-    }
-
-    /// Puts the state onto what leads others: their guards tell no less of it than they would of
-    /// the states that steps start from.
+    /// Projects the state onto the constraints that prescribe a motion, so that guards see the
+    /// states from which steps start.
     fn follow(&mut self, system: &System<'_>, time: f64) {
         if let Some(constraints) = system.constraints().filter(|it| it.may_lead()) {
             constraints.follow(&self.led, within(time, self.ends), &mut self.state);
         }
     }
 
-    /// Whether no guard could pass within a step that ends in state `end`: there are kinks
-    /// only, and each is further from zero at both ends than it moves in several such steps, by
-    /// its rates and by how they changed in shorter steps before.
-    pub(super) fn are_far(
-        &mut self,
-        system: &System<'_>,
-        method: &dyn OneStep,
-        (from, until): (f64, f64),
-        (start, sides): (&[f64], &[Side]),
-    ) -> bool {
-        const STEPS: f64 = 4.0;
-        // Between the ends of longer steps a guard may do more than its rates there tell.
-        const SHORT: usize = 4;
-        const FADES: f64 = 0.9;
-        if self.events > 0 || method.parts() > SHORT {
-            return false;
-        }
-        for rows in [&mut self.guards, &mut self.rates] {
-            rows.resize(2 * self.count, 0.0);
-        }
-        let (before, after) = self.guards.split_at_mut(self.count);
-        let (rates_before, rates_after) = self.rates.split_at_mut(self.count);
-        evaluate(
-            system,
-            0,
-            within(until, self.ends),
-            method.end(),
-            [&mut after[..self.count], &mut rates_after[..self.count]],
-        );
-        evaluate(system, 0, from, start, [before, rates_before]);
-        let (bends, sizes) = (&mut self.bends, &mut self.sizes);
-        (0..self.count).all(|index| {
-            let Side::Known(side) = sides[index] else { return false };
-            let (g, h) = (before[index], after[index]);
-            // What it has been tells what of it is rounding later.
-            sizes[index] = sizes[index].max(h.abs());
-            let (dg, dh) = (rates_before[index].abs(), rates_after[index].abs());
-            let span = until - from;
-            let way = (span * dg.max(dh)).max((h - g).abs()).max(0.5 * span * span * bends[index]);
-            let is_far = side * g > STEPS * way && side * h > STEPS * way;
-            if is_far {
-                // What a longer step would not see is kept for a while.
-                let bend = (rates_after[index] - rates_before[index]).abs() / span;
-                bends[index] = bend.max(FADES * bends[index]);
-            }
-            is_far
-        })
-    }
-
-    /// The largest value that each guard has had.
-    pub(super) fn sizes(&self) -> &[f64] {
-        &self.sizes
-    }
-
-    /// The largest value that each guard has had, also in pieces of a run before.
+    /// Returns the largest value of each guard, also in earlier pieces of a run.
     pub(super) fn sizes_mut(&mut self) -> &mut Vec<f64> {
         &mut self.sizes
     }
 
-    /// How fast the rate of a guard changed where last looked at.
-    pub(super) fn bend(&self, event: usize) -> f64 {
-        self.bends[event]
+    /// Returns the largest value of a guard since the start of the segment.
+    pub(super) fn excursion(&self, index: usize) -> f64 {
+        self.excursions[index]
     }
 
-    /// A guard and its rate at a state.
+    /// Returns the rate of change of a guard's rate over the last step.
+    pub(super) fn bend(&self, index: usize) -> f64 {
+        self.bends[index]
+    }
+
+    /// Returns a guard and its rate at a state.
     pub(super) fn at(
         &mut self,
         system: &System<'_>,
         time: f64,
         state: &[f64],
-        event: usize,
+        index: usize,
     ) -> (f64, f64) {
-        let [guards, rates] = &mut self.one;
-        evaluate(system, self.events, within(time, self.ends), state, [guards, rates]);
-        (guards[event], rates[event])
-    }
-
-    fn between(
-        &mut self,
-        system: &System<'_>,
-        method: &mut dyn OneStep,
-        time: f64,
-        event: usize,
-    ) -> (f64, f64) {
-        method.interpolate(time, &mut self.state);
-        self.follow(system, time);
-        let state = std::mem::take(&mut self.state);
-        let found = self.at(system, time, &state, event);
-        self.state = state;
-        found
+        let at = within(time, self.ends);
+        self.sources.take(system, at, state);
+        let value = self.sources.value(system, self.watched[index]);
+        self.sources.take_rates(system, at, state);
+        (value, self.sources.rate(self.watched[index]))
     }
 
     /// A guard and its rate at the end of the step that was looked at.
-    pub(super) fn last(&self, event: usize) -> (f64, f64) {
-        (self.guard(self.parts(), event), self.rate(self.parts(), event))
+    pub(super) fn last(&self, index: usize) -> (f64, f64) {
+        (self.end.values[index], self.end.rates[index])
     }
 
-    /// Number of parts.
-    fn parts(&self) -> usize {
-        self.times.len().saturating_sub(1)
+    /// Returns a guard on the dense output of the step.
+    fn sample(&mut self, step: &mut Step<'_, '_>, time: f64, index: usize) -> f64 {
+        for look in [&self.start, &self.end] {
+            if time.to_bits() == look.time.to_bits() {
+                return look.values[index];
+            }
+        }
+        if let Some((_, values)) = self.samples.iter().find(|it| it.0.to_bits() == time.to_bits()) {
+            return values[index];
+        }
+        step.method.interpolate(time, &mut self.state);
+        self.follow(step.system, time);
+        self.sources.take(step.system, within(time, self.ends), &self.state);
+        let value = |watched: &Watched| self.sources.value(step.system, *watched);
+        let values: Vec<f64> = self.watched.iter().map(value).collect();
+        for (other, value) in values.iter().enumerate() {
+            self.note_size(other, value.abs());
+        }
+        let found = values[index];
+        self.samples.push((time, values));
+        found
     }
 
-    fn guard(&self, part: usize, event: usize) -> f64 {
-        self.guards[part * self.count + event]
-    }
-
-    fn rate(&self, part: usize, event: usize) -> f64 {
-        self.rates[part * self.count + event]
-    }
-
-    /// What a guard does that is on `side` at the start of the step.
+    /// Returns the outcome for a guard that is on `side` at the start of the step, until a limit
+    /// within the step.
     pub(super) fn outcome(
         &mut self,
-        system: &System<'_>,
-        method: &mut dyn OneStep,
-        guard: Guard,
+        step: &mut Step<'_, '_>,
+        (guard, limit): (Guard, f64),
         side: Side,
     ) -> Outcome {
-        let Guard { index: event, direction, is_kink } = guard;
-        let start = match side {
+        let Guard { index, direction, is_kink, zero } = guard;
+        let (mut side, mut zero) = match side {
             Side::Idle => return Outcome::Stays(Side::Idle),
-            Side::Known(known) => self.carried(event, known),
-            Side::Jumped(side) => Start::On(side, 1),
+            Side::Known(side) => {
+                if limit >= self.end.time && self.is_clear(index, side) {
+                    return Outcome::Stays(Side::Known(side));
+                }
+                (side, zero)
+            }
             Side::Fresh { passed, residual } => {
-                self.first_seen(system, method, (event, direction), passed, residual)
+                match self.first_seen(step, (index, direction), (passed, residual), limit) {
+                    Start::On(side, zero) => (side, zero),
+                    Start::Leaves { from, .. } if !is_kink && is_wanted(direction, from) => {
+                        return Outcome::Passes { time: self.start.time, from };
+                    }
+                    Start::Leaves { from, zero } => (-from, zero),
+                    Start::Unseen => return Outcome::Stays(side),
+                }
             }
         };
-        let mut clear = self.times[0];
-        let (mut side, first_part) = match start {
-            Start::On(side, part) => (side, part),
-            Start::Shortly(side, time) => {
-                clear = time;
-                (side, 0)
+        let (mut from, until) = (self.start.time, limit);
+        loop {
+            let mut pieces = PIECES;
+            let of = (index, side, zero);
+            let Some(time) = self.first_root(step, of, [from, until], &mut pieces) else { break };
+            if is_wanted(direction, side) {
+                return Outcome::Passes { time, from: side };
             }
-            Start::Leaves { from } if !is_kink && is_wanted(direction, from) => {
-                return Outcome::Passes { time: self.times[0], from, jumps: false };
+            side = -side;
+            if time <= from || time >= until {
+                break;
             }
-            Start::Leaves { from } => (-from, 0),
-            Start::Unseen => return Outcome::Stays(side),
-        };
-        let rounding = self.rounding(event);
-        for part in first_part..self.parts() {
-            let mut bracket = [self.times[part].max(clear), self.times[part + 1]];
-            if is_kink && side * self.guard(part, event) < -rounding {
-                // It is behind, whatever was taken for its side.
-                side = -side;
-            }
-            let crosses = side * self.guard(part + 1, event) < -rounding;
-            let turns =
-                side * self.rate(part, event) < 0.0 && side * self.rate(part + 1, event) > 0.0;
-            let starts_beyond = side * self.guard(part, event) < 0.0;
-            let sinks = side * self.rate(part, event) <= 0.0;
-            if crosses && is_kink && part == 0 && starts_beyond && sinks {
-                // By rounding it was there already as the step began.
-                side = -side;
-            } else if crosses {
-                let is_clear = bracket[0] > self.times[part];
-                let sets_out =
-                    side * self.guard(part, event) <= 0.0 && side * self.rate(part, event) > 0.0;
-                if sets_out && !is_clear {
-                    // It sets out from zero, and is back beyond it: the top is between.
-                    bracket[0] = self.turn(system, method, event, bracket, side);
-                }
-                if is_wanted(direction, side) {
-                    let (time, jumps) = self.root(system, method, event, bracket, side);
-                    // A step cannot end at a kink at which it starts.
-                    if !is_kink || time > self.times[0] {
-                        return Outcome::Passes { time, from: side, jumps };
-                    }
-                }
-                side = -side;
-            } else if turns {
-                let turn = self.turn(system, method, event, bracket, -side);
-                if side * self.between(system, method, turn, event).0 < -rounding {
-                    let (bracket, from) = if is_wanted(direction, side) {
-                        ([bracket[0], turn], side)
-                    } else {
-                        ([turn, bracket[1]], -side)
-                    };
-                    let (time, jumps) = self.root(system, method, event, bracket, from);
-                    if !is_kink || time > self.times[0] {
-                        return Outcome::Passes { time, from, jumps };
-                    }
-                }
-            }
+            step.method.interpolate(time, &mut self.state);
+            self.follow(step.system, time);
+            let there = self.state.clone();
+            let (residual, rate) = self.at(step.system, time, &there, index);
+            (from, zero) = (time, Some(Zero { time, residual, rate }));
         }
         Outcome::Stays(Side::Known(side))
     }
 
-    /// What of a guard may be rounding of what it compares: beyond zero by no more, it has not
-    /// passed, and of a kink the rate is the same on both sides.
-    pub(super) fn rounding(&self, event: usize) -> f64 {
-        const ROUNDINGS: f64 = 64.0;
-        let size = self.sizes[event].max(self.largest(event)).max(self.noise.slope(event));
-        ROUNDINGS * f64::EPSILON * size
-    }
-
-    fn largest(&self, event: usize) -> f64 {
-        (0..self.times.len()).fold(0.0, |most: f64, part| most.max(self.guard(part, event).abs()))
-    }
-
-    /// The start of a step for a guard whose side is known: it is still there, unless
-    /// the guard itself jumped.
-    fn carried(&self, event: usize, side: f64) -> Start {
-        let guard = self.guard(0, event);
-        if side * guard < -(ROUNDING * self.largest(event)).max(self.rounding(event)) {
-            Start::Leaves { from: side }
-        } else {
-            Start::On(side, 0)
-        }
-    }
-
-    /// The start of a step for a guard whose side is not known.
-    fn first_seen(
+    /// Returns the largest distance of a guard beyond zero within the step, if it is back on its
+    /// side at the end.
+    pub(super) fn dip(
         &mut self,
-        system: &System<'_>,
-        method: &mut dyn OneStep,
-        (event, direction): (usize, Direction),
-        passed: bool,
-        residual: f64,
-    ) -> Start {
-        let (guard, rate) = (self.guard(0, event), self.rate(0, event));
-        let (largest, span) = (self.largest(event), self.times[self.parts()] - self.times[0]);
-        let by_time = 16.0 * f64::EPSILON * self.times[0].abs() * rate.abs();
-        let zero = residual.max(ROUNDING * largest).max(by_time);
-        // What may be beyond zero by rounding alone is not taken for beyond.
-        let is_far =
-            |side: f64| direction != Direction::Both && is_wanted(direction, -side.signum());
-        let unclear = if is_far(guard) { zero.max(self.rounding(event)) } else { zero };
-        if guard.abs() > unclear {
-            return Start::On(guard.signum(), 0);
+        step: &mut Step<'_, '_>,
+        (index, side): (usize, f64),
+        passing: f64,
+    ) -> Option<f64> {
+        if side * self.end.values[index] <= 0.0 {
+            return None;
         }
-        let moved = rate.abs() * span;
-        let is_known = moved > AT_REST * largest && rate != 0.0;
-        let (seen, part) = if is_known && (!is_far(rate) || moved > self.rounding(event)) {
-            (rate.signum(), 0)
-        } else {
-            let least = zero.max(AT_REST * largest).max(self.rounding(event));
-            let clear = |part: &usize| self.guard(*part, event).abs() > least;
-            let Some(part) = (1..=self.parts()).find(clear) else { return Start::Unseen };
-            let seen = self.guard(part, event).signum();
-            match self.sooner(system, method, event, part, zero) {
-                Some((before, time)) if before * seen < 0.0 && !is_far(before) => {
-                    return Start::Shortly(before, time);
-                }
-                Some((before, _)) => (before, part),
-                None => (seen, part),
-            }
+        step.method.interpolate(passing, &mut self.state);
+        self.follow(step.system, passing);
+        let there = self.state.clone();
+        let (residual, rate) = self.at(step.system, passing, &there, index);
+        let zero = Some(Zero { time: passing, residual, rate });
+        let of = (index, -side, zero);
+        let back = self.first_root(step, of, [passing, self.end.time], &mut PIECES.clone())?;
+        let depths = SHARES
+            .map(|share| -side * self.sample(step, passing + (back - passing) * share, index));
+        Some(depths.into_iter().fold(0.0, f64::max))
+    }
+
+    /// Returns whether the guard of an event stays on its side over the whole step, with relations
+    /// held in another way than the step was evaluated.
+    pub(super) fn stays_as_held(
+        &mut self,
+        step: &mut Step<'_, '_>,
+        (index, side): (usize, f64),
+        start: &[f64],
+    ) -> bool {
+        let kept = (self.start.clone(), self.end.clone(), std::mem::take(&mut self.samples));
+        let (from, until) = (self.start.time, self.end.time);
+        self.state.copy_from_slice(start);
+        self.start = self.look_at(step.system, from);
+        self.state.copy_from_slice(step.method.end());
+        self.end = self.look_at(step.system, until);
+        let is_beyond = side * self.start.values[index] <= 0.0;
+        let of = (index, side, None);
+        let stays =
+            !is_beyond && self.first_root(step, of, [from, until], &mut PIECES.clone()).is_none();
+        (self.start, self.end, self.samples) = kept;
+        stays
+    }
+
+    /// Relations are held in another way from the end of the step on.
+    pub(super) fn forget_end(&mut self) {
+        self.end.time = f64::NAN;
+    }
+
+    /// Returns whether a guard certainly stays on its side over the step, by the cubic through both
+    /// ends and the error of the previous one.
+    fn is_clear(&self, index: usize, side: f64) -> bool {
+        /// Distances from a place have a corner there, of which the estimate sees a tenth.
+        const WIDER: f64 = 16.0;
+        // The distance from a place turns as sharply as the place is narrow.
+        if matches!(self.watched[index], Watched::Zone(_) | Watched::Nearest(_)) {
+            return false;
+        }
+        let Some((earlier, _)) = &self.before else { return false };
+        let ends = |look: &Look| [look.time, look.values[index], look.rates[index]];
+        let [first, start, end] = [earlier, &self.start, &self.end].map(ends);
+        let (span, span_before) = (end[0] - start[0], start[0] - first[0]);
+        let coefficients =
+            [start[1], start[1] + span * start[2] / 3.0, end[1] - span * end[2] / 3.0, end[1]];
+        // The previous cubic, extrapolated, misses by g'''' (h (h + h'))^2/24, and its rate
+        // likewise. Between its ends this one is off by g'''' h^4/384 at most. Where a guard turns,
+        // one estimate may be small by chance, but not both.
+        let (whole, missed) = (span + span_before, cubic([first, start], end[0]));
+        let by_value = (missed[0] - end[1]).abs() / (span * whole).powi(2);
+        let by_rate = (missed[1] - end[2]).abs() / (2.0 * span * whole * (span + whole));
+        let error = by_value.max(by_rate) * span.powi(4) / 16.0;
+        let rounding = 16.0 * f64::EPSILON * self.sizes[index];
+        let room = WIDER * error + rounding;
+        coefficients.iter().all(|value| side * value > room)
+    }
+
+    /// Returns the first time within a span at which a guard leaves a side, if it does.
+    fn first_root(
+        &mut self,
+        step: &mut Step<'_, '_>,
+        of: (usize, f64, Option<Zero>),
+        [low, high]: [f64; 2],
+        pieces: &mut usize,
+    ) -> Option<f64> {
+        let samples: [f64; NODES] = std::array::from_fn(|node| {
+            let time = match node {
+                0 => low,
+                _ if node == NODES - 1 => high,
+                _ => low + (high - low) * SHARES[node],
+            };
+            self.deflated(step, of, time)
+        });
+        let rounding = self.rounding(of.0);
+        // At its start the quotient is a rate, and just behind it is the least accurate.
+        let since = |time: f64| of.2.map_or(1.0, |zero| (time - zero.time).max(0.0));
+        let soonest = if since(low) > 0.0 { low } else { low + (high - low) * SHARES[1] };
+        let enclosure = Enclosure::of(&samples, 0.25 * rounding / since(soonest));
+        let (first, last) = (samples[0], samples[NODES - 1]);
+        if enclosure.is_above() {
+            return None;
+        }
+        // Only rounding; a larger value is not resolved yet.
+        let is_rounding = |(node, sample): (usize, &f64)| {
+            (sample * since(low + (high - low) * SHARES[node])).abs() <= rounding
         };
-        // What has just passed at a finite rate goes on; what then rests does not.
-        let goes_on = passed && part == 0;
-        if !goes_on && is_far(seen) { Start::Leaves { from: -seen } } else { Start::On(seen, part) }
-    }
-
-    /// The side to which a guard leaves zero that does so at no rate, and the first time at which
-    /// it is seen there: by the start of `part`, where it is surely seen, it may be back, as where
-    /// something slides for a moment only.
-    fn sooner(
-        &mut self,
-        system: &System<'_>,
-        method: &mut dyn OneStep,
-        event: usize,
-        part: usize,
-        zero: f64,
-    ) -> Option<(f64, f64)> {
-        const SOONER: f64 = 0.125;
-        let span = self.times[part] - self.times[0];
-        let least = zero.max(self.rounding(event));
-        let mut looks = Vec::new();
-        let mut after = SOONER * span;
-        while self.times[0] + after > self.times[0] {
-            let time = self.times[0] + after;
-            let (guard, rate) = self.between(system, method, time, event);
-            if rate.abs() * after <= least {
-                break;
-            }
-            looks.push((time, guard, rate));
-            after *= SOONER;
+        if samples.iter().enumerate().all(is_rounding) {
+            return None;
         }
-        // Near the start of a step its rate is exact, where its states err by more than they move.
-        let side = looks.last()?.2.signum();
-        let there = looks.iter().find(|(_, guard, _)| side * guard > least);
-        Some((side, there.or(looks.last())?.0))
+        let beyond = |sample: f64, time: f64| -sample * since(time) > rounding;
+        if first < -enclosure.error && beyond(first, low) {
+            return Some(low);
+        }
+        // A guard that does not reach zero, and is not surely above it, may turn within.
+        if enclosure.is_monotone() && last < first && beyond(last, high) {
+            return Some(self.root(step, of, [low, high]));
+        }
+        *pieces = pieces.saturating_sub(1);
+        let Some(middle) = middle(low, high).filter(|_| *pieces > 0) else {
+            return (last < 0.0).then_some(high);
+        };
+        self.first_root(step, of, [low, middle], pieces)
+            .or_else(|| self.first_root(step, of, [middle, high], pieces))
     }
 
-    /// Where `side` g is largest between two times, at which its rate is above and
-    /// below zero.
-    fn turn(
+    /// Returns a value that is positive while a guard is on a side; for a guard that was zero,
+    /// divided by the time since then.
+    fn deflated(
         &mut self,
-        system: &System<'_>,
-        method: &mut dyn OneStep,
-        event: usize,
-        [mut low, mut high]: [f64; 2],
-        side: f64,
+        step: &mut Step<'_, '_>,
+        (index, side, zero): (usize, f64, Option<Zero>),
+        time: f64,
     ) -> f64 {
-        while let Some(middle) = middle(low, high) {
-            let (_, rate) = self.between(system, method, middle, event);
-            if side * rate > 0.0 { low = middle } else { high = middle }
+        let value = |parts: &mut Self, step: &mut Step<'_, '_>| parts.sample(step, time, index);
+        match zero {
+            None => side * value(self, step),
+            Some(zero) if time <= zero.time => side * zero.rate,
+            Some(zero) => side * (value(self, step) - zero.residual) / (time - zero.time),
         }
-        low
     }
 
-    /// Where a guard passes within a step that starts with it on `side`, and whether it jumps there, if
-    /// in front of its end it is on the other.
-    pub(super) fn passing_before(
-        &mut self,
-        system: &System<'_>,
-        method: &mut dyn OneStep,
-        (from, front): (f64, f64),
-        event: usize,
-        side: f64,
-    ) -> Option<(f64, bool)> {
-        let beyond = |guard: f64, rounding: f64| side * guard < -rounding;
-        let rounding = self.rounding(event);
-        let is_there = beyond(self.between(system, method, front, event).0, rounding)
-            && !beyond(self.between(system, method, from, event).0, rounding);
-        is_there.then(|| self.root(system, method, event, [from, front], side))
-    }
-
-    /// Where g leaves `side` between two times, by the rule of false position with
-    /// halving (Illinois), to the last bit but some; never early; and whether
-    /// it jumps there.
+    /// Returns the time at which a guard leaves a side, between two times at which it is on it and
+    /// not, by false position with halving (Illinois). The result is never early.
     fn root(
         &mut self,
-        system: &System<'_>,
-        method: &mut dyn OneStep,
-        event: usize,
+        step: &mut Step<'_, '_>,
+        of: (usize, f64, Option<Zero>),
         [mut low, mut high]: [f64; 2],
-        side: f64,
-    ) -> (f64, bool) {
-        /// A step is many roundings long: what does not jump is far smaller than that within one.
-        const JUMPS: f64 = 1e-2;
-        let mut g_low = side * self.between(system, method, low, event).0;
-        let mut g_high = side * self.between(system, method, high, event).0;
-        let mut kept = 0;
-        let mut count = 0;
+    ) -> f64 {
+        let mut at_low = self.deflated(step, of, low);
+        let mut at_high = self.deflated(step, of, high);
+        if at_low <= 0.0 {
+            return low;
+        }
+        let (mut kept, mut count) = (0, 0);
         while let Some(middle) = middle(low, high) {
             count += 1;
-            let chord = high - (high - low) * (g_high / (g_high - g_low));
-            let within = low < chord && chord < high;
-            let time = if within && count % 4 != 0 { chord } else { middle };
-            let guard = side * self.between(system, method, time, event).0;
+            let chord = high - (high - low) * (at_high / (at_high - at_low));
+            let is_within = low < chord && chord < high;
+            let time = if is_within && count % 4 != 0 { chord } else { middle };
+            let guard = self.between(step, of, time);
             if guard > 0.0 {
-                (low, g_low) = (time, guard);
-                if kept == 1 {
-                    g_high *= 0.5;
-                }
+                (low, at_low) = (time, guard);
+                at_high *= if kept == 1 { 0.5 } else { 1.0 };
                 kept = 1;
             } else {
-                (high, g_high) = (time, guard);
-                if kept == -1 {
-                    g_low *= 0.5;
-                }
+                (high, at_high) = (time, guard);
+                at_low *= if kept == -1 { 0.5 } else { 1.0 };
                 kept = -1;
             }
             if guard == 0.0 {
                 break;
             }
         }
-        let (least, largest) = (g_low.min(-g_high), self.largest(event));
-        (high, least > JUMPS * largest)
+        high
+    }
+
+    /// Returns [`Parts::deflated`] at a time that is not sampled again.
+    fn between(
+        &mut self,
+        step: &mut Step<'_, '_>,
+        of: (usize, f64, Option<Zero>),
+        time: f64,
+    ) -> f64 {
+        let count = self.samples.len();
+        let found = self.deflated(step, of, time);
+        self.samples.truncate(count);
+        found
+    }
+
+    /// Returns the start of a step for a guard whose side is not known.
+    fn first_seen(
+        &mut self,
+        step: &mut Step<'_, '_>,
+        (index, direction): (usize, Direction),
+        (passed, residual): (bool, f64),
+        until: f64,
+    ) -> Start {
+        let time = self.start.time;
+        let (value, rate) = (self.start.values[index], self.start.rates[index]);
+        let by_time = 16.0 * f64::EPSILON * time.abs() * rate.abs();
+        let is_far =
+            |side: f64| direction != Direction::Both && is_wanted(direction, -side.signum());
+        let zero = residual.max(by_time);
+        // A value that rounding alone may take beyond zero is not beyond it.
+        let unclear = if is_far(value) { zero.max(self.rounding(index)) } else { zero };
+        if value.abs() > unclear {
+            return Start::On(value.signum(), None);
+        }
+        let at = Zero { time, residual: value, rate };
+        let Some((seen, is_at_once)) = self.first_sign(step, index, at, until) else {
+            return Start::Unseen;
+        };
+        // A guard that just crossed at a finite rate goes on; one that then rests does not.
+        let goes_on = passed && is_at_once;
+        if !goes_on && is_far(seen) {
+            Start::Leaves { from: -seen, zero: Some(at) }
+        } else {
+            Start::On(seen, Some(at))
+        }
+    }
+
+    /// Returns the side to which a guard leaves zero, and whether it does so at a finite rate.
+    fn first_sign(
+        &mut self,
+        step: &mut Step<'_, '_>,
+        index: usize,
+        at: Zero,
+        mut until: f64,
+    ) -> Option<(f64, bool)> {
+        const SOONER: f64 = 0.125;
+        while until > at.time {
+            let span = until - at.time;
+            // A rate within rounding does not count, nor one at which a guard rests.
+            let rests = (AT_REST * self.largest(index)).max(self.rounding(index));
+            if at.rate.abs() * span > rests {
+                return Some((at.rate.signum(), true));
+            }
+            let samples: [f64; NODES] = std::array::from_fn(|node| {
+                let time = at.time + span * SHARES[node];
+                self.deflated(step, (index, 1.0, Some(at)), time)
+            });
+            let noise = self.rounding(index) / (span * SHARES[1]);
+            let enclosure = Enclosure::of(&samples, noise);
+            let moved = |node: usize| samples[node].abs() * span * SHARES[node];
+            let seen = (0..NODES).find(|node| moved(*node) > rests)?;
+            if enclosure.error <= SOONER * samples[seen].abs() {
+                return Some((samples[seen].signum(), false));
+            }
+            until = at.time + SOONER * span;
+        }
+        None
+    }
+
+    /// Returns the rounding error of a guard, as that of the values it compares.
+    pub(super) fn rounding(&self, index: usize) -> f64 {
+        const ROUNDINGS: f64 = 64.0;
+        let size = match self.watched[index] {
+            // Near a place nothing depends on the size of distances far away.
+            Watched::Border(_) | Watched::Zone(_) | Watched::Nearest(_) => self.largest(index),
+            _ => self.sizes[index].max(self.largest(index)).max(self.noise.slope(index)),
+        };
+        ROUNDINGS * f64::EPSILON * size
+    }
+
+    fn largest(&self, index: usize) -> f64 {
+        let of = |look: &Look| look.values.get(index).map_or(0.0, |value| value.abs());
+        of(&self.start).max(of(&self.end))
     }
 }
 
-/// The cubic through two times, values and rates, at a time between.
-fn cubic([[from, low, low_rate], [until, high, high_rate]]: [[f64; 3]; 2], time: f64) -> f64 {
+/// Returns the cubic through two times, values and rates, with its rate, at a time between or
+/// beyond them.
+fn cubic([[from, low, low_rate], [until, high, high_rate]]: [[f64; 3]; 2], time: f64) -> [f64; 2] {
     let span = until - from;
     let (s, left) = ((time - from) / span, (until - time) / span);
     let ends = left * left * (1.0 + 2.0 * s) * low + s * s * (3.0 - 2.0 * s) * high;
-    ends + span * s * left * (left * low_rate - s * high_rate)
+    let rates = left * low_rate - s * high_rate;
+    let slope = 6.0 * s * left * (high - low) / span + (left - s) * rates
+        - s * left * (low_rate + high_rate);
+    [ends + span * s * left * rates, slope]
 }
 
-fn is_near(foretold: f64, found: f64, room: f64) -> bool {
-    (foretold - found).abs() <= room
-}
-
-/// Guards of so many events and of all kinks at a state.
-pub(super) fn guards_at(
-    (simulator, parameters): (&dyn Simulator<f64>, &[f64]),
-    events: usize,
-    time: f64,
-    state: &[f64],
-    guards: &mut [f64],
-) {
-    let (guards, kinks) = guards.split_at_mut(events);
-    if events > 0 {
-        simulator.guards(time, state, parameters, guards);
-    }
-    if !kinks.is_empty() {
-        simulator.kink_guards(time, state, parameters, kinks);
-    }
-}
-
-/// The same, and their rates.
-pub(super) fn evaluate(
-    system: &System<'_>,
-    events: usize,
-    time: f64,
-    state: &[f64],
-    [guards, rates]: [&mut [f64]; 2],
-) {
-    let (simulator, parameters) = (system.simulator(), system.parameters());
-    let state = &state[..system.states()];
-    guards_at((simulator, parameters), events, time, state, guards);
-    let (rates, kink_rates) = rates.split_at_mut(events);
-    if events > 0 {
-        simulator.guard_rates(time, state, parameters, rates);
-    }
-    if !kink_rates.is_empty() {
-        simulator.kink_rates(time, state, parameters, kink_rates);
-    }
-}
-
-/// Where a guard is as a step starts.
+/// State of a guard at the start of a step.
 enum Start {
-    /// On a side, as seen at the start of this part.
-    On(f64, usize),
-    /// On a side as the step starts, as seen at this time within its first part.
-    Shortly(f64, f64),
-    /// It leaves this side right there.
-    Leaves { from: f64 },
-    /// Zero all the step.
+    /// On a side; it may have been zero.
+    On(f64, Option<Zero>),
+    /// It leaves this side at the start.
+    Leaves { from: f64, zero: Option<Zero> },
+    /// Zero during the whole step.
     Unseen,
 }
 
-/// Whether a guard that comes from `side` passes in this direction.
+/// Returns whether a guard that comes from `side` crosses in this direction.
 pub(super) fn is_wanted(direction: Direction, side: f64) -> bool {
     match direction {
         Direction::Rising => side < 0.0,
@@ -703,7 +620,7 @@ pub(super) fn is_wanted(direction: Direction, side: f64) -> bool {
     }
 }
 
-/// Between two times, if numbers lie there that differ by more than rounding.
+/// Returns the middle of two times, if they differ by more than rounding.
 pub(super) fn middle(low: f64, high: f64) -> Option<f64> {
     let middle = low + 0.5 * (high - low);
     let resolved = 4.0 * f64::EPSILON * low.abs().max(high.abs());

@@ -1,9 +1,9 @@
 //! Modes that contradict their guards, at the start and after events.
 //!
-//! An event that changes a mode of its own `when` says where that mode ends: with its guard
-//! beyond zero, in the sense of its direction, and its modes as they are, the state is one
-//! that no run passes through. Beyond means by more than the tolerances of the run make of
-//! the guard: what is nearer is at zero, and its rate tells what becomes of it.
+//! An event that changes a mode of its own `when` defines the end of that mode. If its guard is
+//! beyond zero in the event's direction while it is armed, no run passes through the state.
+//! "Beyond" means by more than the tolerances of the run change the guard. A guard nearer to zero
+//! counts as zero, and its rate decides.
 
 use machinist_contract::Direction;
 
@@ -13,20 +13,28 @@ use crate::constraints::{Constraints, Level};
 use crate::error::StopCause;
 use crate::method::Stopped;
 
-/// What an event would make of a state.
+/// State after a trial of an event.
 pub(super) struct Trial {
     pub(super) state: Vec<f64>,
-    /// Whether it would no longer be watched for.
+    /// True if the event would no longer be armed.
     pub(super) leaves: bool,
-    /// Whether it would change anything but modes by more than the tolerances.
+    /// True if it would change something other than modes by more than the tolerances.
     pub(super) moves: bool,
 }
 
 impl Watch<'_> {
-    /// Sets the modes right at the start of a run; what [initial] says of other states
-    /// stays.
+    /// Corrects the modes at the start of a run; other states keep the values of `[initial]`.
     pub(super) fn settle_start(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
+        // No step has erred yet: states are off by their rounding.
+        self.tightness.set((f64::EPSILON / self.rtol).min(1.0));
+        let settled = self.settle_exactly(time, state);
+        self.tightness.set(1.0);
+        settled
+    }
+
+    fn settle_exactly(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
         let mut happened = 0;
+        self.settle_relations((time, state), &[])?;
         self.let_go(time, state, |_| ())?;
         while let Some((index, trial)) = self.contradiction(time, state, |_| true, true)? {
             let event = || self.system.simulator().event(index).name.to_owned();
@@ -36,13 +44,20 @@ impl Watch<'_> {
             }
             state.copy_from_slice(&trial.state);
             self.count(index, time)?;
+            self.settle_relations((time, state), &[])?;
             self.let_go(time, state, |_| ())?;
             happened += 1;
         }
+        if self.system.is_sliding() {
+            self.system.put_onto_surfaces(time, state)?;
+        }
+        self.take_sides_of_borders(time, state);
+        self.take_sides_of_kinks(time, state, &[]);
         let guards = self.guards(time, state);
         let inner = &mut *self.inner.borrow_mut();
         inner.start.copy_from_slice(state);
-        for (index, side) in inner.sides.iter_mut().enumerate() {
+        let events = self.system.simulator().events();
+        for (index, side) in inner.sides.iter_mut().enumerate().take(events) {
             if self.is_armed(index, state) {
                 let residual = self.residual(index, time, state, guards[index]);
                 *side = Side::Fresh { passed: false, residual };
@@ -51,8 +66,8 @@ impl Watch<'_> {
         Ok(())
     }
 
-    /// After events: lets those happen that were not watched for before, or whose guards have
-    /// jumped, and whose guards are beyond zero. `before` are the guards before the events.
+    /// Settles the state after events: events with guards beyond zero happen if they were not armed
+    /// before, or if their guards have jumped. `before` are the guards before the events.
     pub(super) fn settle_after(
         &self,
         time: f64,
@@ -60,7 +75,7 @@ impl Watch<'_> {
         before: &[f64],
         passed: &mut [Passed],
     ) -> Result<(), Stopped> {
-        // Where a guard that was watched is now beyond zero, the events made it jump there.
+        // A guard that is beyond zero now was moved there by the events.
         let simulator = self.system.simulator();
         let is_new = |index: usize, side: &Side| {
             let is_near = !is_beyond(simulator.event(index).direction, before[index]);
@@ -79,6 +94,7 @@ impl Watch<'_> {
                 return Err(Stopped { time, cause: StopCause::Contradiction { event } });
             }
             state.copy_from_slice(&trial.state);
+            self.settle_relations((time, state), &[])?;
             passed[index] = Passed::Left;
             self.count(index, time)?;
             self.let_go(time, state, |index| passed[index] = Passed::Left)?;
@@ -88,8 +104,8 @@ impl Watch<'_> {
         Ok(())
     }
 
-    /// What ends a mode and is seen for the first time beyond zero has passed: a state beyond is
-    /// none of that mode.
+    /// Lets the end of a mode that is first seen beyond zero count as crossed: no state beyond it
+    /// belongs to the mode.
     pub(super) fn let_pass_at_start(&self, inner: &mut Inner) {
         for index in 0..self.system.simulator().events() {
             if let (Side::Fresh { passed: false, .. }, Outcome::Stays(Side::Known(side))) =
@@ -98,20 +114,19 @@ impl Watch<'_> {
                 && self.sets_its_mode(index)
                 && self.trial(index, inner.time, &inner.start).is_ok_and(|trial| trial.leaves)
             {
-                inner.outcomes[index] =
-                    Outcome::Passes { time: inner.time, from: -side, jumps: false };
+                inner.outcomes[index] = Outcome::Passes { time: inner.time, from: -side };
             }
         }
     }
 
-    /// Whether some constraint holds in some modes only.
+    /// Returns whether some constraint holds in some modes only.
     fn holds_in_modes(&self) -> bool {
         self.system.constraints().is_some_and(Constraints::holds_in_modes)
     }
 
-    /// Puts velocities onto what holds in the modes of the state: what has only now begun to
-    /// stick is at rest, but for what the search for its time has left, and a guard of how it
-    /// slides must not find that.
+    /// Projects velocities onto the constraints of the state's modes. A part that has just begun to
+    /// stick is at rest, except for the error of its time, which a guard of its sliding must not
+    /// see.
     fn hold(&self, time: f64, state: &mut [f64]) {
         if !self.holds_in_modes() {
             return;
@@ -119,20 +134,20 @@ impl Watch<'_> {
         if let Some(constraints) = self.system.constraints() {
             let state = &mut state[..self.system.states()];
             let mut held = state.to_vec();
-            // What cannot be put back is told of once all events have happened.
+            // A failure of the projection is reported once all events have happened.
             if constraints.put_back(Level::Velocities, time, &mut held).is_ok() {
                 state.copy_from_slice(&held);
             }
         }
     }
 
-    /// So many events may follow on one another without time.
+    /// Returns the maximum number of events that may follow one another in no time.
     pub(super) fn most(&self) -> usize {
         2 * self.system.simulator().events() + 8
     }
 
-    /// The first event of some that contradicts the modes of a state, and what it would do:
-    /// change them, or, if that is `or_moves`, other states alone.
+    /// Returns the first event of some that contradicts the modes of a state, and its trial: an
+    /// event that changes modes, or with `or_moves` other states alone.
     fn contradiction(
         &self,
         time: f64,
@@ -160,7 +175,7 @@ impl Watch<'_> {
         Ok(None)
     }
 
-    /// Whether an event may change the modes that it is watched for in.
+    /// Returns whether an event may change modes in which it is armed.
     pub(super) fn sets_its_mode(&self, index: usize) -> bool {
         let event = self.system.simulator().event(index);
         event.when.iter().any(|(entry, _)| event.sets.contains(entry))
@@ -172,21 +187,21 @@ impl Watch<'_> {
         let simulator = self.system.simulator();
         let moves = (0..self.system.states()).any(|entry| {
             let by = (after[entry] - state[entry]).abs();
-            !simulator.is_mode(entry) && by > self.allowed(entry, state)
+            !simulator.is_mode(entry) && by > self.atol[entry] + self.rtol * state[entry].abs()
         });
         let leaves = !self.is_armed(index, &after);
         Ok(Trial { state: after, leaves, moves })
     }
 
-    /// What is zero of a guard that is watched anew: a guard beyond zero by less than the
-    /// tolerances is at zero.
+    /// Returns the tolerance for zero of a guard when it becomes armed: a guard beyond zero by less
+    /// than the tolerances counts as zero.
     pub(super) fn residual(&self, index: usize, time: f64, state: &[f64], guard: f64) -> f64 {
         let direction = self.direction(index);
         if is_beyond(direction, guard) { self.blur(index, time, state) } else { 0.0 }
     }
 
-    /// What of a guard is zero where events happen: what the tolerances make of it, and what the
-    /// rounding of their time does.
+    /// Returns the tolerance for zero of a guard at events, from the tolerances of the run and the
+    /// rounding of time.
     pub(super) fn zero(&self, index: usize, time: f64, state: &[f64]) -> f64 {
         const ROUNDINGS: f64 = 64.0;
         let (_, rate) = self.guard_at(time, state, index);
@@ -195,8 +210,8 @@ impl Watch<'_> {
         if by_time > blur { by_time } else { blur }
     }
 
-    /// By how much the tolerances of the run may change a guard, the errors of all states
-    /// added up.
+    /// Returns the change of a guard within the tolerances of the steps, as the sum over the errors
+    /// of all states.
     pub(crate) fn blur(&self, index: usize, time: f64, state: &[f64]) -> f64 {
         let guard = self.guards(time, state)[index];
         let mut shifted = state.to_vec();
@@ -213,11 +228,11 @@ impl Watch<'_> {
     }
 
     fn allowed(&self, entry: usize, state: &[f64]) -> f64 {
-        self.atol[entry] + self.rtol * state[entry].abs()
+        self.tightness.get() * (self.atol[entry] + self.rtol * state[entry].abs())
     }
 }
 
-/// Whether a guard is on the far side of zero, on which its event has happened.
+/// Returns whether a guard is on the far side of zero, on which its event has happened.
 pub(super) fn is_beyond(direction: Direction, guard: f64) -> bool {
     match direction {
         Direction::Rising => guard > 0.0,

@@ -6,9 +6,9 @@
 //! flight:   m x'' + c_p x + N0 = F         s = -N0/c + (s0 + N0/c) e^(-c t/h)
 //! ```
 //!
-//! Contact ends where N = N0 + c (Y - x) + h (Y' - x') falls to zero. Then the layer recovers by
+//! Contact ends when N = N0 + c (Y - x) + h (Y' - x') falls to zero. Then the layer recovers by
 //! itself, with its compression s, until Y - x equals s again. Both motions are exact, as in
-//! [`BobbinOscillator::motion`]; the times of the transitions are solved for.
+//! [`BobbinOscillator::motion`]; the times of the transitions are computed numerically.
 //!
 //! Source: by hand.
 
@@ -98,7 +98,7 @@ impl BouncingBobbin {
             let gap = now.surface - (self.shape.at(time).value - now.deflection.value);
             if phase.is_flight { gap } else { now.pressure }
         };
-        // It begins with zero.
+        // It starts at zero.
         let mut early = phase.from + STEP;
         while early < last {
             let mut late = early + STEP;

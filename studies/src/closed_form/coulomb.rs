@@ -1,12 +1,12 @@
-//! Oscillator braked by dry friction, half cycle by half cycle.
+//! Oscillator with dry friction, half cycle by half cycle.
 //!
 //! ```text
 //! m x'' + k x = -F sign(x')      x(0) = X, x'(0) = 0
 //! x = c + (X - c) cos w t        c = F/k sign(X), w^2 = k/m, for 0 <= w t <= pi
 //! ```
 //!
-//! Each half cycle ends at 2 c - X, where the next begins if the spring is stronger than
-//! the friction that can hold it, k |x| > F_s; the mass rests there if not.
+//! Each half cycle ends at 2 c - X. The next one begins there if the spring exceeds the breakaway
+//! friction, k |x| > F_s; otherwise the mass sticks.
 //!
 //! Source: textbook.
 
@@ -21,9 +21,9 @@ pub struct CoulombOscillator<N = f64> {
     pub mass: N,
     /// k \[N/m\], positive.
     pub stiffness: N,
-    /// F \[N\], friction while it slides.
+    /// F \[N\], sliding friction.
     pub kinetic: N,
-    /// F_s \[N\], largest friction while it sticks, at least F.
+    /// F_s \[N\], breakaway friction, at least F.
     pub limit: N,
 }
 
@@ -45,7 +45,7 @@ impl<N: Number> CoulombOscillator<N> {
         (x, N::literal(0.0))
     }
 
-    /// Returns the number of half cycles until the mass rests.
+    /// Returns the number of half cycles until the mass sticks.
     #[must_use]
     pub fn half_cycles(&self, start: N) -> usize {
         let (mut x, mut count) = (start, 0);

@@ -18,7 +18,7 @@ pub struct OneSidedStop {
     pub mass: f64,
     /// k \[N/m\], positive.
     pub stiffness: f64,
-    /// d \[m\], place of the stop.
+    /// d \[m\], position of the stop.
     pub distance: f64,
     /// s \[N/m\], stiffness of the stop.
     pub stop: f64,

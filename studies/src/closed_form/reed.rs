@@ -1,22 +1,22 @@
-//! A driven shaft that carries a sprung reed: half of a loom's beat-up mechanism.
+//! A driven shaft with a reed on a spring: half of the beat-up mechanism of a loom.
 //!
 //! ```text
 //! T = int rho Jp u_t^2/2 dx + Ir ur_t^2/2                    0 <= x <= l
 //! V = int G Jp u_x^2/2 dx + C0 (u(0) - u0)^2/2 + C1 (u(l0) - ur)^2/2 + C2 ur^2/2
 //! ```
 //!
-//! x = 0 is driven through the spring C0 by the imposed angle u0, x = l is the middle
-//! of a symmetric shaft (u_x = 0), the reed ur hangs on the spring C1 at x = l0, and
-//! C2 is the cloth fell, here always in contact. With the length L = G Jp/C0 and the
-//! time T = L sqrt(rho/G), beta = C1/C0, alpha = Ir/(T^2 C0), b2 = C2/C0:
+//! x = 0 is driven through the spring C0 by the prescribed angle u0. x = l is the middle of a
+//! symmetric shaft (u_x = 0). The reed ur is attached by the spring C1 at x = l0, and C2 is the
+//! cloth fell, here always in contact. With the length L = G Jp/C0 and the time T = L sqrt(rho/G),
+//! beta = C1/C0, alpha = Ir/(T^2 C0), b2 = C2/C0:
 //!
 //! ```text
 //! u_tautau = u_xixi - (u - u0) delta(xi) - beta (u - ur) delta(xi - xi0)
 //! alpha ur_tautau = beta (u - ur) - b2 ur
 //! ```
 //!
-//! A motion of frequency s has ur = beta u(xi0)/(beta + b2 - alpha s^2): seen from the
-//! shaft, the reed is a spring of stiffness
+//! A motion of frequency s has ur = beta u(xi0)/(beta + b2 - alpha s^2). The reed acts on the shaft
+//! as a spring of stiffness
 //!
 //! ```text
 //! held: beta        free: beta (b2 - alpha s^2)/(beta + b2 - alpha s^2)
@@ -35,8 +35,8 @@ use std::f64::consts::PI;
 use super::roots::turning_point;
 pub use transient::{ReedMotion, ReedTransient};
 
-/// Shaft and reed, as dimensions and stiffnesses; all positive but `contact_stiffness`,
-/// which may be 0.
+/// Dimensions and stiffnesses of shaft and reed; all positive except `contact_stiffness`, which may
+/// be 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReedShaft {
     /// l, half of the shaft \[m\].
@@ -59,7 +59,7 @@ pub struct ReedShaft {
     pub reed_position: f64,
     /// M \[kg\].
     pub reed_mass: f64,
-    /// Arm of the reed's mass \[m\]; the study takes the radius of the shaft.
+    /// Lever arm of the reed's mass \[m\]; the study takes the radius of the shaft.
     pub reed_arm: f64,
 }
 
@@ -92,14 +92,14 @@ pub enum Reed {
     Free,
 }
 
-/// Steady answer to u0 = U sin(w t): everything is in phase with the drive, or opposed
-/// to it where negative.
+/// Steady-state response to u0 = U sin(w t): everything is in phase with the drive, or in antiphase
+/// if negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrivenReed {
     shaft: ReedShaft,
     /// Frequency s in 1/T.
     frequency: f64,
-    /// u at x = 0 and its slope u_xi there, per radian of drive times U.
+    /// u at x = 0 and its slope u_xi there, for the amplitude U of the drive.
     start: [f64; 2],
     support: f64,
     reed: f64,
@@ -178,8 +178,8 @@ impl ReedShaft {
         PI / (DRIVE_HALF_PERIOD * self.time_scale())
     }
 
-    /// Stiffness of the reed as the shaft feels it, in units of C0, at frequency s.
-    /// Infinite at s^2 = (beta + b2)/alpha, where the reed alone would vibrate.
+    /// Stiffness of the reed acting on the shaft, in units of C0, at frequency s. It is infinite at
+    /// s^2 = (beta + b2)/alpha, the frequency of the reed alone.
     #[must_use]
     pub fn support(&self, s: f64, reed: Reed) -> f64 {
         let (beta, contact) = (self.beta(), self.contact());
@@ -200,8 +200,8 @@ impl ReedShaft {
         self.equation(s, self.reed_place(), self.support(s, reed))
     }
 
-    /// Equation (15) as the study prints it, with xi1 for xi0 in the first bracket, the
-    /// reed being held.
+    /// Equation (15) as the study prints it, with xi1 instead of xi0 in the first bracket, for a
+    /// held reed.
     #[must_use]
     pub fn printed_frequency_equation(&self, s: f64) -> f64 {
         self.equation(s, self.end_place(), self.beta())
@@ -214,9 +214,9 @@ impl ReedShaft {
             - s * (s * (s * end).sin() - (s * end).cos())
     }
 
-    /// The study's own scales, as it prints them: xi/x, tau/t and alpha. For dimensions to agree
-    /// xi/x would be 1/L in 1/m, tau/t 1/T in 1/s, and alpha a number; xi/x comes out without a
-    /// dimension, tau/t in m/s and alpha in 1/m.
+    /// The study's own scales, as it prints them: xi/x, tau/t and alpha. For consistent dimensions,
+    /// xi/x would be 1/L in 1/m, tau/t 1/T in 1/s, and alpha dimensionless. As printed, xi/x is
+    /// dimensionless, tau/t is in m/s and alpha in 1/m.
     #[must_use]
     pub fn printed_scales(&self) -> [f64; 3] {
         let stiffness = self.drive_stiffness * self.radius * self.radius;
@@ -230,12 +230,11 @@ impl ReedShaft {
 
     /// k-th frequency s in 1/T, k from 1; s/T is in rad/s.
     ///
-    /// With the angle theta of (u, u_xi/s), which grows by s times the length along
-    /// the shaft, starts at atan s (spring C0) and drops at the reed to where its
-    /// cotangent is larger by support/s, the end has u_xi = 0 where theta is
-    /// (k - 1/2) pi. Beyond the frequency at which the reed alone would vibrate, it
-    /// adds half a turn: its own motion. The count of such passages grows with s, so
-    /// that bisection on it finds each root and misses none.
+    /// The angle theta of (u, u_xi/s) grows by s times the length along the shaft. It starts at
+    /// atan s (spring C0), and at the reed it drops to where its cotangent is larger by support/s.
+    /// The end has u_xi = 0 where theta is (k - 1/2) pi. Above the frequency of the reed alone, the
+    /// reed adds half a turn for its own motion. The count of such crossings grows with s, so
+    /// bisection on it finds each root and misses none.
     #[must_use]
     pub fn frequency(&self, k: u32, reed: Reed) -> f64 {
         let wanted = (f64::from(k) - 0.5) * PI;
@@ -244,7 +243,7 @@ impl ReedShaft {
         turning_point(0.0, highest, |s| self.end_angle(s, reed) < wanted)
     }
 
-    /// Frequency of the reed on its springs alone, sqrt((beta + b2)/alpha).
+    /// Frequency of the reed alone on its springs, sqrt((beta + b2)/alpha).
     fn reed_alone(&self) -> f64 {
         ((self.beta() + self.contact()) / self.alpha()).sqrt()
     }
@@ -260,8 +259,8 @@ impl ReedShaft {
         after + own + s * (self.end_place() - place)
     }
 
-    /// Roots of the printed equation, ascending, as many as asked for: where it
-    /// changes sign on a grid of a thousandth of pi/xi1.
+    /// Returns the requested number of roots of the printed equation, ascending: its changes of
+    /// sign on a grid of a thousandth of pi/xi1.
     #[must_use]
     pub fn printed_frequencies(&self, count: usize) -> Vec<f64> {
         let step = PI / (1000.0 * self.end_place());
@@ -279,16 +278,15 @@ impl ReedShaft {
         (1..10_000 * (count as u64 + 1)).filter_map(crossing).take(count).collect()
     }
 
-    /// Mode shape u at xi of frequency s, 1 at xi = 0: cos s xi + sin(s xi)/s, and
-    /// beyond the reed support u(xi0) sin s(xi - xi0)/s in addition. Shapes of two
-    /// frequencies are orthogonal: the integral of u_i u_j, and for a free reed
-    /// + alpha ur_i ur_j, is zero.
+    /// Mode shape u at xi for frequency s, 1 at xi = 0: cos s xi + sin(s xi)/s, and beyond the reed
+    /// additionally support u(xi0) sin s(xi - xi0)/s. Mode shapes of two frequencies are
+    /// orthogonal: the integral of u_i u_j, plus alpha ur_i ur_j for a free reed, is zero.
     #[must_use]
     pub fn mode_shape(&self, xi: f64, s: f64, reed: Reed) -> f64 {
         self.segments(xi, s, [1.0, 1.0], self.support(s, reed))[0]
     }
 
-    /// Angle of the reed in that mode, beta u(xi0)/(beta + b2 - alpha s^2); 0 if held.
+    /// Angle of the reed in that mode shape, beta u(xi0)/(beta + b2 - alpha s^2); 0 if held.
     #[must_use]
     pub fn mode_reed(&self, s: f64, reed: Reed) -> f64 {
         let at = self.mode_shape(self.reed_place(), s, reed);
@@ -317,7 +315,7 @@ impl ReedShaft {
         along(xi - place, [angle, slope + support * angle])
     }
 
-    /// Steady answer to u0 = U sin(w t), w \[rad/s\] above 0, U \[rad\].
+    /// Steady-state response to u0 = U sin(w t), w \[rad/s\] above 0, U \[rad\].
     ///
     /// u_xi(0) = u(0) - U at the drive; u is continuous at the reed and u_xi jumps by
     /// support u(xi0); u_xi(xi1) = 0 leaves one linear equation for u(0).
@@ -349,15 +347,15 @@ impl DrivenReed {
         self.reed
     }
 
-    /// Amplitude of the shear stress G R u_x at the shaft's surface at x \[Pa\]; at the
-    /// reed that of the side toward the drive.
+    /// Amplitude of the shear stress G R u_x at the shaft's surface at x \[Pa\]; at the reed, the
+    /// value on the side of the drive.
     #[must_use]
     pub fn stress(&self, x: f64) -> f64 {
         self.stress_of(self.at(x / self.shaft.length_scale())[1])
     }
 
-    /// Stress \[Pa\] on both sides of the reed, toward the drive and away from it. They
-    /// differ by R C1 (u - ur)/Jp.
+    /// Stress \[Pa\] on both sides of the reed: towards the drive and away from it. They differ by
+    /// R C1 (u - ur)/Jp.
     #[must_use]
     pub fn stress_beside_reed(&self) -> [f64; 2] {
         let [angle, slope] = self.at(self.shaft.reed_place());

@@ -5,9 +5,9 @@
 //! torque in a section: G I phi_x
 //! ```
 //!
-//! Fixed means phi(0) = 0; a free end has no torque; a rotor J at an end has
-//! G I phi_x = -J phi_tt at x = l and +J phi_tt at x = 0. Every solution is waves of
-//! speed c, so that all below is exact.
+//! Fixed means phi(0) = 0. At a free end the torque is zero. A rotor J at an end has
+//! G I phi_x = -J phi_tt at x = l and +J phi_tt at x = 0. Every solution is a sum of waves of speed
+//! c, so everything below is exact.
 //!
 //! Source: saw-gin study (2020), distributed shaft with balanced loads; solutions by
 //! hand.
@@ -22,13 +22,13 @@ use super::two_mass::damped_pair;
 pub struct Shaft {
     /// G I \[N m^2\], I the polar moment of the section.
     pub stiffness: f64,
-    /// rho, moment of inertia a length \[kg m\].
+    /// rho, moment of inertia per length \[kg m\].
     pub density: f64,
     /// l \[m\].
     pub length: f64,
 }
 
-/// Shaft of the saw gin with the saw cylinder's inertia spread along it: G = 8e10 Pa,
+/// Shaft of the saw gin with the inertia of the saw cylinder distributed along it: G = 8e10 Pa,
 /// I = 9.817e-6 m^4, J = 1.244 kg m^2, l = 2.322 m.
 pub const SAW_GIN_SHAFT: Shaft =
     Shaft { stiffness: 8e10 * 9.817e-6, density: 1.244 / 2.322, length: 2.322 };
@@ -110,8 +110,8 @@ impl Shaft {
     /// (m_0 + m_1) s cos s + (1 - m_0 m_1 s^2) sin s = 0     (k - 1) pi < s <= k pi
     /// ```
     ///
-    /// Divided by sin s the left side falls from above to below zero in each of these
-    /// intervals, so that each has one root.
+    /// Divided by sin s, the left side falls from positive to negative in each of these intervals,
+    /// so each has one root.
     #[must_use]
     pub fn rotor_ended_frequency(&self, k: u32, rotors: [f64; 2]) -> f64 {
         let [first, last] = rotors.map(|rotor| rotor / self.inertia());
@@ -130,7 +130,7 @@ impl Shaft {
         torque * x / self.stiffness
     }
 
-    /// Angle \[rad\] at x of the shaft fixed at 0 under a torque M spread along it:
+    /// Angle \[rad\] at x of the shaft fixed at 0 under a torque M distributed along it:
     /// M (x - x^2/(2 l))/(G I) and M (x - x^3/(3 l^2))/(G I).
     #[must_use]
     pub fn static_twist_under(&self, x: f64, torque: f64, density: LoadDensity) -> f64 {
@@ -142,15 +142,15 @@ impl Shaft {
         torque * x * fill / self.stiffness
     }
 
-    /// The shaft fixed at 0, at rest until a torque M acts at l from t = 0 on: waves
-    /// that come from the end and are sent back at both ends (d'Alembert),
+    /// The shaft fixed at 0, at rest until a torque M acts at l from t = 0 on: waves from the end,
+    /// reflected at both ends (d'Alembert),
     ///
     /// ```text
     /// phi = (c M/(G I)) sum over n of (-1)^n [r(t - ((2n+1) l - x)/c) - r(t - ((2n+1) l + x)/c)]
     /// ```
     ///
-    /// with r(u) = u for u > 0, else 0. It repeats after 4 l/c: the end's rotation is a
-    /// triangle between 0 and 2 M l/(G I), the torque at the wall a square between 0
+    /// with r(u) = u for u > 0, else 0. It is periodic with 4 l/c: the rotation of the end is a
+    /// triangle wave between 0 and 2 M l/(G I), and the torque at the wall a square wave between 0
     /// and 2 M.
     #[must_use]
     pub fn step_torque(&self, x: f64, t: f64, torque: f64) -> Wave {
@@ -173,8 +173,8 @@ impl Shaft {
         wave
     }
 
-    /// Amplitude \[rad\] at x of the steady answer to the torque M sin(w t) at l; it is
-    /// in phase with the torque, or opposed to it where negative:
+    /// Amplitude \[rad\] at x of the steady-state response to the torque M sin(w t) at l. It is in
+    /// phase with the torque, or in antiphase if negative:
     ///
     /// ```text
     /// fixed at 0:  (M c/(G I w)) sin(w x/c)/cos(w l/c)
@@ -191,8 +191,8 @@ impl Shaft {
         }
     }
 
-    /// Amplitude \[N m\] of the torque at x in that answer: M cos(w x/c)/cos(w l/c)
-    /// fixed at 0, M sin(w x/c)/sin(w l/c) free.
+    /// Amplitude \[N m\] of the torque at x in that response: M cos(w x/c)/cos(w l/c) fixed at 0,
+    /// M sin(w x/c)/sin(w l/c) free.
     #[must_use]
     pub fn harmonic_torque(&self, x: f64, torque: f64, frequency: f64, support: Support) -> f64 {
         let wave_number = frequency / self.wave_speed();
@@ -208,15 +208,15 @@ impl Shaft {
     }
 }
 
-/// Damping ratio d w/2 of a mode under Kelvin-Voigt damping, the torque in a section
-/// being G I (phi_x + d phi_xt): of a frequency \[rad/s\] and a damping time d \[s\].
+/// Damping ratio d w/2 of an eigenmode with Kelvin-Voigt damping, where the torque in a section is
+/// G I (phi_x + d phi_xt), for a frequency \[rad/s\] and a damping time d \[s\].
 #[must_use]
 pub fn kelvin_voigt_ratio(frequency: f64, damping_time: f64) -> f64 {
     damping_time * frequency / 2.0
 }
 
 /// Returns the value at time t \[s\] of an eigenmode released at 1: q'' + d w^2 q' + w^2 q = 0,
-/// q(0) = 1, q'(0) = 0; there is no oscillation above a damping ratio of 1.
+/// q(0) = 1, q'(0) = 0. Above a damping ratio of 1 it does not oscillate.
 #[must_use]
 pub fn kelvin_voigt_decay(t: f64, frequency: f64, damping_time: f64) -> f64 {
     let square = frequency * frequency;

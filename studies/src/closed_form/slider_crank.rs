@@ -1,13 +1,13 @@
-//! A slider-crank turned at constant speed: kinematics, and torque by virtual work.
+//! A slider-crank driven at constant speed: kinematics, and torque by virtual work.
 //!
-//! Crank r at the angle th from the line of the slider, rod l at the angle b,
+//! Crank r at the angle th from the line of the slider, and rod l at the angle b:
 //!
 //! ```text
 //! l sin b = -r sin th          s = r cos th + l cos b
 //! T = sum m a dr/dth + J b'' b' + sum m g dy/dth
 //! ```
 //!
-//! with centres of mass in the middle of crank and rod; the slider stays level.
+//! with centres of mass in the middle of crank and rod. The slider does not rotate.
 //!
 //! Source: textbook; the derivation does not use multipliers.
 
@@ -32,7 +32,7 @@ pub struct SliderCrank {
     pub speed: f64,
 }
 
-/// A motion of the slider-crank at one angle of the crank.
+/// Motion of the slider-crank at one angle of the crank.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SliderCrankState {
     /// b \[rad\].
@@ -56,7 +56,7 @@ impl SliderCrank {
         let (sin, cos) = angle.sin_cos();
         let b = (-r * sin / l).asin();
         let (sin_b, cos_b) = b.sin_cos();
-        // Derivatives by the angle of the crank.
+        // Derivatives with respect to the angle of the crank.
         let b_1 = -r * cos / (l * cos_b);
         let b_2 = (r * sin + l * sin_b * b_1 * b_1) / (l * cos_b);
         let along_1 = -sin_b * b_1;

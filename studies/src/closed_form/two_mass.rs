@@ -5,8 +5,8 @@
 //! J2 phi_2'' = T - M       M = M_mean + A sin(w t + p)
 //! ```
 //!
-//! Dividing by the inertias and subtracting leaves one damped oscillator for the
-//! twist, adding leaves the motion of the whole as a rigid body:
+//! Dividing by the inertias and subtracting gives one damped oscillator for the twist. Adding gives
+//! the motion of the whole as a rigid body:
 //!
 //! ```text
 //! Jr theta'' + b theta' + c theta = (Md J2 + M Jd)/(Jd + J2)    Jr = Jd J2/(Jd + J2)
@@ -14,8 +14,8 @@
 //! phi_d' = Omega + theta' J2/(Jd + J2)      phi_2' = Omega - theta' Jd/(Jd + J2)
 //! ```
 //!
-//! Both are linear with constant coefficients, so a particular solution and the
-//! free decay of what it leaves at the start are the whole answer.
+//! Both are linear with constant coefficients, so a particular solution and the free decay of the
+//! remaining initial deviation are the complete solution.
 //!
 //! Source: saw-gin study (2020), equations (1), with ratio 1; solution by hand.
 
@@ -110,8 +110,8 @@ impl TwoMass {
         }
     }
 
-    /// Twist at time t \[s\]: static twist, harmonic answer, and the free decay of
-    /// what these leave at the start. Holds below, at and above critical damping.
+    /// Twist at time t \[s\]: static twist, harmonic response, and the free decay of the remaining
+    /// initial deviation. Holds below, at and above critical damping.
     #[must_use]
     pub fn twist(&self, t: f64, start: Twist, torques: Torques) -> Twist {
         let level = self.static_twist(torques.driving, torques.load);
@@ -125,9 +125,9 @@ impl TwoMass {
 
     /// Twist without torques: Jr theta'' + b theta' + c theta = 0.
     ///
-    /// With a = b/(2 Jr) and D = c/Jr - a^2 the answer is
-    /// `e^(-a t) [theta_0 C + (theta_0' + a theta_0) S]`, C = cos(sqrt(D) t),
-    /// S = sin(sqrt(D) t)/sqrt(D); hyperbolic for D < 0, C = 1 and S = t at D = 0.
+    /// With a = b/(2 Jr) and D = c/Jr - a^2 the solution is
+    /// `e^(-a t) [theta_0 C + (theta_0' + a theta_0) S]`, C = cos(sqrt(D) t), S = sin(sqrt(D)
+    /// t)/sqrt(D); hyperbolic for D < 0, C = 1 and S = t at D = 0.
     #[must_use]
     pub fn free_decay(&self, t: f64, start: Twist) -> Twist {
         let decay = self.damping / (2.0 * self.reduced_inertia());
@@ -139,7 +139,7 @@ impl TwoMass {
         }
     }
 
-    /// Particular solution for the harmonic load alone: steady twist at time t \[s\].
+    /// Particular solution for the harmonic load alone: steady-state twist at time t \[s\].
     #[must_use]
     pub fn harmonic_twist(&self, t: f64, torques: Torques) -> Twist {
         let answer = self.harmonic_response(torques.load_amplitude, torques.load_frequency);
@@ -150,7 +150,7 @@ impl TwoMass {
         }
     }
 
-    /// Steady answer to a harmonic torque on the driven mass: amplitude
+    /// Steady-state response to a harmonic torque on the driven mass: amplitude
     /// A Jd/(Jd + J2)/sqrt((c - Jr w^2)^2 + (b w)^2), lag atan2(b w, c - Jr w^2).
     #[must_use]
     pub fn harmonic_response(&self, amplitude: f64, frequency: f64) -> HarmonicResponse {
@@ -163,7 +163,7 @@ impl TwoMass {
         }
     }
 
-    /// Torque of the coupling over that of a harmonic load, in amplitude: twist times
+    /// Amplitude ratio of the torque of the coupling to that of a harmonic load: twist times
     /// |c + j b w|.
     #[must_use]
     pub fn load_gain(&self, frequency: f64) -> f64 {
@@ -203,13 +203,13 @@ impl TwoMass {
         self.driver_inertia * self.driven_inertia / self.total_inertia()
     }
 
-    /// sqrt(c/Jr) \[rad/s\], undamped.
+    /// sqrt(c/Jr) \[rad/s\], undamped frequency.
     #[must_use]
     pub fn natural_frequency(&self) -> f64 {
         (self.stiffness / self.reduced_inertia()).sqrt()
     }
 
-    /// b/(2 sqrt(c Jr)); below 1 the twist oscillates.
+    /// Damping ratio b/(2 sqrt(c Jr)); below 1 the twist oscillates.
     #[must_use]
     pub fn damping_ratio(&self) -> f64 {
         self.damping / (2.0 * (self.stiffness * self.reduced_inertia()).sqrt())
@@ -230,8 +230,8 @@ impl Torques {
 
 /// e^(-a t) C and e^(-a t) S of [`TwoMass::free_decay`], with D = square - decay^2.
 ///
-/// The hyperbolic pair is written in decaying exponentials only, so that it
-/// neither overflows nor loses the slow one to cancellation.
+/// The hyperbolic pair uses decaying exponentials only, so it neither overflows nor loses the slow
+/// one to cancellation.
 pub(super) fn damped_pair(t: f64, decay: f64, square: f64) -> (f64, f64) {
     let discriminant = square - decay * decay;
     let root = discriminant.abs().sqrt();

@@ -13,7 +13,7 @@
 //! ```
 //!
 //! and the complete motion is the sum of these and the free decay of the initial deviation. At
-//! worst phases, amplitudes add up.
+//! worst-case phases, amplitudes add up.
 //!
 //! Source: winder study; solution by hand.
 
@@ -28,7 +28,7 @@ use super::two_mass::damped_pair;
 pub struct BobbinOscillator {
     /// m, reduced mass \[kg\], positive.
     pub mass: f64,
-    /// h, viscosity of the layer \[N s/m\], not negative.
+    /// h, damping of the layer \[N s/m\], not negative.
     pub viscosity: f64,
     /// c, stiffness of the layer \[N/m\], positive.
     pub layer_stiffness: f64,
@@ -150,8 +150,8 @@ impl BobbinOscillator {
         self.answer(Complex64::from(1.0), force)
     }
 
-    /// Steady deflection \[m\] over a harmonic drum shape \[m\], the layer's viscosity
-    /// carrying the shape's rate.
+    /// Steady deflection \[m\] under a harmonic drum shape \[m\], including the layer's damping
+    /// force from the rate of the shape.
     #[must_use]
     pub fn answer_to_shape(&self, shape: &Harmonic) -> Harmonic {
         let layer = Complex64::new(self.layer_stiffness, self.viscosity * shape.frequency);
@@ -172,15 +172,15 @@ impl BobbinOscillator {
         forcing / in_phase.hypot(self.viscosity * self.mass * frequency)
     }
 
-    /// The study's phase (21) \[rad\], arctan(h m p/(c + c_p - m p^2)): h m for h, and of the
-    /// other sign than the lag of the motion behind its forcing.
+    /// The study's phase (21) \[rad\], arctan(h m p/(c + c_p - m p^2)): h m instead of h, and the
+    /// opposite sign of the lag of the motion behind its forcing.
     #[must_use]
     pub fn phase_as_printed(&self, frequency: f64) -> f64 {
         let in_phase = self.stiffness() - self.mass * frequency * frequency;
         (self.viscosity * self.mass * frequency / in_phase).atan()
     }
 
-    /// Plain sum of the amplitudes \[m\]: the bound that no phases exceed.
+    /// Sum of the amplitudes \[m\]: an upper bound for all phases.
     #[must_use]
     pub fn amplitude_sum(&self, forces: &[Harmonic], shapes: &[Harmonic]) -> f64 {
         let to_forces = forces.iter().map(|force| self.answer_to_force(force).amplitude);
@@ -188,7 +188,7 @@ impl BobbinOscillator {
         to_forces.chain(to_shapes).sum()
     }
 
-    /// Compression Y - q \[m\] of the layer over a harmonic drum shape \[m\], steady:
+    /// Steady compression Y - q \[m\] of the layer under a harmonic drum shape \[m\]:
     /// Y (c_p - m p^2)/Z.
     #[must_use]
     pub fn compression_by_shape(&self, shape: &Harmonic) -> Harmonic {
@@ -196,9 +196,10 @@ impl BobbinOscillator {
         self.answer(Complex64::from(rest), shape)
     }
 
-    /// dN \[N\]: how far the pressure departs from that at rest at worst phases, the sum
-    /// over harmonics of the amplitude of compression times |c + j h p|. With a shaken drum it
-    /// is the compression that presses; the bobbin's own amplitude would miss the drum's.
+    /// dN \[N\]: largest deviation of the pressure from that at rest at worst-case phases, the sum
+    /// over harmonics of the amplitude of compression times |c + j h p|. With a vibrating drum, the
+    /// compression determines the pressure; the amplitude of the bobbin alone would miss that of
+    /// the drum.
     #[must_use]
     pub fn pressure_variation(&self, forces: &[Harmonic], shapes: &[Harmonic]) -> f64 {
         let pressed = |compression: Harmonic| {
@@ -209,13 +210,13 @@ impl BobbinOscillator {
         by_forces.chain(by_shapes).sum()
     }
 
-    /// |c + j h p|, stiffness of the layer at a frequency \[N/m\].
+    /// |c + j h p|, dynamic stiffness of the layer at a frequency \[N/m\].
     #[must_use]
     pub fn dynamic_layer_stiffness(&self, frequency: f64) -> f64 {
         self.layer_stiffness.hypot(self.viscosity * frequency)
     }
 
-    /// sqrt((c + c_p)/m) \[rad/s\], undamped.
+    /// sqrt((c + c_p)/m) \[rad/s\], undamped frequency.
     #[must_use]
     pub fn natural_frequency(&self) -> f64 {
         (self.stiffness() / self.mass).sqrt()
@@ -244,9 +245,9 @@ impl BobbinOscillator {
 /// m(R) = m0 + mn lbc/lab     + pi (R^2 - Rmin^2) H rho      (printed)
 /// ```
 ///
-/// A mass on the arm lbc moves lbc/lab times as fast as the bobbin on the arm lab, so that its
-/// kinetic energy takes the square. Equation (16) reduces weights, which are linear in the
-/// arms; the study takes its masses from there.
+/// A mass on the arm lbc moves lbc/lab times as fast as the bobbin on the arm lab, so its kinetic
+/// energy takes the square. Equation (16) reduces weights, which are linear in the arms; the study
+/// takes its masses from there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReducedMass {
     /// m0 \[kg\].

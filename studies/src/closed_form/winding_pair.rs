@@ -1,21 +1,20 @@
-//! Friction winding pair: growth of the package, adhesion, and the pressures between
-//! which winding is stable; and the mobility of its bobbin holder.
+//! Friction winding pair: growth of the package, adhesion, the range of pressures for stable
+//! winding, and the mobility of its bobbin holder.
 //!
-//! A package of radius R wound at constant thread speed, density and width takes up the
-//! volume V' a second: R^2 = Rmin^2 + V' t/(pi H).
+//! A package of radius R, wound at constant thread speed, density and width, grows by the volume V'
+//! per second: R^2 = Rmin^2 + V' t/(pi H).
 //!
-//! The drum, pressed on with N, turns the package by friction as long as
+//! The drum, pressed on with N, drives the package by friction as long as
 //!
 //! ```text
 //! N f R >= |Pn R + N fa r + N k + JA e|
 //! ```
 //!
-//! with thread tension Pn, friction fa in supports of radius r, rolling friction k and
-//! angular acceleration e; at steady speed Pn <= N (f - (fa r + k)/R). Practice also
-//! asks Pn <= 0.9 N f. Vibration takes dN = B c~ (1 + delta) off the pressure at worst
-//! (amplitude B, dynamic stiffness c~ at the line of contact), so that
-//! \[Nmin\] + dN <= N <= \[Nmax\] - dN, with \[Nmin\] from both conditions and \[Nmax\] what
-//! the yarn bears.
+//! with thread tension Pn, friction fa in supports of radius r, rolling friction k and angular
+//! acceleration e; at steady speed Pn <= N (f - (fa r + k)/R). Practice also requires Pn <=
+//! 0.9 N f. Vibration reduces the pressure by dN = B c~ (1 + delta) in the worst case (amplitude B,
+//! dynamic stiffness c~ at the line of contact), so \[Nmin\] + dN <= N <= \[Nmax\] - dN, with
+//! \[Nmin\] from both conditions and \[Nmax\] the largest pressure that the yarn withstands.
 //!
 //! Source: winder study, by hand.
 
@@ -23,21 +22,21 @@ use std::f64::consts::PI;
 
 use super::winder::ReducedMass;
 
-/// Share of N f that practice lets the thread's tension take.
+/// Largest share of N f for the thread tension in practice.
 pub const DESIGN_SHARE: f64 = 0.9;
 
-/// Frictions between drum, package and support.
+/// Friction between drum, package and support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WindingPair {
-    /// f, between drum and package: 0.15 to 0.22.
+    /// f, coefficient between drum and package: 0.15 to 0.22.
     pub friction: f64,
-    /// fa r, friction of the support times its radius \[m\]: 0.2e-3 to 0.6e-3.
+    /// fa r, friction coefficient of the support times its radius \[m\]: 0.2e-3 to 0.6e-3.
     pub support_arm: f64,
-    /// k, arm of rolling friction \[m\]: 0.2e-3 to 1e-3.
+    /// k, lever arm of rolling friction \[m\]: 0.2e-3 to 1e-3.
     pub rolling_arm: f64,
 }
 
-/// Pressures between which winding is stable \[N\]; empty if `least` exceeds `most`.
+/// Range of pressures for stable winding \[N\]; empty if `least` exceeds `most`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PressureBand {
     /// \[Nmin\] + dN.
@@ -47,9 +46,9 @@ pub struct PressureBand {
 }
 
 impl WindingPair {
-    /// N f R - |Pn R + N fa r + N k + JA e| \[N m\]: adhesion holds where it is not
-    /// negative. Tension Pn and pressure N in N, radius R in m, inertia JA in kg m^2,
-    /// acceleration e in rad/s^2, negative when braking.
+    /// N f R - |Pn R + N fa r + N k + JA e| \[N m\]: adhesion holds if it is not negative. Tension
+    /// Pn and pressure N are in N, radius R in m, inertia JA in kg m^2, and acceleration e in
+    /// rad/s^2, negative when braking.
     #[must_use]
     pub fn adhesion_margin(
         &self,
@@ -64,16 +63,15 @@ impl WindingPair {
             - (tension * radius + resistance + inertia * acceleration).abs()
     }
 
-    /// f - (fa r + k)/R: the tension that a pressure of 1 N holds at steady speed, at a
-    /// radius R \[m\].
+    /// f - (fa r + k)/R: the tension that a pressure of 1 N can drive at steady speed, at a radius
+    /// R \[m\].
     #[must_use]
     pub fn grip(&self, radius: f64) -> f64 {
         self.friction - (self.support_arm + self.rolling_arm) / radius
     }
 
-    /// \[Nmin\], least pressure \[N\] that turns a package of radius R \[m\] at steady speed
-    /// against tension Pn \[N\], by both conditions; infinite where f R does not exceed
-    /// fa r + k.
+    /// \[Nmin\], smallest pressure \[N\] that drives a package of radius R \[m\] at steady speed
+    /// against tension Pn \[N\], by both conditions; infinite if f R does not exceed fa r + k.
     #[must_use]
     pub fn least_pressure(&self, tension: f64, radius: f64) -> f64 {
         let grip = self.grip(radius);
@@ -83,8 +81,8 @@ impl WindingPair {
         tension / grip.min(DESIGN_SHARE * self.friction)
     }
 
-    /// The band for every radius between two \[m\], given \[Nmax\] and dN \[N\]. The least
-    /// pressure falls as the package grows, so the smaller radius decides.
+    /// Returns the range for every radius between two \[m\], given \[Nmax\] and dN \[N\]. The
+    /// smallest pressure falls as the package grows, so the smaller radius determines it.
     #[must_use]
     pub fn pressure_band(
         &self,
@@ -98,17 +96,18 @@ impl WindingPair {
     }
 }
 
-/// dN = B c~ (1 + delta) \[N\] of an amplitude B \[m\] and a dynamic stiffness c~ \[N/m\]
-/// known to the share delta.
+/// dN = B c~ (1 + delta) \[N\] for an amplitude B \[m\] and a dynamic stiffness c~ \[N/m\] known to
+/// the share delta.
 #[must_use]
 pub fn pressure_variation(amplitude: f64, dynamic_stiffness: f64, spread: f64) -> f64 {
     amplitude * dynamic_stiffness * (1.0 + spread)
 }
 
-/// N(R) \[N\] of a bobbin that a spring presses on its drum, equation (15) without thread: `rest`
-/// with the empty bobbin; a package of radius R turns the lever by (R - Rmin)/h_N, which
-/// stretches the spring on its arm h_F by h_F/h_N times as much, and so presses with c_p (R - Rmin)
-/// more, c_p = c_s (h_F/h_N)^2; and its weight presses a bobbin above the drum harder.
+/// N(R) \[N\] of a bobbin that a spring presses onto its drum, equation (15) without thread; `rest`
+/// is that of the empty bobbin. A package of radius R turns the lever by (R - Rmin)/h_N, which
+/// stretches the spring on its arm h_F by h_F/h_N times as much. This adds c_p (R - Rmin) to the
+/// pressure, with c_p = c_s (h_F/h_N)^2. For a bobbin above the drum, the weight of the package
+/// adds to it.
 #[must_use]
 pub fn pressure_over_growth(rest: f64, spring: f64, mass: &ReducedMass, radius: f64) -> f64 {
     let weight = GRAVITY * (mass.as_printed(radius) - mass.as_printed(mass.bobbin_radius));
@@ -117,15 +116,15 @@ pub fn pressure_over_growth(rest: f64, spring: f64, mass: &ReducedMass, radius: 
 
 const GRAVITY: f64 = 9.81;
 
-/// Radius \[m\] of a package after t \[s\]: sqrt(Rmin^2 + V' t/(pi H)), from Rmin \[m\],
-/// width H \[m\] and volume V' of thread a second \[m^3/s\].
+/// Radius \[m\] of a package after t \[s\]: sqrt(Rmin^2 + V' t/(pi H)), from Rmin \[m\], width H
+/// \[m\] and volume V' of thread per second \[m^3/s\].
 #[must_use]
 pub fn package_radius(t: f64, least: f64, width: f64, volume_rate: f64) -> f64 {
     (least * least + volume_rate * t / (PI * width)).sqrt()
 }
 
-/// Angular speed \[rad/s\] of a package of radius R, w = w0 (R0/R) (1 - nu), turned by a
-/// drum of radius R0 at w0 with slip nu.
+/// Angular speed \[rad/s\] of a package of radius R, w = w0 (R0/R) (1 - nu), driven by a drum of
+/// radius R0 at w0 with slip nu.
 #[must_use]
 pub fn package_speed(drum_speed: f64, drum_radius: f64, radius: f64, slip: f64) -> f64 {
     drum_speed * drum_radius / radius * (1.0 - slip)
@@ -138,14 +137,14 @@ pub struct HolderPosition {
     pub name: &'static str,
     /// n, moving links.
     pub links: i32,
-    /// p5, pairs of one freedom (pivots, slides).
+    /// p5, pairs with one degree of freedom (pivots, slides).
     pub lower_pairs: i32,
-    /// p4, pairs of two freedoms (contacts that roll and slide).
+    /// p4, pairs with two degrees of freedom (contacts that roll and slide).
     pub higher_pairs: i32,
 }
 
 impl HolderPosition {
-    /// Degrees of freedom by Gruebler's count in the plane, W = 3 n - 2 p5 - p4.
+    /// Planar degrees of freedom by Gruebler's formula, W = 3 n - 2 p5 - p4.
     #[must_use]
     pub fn mobility(&self) -> i32 {
         3 * self.links - 2 * self.lower_pairs - self.higher_pairs
@@ -179,7 +178,7 @@ mod tests {
 
     #[test]
     fn adhesion_is_lost_at_the_least_pressure_and_held_above() {
-        // At 20 mm friction in the supports decides: f - 0.05 < 0.9 f.
+        // At 20 mm, friction in the supports is decisive: f - 0.05 < 0.9 f.
         let (tension, radius) = (0.5, 0.02);
         let least = PAIR.least_pressure(tension, radius);
         assert!((least - 0.5 / 0.13).abs() < 1e-12);
@@ -197,7 +196,7 @@ mod tests {
     fn acceleration_costs_adhesion_and_braking_beyond_resistance_too() {
         let margin = |e| PAIR.adhesion_margin(10.0, 0.5, 0.05, 1e-3, e);
         assert!(margin(50.0) < margin(0.0));
-        // Pn R + N (fa r + k) = 0.035 N m: half of it is gained, then lost again.
+        // Pn R + N (fa r + k) = 0.035 N m: half of it is added, then subtracted again.
         assert!(margin(-35.0) > margin(0.0) && margin(-200.0) < margin(-35.0));
         assert!((margin(-35.0) - 0.09).abs() < 1e-15);
     }
@@ -219,7 +218,8 @@ mod tests {
     #[test]
     fn pressure_over_the_growth_of_a_package_is_the_balance_of_moments_about_the_lever() {
         use crate::closed_form::winder::BENCH_MASS;
-        // Arms of spring and pressure, and the spring's stiffness and force at the start.
+        // Lever arms of spring and pressure, and the stiffness of the spring and its force at the
+        // start.
         let (spring_arm, arm, spring, pull) = (0.06, 0.15, 23_750.0, 50.0);
         let at = |radius: f64| {
             let force = pull + spring * (radius - 0.03) * spring_arm / arm;

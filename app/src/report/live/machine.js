@@ -95,11 +95,27 @@ class Machine {
   guards(time, state, into) {
     if (this.events) this.call("guards", time, state, into, this.events);
     if (this.kinks) this.call("kink_guards", time, state, into, this.kinks, this.events);
+    for (const kink of this.known.whole) {
+      into[this.events + kink] = Machine.atWholes(into[this.events + kink])[0];
+    }
+  }
+
+  // Returns a function that crosses zero where an argument of floor is an integer, and its slope.
+  static atWholes(argument) {
+    const whole = Math.floor(argument);
+    const way = whole % 2 === 0 ? 1 : -1;
+    const angle = Math.PI * (argument - whole);
+    return [way * Math.sin(angle), way * Math.PI * Math.cos(angle)];
   }
 
   guardRates(time, state, into) {
     if (this.events) this.call("guard_rates", time, state, into, this.events);
-    if (this.kinks) this.call("kink_rates", time, state, into, this.kinks, this.events);
+    if (!this.kinks) return;
+    const { whole } = this.known;
+    const guards = new Float64Array(whole.length ? this.kinks : 0);
+    if (whole.length) this.call("kink_guards", time, state, guards, this.kinks);
+    this.call("kink_rates", time, state, into, this.kinks, this.events);
+    for (const kink of whole) into[this.events + kink] *= Machine.atWholes(guards[kink])[1];
   }
 
   resets(time, state, into) {

@@ -59,6 +59,7 @@ pub(super) fn operation(
         Op::Constant(entry) => Written::call(format!("c->{}", scope.constants[entry as usize])),
         Op::Motion(entry) => Written::call(&*scope.motion[entry as usize]),
         Op::Handed(_) => return Err(super::fields_are_unsupported(scope.function)),
+        Op::Held(_) => unreachable!("emitted C holds no relations"),
         Op::Neg(a) => {
             let text = format!("-{}", operand(a)?.at_least(Strength::Call));
             Written { text, strength: Strength::Minus }

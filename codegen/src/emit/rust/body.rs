@@ -24,10 +24,10 @@ use machinist_model::{NodeId, Op, Tape};
 pub(super) struct Scope<'a> {
     /// Local variables, one for each entry of the state.
     pub(super) states: &'a [Ident],
-    /// Fields of `Parameters`: the machine's.
+    /// Fields of `Parameters`: the machine's, those that fields of the machine set, and slots.
     pub(super) parameters: &'a [Ident],
-    /// Fields of `Parameters` that the machine's fields set.
-    pub(super) handed: &'a [Ident],
+    /// Number of fields that are the machine's.
+    pub(super) own: usize,
     /// Values known before: fields of `Constants`, or variables if `is_in_loop`.
     pub(super) constants: &'a [Ident],
     /// Expressions for the results of the motion.
@@ -44,8 +44,8 @@ impl Scope<'_> {
     /// Returns the name of a value that is an input of the run.
     pub(super) fn given(&self, op: &Op) -> Option<&Ident> {
         match *op {
-            Op::Parameter(entry) => self.parameters.get(entry as usize),
-            Op::Handed(entry) => self.handed.get(entry as usize),
+            Op::Parameter(place) | Op::Held(place) => self.parameters.get(place as usize),
+            Op::Handed(entry) => self.parameters.get(self.own + entry as usize),
             Op::Constant(entry) => self.constants.get(entry as usize),
             _ => None,
         }
@@ -313,7 +313,7 @@ impl Writer<'_> {
         match *op {
             Op::Time => Some("time".to_owned()),
             Op::State(entry) => Some(self.scope.states[entry as usize].to_string()),
-            Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) => {
+            Op::Parameter(_) | Op::Handed(_) | Op::Held(_) | Op::Constant(_) => {
                 let name = self.scope.given(op)?.to_string();
                 (!is_temporary(&name)).then_some(name)
             }

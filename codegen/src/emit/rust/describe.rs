@@ -24,6 +24,7 @@ pub(super) fn description(scene: &Scene<'_>, series: Option<&Series>) -> Result<
         coordinates(scene),
         events(scene)?,
         constraints(scene),
+        relations(scene),
         call("patterns", &patterns(scene)),
         constants(scene),
     ];
@@ -78,7 +79,9 @@ fn simulator(scene: &Scene<'_>, series: Option<&Series>) -> Result<Vec<String>, 
         parts.into_iter().filter(|(_, is_there)| *is_there).map(|(part, _)| part.to_owned());
     let kinks = model.kink_guards.results.len();
     let kinks = (kinks > 0).then(|| format!("kinks {kinks};"));
-    let parts: Vec<String> = parts.chain(kinks).chain(series.map(Series::part)).collect();
+    let relations = (!model.relations.is_empty()).then(|| "relations;".to_owned());
+    let parts: Vec<String> =
+        parts.chain(kinks).chain(relations).chain(series.map(Series::part)).collect();
     if !parts.is_empty() {
         rows.push(parts.join(" "));
     }
@@ -114,7 +117,23 @@ fn parameters(scene: &Scene<'_>) -> Result<Vec<String>, EmitError> {
         let place = format!("parameter `{}`", quantity.name.path);
         Ok(format!("{name}: {}, {}", number(&place, parameter.value)?, columns(quantity)))
     });
-    rows.collect()
+    let slots = &scene.parameters[scene.model.slots().start..];
+    let slots = scene.model.relations.iter().zip(slots);
+    rows.chain(slots.map(|(relation, name)| Ok(format!("@ {name}: {:?};", relation.kind))))
+        .collect()
+}
+
+/// Returns the relations; empty for a scene without relations.
+fn relations(scene: &Scene<'_>) -> String {
+    let relations = &scene.model.relations;
+    if relations.is_empty() {
+        return String::new();
+    }
+    let rows = relations.iter().map(|relation| {
+        let readers = relation.readers.iter().map(|reader| format!("{reader:?}"));
+        format!("{:?} [{}];", relation.kind, readers.collect::<Vec<_>>().join(", "))
+    });
+    call("relations", &rows.collect::<Vec<_>>())
 }
 
 fn outputs(scene: &Scene<'_>) -> Vec<String> {

@@ -131,8 +131,8 @@ fn module(scene: &Scene<'_>, field: &FieldModel, name: &Ident) -> Result<TokenSt
     }
     let scope = Scope {
         states: &states,
-        parameters: scene.own_parameters(),
-        handed: scene.handed(),
+        parameters: &scene.parameters,
+        own: scene.model.parameters.len(),
         constants: &[],
         motion: &[],
         tables: &scene.tables,

@@ -65,6 +65,7 @@ fn shapes(model: &Model) -> Vec<String> {
         ("events", model.events.len()),
         ("constraints", model.constraints.len()),
         ("kinks", model.kink_guards.results.len()),
+        ("relations", model.relations.len()),
     ];
     let counts = counts.into_iter().filter(|(_, count)| *count > 0);
     counts.map(|(name, count)| format!("{name} {count}")).collect()

@@ -88,7 +88,7 @@ pub(super) trait Expressions {
                 self.reads().state.insert(entry as usize);
                 self.scope().states[entry as usize].to_token_stream()
             }
-            Op::Parameter(_) | Op::Handed(_) => {
+            Op::Parameter(_) | Op::Handed(_) | Op::Held(_) => {
                 self.reads().parameters = true;
                 let name = self.scope().given(op);
                 quote!(p.#name)
@@ -149,6 +149,7 @@ pub(super) trait Expressions {
             | Op::State(_)
             | Op::Parameter(_)
             | Op::Handed(_)
+            | Op::Held(_)
             | Op::Constant(_)
             | Op::Motion(_) => self.operation(op)?,
         })

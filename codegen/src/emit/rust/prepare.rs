@@ -30,11 +30,10 @@ impl Prepare {
     ) -> Result<Self, EmitError> {
         let mut hoisted = Hoisted::new(model);
         name_entries(&mut hoisted, model, states);
-        let (parameters, handed) = parameters.split_at(model.parameters.len());
         let scope = Scope {
             states,
             parameters,
-            handed,
+            own: model.parameters.len(),
             constants: &[],
             motion: &[],
             tables,
@@ -60,7 +59,7 @@ impl Prepare {
     pub(super) fn items(&self) -> Option<TokenStream> {
         let (constants, statements) = (&self.constants, &self.statements);
         let docs = documentation(
-            "What `rate` and its Jacobians need of the parameters, once a run.",
+            "Returns the constants of `rate` and its Jacobians from the parameters.",
             self.hoisted.operations(),
         );
         (!self.is_empty()).then(|| {

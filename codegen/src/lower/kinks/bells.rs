@@ -1,13 +1,13 @@
-//! What is there only near a place: a bump in a way, by `exp(-((x - place)/width)^2)`, say, or a
-//! magnet by `1/(1 + (x/width)^2)^2`.
+//! Features near a place: a bump on a path, by `exp(-((x - place)/width)^2)`, say, or a magnet by
+//! `1/(1 + (x/width)^2)^2`.
 //!
-//! From far away nothing of it is felt, so that a long step goes over it. Steps end where they come
-//! near, and where they leave it behind, and so are inside no longer than it is wide. How far away
-//! a state is goes like its distance, both inside and far away, so that a watch foretells it:
-//! (1 + d^2)^(1/4), where d is by how many powers of e an exponential is below its largest value.
+//! From far away they have no effect, so a long step passes over them. Steps end where they come
+//! near and where they leave, and so are no longer inside than the feature is wide. The guard grows
+//! like the distance, both inside and far away, so that the watch can predict it: (1 + d^2)^(1/4),
+//! where d is how many powers of e an exponential is below its largest value.
 //!
-//! A single step by `tanh` is felt behind it. Two may be the ends of a window, and its
-//! square is a bell.
+//! A single step by `tanh` has an effect behind it. Two may be the ends of a window, and the square
+//! of one is a bell.
 
 use machinist_algebra::expr::Graph;
 use machinist_model::{Function, NodeId, Op};
@@ -15,21 +15,24 @@ use machinist_model::{Function, NodeId, Op};
 use super::extent::{Extents, States};
 use super::{By, Given, Search, reached};
 
-/// What is e^25 times as small as it is at most is not felt.
+/// Powers of e below the largest value at which an exponential has no effect.
 const EXPONENTIAL: f64 = 25.0;
-/// What falls as a power of the distance is felt from afar: where it is a hundredth, and further.
+/// Factor by which a power of the distance is below its largest value at the border of its zone:
+/// its effect reaches far.
 const ALGEBRAIC: f64 = 100.0;
-/// `tanh` and `cosh` of so much are what they are at infinity, but for e^-24.
+/// Ratio to its least value above which a divisor makes a pulse.
+const RECURS: f64 = 1e4;
+/// Argument at which `tanh` and `cosh` are at their limits, up to e^-24.
 const SATURATED: f64 = 12.0;
 
-/// How far away a state is, and from where on it is near.
+/// Distance of a state from a feature, and the distance from which on it is near.
 struct Bell {
     far: NodeId,
     near: f64,
     is_of_place: bool,
 }
 
-/// What passes zero where a state comes near to bells that are among nodes, or goes away.
+/// Returns the guards of states that come near to bells among nodes, or leave them.
 pub(super) fn near(
     search: &Search<'_>,
     graph: &mut Graph,
@@ -41,6 +44,7 @@ pub(super) fn near(
         given,
         anywhere: Extents::new(given, States::Anywhere),
         at_start: Extents::new(given, States::AtStart),
+        varies: By::State,
     };
     let mut found = Vec::new();
     for &id in nodes {
@@ -49,7 +53,7 @@ pub(super) fn near(
     }
     found.extend(bells.windows(graph, nodes));
     found.retain(|Bell { far, near, is_of_place }| {
-        // What a friction law does at rest is felt where the machine starts.
+        // The feature of a friction law at rest has its effect where the machine starts.
         let start = bells.at_start.of(graph, *far);
         *is_of_place || start.is_some_and(|far| far.start() > near)
     });
@@ -77,6 +81,9 @@ struct Bells<'a> {
     given: &'a Given<'a>,
     anywhere: Extents<'a>,
     at_start: Extents<'a>,
+    /// Quantity that varies freely in the search for the extrema of a node: time, for a node of
+    /// time alone; otherwise states, at each time.
+    varies: By,
 }
 
 impl Bells<'_> {
@@ -92,29 +99,38 @@ impl Bells<'_> {
         reached(graph, &[id]).iter().any(is_place)
     }
 
-    /// e^u is far below its largest value where u is far below the most it can be.
+    /// Returns the bell of e^u, which is far below its largest value where u is far below its
+    /// maximum.
     fn exponential(&mut self, graph: &mut Graph, id: NodeId) -> Option<Bell> {
         let Op::Call(Function::Exp, argument) = graph.op(id) else { return None };
-        if !self.is_of_state(argument) {
+        self.varies = self.search.by[&argument];
+        // For a polynomial of time the time is known.
+        if self.varies == By::Nothing || self.search.polynomials[&argument].is_some() {
             return None;
         }
         let (low, high) = self.anywhere.of(graph, argument)?.into_inner();
         let end = match (low.is_finite(), high.is_finite()) {
             (false, true) => End::High,
-            // Below a fraction.
+            // In a denominator.
             (true, false) => End::Low,
+            // In every period.
+            (true, true) if high - low > EXPONENTIAL => End::High,
             _ => return None,
         };
         let end = self.end(graph, argument, end)?;
+        self.varies = By::State;
         let depth = graph.sub(end, argument);
         let far = root_of_one_and(graph, depth);
         let far = graph.call(Function::Sqrt, far);
         let near = (1.0 + EXPONENTIAL * EXPONENTIAL).sqrt().sqrt();
-        Some(Bell { far, near, is_of_place: self.is_of_place(graph, argument) })
+        let is_of_place =
+            self.search.by[&argument] == By::Time || self.is_of_place(graph, argument);
+        Some(Bell { far, near, is_of_place })
     }
 
-    /// Below a divisor it is where that is many times the least it can be.
+    /// Returns the bell of a quotient, where the divisor is many times its least value.
     fn algebraic(&mut self, graph: &mut Graph, id: NodeId) -> Option<Bell> {
+        self.varies = By::State;
         let below = match graph.op(id) {
             Op::Div(_, divisor) => (divisor, 1.0),
             Op::Powi(base, power) if power < 0 => (base, -f64::from(power)),
@@ -122,7 +138,7 @@ impl Bells<'_> {
             _ => return None,
         };
         let (divisor, power) = self.base(graph, below);
-        // The reciprocal of a distance is felt everywhere.
+        // The reciprocal of a distance has an effect everywhere.
         if !self.is_of_state(divisor) || power < 0.75 {
             return None;
         }
@@ -133,19 +149,22 @@ impl Bells<'_> {
             matches!(graph.op(*id), Op::Call(Function::Exp | Function::Cosh | Function::Sinh, _))
         };
         let (low, high) = self.anywhere.of(graph, divisor)?.into_inner();
-        let is_bell = low > 0.0 && high.is_infinite();
+        // With a sine it recurs in every period.
+        let is_in_turns = high.is_finite() && high > RECURS * low;
+        let is_bell = low > 0.0 && (high.is_infinite() || is_in_turns);
         if !is_bell || reached(graph, &[divisor]).iter().any(grows_fast) {
             return None;
         }
         let least = self.end(graph, divisor, End::Low)?;
         let ratio = graph.div(divisor, least);
         let far = graph.call(Function::Sqrt, ratio);
-        // Whether a machine goes far away from what it is built around, as a bobbin from its
-        // radius, only its start can tell.
-        Some(Bell { far, near: ALGEBRAIC.powf(0.5 / power).max(2.0), is_of_place: false })
+        // Only the start tells whether a machine goes far away from what it is built around, such
+        // as a bobbin from its radius.
+        let is_of_place = is_in_turns && self.is_of_place(graph, divisor);
+        Some(Bell { far, near: ALGEBRAIC.powf(0.5 / power).max(2.0), is_of_place })
     }
 
-    /// What a power is of, but for a factor that no state decides; and which.
+    /// Returns the base of a power, except for factors that no state changes, with the exponent.
     fn base(&self, graph: &Graph, (id, power): (NodeId, f64)) -> (NodeId, f64) {
         let (base, exponent) = graph.as_power(id);
         if exponent > 1 {
@@ -159,7 +178,7 @@ impl Bells<'_> {
         }
     }
 
-    /// Steps of places, if two of them may be the ends of a window, or one is squared.
+    /// Returns the steps of places, if two of them may be the ends of a window, or one is squared.
     fn windows(&mut self, graph: &mut Graph, nodes: &[NodeId]) -> Vec<Bell> {
         let step = |id: NodeId| match graph.op(id) {
             Op::Call(Function::Tanh, argument) => Some(argument),
@@ -178,7 +197,7 @@ impl Bells<'_> {
         arguments.sort_unstable();
         arguments.dedup();
         is_bell |= arguments.len() > 1;
-        // By its size: 1/((1 + e^u) (1 + e^-u)) has two of one.
+        // Without its sign: 1/((1 + e^u) (1 + e^-u)) has two steps at one place.
         let size = |id: &mut NodeId| {
             if let Op::Neg(a) = graph.op(*id) {
                 *id = a;
@@ -197,16 +216,16 @@ impl Bells<'_> {
             .is_some_and(|extent| extent.start().is_infinite() && extent.end().is_infinite())
     }
 
-    /// Where the argument of `tanh` or `cosh` is large.
+    /// Returns the bell where the argument of `tanh` or `cosh` is large.
     fn step(&self, graph: &mut Graph, argument: NodeId) -> Bell {
         let is_of_place = self.is_of_place(graph, argument);
         let far = root_of_one_and(graph, argument);
         Bell { far, near: SATURATED, is_of_place }
     }
 
-    /// The least or the most that a node can be, whatever states are.
+    /// Returns the minimum or maximum of a node over all states.
     fn end(&mut self, graph: &mut Graph, id: NodeId, end: End) -> Option<NodeId> {
-        if !self.is_of_state(id) {
+        if self.search.by[&id] < self.varies {
             return Some(id);
         }
         match graph.op(id) {
@@ -234,12 +253,12 @@ impl Bells<'_> {
                 let a = self.end(graph, a, end)?;
                 Some(graph.powi(a, power))
             }
-            Op::Mul(a, b) if !self.is_of_state(a) => {
+            Op::Mul(a, b) if self.search.by[&a] < self.varies => {
                 let end = self.times(graph, a, end)?;
                 let b = self.end(graph, b, end)?;
                 Some(graph.mul(a, b))
             }
-            Op::Mul(a, b) if !self.is_of_state(b) => {
+            Op::Mul(a, b) if self.search.by[&b] < self.varies => {
                 let end = self.times(graph, b, end)?;
                 let a = self.end(graph, a, end)?;
                 Some(graph.mul(a, b))
@@ -250,12 +269,12 @@ impl Bells<'_> {
                 let (a, b) = (self.end(graph, a, end)?, self.end(graph, b, end)?);
                 Some(graph.mul(a, b))
             }
-            Op::Div(a, b) if !self.is_of_state(b) => {
+            Op::Div(a, b) if self.search.by[&b] < self.varies => {
                 let end = self.times(graph, b, end)?;
                 let a = self.end(graph, a, end)?;
                 Some(graph.div(a, b))
             }
-            Op::Powf(a, power) if !self.is_of_state(power) => {
+            Op::Powf(a, power) if self.search.by[&power] < self.varies => {
                 let end = self.times(graph, power, end)?;
                 let a = self.end(graph, a, end)?;
                 Some(graph.powf(a, power))
@@ -275,13 +294,13 @@ impl Bells<'_> {
         }
     }
 
-    /// Which end of a factor makes this one of its product with a node.
+    /// Returns the end of a factor that gives this end of its product with a node.
     fn times(&mut self, graph: &Graph, id: NodeId, end: End) -> Option<End> {
         let (low, high) = self.anywhere.of(graph, id)?.into_inner();
         (low >= 0.0 || high <= 0.0).then_some(if low >= 0.0 { end } else { end.other() })
     }
 
-    /// The value at which the size of a node is least or most: zero, if it may be that.
+    /// Returns the value at which the magnitude of a node is minimal or maximal: zero, if possible.
     fn size(&mut self, graph: &mut Graph, id: NodeId, end: End) -> Option<NodeId> {
         let (low, high) = self.anywhere.of(graph, id)?.into_inner();
         if low >= 0.0 {

@@ -1,4 +1,4 @@
-//! Between which values a function is.
+//! Ranges of values of functions.
 
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
@@ -8,18 +8,18 @@ use machinist_model::{Function, NodeId, Op};
 
 use super::Given;
 
-/// What is taken for known of states.
+/// Assumptions on states.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum States {
-    /// Nothing.
+    /// Nothing is known.
     Unknown,
-    /// They may be any numbers.
+    /// They may have any values.
     Anywhere,
-    /// Their values at the start.
+    /// They have their values at the start.
     AtStart,
 }
 
-/// Extents of the nodes of a graph, with the values that parameters have in the spec.
+/// Ranges of the nodes of a graph, with the values of parameters in the spec.
 pub(super) struct Extents<'a> {
     given: &'a Given<'a>,
     states: States,
@@ -31,7 +31,7 @@ impl<'a> Extents<'a> {
         Self { given, states, known: HashMap::new() }
     }
 
-    /// Between which values a node is; nothing if that is not easily told.
+    /// Returns the range of a node; `None` if it is not easy to determine.
     pub(super) fn of(&mut self, graph: &Graph, id: NodeId) -> Option<RangeInclusive<f64>> {
         if let Some(known) = self.known.get(&id) {
             return known.clone();
@@ -59,7 +59,7 @@ impl<'a> Extents<'a> {
             Op::Neg(a) => of(a).map(|(low, high)| (-high, -low)),
             Op::Add(a, b) => of(a).zip(of(b)).map(|(a, b)| (a.0 + b.0, a.1 + b.1)),
             Op::Sub(a, b) => of(a).zip(of(b)).map(|(a, b)| (a.0 - b.1, a.1 - b.0)),
-            // Of a square, what is below zero.
+            // A square is not negative.
             Op::Mul(a, b) if a == b => of(a).map(|a| monotone(magnitudes(a), |a| a * a)),
             Op::Mul(a, b) => of(a).zip(of(b)).map(|(a, b)| product(a, b)),
             Op::Div(a, b) => of(a).zip(of(b)).and_then(|(a, (low, high))| {
@@ -94,7 +94,7 @@ fn monotone((low, high): (f64, f64), of: impl Fn(f64) -> f64) -> (f64, f64) {
     (of(low), of(high))
 }
 
-/// Between which values the absolute value is.
+/// Returns the range of the absolute value.
 fn magnitudes((low, high): (f64, f64)) -> (f64, f64) {
     let least = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
     (least, low.abs().max(high.abs()))

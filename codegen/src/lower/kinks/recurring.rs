@@ -1,8 +1,8 @@
-//! What comes and goes for a small share of a time that need not be known: a pulse in every turn of
+//! Features that last for a small share of a time that need not be known: a pulse in every turn of
 //! a crank, say, by `exp((cos(w*t) - 1)/1e-3)`, or of a rotor, by `exp((cos(phi) - 1)/1e-3)`.
 //!
-//! Between the places at which its argument turns such a function rises or falls, and so is seen by
-//! steps that end there.
+//! Between the points at which its argument turns such a function rises or falls, so steps that end
+//! there see it.
 
 use machinist_algebra::expr::Graph;
 use machinist_model::{Function, NodeId, Op};
@@ -10,13 +10,14 @@ use machinist_model::{Function, NodeId, Op};
 use super::extent::{Extents, States};
 use super::{By, Given, Search, reached};
 
-/// Exponents that move by less make no pulse that steps would not see: it takes a tenth of a turn.
+/// Change of an exponent below which it makes no pulse that steps would miss: it takes a tenth of a
+/// turn.
 const MOVES: f64 = 8.0;
-/// And so do denominators whose largest value is not so many times the least.
+/// Ratio of the largest to the least value of a denominator below which it makes none either.
 const RATIO: f64 = 50.0;
 
-/// The argument of a function that may come and go within a small share of its turns, with the
-/// values that parameters have in the spec; of those of a polynomial of time the time is known.
+/// Returns the argument of a function that may appear and vanish within a small share of its
+/// periods, at the values of parameters in the spec. For a polynomial of time the time is known.
 pub(super) fn recurring(
     search: &Search<'_>,
     graph: &Graph,
@@ -44,7 +45,7 @@ pub(super) fn recurring(
     }
     let is_sharp = match (op, Extents::new(given, States::Unknown).of(graph, argument)) {
         (Op::Powi(_, exponent), Some(_)) => f64::from(exponent.abs()) > MOVES,
-        // A sawtooth of what has no bounds has some, which are not easily told.
+        // A sawtooth of an unbounded argument is bounded, but the bounds are not easy to determine.
         (_, None) => has(&[Function::Floor]),
         (Op::Call(..), Some(within)) => within.end() - within.start() > MOVES,
         (_, Some(within)) => {

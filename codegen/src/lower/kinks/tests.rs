@@ -8,7 +8,7 @@ use super::*;
 type Build = fn(&mut Graph, NodeId, NodeId, NodeId) -> NodeId;
 
 const SPAN: f64 = 100.0;
-/// What the parameter is.
+/// The parameter.
 const P: f64 = 3.0;
 
 fn table(knots: &[f64], coefficients: &[[f64; 4]]) -> Table {
@@ -16,7 +16,7 @@ fn table(knots: &[f64], coefficients: &[[f64; 4]]) -> Table {
     Table { name, knots: knots.to_vec(), coefficients: coefficients.to_vec() }
 }
 
-/// Guards and times of a rate that is made of time, a parameter and two states, the second a mode.
+/// Returns guards and times of a rate of time, a parameter and two states, the second a mode.
 fn found(build: impl FnOnce(&mut Graph, [NodeId; 4]) -> NodeId, tables: &[Table]) -> [Vec<f64>; 2] {
     let mut graph = Graph::new();
     let leaves = [Op::Time, Op::Parameter(0), Op::State(0), Op::State(1)];
@@ -31,7 +31,8 @@ fn found(build: impl FnOnce(&mut Graph, [NodeId; 4]) -> NodeId, tables: &[Table]
         is_place: &[true, false],
         start: &[2.0, 1.0],
     };
-    let kinks = kinks(&mut graph, &[rate, zero], &[], &given);
+    let places = Places { rate: &[rate, zero], holds: &[], guards: &[] };
+    let kinks = kinks(&mut graph, &places, &given);
     assert_eq!(kinks.guards.len(), kinks.rates.len());
     [kinks.guards, kinks.times].map(|nodes| {
         let tape = graph.tape(&nodes);
@@ -103,7 +104,7 @@ fn what_is_linear_in_time_passes_zero_at_a_time_that_parameters_decide() {
         graph.select_less(time, p, zero, time)
     });
     assert_eq!(found, [P]);
-    // The same twice is one, and what no time decides is none.
+    // The same one twice counts once, and without time there is none.
     let found = times(|graph, time, p| {
         let distance = graph.sub(time, p);
         let [a, zero] = [abs(graph, distance), graph.literal(0.0)];
@@ -136,12 +137,13 @@ fn what_the_state_decides_is_a_guard_and_modes_are_not() {
         },
         &[],
     );
-    assert!((guards[0] - (2.0 - P)).abs() < 1e-15 && guards[1].abs() < 1e-15, "{guards:?}");
+    // For `floor`, its argument.
+    assert_eq!(guards, [2.0 - P, 2.0]);
 }
 
 #[test]
 fn functions_that_are_narrow_in_each_turn_are_guarded_where_their_argument_turns() {
-    // Of time at 0.25, by an exponent or a denominator that moves by so much, and by p = 3 times.
+    // In time at 0.25, by an exponent or a denominator that moves by this much, and by p = 3 times.
     let turning = |size: f64, function: fn(&mut Graph, NodeId) -> NodeId| {
         let [guards, times] = found(
             |graph, [time, p, ..]| {
@@ -161,17 +163,21 @@ fn functions_that_are_narrow_in_each_turn_are_guarded_where_their_argument_turns
         let below = graph.add(one, square);
         graph.div(one, below)
     };
+    let where_it_turns = |guards: &[f64], slope: f64| {
+        guards.iter().filter(|guard| (*guard / slope - 1.0).abs() < 1e-12).count()
+    };
     for (size, is_narrow) in [(100.0, true), (1.4, true), (1.3, false), (0.01, false)] {
         let slope = -size * P * 0.25_f64.sin();
         let guards = turning(size, bell);
-        assert_eq!(guards.len(), usize::from(is_narrow), "{size}");
-        assert!(guards.iter().all(|guard| (guard / slope - 1.0).abs() < 1e-12), "{guards:?}");
+        assert_eq!(where_it_turns(&guards, slope), usize::from(is_narrow), "{size}");
+        // A zone about the largest values, in front of guards without slots.
+        assert_eq!(guards.len(), usize::from(is_narrow) + usize::from(2.0 * size * P > 25.0));
     }
     for (size, is_narrow) in [(100.0, true), (2.4, true), (2.3, false)] {
         let slope = -2.0 * (size * P).powi(2) * 0.25_f64.sin() * 0.25_f64.cos();
         let guards = turning(size, pole);
         assert_eq!(guards.len(), usize::from(is_narrow), "{size}");
-        assert!(guards.iter().all(|guard| (guard / slope - 1.0).abs() < 1e-12), "{guards:?}");
+        assert_eq!(where_it_turns(&guards, slope), guards.len(), "{guards:?}");
     }
 }
 
@@ -199,7 +205,7 @@ fn functions_that_are_narrow_in_each_turn_of_a_state_are_guarded_along_its_motio
 
 #[test]
 fn what_is_there_only_near_a_place_is_guarded_where_it_begins() {
-    // Of x, which is 2, less p, which is 3.
+    // The difference of x, which is 2, and p, which is 3.
     type Of = fn(&mut Graph, NodeId, NodeId) -> NodeId;
     let guards = |of: Of| {
         let [guards, times] = found(
@@ -247,7 +253,7 @@ fn what_is_there_only_near_a_place_is_guarded_where_it_begins() {
         graph.sub(steps[0], steps[1])
     });
     assert_eq!(window.len(), 2);
-    // The machine starts in it, is felt everywhere, or grows without bound.
+    // The machine starts in it, it has an effect everywhere, or it grows without bound.
     let none: [Of; 3] = [
         |graph, distance, _| {
             let square = graph.mul(distance, distance);
@@ -275,7 +281,7 @@ fn what_is_there_only_near_a_place_is_guarded_where_it_begins() {
 
 #[test]
 fn narrow_features_of_time_are_found_and_wide_ones_left_to_steps() {
-    for (factor, is_found) in [(1e6, true), (9.1, true), (8.9, false), (1e-2, false)] {
+    for (factor, is_found) in [(1e6, true), (1.1, true), (0.9, false), (1e-2, false)] {
         let expected = if is_found { vec![P] } else { vec![] };
         let bell = times(|graph, time, p| {
             let square = square(graph, time, p, -factor);
@@ -311,8 +317,8 @@ fn narrow_features_of_time_are_found_and_wide_ones_left_to_steps() {
         graph.mul(a, b)
     });
     assert_eq!((of_one, of_two), (vec![P], vec![]));
-    // How narrow it is may be for a parameter to say; the start stands for a wide one.
-    for (power, expected) in [(1, 0.0), (7, 2.0)] {
+    // A parameter may determine how narrow it is; the start stands for a wide one.
+    for (power, expected) in [(-1, 0.0), (7, 2.0)] {
         let found = times(|graph, time, p| {
             let two = graph.literal(2.0);
             let [distance, steepness] = [graph.sub(time, two), graph.powi(p, power)];
@@ -370,7 +376,7 @@ fn a_table_over_time_is_found_at_its_knots_and_one_over_a_state_at_its_ends() {
     };
     let mut of_time = look(|graph, [time, p, ..]| graph.sub(time, p));
     of_time[1].sort_by(f64::total_cmp);
-    // Ends, a corner where the slope jumps, and curved pieces between knots.
+    // Ends, a corner where the slope jumps, and curved segments between knots.
     assert_eq!(of_time, [vec![], vec![P, P + 0.25, P + 0.5, P + 4.0]]);
     assert_eq!(look(|_, [_, _, x, _]| x), [vec![2.0, -2.0], vec![]]);
 }

@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   e10023c9e5545611f862023c1c9ab311a625bca1ee0a3bfad85f2ca356ec5e7f  bench/m1.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
+//   03bebde2dcd618fcbd0662a0f5e63f806e09d154c0fc25f1f0527c30944dd55e  units/textile/induction_motor.toml
 //
 // Benchmark M1: induction motor alone
 //

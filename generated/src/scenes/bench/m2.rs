@@ -3,16 +3,15 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   f8dc371282f23e6accddf2a1342f0bce90a7a236ff406b9e939b9e537756d483  bench/m2.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
-//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
-//   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
-//   d25c4fb8f05fd3ea6a4488cc180ad128f61e69d53db2b224f154f426e6be9d5b  units/textile/technological_load.toml
+//   b2e8612655f0632c22be42bcacd70351e5fa156466e31dc447a6b57931e82702  bench/m2.toml
+//   03bebde2dcd618fcbd0662a0f5e63f806e09d154c0fc25f1f0527c30944dd55e  units/textile/induction_motor.toml
+//   512419e5aa73ad1710ef3556037050e97b898e87a7d5d8a4e9c4b03a7a8b0141  units/coupling.toml
+//   ba9b76a100d91a8597c44349f557e301fa971bdcc9a7e0cf5da5ce4fd6af94b2  units/rotor.toml
+//   02dd59962bd405d6a2dcac78b4101ca2138de7a376566a8d8c4460eb40293556  units/textile/technological_load.toml
 //
 // Benchmark M2: saw gin
 //
-// The saw gin from rest, loaded at 1.2 s; of its parameters only the stiffness of the
-// coupling can be set, for sweeps.
+// The saw gin from rest, loaded at 1.2 s. Only the stiffness of the coupling is tunable, for sweeps.
 //
 // Source:
 //   Benchmark models of textile-machine dynamics.
@@ -31,8 +30,7 @@ use ::machinist_contract::{
 ::machinist_contract::simulator! {
     /// Benchmark M2: saw gin
     ///
-    /// The saw gin from rest, loaded at 1.2 s; of its parameters only the stiffness of the
-    /// coupling can be set, for sweeps.
+    /// The saw gin from rest, loaded at 1.2 s. Only the stiffness of the coupling is tunable, for sweeps.
     ///
     /// Source: Benchmark models of textile-machine dynamics.
     M2: "m2", "Benchmark M2: saw gin";
@@ -86,7 +84,7 @@ use ::machinist_contract::{
     cylinder_omega_dot_by_coupling_twist, motor_omega_dot_by_coupling_twist
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 2 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 2 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

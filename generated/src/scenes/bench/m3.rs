@@ -3,15 +3,15 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   4ef71de90973b5cc7e4122e4414761e4f2b2428b3af9f84bdff81c2ef94089c4  bench/m3.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
-//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
+//   d62769a1e907b40839e02cc16ea36289229b2b7983381a7974cec74a1a8a8fd5  bench/m3.toml
+//   03bebde2dcd618fcbd0662a0f5e63f806e09d154c0fc25f1f0527c30944dd55e  units/textile/induction_motor.toml
+//   512419e5aa73ad1710ef3556037050e97b898e87a7d5d8a4e9c4b03a7a8b0141  units/coupling.toml
 //
 // Benchmark M3: motor and torsional shaft of equal pieces
 //
-// A motor at synchronous speed drives a shaft of equal pieces by the coupling of the saw
-// gin. A load spread over the shaft engages at 0.15 s. M3:100 has 100 pieces: the
-// parameter `shaft.pieces`, and one element of order 1 less, between their middles.
+// A motor at synchronous speed drives a shaft of equal pieces through the coupling of the saw gin. A
+// distributed load engages at 0.15 s. M3:100 has 100 pieces: `shaft.pieces` is 100, and the field has
+// one element of order 1 fewer, between the centres of the pieces.
 //
 // Source:
 //   Benchmark models of textile-machine dynamics.
@@ -28,9 +28,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 ::machinist_contract::simulator! {
     /// Benchmark M3: motor and torsional shaft of equal pieces
     ///
-    /// A motor at synchronous speed drives a shaft of equal pieces by the coupling of the saw
-    /// gin. A load spread over the shaft engages at 0.15 s. M3:100 has 100 pieces: the
-    /// parameter \`shaft.pieces\`, and one element of order 1 less, between their middles.
+    /// A motor at synchronous speed drives a shaft of equal pieces through the coupling of the saw gin. A
+    /// distributed load engages at 0.15 s. M3:100 has 100 pieces: \`shaft.pieces\` is 100, and the field has
+    /// one element of order 1 fewer, between the centres of the pieces.
     ///
     /// Source: Benchmark models of textile-machine dynamics.
     M3: "m3", "Benchmark M3: motor and torsional shaft of equal pieces";
@@ -41,26 +41,26 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::parameters! {
     motor_inertia: 4.2, "kg m^2", "motor.inertia", "moment of inertia of the rotor";
-    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "root mean square of the phase voltage";
-    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "frequency of the supply";
-    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "phase of the supply at the start";
-    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pairs of poles";
+    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "RMS phase voltage";
+    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "supply frequency";
+    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "initial phase of the supply";
+    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pole pairs";
     motor_k_s: 0.956, "1", "motor.k_s", "stator coupling factor x_mu/x_s";
     motor_k_r: 0.952, "1", "motor.k_r", "rotor coupling factor x_mu/x_r";
     motor_x_s: 4.14, "ohm", "motor.x_s", "stator reactance at supply frequency";
-    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay r_s/(sigma x_s)";
-    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay r_r/(sigma x_r)";
+    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay factor r_s/(sigma x_s)";
+    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay factor r_r/(sigma x_r)";
     coupling_stiffness: 23065.2, "N m/rad", "coupling.stiffness", "torsional stiffness";
     coupling_damping: 128.5346, "N m s/rad", "coupling.damping", "torsional damping";
-    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end for one turn of the driven end";
+    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end per turn of the driven end";
     shaft_length: 2.322, "m", "shaft.length", "length";
     shaft_pieces: 100.0, "1", "shaft.pieces", "number of pieces";
     shaft_inertia: 1.244, "kg m^2", "shaft.inertia", "moment of inertia";
     shaft_shear_modulus: 8e10, "Pa", "shaft.shear_modulus", "shear modulus";
-    shaft_polar_moment: 9.817e-6, "m^4", "shaft.polar_moment", "polar moment of the section";
-    shaft_loss_time: 2e-5, "s", "shaft.loss_time", "damping over stiffness";
+    shaft_polar_moment: 9.817e-6, "m^4", "shaft.polar_moment", "polar moment of area";
+    shaft_loss_time: 2e-5, "s", "shaft.loss_time", "ratio of damping to stiffness";
     shaft_mean: 843.72, "N m", "shaft.mean", "mean torque of the load";
-    shaft_amplitude: 78.78, "N m", "shaft.amplitude", "amplitude of its harmonic part";
+    shaft_amplitude: 78.78, "N m", "shaft.amplitude", "amplitude of the harmonic part";
     shaft_speed: 735.0, "1", "shaft.speed", "nominal speed in revolutions per minute";
     shaft_engagement_time: 0.15, "s", "shaft.engagement_time", "time at which half of the load acts";
     shaft_engagement_width: 0.02, "s", "shaft.engagement_width", "time constant of engagement";
@@ -132,7 +132,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 2.322 => End, coordinate Some(2), handed 29;
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 85 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 85 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

@@ -3,16 +3,16 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   5cd6202d90093144167bf50485a8ed920a271bbe57b10b0a7a8d281ee72e55c0  bench/m3_10.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
-//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
-//   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
-//   d25c4fb8f05fd3ea6a4488cc180ad128f61e69d53db2b224f154f426e6be9d5b  units/textile/technological_load.toml
+//   91abc9bad01c2855c13904a46d691ae42c163ecc9a55bd6de520e0dd11cac4bb  bench/m3_10.toml
+//   03bebde2dcd618fcbd0662a0f5e63f806e09d154c0fc25f1f0527c30944dd55e  units/textile/induction_motor.toml
+//   512419e5aa73ad1710ef3556037050e97b898e87a7d5d8a4e9c4b03a7a8b0141  units/coupling.toml
+//   ba9b76a100d91a8597c44349f557e301fa971bdcc9a7e0cf5da5ce4fd6af94b2  units/rotor.toml
+//   02dd59962bd405d6a2dcac78b4101ca2138de7a376566a8d8c4460eb40293556  units/textile/technological_load.toml
 //
 // Benchmark M3: motor and torsional shaft of 10 pieces
 //
-// A motor at synchronous speed drives a shaft of 10 pieces by the coupling of the saw
-// gin. A load spread over the shaft engages at 0.15 s.
+// A motor at synchronous speed drives a shaft of 10 pieces through the coupling of the saw gin. A
+// distributed load engages at 0.15 s.
 //
 // Source:
 //   Benchmark models of textile-machine dynamics.
@@ -30,8 +30,8 @@ use ::machinist_contract::{
 ::machinist_contract::simulator! {
     /// Benchmark M3: motor and torsional shaft of 10 pieces
     ///
-    /// A motor at synchronous speed drives a shaft of 10 pieces by the coupling of the saw
-    /// gin. A load spread over the shaft engages at 0.15 s.
+    /// A motor at synchronous speed drives a shaft of 10 pieces through the coupling of the saw gin. A
+    /// distributed load engages at 0.15 s.
     ///
     /// Source: Benchmark models of textile-machine dynamics.
     M310: "m3_10", "Benchmark M3: motor and torsional shaft of 10 pieces";

@@ -3,13 +3,12 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   3f99403cbaf0e2e2849ad80741993c1c9b630ae018f8024ae94a647d656c194b  bench/m4.toml
+//   379f2982d21b7d8247ee0f159dad488e1340b43a34c47ba92c149fb53a137e90  bench/m4.toml
 //
 // Benchmark M4: reed as a torsional shaft
 //
-// An undamped shaft driven by a spring at one end, with the reed and a spring to ground
-// at four sevenths of its length. Elements of order 1 are the benchmark's lumped masses:
-// M4:70 is cut into 70 of them.
+// An undamped shaft is driven by a spring at one end. The reed and a spring to ground act at four
+// sevenths of its length. Elements of order 1 are the benchmark's lumped masses: M4:70 has 70 of them.
 //
 // Source:
 //   Benchmark models of textile-machine dynamics.
@@ -26,9 +25,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 ::machinist_contract::simulator! {
     /// Benchmark M4: reed as a torsional shaft
     ///
-    /// An undamped shaft driven by a spring at one end, with the reed and a spring to ground
-    /// at four sevenths of its length. Elements of order 1 are the benchmark's lumped masses:
-    /// M4:70 is cut into 70 of them.
+    /// An undamped shaft is driven by a spring at one end. The reed and a spring to ground act at four
+    /// sevenths of its length. Elements of order 1 are the benchmark's lumped masses: M4:70 has 70 of them.
     ///
     /// Source: Benchmark models of textile-machine dynamics.
     M4: "m4", "Benchmark M4: reed as a torsional shaft";
@@ -41,7 +39,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     shaft_length: 1.75, "m", "shaft.length", "length";
     shaft_radius: 0.025, "m", "shaft.radius", "radius";
     shaft_density: 7659.0, "kg/m^3", "shaft.density", "density";
-    shaft_elasticity: 2e11, "Pa", "shaft.elasticity", "modulus of elasticity";
+    shaft_elasticity: 2e11, "Pa", "shaft.elasticity", "Young's modulus";
     shaft_poisson: 0.3, "1", "shaft.poisson", "Poisson's ratio";
     reed_mass: 3.56, "kg", "reed.mass", "mass";
     reed_radius: 0.12, "m", "reed.radius", "distance from the axis";
@@ -97,7 +95,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 1.0 => Inside, coordinate Some(1), handed 13;
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 11 operations.
+/// Returns the constants of `rate` and its Jacobians from the parameters. 11 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {

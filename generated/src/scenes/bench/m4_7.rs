@@ -3,12 +3,12 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   c1171a9dc7a86b66e9a0824c3f5672ed858e516c636e7100a9f7fc62f3529fdb  bench/m4_7.toml
+//   0390d7ccbdf5d22cab1afb0e2611bfa04238f8fae12458bea6b641beb10677a7  bench/m4_7.toml
 //
 // Benchmark M4: reed as a torsional shaft of 7 pieces
 //
-// An undamped shaft driven by a spring at one end, with the reed and a spring to
-// ground at four sevenths of its length.
+// An undamped shaft is driven by a spring at one end. The reed and a spring to ground act at four
+// sevenths of its length.
 //
 // Source:
 //   Benchmark models of textile-machine dynamics.
@@ -23,8 +23,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 ::machinist_contract::simulator! {
     /// Benchmark M4: reed as a torsional shaft of 7 pieces
     ///
-    /// An undamped shaft driven by a spring at one end, with the reed and a spring to
-    /// ground at four sevenths of its length.
+    /// An undamped shaft is driven by a spring at one end. The reed and a spring to ground act at four
+    /// sevenths of its length.
     ///
     /// Source: Benchmark models of textile-machine dynamics.
     M47: "m4_7", "Benchmark M4: reed as a torsional shaft of 7 pieces";

@@ -3,11 +3,11 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   6c26ef0b8a885b808b2dde70587b319f88bbe875be8ab0e2d5c9184134b36285  bench/m5.toml
+//   30a0b19f7c11ee986913e2eee136a038a72344987d5fa4cd17daf5bcdc746420  bench/m5.toml
 //
 // Benchmark M5: winder
 //
-// One degree of freedom under a force and a moving support of two frequencies.
+// One degree of freedom, excited by a force and a moving support at two frequencies.
 //
 // Source:
 //   Benchmark models of textile-machine dynamics.
@@ -22,7 +22,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 ::machinist_contract::simulator! {
     /// Benchmark M5: winder
     ///
-    /// One degree of freedom under a force and a moving support of two frequencies.
+    /// One degree of freedom, excited by a force and a moving support at two frequencies.
     ///
     /// Source: Benchmark models of textile-machine dynamics.
     M5: "m5", "Benchmark M5: winder";

@@ -3,12 +3,12 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   2e35ab6f628f0218103c231b2d83ea7c67c3e75ae6f0cb3daa42c48e707ec4e6  bench/m6_10.toml
+//   aafd28d8a41d6cb556ccb596d990d1acf5b1df44fb2132c1e18d669de001d607  bench/m6_10.toml
 //
 // Benchmark M6: planar pendulum of 10 links
 //
-// Point masses on 10 massless links, angles from the downward vertical, released
-// horizontal and at rest.
+// Point masses on 10 massless links, angles from the downward vertical, released horizontal and at
+// rest.
 //
 // Source:
 //   Benchmark models of textile-machine dynamics.
@@ -28,8 +28,8 @@ use ::machinist_contract::{
 ::machinist_contract::simulator! {
     /// Benchmark M6: planar pendulum of 10 links
     ///
-    /// Point masses on 10 massless links, angles from the downward vertical, released
-    /// horizontal and at rest.
+    /// Point masses on 10 massless links, angles from the downward vertical, released horizontal and at
+    /// rest.
     ///
     /// Source: Benchmark models of textile-machine dynamics.
     M610: "m6_10", "Benchmark M6: planar pendulum of 10 links";

@@ -3,12 +3,12 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   ef48162a946ddc57dd12cffaaaec9577a23b3bf16158d2ca3a5ee610a9bdf6ef  bench/m6_2.toml
+//   7d388a47fd1dfbf90012cc740a5f629fa5ae966ab909b9171f20f156f5c8b876  bench/m6_2.toml
 //
 // Benchmark M6: planar pendulum of 2 links
 //
-// Point masses on 2 massless links, angles from the downward vertical, released
-// horizontal and at rest.
+// Point masses on 2 massless links, angles from the downward vertical, released horizontal and at
+// rest.
 //
 // Source:
 //   Benchmark models of textile-machine dynamics.
@@ -25,8 +25,8 @@ use ::machinist_contract::{
 ::machinist_contract::simulator! {
     /// Benchmark M6: planar pendulum of 2 links
     ///
-    /// Point masses on 2 massless links, angles from the downward vertical, released
-    /// horizontal and at rest.
+    /// Point masses on 2 massless links, angles from the downward vertical, released horizontal and at
+    /// rest.
     ///
     /// Source: Benchmark models of textile-machine dynamics.
     M62: "m6_2", "Benchmark M6: planar pendulum of 2 links";

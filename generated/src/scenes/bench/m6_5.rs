@@ -3,12 +3,12 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   d39c80783dc5ff7e561aa73abbd9fd2d18960c4b83666920e978777a5061c01a  bench/m6_5.toml
+//   3e8c074867e50b1a29307f459226517360a97cbb3c8b87485ac9876919b35852  bench/m6_5.toml
 //
 // Benchmark M6: planar pendulum of 5 links
 //
-// Point masses on 5 massless links, angles from the downward vertical, released
-// horizontal and at rest.
+// Point masses on 5 massless links, angles from the downward vertical, released horizontal and at
+// rest.
 //
 // Source:
 //   Benchmark models of textile-machine dynamics.
@@ -25,8 +25,8 @@ use ::machinist_contract::{
 ::machinist_contract::simulator! {
     /// Benchmark M6: planar pendulum of 5 links
     ///
-    /// Point masses on 5 massless links, angles from the downward vertical, released
-    /// horizontal and at rest.
+    /// Point masses on 5 massless links, angles from the downward vertical, released horizontal and at
+    /// rest.
     ///
     /// Source: Benchmark models of textile-machine dynamics.
     M65: "m6_5", "Benchmark M6: planar pendulum of 5 links";

@@ -3,6 +3,7 @@
 use crate::lanes::Lanes;
 use crate::method::loose::has_passed;
 use crate::method::one_step::{End, LOOKS, end_of_step};
+use crate::method::stretch::inside;
 use crate::method::taylor::step::{GROWTH, smaller};
 
 use super::lane::Lane;
@@ -14,9 +15,10 @@ pub(super) struct Clock<R> {
     /// 1 in the lanes that do not try a step, because they begin a segment or have no variant; 0 in
     /// others.
     pub(super) waits: R,
-    /// Start of the segment, its end, and the last number before the end.
+    /// Start of the segment, its end, and the first and the last number between them.
     from: R,
     until: R,
+    first: R,
     last: R,
     /// Start of the step.
     pub(super) time: R,
@@ -47,6 +49,7 @@ impl<R: Lanes> Clock<R> {
             waits: one,
             from: zero,
             until: zero,
+            first: zero,
             last: zero,
             time: zero,
             now: zero,
@@ -81,7 +84,9 @@ impl<R: Lanes> Clock<R> {
         let (from, until) = (lane.from(), lane.until());
         self.from.set_lane(index, from);
         self.until.set_lane(index, until);
-        self.last.set_lane(index, until.next_down());
+        let (first, last) = inside((from, until));
+        self.first.set_lane(index, first);
+        self.last.set_lane(index, last);
         self.longest.set_lane(index, (until - from) / GROWTH);
         self.longest_at_rest.set_lane(index, (until - from) / LOOKS);
         self.waits.set_lane(index, 1.0);
@@ -110,7 +115,7 @@ impl<R: Lanes> Clock<R> {
 
     /// Returns times moved into the segment; see [`crate::method::stretch::Stretch::within`].
     pub(super) fn within(&self, time: R) -> R {
-        smaller(time, self.last).larger(self.from)
+        smaller(time, self.last).larger(self.first)
     }
 
     /// Moves to the ends of accepted steps, given as 1 or 0; `moves` says likewise whether anything

@@ -148,8 +148,10 @@ fn compare(
         }
         for (row, slope) in rows.iter().map(|row| (*row, own[*row])) {
             let (one, two) = (slopes(&near, 1.0, state, row), slopes(&far, 2.0, state, row));
-            // Deviations count only as far as differences themselves are accurate.
-            let off = ((slope - one).abs() - (one - two).abs()).max(0.0);
+            // Deviations count only as far as differences themselves are accurate. Where a switch
+            // lies between the runs, they err in proportion to their step: by as much as one over
+            // twice the step differs from it.
+            let off = ((slope - one).abs() - 2.0 * (one - two).abs()).max(0.0);
             found.take(off / size, || {
                 format!("Worst: {} by {name} at {} s.", column.name, run.times[row])
             });

@@ -1,0 +1,292 @@
+//! Motions that slide along the surfaces of relations (Filippov).
+//!
+//! If the rate jumps at g = 0 and points at the surface from both sides, the motion stays on it, by
+//! the convex combination of both rates:
+//!
+//! ```text
+//! y' = f- + alpha (f+ - f-),    g' = 0          order 1: g' jumps
+//!                               g'' = 0         order 2: g' is continuous, g'' jumps
+//! ```
+//!
+//! Forces enter accelerations and multipliers linearly, and so do the alphas of several surfaces,
+//! unless forces of different relations are multiplied with each other. The combination is then not
+//! unique, and the motion is refused.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::system::FLOWS;
+use super::{Stopped, System};
+use crate::error::StopCause;
+
+/// Slot that holds a branch below zero.
+pub(crate) const BELOW: f64 = f64::NEG_INFINITY;
+/// Slot that holds a branch above zero.
+pub(crate) const ABOVE: f64 = f64::INFINITY;
+
+/// Derivative of the guard that a sliding motion keeps at zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// g', which jumps.
+    First,
+    /// g'', which jumps where g' does not.
+    Second,
+}
+
+/// A relation along whose surface a motion slides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Slide {
+    pub(crate) relation: usize,
+    pub(crate) order: Order,
+}
+
+/// Rates on the sides of the surfaces, and the combination that stays on them.
+struct Combination {
+    /// With all relations below, then with each of them above.
+    rates: Vec<Vec<f64>>,
+    /// Derivatives of guards that must vanish: with all below, then the contribution of each
+    /// relation.
+    slopes: DMatrix<f64>,
+    alphas: DVector<f64>,
+}
+
+impl System<'_> {
+    /// Lets the motion slide along the given surfaces and no others.
+    pub(crate) fn slide(&self, slides: &[Slide]) {
+        for slide in slides {
+            self.held().set(slide.relation, BELOW);
+        }
+        self.slides.replace(slides.to_vec());
+    }
+
+    /// Returns the surfaces along which the motion slides.
+    pub(crate) fn slides(&self) -> Vec<Slide> {
+        self.slides.borrow().clone()
+    }
+
+    /// Returns whether it slides along any surface.
+    pub(crate) fn is_sliding(&self) -> bool {
+        !self.slides.borrow().is_empty()
+    }
+
+    /// Returns the shares of the rates above in the combination.
+    pub(crate) fn alphas(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        self.combination(time, state).alphas.as_slice().to_vec()
+    }
+
+    /// Computes y' along the surfaces.
+    pub(super) fn sliding_rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        let Combination { rates, alphas, .. } = self.combination(time, state);
+        rate.copy_from_slice(&rates[0]);
+        for (above, alpha) in rates[1..].iter().zip(&alphas) {
+            for ((value, above), below) in rate.iter_mut().zip(above).zip(&rates[0]) {
+                *value += alpha * (above - below);
+            }
+        }
+    }
+
+    /// Returns the rates of the energy quadratures along the surfaces, combined likewise.
+    pub(super) fn sliding_flows(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
+        let alphas = self.alphas(time, state);
+        let power = |held: &dyn Fn()| {
+            held();
+            let all = self.held().all();
+            let power = self.simulator().power_balance(time, &state[..self.states()], &all);
+            [power.supplied, power.dissipated]
+        };
+        let slides = self.slides();
+        let below = power(&|| ());
+        let mut total = below;
+        for (slide, alpha) in slides.iter().zip(&alphas) {
+            let above = power(&|| self.held().set(slide.relation, ABOVE));
+            self.held().set(slide.relation, BELOW);
+            for (total, (above, below)) in total.iter_mut().zip(above.iter().zip(&below)) {
+                *total += alpha * (above - below);
+            }
+        }
+        [total[0], total[1], total[0].abs() + total[1].abs()]
+    }
+
+    /// Computes the Jacobian along the surfaces by central differences, in the order of its
+    /// pattern.
+    pub(super) fn sliding_jacobian(&self, time: f64, state: &[f64], values: &mut [f64]) {
+        let states = self.states();
+        let mut shifted = state[..states].to_vec();
+        let [mut ahead, mut behind] = [(); 2].map(|()| vec![0.0; states]);
+        let entries = self.jacobian_pattern().entries;
+        for column in 0..states {
+            let size = state[column].abs().max(self.simulator().state_scale(column));
+            let by = f64::EPSILON.cbrt() * size;
+            shifted[column] = state[column] + by;
+            self.sliding_rate(time, &shifted, &mut ahead);
+            shifted[column] = state[column] - by;
+            self.sliding_rate(time, &shifted, &mut behind);
+            shifted[column] = state[column];
+            let of_column = entries.iter().zip(&mut *values);
+            for ((row, _), value) in of_column.filter(|((_, at), _)| *at as usize == column) {
+                let row = *row as usize;
+                *value = (ahead[row] - behind[row]) / (2.0 * by);
+            }
+        }
+    }
+
+    /// Computes the partial derivative by time along the surfaces, by a central difference.
+    pub(super) fn sliding_time_derivative(&self, time: f64, state: &[f64], into: &mut [f64]) {
+        let by = f64::EPSILON.cbrt() * time.abs().max(1.0);
+        let mut behind = vec![0.0; into.len()];
+        self.sliding_rate(time + by, state, into);
+        self.sliding_rate(time - by, state, &mut behind);
+        for (value, behind) in into.iter_mut().zip(&behind) {
+            *value = (*value - behind) / (2.0 * by);
+        }
+    }
+
+    /// Projects a state onto the surfaces along which it slides, in the directions of their forces.
+    ///
+    /// # Errors
+    /// [`StopCause::OffSurface`] if that does not succeed.
+    pub(crate) fn put_onto_surfaces(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
+        /// Newton's iteration is at rounding after two rounds; a third is for curved surfaces.
+        const ROUNDS: usize = 3;
+        let states = self.states();
+        let slides = self.slides();
+        for _ in 0..ROUNDS {
+            let guards = self.kink_guards(time, &state[..states]);
+            let first = |slide: &Slide| slide.order == Order::First;
+            let is_near = |slide: &&Slide| guards[slide.relation] == 0.0;
+            if slides.iter().filter(|slide| first(slide)).all(|slide| is_near(&slide)) {
+                break;
+            }
+            let Combination { rates, slopes, .. } = self.combination(time, &state[..states]);
+            let count = slides.len();
+            let right = DVector::from_iterator(
+                count,
+                slides.iter().map(|it| if first(it) { -guards[it.relation] } else { 0.0 }),
+            );
+            let Some(shares) = slopes.columns(1, count).into_owned().lu().solve(&right) else {
+                let state = self.name(0);
+                return Err(Stopped { time, cause: StopCause::OffSurface { state } });
+            };
+            for (above, share) in rates[1..].iter().zip(&shares) {
+                for ((value, above), below) in state.iter_mut().zip(above).zip(&rates[0]) {
+                    *value += share * (above - below);
+                }
+            }
+        }
+        if slides.iter().any(|slide| slide.order == Order::Second) {
+            self.put_onto_flat_surfaces(time, &mut state[..states], &slides);
+        }
+        Ok(())
+    }
+
+    /// Projects onto g = 0 and g' = 0 by the shortest way, measured by the scales of the states.
+    fn put_onto_flat_surfaces(&self, time: f64, state: &mut [f64], slides: &[Slide]) {
+        const ROUNDS: usize = 3;
+        let of: Vec<usize> = slides
+            .iter()
+            .filter(|slide| slide.order == Order::Second)
+            .map(|slide| slide.relation)
+            .collect();
+        let residuals = |state: &[f64]| {
+            let (guards, rates) = (self.kink_guards(time, state), self.kink_rates(time, state));
+            let pairs = of.iter().flat_map(|index| [guards[*index], rates[*index]]);
+            DVector::from_iterator(2 * of.len(), pairs)
+        };
+        for _ in 0..ROUNDS {
+            let here = residuals(state);
+            if here.iter().all(|value| *value == 0.0) {
+                return;
+            }
+            let mut shifted = state.to_vec();
+            let columns: Vec<DVector<f64>> = (0..state.len())
+                .map(|entry| {
+                    if self.simulator().is_mode(entry) {
+                        return DVector::zeros(here.len());
+                    }
+                    let scale = self.simulator().state_scale(entry).max(state[entry].abs());
+                    let by = f64::EPSILON.sqrt() * scale;
+                    shifted[entry] = state[entry] + by;
+                    let column = (residuals(&shifted) - &here) * (scale / by);
+                    shifted[entry] = state[entry];
+                    column
+                })
+                .collect();
+            let matrix = DMatrix::from_columns(&columns);
+            let normal = &matrix * matrix.transpose();
+            let Some(factors) = normal.lu().solve(&here) else { return };
+            let shares = matrix.transpose() * factors;
+            for (entry, share) in shares.iter().enumerate() {
+                let scale = self.simulator().state_scale(entry).max(state[entry].abs());
+                state[entry] -= scale * share;
+            }
+        }
+    }
+
+    /// Returns the guards of kinks, with relations as held.
+    pub(crate) fn kink_guards(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        let mut values = vec![0.0; self.simulator().kinks()];
+        let state = &state[..self.states()];
+        self.simulator().kink_guards(time, state, &self.held().all(), &mut values);
+        values
+    }
+
+    /// Returns the rates of these guards, likewise.
+    pub(crate) fn kink_rates(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        let mut values = vec![0.0; self.simulator().kinks()];
+        let state = &state[..self.states()];
+        self.simulator().kink_rates(time, state, &self.held().all(), &mut values);
+        values
+    }
+
+    /// Returns g'' of a guard along a rate, by a central difference of g'.
+    pub(crate) fn bend_along(
+        &self,
+        guard: usize,
+        (time, state): (f64, &[f64]),
+        rate: &[f64],
+    ) -> f64 {
+        let state = &state[..self.states()];
+        let speed = state.iter().zip(rate).enumerate().map(|(index, (value, rate))| {
+            rate.abs() / value.abs().max(self.simulator().state_scale(index))
+        });
+        let fastest = speed.fold(0.0, f64::max);
+        let by = f64::EPSILON.cbrt() / if fastest > 0.0 { fastest } else { 1.0 };
+        let [ahead, behind] = [by, -by].map(|by| {
+            let there: Vec<f64> = state.iter().zip(rate).map(|(y, f)| y + by * f).collect();
+            self.kink_rates(time + by, &there)[guard]
+        });
+        (ahead - behind) / (2.0 * by)
+    }
+
+    fn combination(&self, time: f64, state: &[f64]) -> Combination {
+        let (slides, state) = (self.slides(), &state[..self.states()]);
+        let rate = || {
+            let mut rate = vec![0.0; state.len()];
+            self.rate_of_modes(time, state, &mut rate);
+            rate
+        };
+        let slope = |slide: &Slide, rates: &[f64], along: &[f64]| match slide.order {
+            Order::First => rates[slide.relation],
+            Order::Second => self.bend_along(slide.relation, (time, state), along),
+        };
+        let mut rates = vec![rate()];
+        let mut slopes = DMatrix::zeros(slides.len(), slides.len() + 1);
+        let below = self.kink_rates(time, state);
+        for (row, slide) in slides.iter().enumerate() {
+            slopes[(row, 0)] = slope(slide, &below, &rates[0]);
+        }
+        for (column, of) in slides.iter().enumerate() {
+            self.held().set(of.relation, ABOVE);
+            let (above, along) = (self.kink_rates(time, state), rate());
+            for (row, slide) in slides.iter().enumerate() {
+                slopes[(row, column + 1)] = slope(slide, &above, &along) - slopes[(row, 0)];
+            }
+            self.held().set(of.relation, BELOW);
+            rates.push(along);
+        }
+        let count = slides.len();
+        let right = -slopes.column(0);
+        let alphas = slopes.columns(1, count).into_owned().lu().solve(&right);
+        let alphas = alphas.unwrap_or_else(|| DVector::from_element(count, f64::NAN));
+        Combination { rates, slopes, alphas }
+    }
+}

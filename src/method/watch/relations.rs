@@ -1,0 +1,516 @@
+//! Relations: the branch of each, whether it is active, and surfaces along which the motion slides.
+//!
+//! Guards are evaluated in order, each after those that it reads, so no iteration is needed, except
+//! if several are zero at once. A relation at zero takes the side to which the motion leaves, by g'
+//! on both sides, or by g'' where g' vanishes:
+//!
+//! ```text
+//! g'+ > 0, g'- > 0   above        g'+ > 0 > g'-   the side to which it was going
+//! g'+ < 0, g'- < 0   below        g'+ < 0 < g'-   the motion slides along g = 0
+//! ```
+//!
+//! A relation whose readers are all on branches that are not taken, or are events that are not
+//! armed, is inactive: it ends no step.
+
+use machinist_contract::{Reader, RelationKind};
+
+use super::{Inner, Side, Watch, Watched, Zero};
+use crate::error::StopCause;
+use crate::method::Stopped;
+use crate::method::sliding::{ABOVE, BELOW, Order, Slide};
+
+/// State of the relations.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Relations {
+    /// Relations that are active.
+    pub(super) active: Vec<bool>,
+    /// Largest distance of each guard from zero between its last two changes, if it has changed.
+    excursions: Vec<Option<f64>>,
+    /// Guard of each relation at its last change; at this value rounding does not tell its side.
+    at_change: Vec<Option<f64>>,
+    /// Time of the last change.
+    times: Vec<f64>,
+}
+
+/// A relation that changes, and its new slot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Change {
+    relation: usize,
+    /// The slot on the other side.
+    slot: f64,
+    /// True if the motion leaves a surface along which it slid.
+    leaves: bool,
+}
+
+impl Relations {
+    pub(super) fn new(count: usize) -> Self {
+        Self {
+            active: vec![false; count],
+            excursions: vec![None; count],
+            at_change: vec![None; count],
+            times: vec![f64::NAN; count],
+        }
+    }
+}
+
+impl Watch<'_> {
+    /// Continues with relations as they are held.
+    pub(super) fn resume_relations(&self, time: f64, state: &[f64]) {
+        self.find_active(state);
+        let sides = self.inner.borrow().sides.clone();
+        self.take_sides_of_kinks(time, state, &[]);
+        // The state of events and borders is kept.
+        let inner = &mut *self.inner.borrow_mut();
+        for (index, side) in sides.into_iter().enumerate() {
+            if matches!(self.watched[index], Watched::Event(_)) || self.watched[index].is_border() {
+                inner.sides[index] = side;
+            }
+        }
+    }
+
+    fn relations(&self) -> usize {
+        self.system.simulator().relations()
+    }
+
+    fn kind(&self, relation: usize) -> RelationKind {
+        self.system.simulator().relation(relation).kind
+    }
+
+    /// Returns the change of a relation whose guard crosses zero.
+    pub(super) fn change_at(&self, guard: usize) -> Option<Change> {
+        let held = self.system.held();
+        let change = |relation, slot, leaves| Some(Change { relation, slot, leaves });
+        match self.watched[guard] {
+            Watched::Event(_) | Watched::Border(_) | Watched::Zone(_) | Watched::Nearest(_) => None,
+            Watched::Branch(index) => {
+                let slot = if held.slot(index) < 0.0 { ABOVE } else { BELOW };
+                change(index, slot, false)
+            }
+            Watched::Low(index) => change(index, held.slot(index) - 1.0, false),
+            Watched::High(index) => change(index, held.slot(index) + 1.0, false),
+            Watched::FromBelow(index) => change(index, BELOW, true),
+            Watched::FromAbove(index) => change(index, ABOVE, true),
+        }
+    }
+
+    /// Settles relations at a state at which some of them change.
+    ///
+    /// # Errors
+    /// [`StopCause::Chattering`] if the motion would slide and cannot.
+    pub(super) fn settle_relations(
+        &self,
+        (time, state): (f64, &[f64]),
+        changes: &[Change],
+    ) -> Result<(), Stopped> {
+        if self.relations() == 0 {
+            return Ok(());
+        }
+        let left = |slide: &Slide| changes.iter().any(|it| it.relation == slide.relation);
+        let mut slides = self.system.slides();
+        slides.retain(|slide| !left(slide));
+        let zero = self.take_sides((time, state), changes, &slides);
+        self.find_active(state);
+        let is_active = |relation: usize| self.inner.borrow().relations.active[relation];
+        slides.retain(|slide| is_active(slide.relation));
+        let zero: Vec<(usize, f64)> =
+            zero.into_iter().filter(|(relation, _)| is_active(*relation)).collect();
+        self.leave_or_slide((time, state), &slides, &zero)?;
+        self.find_active(state);
+        Ok(())
+    }
+
+    /// Sets relations to the sides of their guards. Returns branches at zero, with the sides to
+    /// which they were going.
+    fn take_sides(
+        &self,
+        (time, state): (f64, &[f64]),
+        changes: &[Change],
+        slides: &[Slide],
+    ) -> Vec<(usize, f64)> {
+        let held = self.system.held();
+        let mut zero = Vec::new();
+        let mut guards = self.system.kink_guards(time, state);
+        let at_first = guards.clone();
+        for relation in 0..self.relations() {
+            if slides.iter().any(|slide| slide.relation == relation) {
+                continue;
+            }
+            let (guard, before) = (guards[relation], held.slot(relation));
+            // A guard that jumps with the relations it reads takes the resulting side.
+            let jumps = at_first[relation].to_bits() != guard.to_bits()
+                && self.kind(relation) == RelationKind::Branch;
+            let change = changes.iter().find(|it| it.relation == relation).filter(|_| !jumps);
+            let at_change = self.inner.borrow().relations.at_change[relation];
+            if change.is_some() {
+                self.inner.borrow_mut().relations.at_change[relation] = Some(guard);
+            } else if at_change.is_some_and(|at| at.to_bits() == guard.to_bits()) {
+                continue;
+            }
+            let slot = match (self.kind(relation), change) {
+                (RelationKind::Zone, _) => before,
+                (RelationKind::Whole, Some(change)) => {
+                    // A jump of the relations it reads may have moved it further.
+                    let is_near = (guard - change.slot - 0.5).abs() <= 1.0;
+                    if is_near { change.slot } else { guard.floor() }
+                }
+                (RelationKind::Whole, None) => self.whole((time, state), relation, guard),
+                (RelationKind::Branch, Some(change)) => {
+                    // A relation that changes again at once has been seen to leave for that side;
+                    // its first derivatives are rounding.
+                    let last = &mut self.inner.borrow_mut().relations.times[relation];
+                    let is_again = (time - *last).abs() <= 4.0 * f64::EPSILON * time.abs();
+                    *last = time;
+                    if !change.leaves && !is_again {
+                        zero.push((relation, change.slot));
+                    }
+                    change.slot
+                }
+                (RelationKind::Branch, None) if guard == 0.0 => {
+                    let toward = if before == 0.0 { ABOVE } else { before };
+                    zero.push((relation, toward));
+                    toward
+                }
+                (RelationKind::Branch, None) => self.side_of(relation, guard, before),
+            };
+            if slot.to_bits() != before.to_bits() {
+                held.set(relation, slot);
+                guards = self.system.kink_guards(time, state);
+            }
+        }
+        zero
+    }
+
+    /// Returns the side of a guard. A guard that was zero at the start of the segment stays on its
+    /// side until it is further from zero than that.
+    fn side_of(&self, relation: usize, guard: f64, before: f64) -> f64 {
+        let side = if guard < 0.0 { BELOW } else { ABOVE };
+        let inner = self.inner.borrow();
+        let place = self.watched.iter().position(|it| *it == Watched::Branch(relation));
+        let zero = place.and_then(|place| inner.zeros[place]);
+        let is_zero = zero.is_some_and(|zero| guard.abs() <= zero.residual.abs());
+        if is_zero && before != 0.0 { before } else { side }
+    }
+
+    /// Returns the integer below an argument; for an integer argument that falls, the next lower
+    /// one.
+    fn whole(&self, (time, state): (f64, &[f64]), relation: usize, argument: f64) -> f64 {
+        let whole = argument.floor();
+        if argument > whole {
+            return whole;
+        }
+        let falls = self.system.kink_rates(time, state)[relation] < 0.0;
+        if falls { whole - 1.0 } else { whole }
+    }
+
+    /// Finds the relations that are active in the modes of a state: outer ones before those on
+    /// their branches.
+    fn find_active(&self, state: &[f64]) {
+        let count = self.relations();
+        let mut active: Vec<Option<bool>> = vec![None; count];
+        let armed: Vec<bool> = (0..self.system.simulator().events())
+            .map(|event| self.is_armed(event, state))
+            .collect();
+        for relation in (0..count).rev() {
+            self.is_active(relation, &armed, &mut active);
+        }
+        let active = active.into_iter().map(|active| active.unwrap_or(true)).collect();
+        self.inner.borrow_mut().relations.active = active;
+    }
+
+    fn is_active(&self, relation: usize, armed: &[bool], known: &mut [Option<bool>]) -> bool {
+        if let Some(known) = known[relation] {
+            return known;
+        }
+        // Readers have no cycles; in a cycle all relations would be active.
+        known[relation] = Some(true);
+        let held = self.system.held();
+        let slides = self.system.slides();
+        let is_sliding = |index: usize| slides.iter().any(|slide| slide.relation == index);
+        let readers = self.system.simulator().relation(relation).readers;
+        let is_active = readers.iter().any(|reader| match *reader {
+            Reader::Rate => true,
+            Reader::Event(event) => armed[event as usize],
+            Reader::Relation(index) => self.is_active(index as usize, armed, known),
+            Reader::Below(index) | Reader::Above(index) => {
+                let index = index as usize;
+                let is_below = held.slot(index) < 0.0;
+                let is_taken = is_below == matches!(reader, Reader::Below(_)) || is_sliding(index);
+                is_taken && self.is_active(index, armed, known)
+            }
+        });
+        known[relation] = Some(is_active);
+        is_active
+    }
+
+    /// Lets relations at zero take the side to which the motion leaves, or lets the motion slide.
+    fn leave_or_slide(
+        &self,
+        (time, state): (f64, &[f64]),
+        slides: &[Slide],
+        zero: &[(usize, f64)],
+    ) -> Result<(), Stopped> {
+        self.system.slide(slides);
+        let all: Vec<(usize, f64)> = slides
+            .iter()
+            .map(|slide| (slide.relation, BELOW))
+            .chain(zero.iter().copied())
+            .collect();
+        if zero.is_empty() && slides.is_empty() {
+            return Ok(());
+        }
+        // Enough rounds for all relations to change in turn, and one more.
+        for _ in 0..2 * all.len() + 2 {
+            let mut has_changed = false;
+            for &(relation, toward) in &all {
+                has_changed |= self.leave_or_slide_along((time, state), relation, toward)?;
+            }
+            if !has_changed {
+                return Ok(());
+            }
+        }
+        Err(self.chatters(time, state, all[0].0))
+    }
+
+    /// Does the same for one relation; returns whether it has changed.
+    fn leave_or_slide_along(
+        &self,
+        (time, state): (f64, &[f64]),
+        relation: usize,
+        toward: f64,
+    ) -> Result<bool, Stopped> {
+        let (system, held) = (self.system, self.system.held());
+        let mut others = system.slides();
+        let own = others.iter().position(|slide| slide.relation == relation);
+        let own = own.map(|place| others.remove(place));
+        let before = held.slot(relation);
+        system.slide(&others);
+        let leaving = [BELOW, ABOVE].map(|slot| {
+            held.set(relation, slot);
+            self.leaving((time, state), relation)
+        });
+        let [below, above] = leaving;
+        // Sign of the first nonzero derivative; zero if all derivatives evaluated vanish.
+        let goes = |leaving: Option<(Order, f64)>| leaving.map_or(0.0, |(_, rate)| rate.signum());
+        let slot = match (goes(below), goes(above)) {
+            (low, high) if low >= 0.0 && high > 0.0 => ABOVE,
+            (low, high) if low < 0.0 && high <= 0.0 => BELOW,
+            (low, high) if low > 0.0 && high < 0.0 => {
+                let order = match (below, above) {
+                    (Some((Order::First, _)), _) | (_, Some((Order::First, _))) => Order::First,
+                    _ => Order::Second,
+                };
+                held.set(relation, BELOW);
+                let slide = Slide { relation, order };
+                return self.slide_along((time, state), (others, own), (slide, toward));
+            }
+            _ => toward,
+        };
+        held.set(relation, slot);
+        Ok(own.is_some() || slot.to_bits() != before.to_bits())
+    }
+
+    /// Lets the motion slide along one more surface; returns whether it did not before.
+    fn slide_along(
+        &self,
+        (time, state): (f64, &[f64]),
+        (mut others, own): (Vec<Slide>, Option<Slide>),
+        (slide, toward): (Slide, f64),
+    ) -> Result<bool, Stopped> {
+        if self.system.tangents().is_some() || !self.enters_forces_only(time, state, slide.relation)
+        {
+            return Err(self.chatters(time, state, slide.relation));
+        }
+        let is_alone = others.is_empty();
+        let before = others.clone();
+        others.push(slide);
+        others.sort_by_key(|slide| slide.relation);
+        self.system.slide(&others);
+        let alphas = self.system.alphas(time, state);
+        // With several surfaces, no share of the rates may stay on all of them.
+        let is_share = |alpha: &f64| (-1e-9..=1.0 + 1e-9).contains(alpha);
+        if !is_alone && !alphas.iter().all(is_share) {
+            self.system.slide(&before);
+            self.system.held().set(slide.relation, toward);
+            return Ok(own.is_some());
+        }
+        if !alphas.iter().all(|alpha| alpha.is_finite()) {
+            return Err(self.chatters(time, state, slide.relation));
+        }
+        Ok(own != Some(slide))
+    }
+
+    /// Returns whether a relation is neither in the mass matrix nor in constraints; no motion
+    /// slides along such relations.
+    fn enters_forces_only(&self, time: f64, state: &[f64], relation: usize) -> bool {
+        let (simulator, held) = (self.system.simulator(), self.system.held());
+        let before = held.slot(relation);
+        let inertia = |slot: f64| {
+            held.set(relation, slot);
+            let mut values = vec![0.0; simulator.mass_matrix_pattern().entries.len()];
+            let state = &state[..self.system.states()];
+            simulator.mass_matrix(time, state, &held.all(), &mut values);
+            let mut rows = vec![0.0; simulator.constraint_matrix_pattern().entries.len()];
+            if simulator.constraints() > 0 {
+                simulator.constraint_matrix(time, state, &held.all(), &mut rows);
+            }
+            values.extend(rows);
+            values
+        };
+        let is_same = inertia(BELOW) == inertia(ABOVE);
+        held.set(relation, before);
+        is_same
+    }
+
+    /// Returns the first nonzero derivative of the guard of a relation at zero, with its slot as
+    /// held.
+    fn leaving(&self, (time, state): (f64, &[f64]), relation: usize) -> Option<(Order, f64)> {
+        let system = self.system;
+        let states = system.states();
+        let slides = system.slides();
+        let mut rate = system.kink_rates(time, state)[relation];
+        if !slides.is_empty() {
+            // Along the surfaces, add the change of the rate from all branches below.
+            let below = rate;
+            for (slide, alpha) in slides.iter().zip(system.alphas(time, state)) {
+                system.held().set(slide.relation, ABOVE);
+                rate += alpha * (system.kink_rates(time, state)[relation] - below);
+                system.held().set(slide.relation, BELOW);
+            }
+        }
+        let mut along = vec![0.0; states];
+        system.state_rate(time, &state[..states], &mut along);
+        let bend = system.bend_along(relation, (time, &state[..states]), &along);
+        // A rate that turns before any time has passed is rounding of zero.
+        let soon = 4.0 * f64::EPSILON * time.abs();
+        if rate.abs() > bend.abs() * soon {
+            return Some((Order::First, rate));
+        }
+        (bend != 0.0).then_some((Order::Second, bend))
+    }
+
+    /// Returns the stop cause where no motion continues.
+    fn chatters(&self, time: f64, state: &[f64], relation: usize) -> Stopped {
+        // The state that the relation changes most, relative to its size.
+        let (system, held) = (self.system, self.system.held());
+        let mut rates = [BELOW, ABOVE].map(|slot| {
+            held.set(relation, slot);
+            let mut rate = vec![0.0; system.states()];
+            system.rate_of_modes(time, &state[..system.states()], &mut rate);
+            rate
+        });
+        let above = rates[1].clone();
+        for (below, above) in rates[0].iter_mut().zip(above) {
+            *below = (*below - above).abs();
+        }
+        let index =
+            (0..system.states()).max_by(|a, b| rates[0][*a].total_cmp(&rates[0][*b])).unwrap_or(0);
+        let cause = StopCause::Chattering { state: system.name(index), value: state[index] };
+        Stopped { time, cause }
+    }
+
+    /// Sets the sides of guards of relations and borders at the start of a segment; `passed` are
+    /// those that crossed zero there.
+    pub(super) fn take_sides_of_kinks(&self, time: f64, state: &[f64], passed: &[usize]) {
+        let events = self.system.simulator().events();
+        let slides = self.system.slides();
+        let inner = &mut *self.inner.borrow_mut();
+        for index in events..self.watched.len() {
+            let side = self.side_of_kink(inner, &slides, index, passed.contains(&index));
+            if passed.contains(&index) && matches!(self.watched[index], Watched::Zone(_)) {
+                (inner.longest, inner.entered) = (f64::INFINITY, time);
+            }
+            inner.sides[index] = side;
+            inner.zeros[index] = None;
+            let Side::Known(side) = side else { continue };
+            let (residual, rate) = inner.parts.at(self.system, time, state, index);
+            if matches!(self.watched[index], Watched::Nearest(_)) {
+                // Only within the zone, whose guard precedes this one.
+                let is_within = inner.sides[index - 1] == Side::Known(1.0);
+                if !(is_within && residual > 0.0) {
+                    inner.sides[index] = Side::Idle;
+                }
+                continue;
+            }
+            // For an integer one end was crossed, and the other is far away.
+            let has_passed = passed.contains(&index) && residual.abs() < 0.5;
+            if side * residual <= 0.0 || has_passed {
+                inner.zeros[index] = Some(Zero { time, residual, rate });
+            }
+        }
+    }
+
+    fn side_of_kink(
+        &self,
+        inner: &Inner,
+        slides: &[Slide],
+        index: usize,
+        has_passed: bool,
+    ) -> Side {
+        let held = self.system.held();
+        let active = &inner.relations.active;
+        let is_sliding = |relation: usize| slides.iter().any(|it| it.relation == relation);
+        match self.watched[index] {
+            Watched::Event(_) => inner.sides[index],
+            Watched::Border(_) | Watched::Zone(_) => match inner.sides[index] {
+                Side::Known(side) if has_passed => Side::Known(-side),
+                side @ Side::Known(_) => side,
+                _ => Side::Known(1.0),
+            },
+            Watched::Nearest(_) if !has_passed => Side::Known(1.0),
+            Watched::Branch(relation) if active[relation] && !is_sliding(relation) => {
+                Side::Known(held.slot(relation).signum())
+            }
+            Watched::Low(relation) | Watched::High(relation) if active[relation] => {
+                Side::Known(1.0)
+            }
+            Watched::FromBelow(relation) | Watched::FromAbove(relation) if is_sliding(relation) => {
+                Side::Known(1.0)
+            }
+            _ => Side::Idle,
+        }
+    }
+
+    /// Sets borders to the side of their guards.
+    pub(super) fn take_sides_of_borders(&self, time: f64, state: &[f64]) {
+        let guards = self.guards(time, state);
+        let inner = &mut *self.inner.borrow_mut();
+        for (index, guard) in guards.iter().enumerate() {
+            if self.watched[index].is_border() {
+                inner.sides[index] = Side::Known(if *guard < 0.0 { -1.0 } else { 1.0 });
+            }
+        }
+    }
+
+    /// Makes the motion slide along a surface of order two if it oscillates about the surface
+    /// within the tolerances; returns whether it does.
+    pub(super) fn hold_flat(&self, time: f64, state: &mut [f64], changes: &[Change]) -> bool {
+        let mut slides = self.system.slides();
+        for change in changes.iter().filter(|it| !it.leaves) {
+            let relation = change.relation;
+            let place = self.watched.iter().position(|it| *it == Watched::Branch(relation));
+            let Some(place) = place else { continue };
+            let excursion = self.inner.borrow().parts.excursion(place);
+            let earlier = self.inner.borrow_mut().relations.excursions[relation].replace(excursion);
+            let room = self.blur(place, time, state);
+            if earlier.is_none_or(|earlier| earlier > room) || excursion > room {
+                continue;
+            }
+            let along = [BELOW, ABOVE].map(|slot| {
+                self.system.held().set(relation, slot);
+                let mut rate = vec![0.0; self.system.states()];
+                self.system.state_rate(time, &state[..rate.len()], &mut rate);
+                self.system.bend_along(relation, (time, &state[..rate.len()]), &rate)
+            });
+            self.system.held().set(relation, change.slot);
+            if along[0] > 0.0 && along[1] < 0.0 && self.system.tangents().is_none() {
+                slides.push(Slide { relation, order: Order::Second });
+            }
+        }
+        let is_held = slides.len() > self.system.slides().len();
+        if is_held {
+            slides.sort_by_key(|slide| slide.relation);
+            self.system.slide(&slides);
+        }
+        is_held
+    }
+}

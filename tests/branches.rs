@@ -163,6 +163,42 @@ fn encoders_count_every_line_by_every_method() {
 }
 
 #[test]
+fn encoders_on_a_swinging_mass_miss_no_line_however_long_steps_are() {
+    let swing = mass(
+        "\"u.x\" = 1.0",
+        &format!(
+            "{}{}",
+            force("-1 [N/m]*x"),
+            r#"
+            [define.u.parameters]
+            pitch = { value = 0.01, unit = "m" }
+            [define.u.states]
+            count = { unit = "1", rate = "0 [1/s]" }
+            [define.u.events]
+            line = { guard = "sin(x/pitch) - 0.5", direction = "rising", set = { count = "count + 1" } }
+            "#
+        ),
+    );
+    let until = 20.0;
+    for pitch in [0.3, 0.04, 0.013, 0.0052, 0.002] {
+        // x = cos t, sampled a thousand times a line.
+        let samples = (1e3 * until / pitch) as usize;
+        let guard = |k: usize| ((until * k as f64 / samples as f64).cos() / pitch).sin() - 0.5;
+        let lines = (0..samples).filter(|k| guard(*k) < 0.0 && guard(k + 1) >= 0.0).count();
+        for method in OWN {
+            for rtol in [1e-4, 1e-6, 1e-9] {
+                let run = Simulation::new(&swing).method(method).rtol(rtol).until(until);
+                let run =
+                    run.parameter("u.pitch", pitch).expect("a parameter").max_steps(1_000_000);
+                let run = run.run().expect("a run");
+                let what = format!("{method} at {rtol:e}, {pitch} m");
+                assert_near(last(&run, "u.count"), lines as f64, 0.5, &what);
+            }
+        }
+    }
+}
+
+#[test]
 fn a_guard_that_is_zero_on_a_branch_happens_where_it_leaves_zero() {
     let machine = mass(
         "\"u.v\" = 1.0",

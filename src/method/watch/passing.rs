@@ -54,9 +54,43 @@ pub(super) struct Parts {
     bends: Vec<f64>,
     /// Largest value of each guard so far.
     sizes: Vec<f64>,
+    turns: Vec<Turns>,
     /// Largest value of each guard since the start of the segment.
     excursions: Vec<f64>,
     noise: Noise,
+}
+
+/// Extent of a guard and of its rate so far. A guard that oscillates, with amplitude A and angular
+/// frequency w, has a rate of up to A w.
+#[derive(Debug, Clone, Copy)]
+struct Turns {
+    least: f64,
+    greatest: f64,
+    steepest: f64,
+}
+
+impl Default for Turns {
+    fn default() -> Self {
+        Self { least: f64::INFINITY, greatest: f64::NEG_INFINITY, steepest: 0.0 }
+    }
+}
+
+impl Turns {
+    fn note(&mut self, ends: [&Look; 2], index: usize) {
+        for look in ends {
+            self.least = self.least.min(look.values[index]);
+            self.greatest = self.greatest.max(look.values[index]);
+            self.steepest = self.steepest.max(look.rates[index].abs());
+        }
+    }
+
+    /// Returns whether an oscillation of this extent may turn so far within a span that its values
+    /// and rates at both ends do not show it.
+    fn may_turn_within(&self, span: f64) -> bool {
+        /// Angle up to which cubics never missed a zero \[rad\].
+        const SHOWN: f64 = 4.0;
+        self.steepest * span > SHOWN * 0.5 * (self.greatest - self.least)
+    }
 }
 
 /// A guard that was zero but for rounding at a time.
@@ -115,6 +149,7 @@ impl Parts {
             samples: Vec::new(),
             bends: zeros(),
             sizes: zeros(),
+            turns: vec![Turns::default(); count],
             excursions: zeros(),
             noise: Noise::new(events, count - events, scales),
             watched,
@@ -153,6 +188,7 @@ impl Parts {
         for index in 0..self.watched.len() {
             let [low, high] = [&self.start, &self.end].map(|look| look.values[index].abs());
             self.note_size(index, low.max(high));
+            self.turns[index].note([&self.start, &self.end], index);
             let bend = ((self.end.rates[index] - self.start.rates[index]) / span).abs();
             self.bends[index] = if bend.is_finite() { bend } else { 0.0 };
         }
@@ -378,6 +414,9 @@ impl Parts {
             return false;
         }
         let Some((earlier, _)) = &self.before else { return false };
+        if self.turns[index].may_turn_within(self.end.time - self.start.time) {
+            return false;
+        }
         let ends = |look: &Look| [look.time, look.values[index], look.rates[index]];
         let [first, start, end] = [earlier, &self.start, &self.end].map(ends);
         let (span, span_before) = (end[0] - start[0], start[0] - first[0]);

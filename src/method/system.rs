@@ -358,7 +358,6 @@ impl<'a> System<'a> {
     }
 
     /// Returns the trial with loose steps, if there is one.
-    #[cfg(feature = "implicit")]
     pub(super) fn trial(&self) -> Option<Trial> {
         self.trial.get()
     }

@@ -21,8 +21,8 @@ pub enum SimulateError {
     },
     /// Nothing depends on the parameter, so the scene was derived without it.
     #[error(
-        "nothing in scene `{scene}` uses parameter `{name}`: another value of it would change \
-         nothing. Hint: leave it out, or derive the scene with all that its spec has"
+        "nothing in scene `{scene}` uses parameter `{name}`, so its value has no effect. Hint: \
+         leave it out, or derive the scene without reduction"
     )]
     UnusedParameter {
         /// Name of the scene.
@@ -51,7 +51,7 @@ pub enum SimulateError {
         hint: String,
     },
     /// The run cannot be differentiated by this parameter or state.
-    #[error("there are no sensitivities by `{name}`: it {why}")]
+    #[error("no sensitivities with respect to `{name}`: it {why}")]
     NotDifferentiable {
         /// Name of the parameter or state.
         name: String,
@@ -60,8 +60,9 @@ pub enum SimulateError {
     },
     /// The simulator has no functions on dual numbers.
     #[error(
-        "scene `{scene}` has no sensitivities: they take its functions on dual numbers, which \
-         scenes with fields, their modes, and simulators written for one number type lack"
+        "scene `{scene}` has no sensitivities: they require its functions on dual numbers, which \
+         scenes with fields, their eigenmodes, and simulators written for one number type do not \
+         have"
     )]
     NoDerivatives {
         /// Name of the scene.
@@ -76,7 +77,7 @@ pub enum SimulateError {
         known: String,
     },
     /// The run has no gradient by the adjoint method.
-    #[error("scene `{scene}` has no gradient in reverse: {why}")]
+    #[error("scene `{scene}` has no adjoint gradient: {why}")]
     NotReversible {
         /// Name of the scene.
         scene: String,
@@ -136,14 +137,14 @@ pub enum SimulateError {
     },
     /// The number of output times is out of range.
     #[error(
-        "{0} output points were asked for, but a run has 2 to {max} of them",
+        "{0} output points were requested, but a run has 2 to {max} of them",
         max = crate::simulate::MAX_POINTS
     )]
     BadPoints(usize),
     /// An output time lies outside the run or before its predecessor.
     #[error(
-        "output time number {index}, {time} s, must lie between {from} s and {until} s \
-         and not before the one in front of it"
+        "output time number {index}, {time} s, must lie between {from} s and {until} s and not \
+         before the previous one"
     )]
     BadTime {
         /// Index in the list, from 0.
@@ -156,7 +157,7 @@ pub enum SimulateError {
         until: f64,
     },
     /// No two unrelated methods complete the run that is to be the reference.
-    #[error("{scene}: no two methods get through the run that is to be the reference")]
+    #[error("{scene}: no two methods complete the reference run")]
     NoReference {
         /// Name of the scene.
         scene: String,
@@ -166,8 +167,8 @@ pub enum SimulateError {
     Unsuitable(#[from] Unsuitable),
     /// A guard is identically zero.
     #[error(
-        "{scene}: the guard of event `{event}` is zero whatever the state, so that it never passes \
-         zero. Hint: a difference of what is the same, or a parameter that is 0"
+        "{scene}: the guard of event `{event}` is identically zero, so it never crosses zero. \
+         Hint: look for a difference of equal terms, or a parameter that is 0"
     )]
     GuardIsZero {
         /// Name of the scene.
@@ -178,8 +179,8 @@ pub enum SimulateError {
     /// No start near the guesses fulfils the constraints.
     #[error(
         "{scene}: no initial {what} fulfils constraint `{constraint}`. Nearest found: {residuals}. \
-         Hint: what [initial] gives stays as it is, the rest is looked for from [guess]; \
-         parameters may leave no such place"
+         Hint: values in [initial] are kept, the others are solved for from [guess]; with these \
+         parameters, there may be no solution"
     )]
     ImpossibleStart {
         /// Name of the scene.
@@ -226,7 +227,8 @@ impl SimulateError {
         match error {
             crate::linear_analysis::LinearError::Simulate(error) => error,
             error => Self::NoEquilibrium(format!(
-                "{error}. Hint: give values nearer to it in [initial], or start as given there"
+                "{error}. Hint: give values nearer to equilibrium in [initial], or start from \
+                 those values"
             )),
         }
     }
@@ -238,9 +240,9 @@ impl SimulateError {
 pub enum StopCause {
     /// The step size fell below the resolution of time.
     #[error(
-        "the step size fell below what time resolves. \
-         Hint: a jump that is not written with `step` or `piecewise`, a solution that grows \
-         without bound, or a tolerance below what rounding allows"
+        "the step size fell below the resolution of time. Hint: a discontinuity that is not \
+         written with `step` or `piecewise`, a solution that grows without bound, or a tolerance \
+         below rounding"
     )]
     StepTooSmall,
     /// The right-hand side or its Jacobian is NaN or infinite.
@@ -255,9 +257,8 @@ pub enum StopCause {
     },
     /// A state has grown beyond the range of computation.
     #[error(
-        "`{state}` has grown to {value:e}, beyond what can be reckoned with. \
-         Hint: a solution that grows without bound; end the run before, or look for the sign \
-         of a force that drives what it should hold"
+        "`{state}` has grown to {value:e}, beyond the range of computation. Hint: the solution \
+         grows without bound; end the run earlier, or check the signs of forces"
     )]
     Overflow {
         /// Name of the state.
@@ -267,16 +268,16 @@ pub enum StopCause {
     },
     /// Modes contradict guards, and no event resolves the contradiction.
     #[error(
-        "the modes contradict event `{event}`: its guard is beyond zero although it is still \
-         watched for, and what it does would change more than modes, or leads to no end. \
-         Hint: give other modes or another state in [initial]"
+        "the modes contradict event `{event}`: its guard is already beyond zero, but the event \
+         would change more than modes, or the events never settle. Hint: give other modes or \
+         another state in [initial]"
     )]
     Contradiction {
         /// Name of the event.
         event: String,
     },
     /// Rounding errors exceed the tolerance.
-    #[error("rounding alone exceeds the relative tolerance {rtol}. Hint: 1e-14 is about the least")]
+    #[error("rounding exceeds the relative tolerance {rtol}. Hint: use about 1e-14 or more")]
     ToleranceBelowRounding {
         /// Relative tolerance.
         rtol: f64,
@@ -290,9 +291,8 @@ pub enum StopCause {
     Newton,
     /// The maximum number of steps is reached.
     #[error(
-        "the limit of {limit} steps is reached. \
-         Hint: an explicit method on a stiff machine takes as many, and so does a rate that \
-         jumps to and fro; else raise the limit"
+        "the limit of {limit} steps is reached. Hint: a stiff machine with an explicit method, or \
+         a rate that chatters; otherwise raise the limit"
     )]
     TooManySteps {
         /// Maximum number of steps.
@@ -301,10 +301,9 @@ pub enum StopCause {
     /// Steps are so short that even 100 000 times the maximum number of them would not reach the
     /// end. Runs with a time limit and runs that somebody watches are exempt.
     #[error(
-        "steps are {step:.1e} s on average: {steps:.0e} of them would be left to the end. \
-         Hint: an explicit method on a stiff machine takes as many (`auto` and `radau` do not), \
-         and so does a motion that is far faster than the run is long; look for a parameter or \
-         a speed of the wrong size"
+        "steps are {step:.1e} s on average: {steps:.0e} more would be needed. Hint: a stiff \
+         machine with an explicit method (use `auto` or `radau`), or a motion far too fast for the \
+         length of the run; look for a parameter or a speed of the wrong magnitude"
     )]
     TooSlowPace {
         /// Mean step size \[s\].
@@ -323,16 +322,16 @@ pub enum StopCause {
     },
     /// The kinetic energy jumps in time while sensitivities are carried.
     #[error(
-        "the kinetic energy jumps, so that velocities do, and sensitivities are not carried \
-         through that. Hint: let the inertia change smoothly"
+        "the kinetic energy jumps, and sensitivities are not carried through the jump of \
+         velocities. Hint: let the inertia change smoothly"
     )]
     InertiaJumps,
     /// A motion would slide along the surface of a relation, but cannot.
     #[error(
-        "`{state}` is driven back to {value:e} from both sides, and no unique motion along that \
-         surface exists: the comparison stands in the kinetic energy or in a constraint, its \
-         force is multiplied with another one that switches there, or sensitivities are asked \
-         for. Hint: dry friction is best written as `[friction.NAME]`"
+        "`{state}` is driven back to {value:e} from both sides, and no unique sliding motion \
+         exists: the comparison is in the kinetic energy or in a constraint, its force is \
+         multiplied by another one that switches there, or sensitivities are requested. Hint: \
+         write dry friction as `[friction.NAME]`"
     )]
     Chattering {
         /// Name of the state.
@@ -341,7 +340,7 @@ pub enum StopCause {
         value: f64,
     },
     /// A sliding motion cannot be projected back onto its surface.
-    #[error("`{state}` has left the surface along which it slid, and cannot be put back")]
+    #[error("`{state}` cannot be projected back onto the switching surface along which it slides")]
     OffSurface {
         /// Name of a state.
         state: String,
@@ -360,9 +359,9 @@ pub enum StopCause {
     /// A guard is grazed: it crosses zero so slowly that the time of the crossing is not
     /// determined.
     #[error(
-        "{name} is grazed: it passes zero so slowly that the tolerances decide when, and \
-         whether, so that there are no sensitivities behind it. \
-         Hint: a lower `rtol`, an earlier end, or parameters that pass it clearly"
+        "{name} is grazed: it crosses zero so slowly that the crossing depends on the tolerances, \
+         and there are no sensitivities after it. Hint: lower `rtol`, end the run earlier, or \
+         choose parameters with a clear crossing"
     )]
     Grazing {
         /// Name of the grazed guard or switching surface.
@@ -370,9 +369,9 @@ pub enum StopCause {
     },
     /// Several events or jumps coincide, and a parameter separates them.
     #[error(
-        "several events or jumps happen at once here, and `{by}` moves them apart: which comes \
-         first decides the derivative. Hint: leave `{by}` out of the sensitivities, or give it a \
-         value that keeps them apart"
+        "several events or jumps coincide, and `{by}` separates them: the derivative depends on \
+         their order. Hint: leave `{by}` out of the sensitivities, or give it a value that \
+         separates them"
     )]
     AtOnce {
         /// Name of the parameter or state that separates them.
@@ -380,8 +379,9 @@ pub enum StopCause {
     },
     /// An event sets a position that violates constraints, and projection moves it.
     #[error(
-        "an event sets `{state}` to what constraints do not allow, and sensitivities do not \
-         follow how it is put back. Hint: let the event set positions that fulfil them"
+        "an event sets `{state}` to a value that violates constraints, and sensitivities are not \
+         carried through its projection. Hint: let the event set positions that fulfil the \
+         constraints"
     )]
     MovedPosition {
         /// Name of the state that projection moves most.
@@ -390,10 +390,10 @@ pub enum StopCause {
     /// A constraint is redundant in the modes that events have set, and the constraints it repeats
     /// prescribe a motion.
     #[error(
-        "constraint `{constraint}` {why}, in the modes that events have set: its force could not \
-         be told from theirs, and no event lets it go behind which the motion could go on. Hint: \
-         what is imposed may be what the part forbids, as a one-way clutch that would be driven \
-         backwards, or a mass onto its stop; put a spring between, or take friction that fades \
+        "constraint `{constraint}` {why}, in the modes that events have set: the constraint forces \
+         are not unique, and no event releases it so that the motion could continue. Hint: a \
+         prescribed motion may be one that the part prevents, such as driving a one-way clutch \
+         backwards or a mass into its stop; put a spring in between, or use friction that fades \
          near rest, such as `rotational/smooth_friction`"
     )]
     Overdetermined {
@@ -404,9 +404,9 @@ pub enum StopCause {
     },
     /// Projection onto the constraints fails.
     #[error(
-        "the machine comes off constraint `{constraint}` and cannot be put back onto it. \
-         Hint: it may be at a dead point, where constraints lock it or leave it undecided, or \
-         an event has set a position that breaks them"
+        "the state violates constraint `{constraint}`, and projection onto it fails. Hint: the \
+         machine may be at a dead point, where constraints lock it or leave its motion \
+         undetermined, or an event has set a position that violates them"
     )]
     OffConstraint {
         /// Name of the constraint.
@@ -415,9 +415,9 @@ pub enum StopCause {
     /// A constraint that holds only in some modes would need an infinite force to follow a
     /// prescribed speed that jumps.
     #[error(
-        "a speed that is imposed jumps, and constraint `{constraint}`, which holds in some modes \
-         only, as friction does that sticks, would have to pull along with a force without bound. \
-         Hint: let the speed change within a short time, as by `min(max((t - t0)/1e-3, 0), 1)`"
+        "a prescribed speed jumps, and constraint `{constraint}`, which is active in some modes \
+         only, for example in sticking friction, would need an infinite force to follow. Hint: let \
+         the speed change within a short time, such as by `min(max((t - t0)/1e-3, 0), 1)`"
     )]
     Jerked {
         /// Name of the constraint.
@@ -425,8 +425,8 @@ pub enum StopCause {
     },
     /// The scene is too large for a method that uses full matrices.
     #[error(
-        "it works on full matrices, and {states} states are more than {most}. \
-         Hint: `rodas5p`, `radau` and the explicit methods run large fields"
+        "it uses full matrices, and the scene has {states} states, more than {most}. Hint: \
+         `rodas5p`, `radau` and the explicit methods run large fields"
     )]
     TooLarge {
         /// Number of states of the scene.
@@ -501,8 +501,8 @@ pub enum Lack {
 impl Lack {
     fn told(self, method: &str) -> String {
         match self {
-            Self::Events => format!("events, which `{method}` does not watch for"),
-            Self::Constraints => format!("constraints, which `{method}` does not keep to"),
+            Self::Events => format!("events, which `{method}` does not support"),
+            Self::Constraints => format!("constraints, which `{method}` does not support"),
         }
     }
 }

@@ -93,7 +93,7 @@ impl ErrorEstimate {
         let has_steps = run.work.rate_evaluations > run.work.steps;
         let may_be_alike = has_steps && takes_tightest_steps(refined.rtol) && moves(run);
         if may_be_alike && run.columns == refined.columns {
-            let reason = "steps are as tight as they can be at either tolerance";
+            let reason = "steps are as tight as possible at both tolerances";
             return unknown(reason.to_owned());
         }
         let columns = run.columns.iter().zip(&refined.columns).map(|(column, finer)| {
@@ -131,8 +131,8 @@ fn other_events(run: &[Switch], refined: &[Switch]) -> Option<String> {
     let differ = run.iter().zip(refined).find(|(a, b)| a.event != b.event).map(|(a, _)| a);
     let differ = differ.or_else(|| run.get(refined.len())).or_else(|| refined.get(run.len()))?;
     Some(format!(
-        "from event `{}` at {} s on, a run at a tighter tolerance has other events ({} in all, not \
-         {}): rounding decides what happens there",
+        "from event `{}` at {} s on, a run at a tighter tolerance has different events ({} in all, \
+         not {}): they depend on rounding",
         differ.event,
         differ.time,
         refined.len(),
@@ -210,7 +210,7 @@ impl Simulation<'_> {
             } else if part >= before {
                 Some("a tighter tolerance does not reduce the error")
             } else if next < f64::EPSILON {
-                Some("no tolerance is that tight")
+                Some("the tolerance that this needs is below rounding")
             } else if attempts == ATTEMPTS {
                 Some("all attempts are used up")
             } else {

@@ -82,7 +82,7 @@ pub fn check(
             (true, _) => return,
             (false, true) if is_within => return,
             (false, true) => {
-                let message = format!("`{name}` changes over time, and what of it counts is open");
+                let message = format!("`{name}` changes over time; reduce it to one number");
                 let help = format!(
                     "write max({name}), min({name}), mean({name}), final({name}) or another of \
                      integral, rms, initial, peak_time"
@@ -113,7 +113,7 @@ fn nested(expression: &Expression, is_within: bool) -> Option<ExpressionError> {
         Node::Negative(a) | Node::Call(_, a) => nested(a, is_within),
         Node::Binary(_, a, b) => nested(a, is_within).or_else(|| nested(b, is_within)),
         Node::Reduce(..) if is_within => {
-            let message = "this is one number already, and has no course over time";
+            let message = "this is one number already and does not change over time";
             Some(ExpressionError::new(message, expression.range.clone()))
         }
         Node::Reduce(_, a) => nested(a, true),

@@ -535,8 +535,8 @@ impl<'a> Simulation<'a> {
         }
         let more = if small.len() > SHOWN { ", ..." } else { "" };
         system.note(format!(
-            "errors of {}{more} are held below {:e} of the scale, which is a larger part of what \
-             moves: give a `scale` of that size in the spec, or a lower `rtol`",
+            "errors of {}{more} are controlled to {:e} of the scale, which is much larger than the \
+             motion: give a `scale` of its size in the spec, or a lower `rtol`",
             small.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", "),
             self.rtol
         ));
@@ -595,8 +595,8 @@ impl<'a> Simulation<'a> {
         let (steps, rtol) = (system.work().steps, method.step_rtol(self.rtol));
         if steps as f64 * rtol > ADDS_UP {
             system.note(format!(
-                "{steps} steps may each err by {rtol:e} of what moves, and where nothing damps a \
-                 motion that adds up to a large part of it: compare with a lower `rtol`"
+                "each of {steps} steps may have a relative error of {rtol:e}, and in undamped \
+                 motions these errors add up: compare with a run at a lower `rtol`"
             ));
         }
         table.note_not_finite(system, &times);

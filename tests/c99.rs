@@ -297,7 +297,7 @@ fn a_scene_with_fields_is_refused_by_the_name_of_its_field() {
     let model = model_of_specs("shaft_step_torque", Keep::Needed);
     let error = emit(&model, &C99Options::default()).expect_err("fields").to_string();
     let field = &model.fields[0].quantities[0].name.path;
-    assert!(error.starts_with(&format!("the field `{field}` is cut into elements")), "{error}");
+    assert!(error.starts_with(&format!("field `{field}` is discretized")), "{error}");
 }
 
 #[test]

@@ -37,7 +37,7 @@ fn methods_with_full_matrices_refuse_what_is_too_large_for_them() {
     let simulator = cut(3000, 1);
     let error = run(&simulator, Method::Bdf).unwrap_err();
     let text = error.to_string();
-    assert!(text.contains("6002 states are more than 4000"), "{text}");
+    assert!(text.contains("6002 states, more than 4000"), "{text}");
     assert!(matches!(error, SimulateError::Stopped { cause: StopCause::TooLarge { .. }, .. }));
 }
 

@@ -160,7 +160,7 @@ fn a_force_along_a_length_that_time_changes_balances_its_power() {
 fn forces_along_what_does_not_move_are_refused() {
     let said = |from: &str, to: &str| refusal(&CYLINDER.replace(from, to));
     for (to, message) in [
-        ("along = \"speed*t\"", "does not move with any coordinate"),
+        ("along = \"speed*t\"", "depends on no coordinate"),
         ("along = \"x_dot\"", "depends on a velocity"),
         ("along = \"x*y\"", "the force"),
         ("along = \"x + t\"", "this term is in s"),

@@ -109,7 +109,7 @@ fn a_number_in_another_unit_is_a_parameter_that_runs_may_change() {
 fn a_quantity_that_moves_is_declared_in_a_coherent_unit() {
     let text = scene("", "coordinates.x = { unit = \"mm\" }", RUN);
     let said = refusal(&text);
-    assert!(said.contains("\"mm\" is no coherent SI unit"), "{said}");
+    assert!(said.contains("\"mm\" is not a coherent SI unit"), "{said}");
     assert!(said.contains("declare it in m;"), "{said}");
 }
 
@@ -440,17 +440,17 @@ fn a_row_of_instances_is_each_of_them_written_out() {
 fn rows_that_are_not_there_are_refused() {
     let own = "units.s = { unit = \"s\" }";
     for (from, to, said) in [
-        ("count = 4", "count = 0", "`count` is a whole number from 1"),
-        ("count = 4", "count = 2.5", "`count` is a whole number from 1"),
-        ("count = 4", "count = 1e9", "`count` is a whole number from 1"),
-        ("mass[i+1].a", "mass[i+9].a", "there is no `i` for which all of this is there"),
-        ("mass[i+1].a", "masses[i+1].a", "`masses` is no row of instances"),
+        ("count = 4", "count = 0", "`count` must be an integer from 1"),
+        ("count = 4", "count = 2.5", "`count` must be an integer from 1"),
+        ("count = 4", "count = 1e9", "`count` must be an integer from 1"),
+        ("mass[i+1].a", "mass[i+9].a", "no index `i` is valid for all of these rows"),
+        ("mass[i+1].a", "masses[i+1].a", "`masses` is not a row of instances"),
         ("mass[5]", "mass[6]", "unknown instance `mass_6`"),
         (own, &format!("{own}\nunits.mass_2 = {{ unit = \"s\" }}"), "two instances `mass_2`"),
         (
             own,
             &format!("{own}\nparameters.i = {{ value = 1, unit = \"1\" }}"),
-            "`i` is the index of rows",
+            "`i` is reserved for the index of rows",
         ),
     ] {
         let text = of_masses(&rows().replace(from, to));

@@ -197,10 +197,10 @@ fn auto_says_what_it_chose_and_why() {
     for (rtol, implicit) in [(1e-5, "rodas5p"), (1e-6, "radau")] {
         let notes = run(&VAN_DER_POL, rtol);
         assert!(notes[0].starts_with(&format!("starts with {implicit}")), "{notes:?}");
-        assert!(notes[0].contains("stability would ask for 1229508 steps of dop853"), "{notes:?}");
+        assert!(notes[0].contains("stability would require 1229508 steps of dop853"), "{notes:?}");
         assert!(notes[1].contains("no longer stiff"), "{notes:?}");
         assert!(notes[2].starts_with(implicit), "{notes:?}");
-        assert!(notes[2].contains("held by stability"), "{notes:?}");
+        assert!(notes[2].contains("limited by stability"), "{notes:?}");
     }
     let plain = Simulation::new(&HardSpring).method(Method::Radau).run().unwrap();
     assert!(plain.notes.is_empty());
@@ -276,7 +276,7 @@ fn auto_doubts_an_explicit_method_whose_steps_rounding_keeps_short() {
         let auto = run(Method::Auto, rtol);
         println!("{:?} {:?}", auto.notes, auto.work);
         let is_doubted = |note: &String| {
-            note.contains("steps stayed near what stability allows")
+            note.contains("steps stayed near the stability limit")
                 || note.starts_with("starts with radau")
         };
         assert!(auto.notes.iter().any(is_doubted), "{:?}", auto.notes);
@@ -322,7 +322,7 @@ fn doubts_cost_little_where_accuracy_holds_steps_near_what_is_stable() {
     let scene = hard_spring_once_damped("(1 - tanh(20 [1/s]*(t - 1 [s])))/2");
     let auto = Simulation::new(&scene).method(Method::Auto).rtol(1e-5).run().unwrap();
     println!("{:?} {:?}", auto.notes, auto.work);
-    let is_doubted = |note: &&String| note.contains("steps stayed near what stability allows");
+    let is_doubted = |note: &&String| note.contains("steps stayed near the stability limit");
     let doubts = auto.notes.iter().filter(is_doubted).count();
     assert!((1..8).contains(&doubts), "{:?}", auto.notes);
     // There are no steps by series.
@@ -440,7 +440,7 @@ fn steps_so_many_that_their_errors_add_up_are_told_of() {
         run.run().expect("a run").notes
     };
     assert!(notes(1.0).is_empty());
-    assert!(notes(30.0)[0].contains("adds up"));
+    assert!(notes(30.0)[0].contains("errors add up"));
 }
 
 thread_local! {

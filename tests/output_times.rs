@@ -92,16 +92,16 @@ fn times_at_equal_ratios_are_dense_at_the_start() {
 #[test]
 fn times_that_make_no_sense_are_refused() {
     for (run, message) in [
-        ("times = [0, 0.2, 0.1]", "the times of a run grow"),
-        ("times = [0, 0]", "the times of a run grow"),
-        ("times = [-1, 1]", "the times of a run grow"),
-        ("times = [0]", "`times` are 2 to 10 000 000"),
-        ("times = 3", "`times` is a list of times"),
+        ("times = [0, 0.2, 0.1]", "the times of a run must increase"),
+        ("times = [0, 0]", "the times of a run must increase"),
+        ("times = [-1, 1]", "the times of a run must increase"),
+        ("times = [0]", "`times` must have 2 to 10 000 000"),
+        ("times = 3", "`times` must be a list of times"),
         ("times = [0, \"1 [m]\"]", "a time of the run"),
         ("times = [0, 1]\nuntil = 2", "`times` or `until`, not both"),
         ("times = [0, 1]\npoints = 2", "`times` or `points`, not both"),
-        ("until = 1\npoints = 9\nspacing = \"log\"", "need `first`"),
-        ("until = 1\npoints = 9\nfirst = 0.1", "`first` is of times at equal ratios"),
+        ("until = 1\npoints = 9\nspacing = \"log\"", "needs `first`"),
+        ("until = 1\npoints = 9\nfirst = 0.1", "`first` is used only with logarithmic spacing"),
         ("until = 1\npoints = 9\nspacing = \"log\"\nfirst = 2", "before the end"),
         ("until = 1\npoints = 2\nspacing = \"log\"\nfirst = 0.1", "from 3 to 10 000 000"),
         ("until = 1\npoints = 9\nspacing = \"lag\"", "known are even, log"),

@@ -115,16 +115,16 @@ fn a_sweep_refuses_only_the_variants_that_make_no_machine() {
 #[test]
 fn the_spec_itself_is_refused_by_the_same_values() {
     for (text, words) in [
-        (geared("0", "1", "4"), "a ratio is a number other than 0"),
+        (geared("0", "1", "4"), "a ratio must be a number other than 0"),
         (
             geared("\"teeth/base\"", "1", "0"),
-            "a ratio is a number other than 0, but this one is inf",
+            "a ratio must be a number other than 0, but this one is inf",
         ),
         (
             geared("\"sqrt(base)\"", "1", "-1"),
-            "a ratio is a number other than 0, but this one is NaN",
+            "a ratio must be a number other than 0, but this one is NaN",
         ),
-        (geared("5", "base - 3", "3"), "a ratio is a number other than 0"),
+        (geared("5", "base - 3", "3"), "a ratio must be a number other than 0"),
     ] {
         let said = refusal(&text);
         assert!(said.contains(words), "{said}");

@@ -104,7 +104,7 @@ fn a_force_that_repeats_along_a_way_does_its_work() {
 #[test]
 fn remainders_of_what_does_not_fit_are_refused() {
     for (force, message) in [
-        ("1 [N/m]*mod(cart.x, 1 [s])", "`mod` is of two values of one dimension"),
+        ("1 [N/m]*mod(cart.x, 1 [s])", "the arguments of `mod` differ in dimension"),
         ("1 [N/m]*mod(cart.x, pitch - pitch)", "a remainder by zero"),
         ("1 [N/m]*mod(cart.x)", "mod(x, y)"),
     ] {

@@ -187,7 +187,7 @@ fn power_of_the_states_of_a_scene_balances() {
 fn states_that_a_scene_cannot_have_are_refused() {
     let with = |more: &str| refusal(&format!("{DRIVE}{RUN}{more}"));
     let twice = DRIVE.replace("losses = \"lost\"", "lost = \"lost\"");
-    assert!(refusal(&format!("{twice}{RUN}")).contains("`lost` is a state and an output"));
+    assert!(refusal(&format!("{twice}{RUN}")).contains("`lost` is both a state and an output"));
     let said = with("[states.gain]\nunit = \"m\"\nrate = \"cart.v\"\n");
     assert!(said.contains("the name `gain` is given twice"), "{said}");
     let said = with("[states.way]\nunit = \"m\"\nrate = \"cart.x\"\n");

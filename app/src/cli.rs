@@ -74,12 +74,13 @@ use crate::watch::worker;
 #[derive(Debug, Parser)]
 #[command(name = "machinist", version, propagate_version = true)]
 struct Cli {
-    /// Derive anew, and remember nothing of it
+    /// Derive without reading or writing the cache
     #[cfg(feature = "derive")]
     #[arg(long, global = true)]
     no_cache: bool,
-    /// Algebra that derives: plain, or symbolica, which simplifies further and runs once a machine;
-    /// gen, derive and the report of all scenes take symbolica unless told otherwise
+    /// Algebra used for derivation: plain or symbolica. Symbolica simplifies further, but only one
+    /// process on a computer can run it. Default: symbolica for gen, derive and the report of all
+    /// scenes, otherwise plain
     #[cfg(feature = "derive")]
     #[arg(long, global = true, value_name = "NAME", value_parser = algebra)]
     algebra: Option<Algebra>,
@@ -89,81 +90,81 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Begin a machine of your own: a crate that simulates it, or only its spec
+    /// Create a new machine: a crate that simulates it, or only its spec
     #[cfg(feature = "derive")]
     New(new::New),
     /// Emit the simulators of all scenes as Rust, or of one as C99
     #[cfg(feature = "derive")]
     Gen(generate::Generate),
-    /// Check specs and say what is wrong with them
+    /// Check specs and report errors
     #[cfg(feature = "derive")]
     Check(check::Check),
     /// Print the equations of motion of a scene
     #[cfg(feature = "derive")]
     Derive(derive::Derive),
-    /// Derive a scene and write its model, which runs anywhere
+    /// Derive a scene and write it as a portable model file
     #[cfg(feature = "derive")]
     Compile(compile::Compile),
-    /// Write a scene as a functional mock-up unit, for hosts of FMI 3.0
+    /// Export a scene as a functional mock-up unit (FMI 3.0)
     #[cfg(feature = "derive")]
     Fmu(fmu::Fmu),
-    /// Say what is left out of a scene, why, and what that saves
+    /// Explain what is left out of a scene, why, and what that saves
     #[cfg(feature = "derive")]
     Explain(explain::Explain),
     /// Simulate a scene
     Run(run::Run),
-    /// Which parameters matter for which outputs, along a run
+    /// Rank parameters by their effect on the outputs of a run
     Sensitivity(sensitivity::Sensitivity),
-    /// How one number of a run depends on all parameters and initial values
+    /// Differentiate one result of a run by all parameters and initial values
     Gradient(gradient::GradientCommand),
-    /// Find parameters of a scene from measured runs
+    /// Fit parameters of a scene to measured runs
     Fit(fit::FitCommand),
-    /// Find parameters at which a design is best, within limits
+    /// Optimize parameters of a scene under constraints
     Improve(improve::Improve),
-    /// Amplitudes of a run's outputs over frequency
+    /// Compute amplitude spectra of a run's outputs
     Spectrum(spectrum::Spectrum),
-    /// Simulate many variants of a scene, to a table
+    /// Simulate variants of a scene over ranges of parameters
     Sweep(sweep::Sweep),
-    /// Measure error against run time of all methods on a scene
+    /// Measure error and run time of all methods on a scene
     Bench(bench::Bench),
-    /// Strain all methods by extreme cases: right, refused or wrong
+    /// Test all methods on extreme cases: right, refused or wrong
     Stability(stability::Stability),
-    /// Natural frequencies, damping and mode shapes of a scene
+    /// Compute natural frequencies, damping and mode shapes of a scene
     Modes(modes::Modes),
-    /// Natural frequencies over a parameter, and where orders of a speed meet them
+    /// Compute natural frequencies over a parameter, and their crossings with orders of a speed
     Campbell(campbell::CampbellDiagram),
-    /// Frequency response of a scene: amplitude and phase
+    /// Compute the frequency response of a scene: amplitude and phase
     Response(response::FrequencyResponse),
-    /// Say which model of a winder is enough, and where it winds stably
+    /// Select a sufficient model of a winder, and find where winding is stable
     Walk(walk::WalkCommand),
-    /// Hold the simulators against closed forms and references
+    /// Compare the simulators with closed forms and references
     Verify(verify::Verify),
-    /// Make pages with drawings, equations, plots, checks and costs: of all scenes, or of one
+    /// Write HTML pages with drawings, equations, plots, checks and costs, of all scenes or of one
     #[cfg(feature = "derive")]
     Report(report::Report),
-    /// Show a machine in the browser while its spec is written: run at each save
+    /// Show a machine in the browser, and run it again whenever its spec is saved
     #[cfg(feature = "derive")]
     Watch(watch::Watch),
-    /// Show what a scene is made of: units, ports, parameters, states, outputs, events, checks
+    /// Show the units, ports, parameters, states, outputs, events and checks of a scene
     Show(show::Show),
-    /// List the scenes that are built in
+    /// List the built-in scenes
     List(list::List),
-    /// List the standard parts that scenes are made of, or show one of them
+    /// List the standard parts, or show one of them
     #[cfg(feature = "derive")]
     Parts(parts::Parts),
-    /// Print what a spec may hold, as JSON schema, for editors
+    /// Print the JSON schema of specs, for editors
     #[cfg(feature = "derive")]
     Schema(schema::Schema),
-    /// What is remembered of scenes that were derived
+    /// Show or clear the cache of derived models
     #[cfg(feature = "derive")]
     Cache(cache::CacheCommand),
-    /// Write what a shell needs to complete commands and options
+    /// Print the completion script for a shell
     Completions(completions::Completions),
-    /// What a parent process has its child do
+    /// Derive for a parent process
     #[cfg(feature = "derive")]
     #[command(name = deriving::COMMAND, hide = true)]
     DeriveForParent,
-    /// The work of the child process of `watch`
+    /// Run for the parent process of `watch`
     #[cfg(feature = "derive")]
     #[command(name = worker::COMMAND, hide = true)]
     RunForWatch(worker::Ask),
@@ -175,7 +176,7 @@ fn algebra(name: &str) -> Result<Algebra, String> {
     let known = Algebra::ALL.iter().find(|algebra| algebra.name() == name);
     known.copied().ok_or_else(|| {
         let names: Vec<&str> = Algebra::ALL.iter().map(|algebra| algebra.name()).collect();
-        format!("this build knows {}", names.join(" and "))
+        format!("this build supports {}", names.join(" and "))
     })
 }
 

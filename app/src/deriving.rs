@@ -177,8 +177,8 @@ pub fn repeated(model: &Model) -> Vec<Lasting> {
 pub fn dropped_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting) -> String {
     let others: Vec<String> = repeats.iter().map(|name| format!("`{name}`")).collect();
     format!(
-        "constraint `{constraint}` of {} follows from {} wherever the machine goes: it is \
-         dropped, and these carry its force",
+        "constraint `{constraint}` of {} follows from {} everywhere: it is redundant and dropped, \
+         and these carry its force",
         model.name,
         others.join(", ")
     )
@@ -199,14 +199,14 @@ fn derived_as_asked(request: &Request) -> Result<Stamped, Failure> {
     let mut derived = derive(std::slice::from_ref(request))?;
     match derived.pop() {
         Some(Derived::Model(stamped)) => Ok(*stamped),
-        _ => Err(broken("another thing than was asked for")),
+        _ => Err(broken("unexpected kind of answer")),
     }
 }
 
 /// Creates the failure of the derivation itself, not of the spec.
 fn broken(how: &str) -> Failure {
-    let help = "what it said is above; `machinist check` finds what is wrong with a spec";
-    Failure::unsuccessful(format!("deriving ended badly: {how}"), help)
+    let help = "its messages are above; `machinist check` finds errors in a spec";
+    Failure::unsuccessful(format!("the derivation failed: {how}"), help)
 }
 
 /// Derives a model for each request that has one.
@@ -214,7 +214,7 @@ pub fn possible(requests: &[Request]) -> Result<Vec<Option<Model>>, Failure> {
     let derived = derive(requests)?.into_iter().map(|derived| match derived {
         Derived::Model(stamped) => Ok(Some(stamped.model)),
         Derived::Impossible => Ok(None),
-        Derived::Everything(_) => Err(broken("more than was asked for")),
+        Derived::Everything(_) => Err(broken("unexpected kind of answer")),
     });
     derived.collect()
 }
@@ -226,7 +226,7 @@ pub fn models(scenes: &[SpecSource], keep: Keep) -> Result<Vec<Model>, Failure> 
     let requests: Vec<Request> = scenes.iter().map(request).collect();
     let derived = derive(&requests)?.into_iter().map(|derived| match derived {
         Derived::Model(stamped) => Ok(stamped.model),
-        _ => Err(broken("another thing than was asked for")),
+        _ => Err(broken("unexpected kind of answer")),
     });
     derived.collect()
 }
@@ -242,7 +242,7 @@ pub fn derivations(
     let requests: Vec<Request> = scenes.iter().map(request).collect();
     let derived = derive(&requests)?.into_iter().map(|derived| match derived {
         Derived::Everything(derivation) => Ok(*derivation),
-        _ => Err(broken("less than was asked for")),
+        _ => Err(broken("unexpected kind of answer")),
     });
     derived.collect()
 }
@@ -309,7 +309,7 @@ fn derive_here(asked: Vec<&mut Asked>, cache: &Cache) -> Result<(), Failure> {
         catch_unwind(AssertUnwindSafe(work)).map_or(Ok(None), |derived| derived.map(Some))
     })?;
     for (one, derived) in asked.into_iter().zip(derived) {
-        let derived = derived.ok_or_else(|| broken("by a fault of this program"))?;
+        let derived = derived.ok_or_else(|| broken("internal error"))?;
         cache.put(&one.key, &derived);
         one.derived = Some(derived);
     }

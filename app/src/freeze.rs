@@ -91,8 +91,7 @@ pub fn admit(scene: &SpecSource, model: &Model) -> Result<(), Failure> {
                 freeze.rigid.join(", "),
                 freeze.tolerance,
             );
-            let help =
-                "raise `tolerance` in [freeze], take less for rigid, or ask for other outputs";
+            let help = "raise `tolerance` in [freeze], freeze less, or choose other outputs";
             Err(Failure::unsuccessful(message, help))
         }
         _ => Ok(()),

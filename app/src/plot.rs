@@ -51,7 +51,7 @@ pub enum PlotError {
         hint: String,
     },
     /// The trajectory has no columns at all.
-    #[error("there is nothing to plot")]
+    #[error("there are no columns to plot")]
     Nothing,
     /// The plot could not be drawn.
     #[error("cannot draw the plot: {0}")]

@@ -18,14 +18,13 @@ pub fn drift_cells(run: &LongRun) -> [String; 6] {
 }
 
 /// Caption of the long runs.
-pub const DRIFT: &str = "How far machines come off their constraints at most over very many \
-    steps, relative to the size of their coordinates: at the ends of steps, and after being put \
-    back there.";
+pub const DRIFT: &str = "Maximum constraint drift over very many steps, relative to the size of \
+    the coordinates: at the ends of steps, and after projection.";
 
 /// Caption of the orders of convergence.
-pub const ORDERS: &str = "Orders of convergence that remain on the problem of Prothero and \
-    Robinson, y' = lambda (y - cos t) - sin t, between equal steps and half of them; a dash \
-    where only rounding is left of the errors.";
+pub const ORDERS: &str = "Observed orders of convergence on the problem of Prothero and Robinson, \
+    y' = lambda (y - cos t) - sin t, from fixed steps and steps of half the size; a dash where \
+    errors are only rounding.";
 
 /// Formats an order.
 pub fn order(found: Option<f64>) -> String {
@@ -46,8 +45,8 @@ pub fn rule(study: &Study) -> String {
     format!(
         "Numbers are errors over the relative tolerance, which is {:.0e}: the largest over all \
          states and times judged, relative to the largest value of the state at these times. A \
-         run that ends with more than {ALLOWED}, and with more than one a step, or with more \
-         than {} %, is WRONG.",
+         completed run is WRONG if its number exceeds {ALLOWED} and one per step, or if its \
+         error exceeds {} %.",
         study.rtol,
         100.0 * LARGEST
     )
@@ -59,11 +58,11 @@ pub fn refusals(study: &Study) -> String {
         ("steps", "more steps than are allowed"),
         ("small", "steps too small for time to advance"),
         ("newton", "Newton's iteration does not converge"),
-        ("nan", "a value that is no number"),
+        ("nan", "a value that is not a number"),
         ("rounding", "rounding would exceed the tolerance"),
-        ("unfit", "a machine that the method is not for"),
-        ("zeno", "events without end"),
-        ("drift", "off a constraint"),
+        ("unfit", "a machine that the method does not support"),
+        ("zeno", "endless events (Zeno)"),
+        ("drift", "constraint drift"),
         ("large", "more memory than is allowed"),
         ("solver", "another error of the solver"),
     ];

@@ -138,7 +138,7 @@ impl Watch<'_> {
         if turn.number != number || turn.is_done {
             return;
         }
-        let message = "the process that derives and runs ended before it had answered";
+        let message = "the process that derives and runs ended without an answer";
         let failure = Failure::unsuccessful(message, said.trim());
         self.take(
             number,

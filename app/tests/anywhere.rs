@@ -352,7 +352,7 @@ fn a_run_that_is_interrupted_keeps_what_it_has() {
     let output = interrupted(folder.path(), &[&run[..], &["--out", "part.json"]].concat());
     assert_eq!(output.status.code(), Some(1), "{}", said(&output));
     assert!(said(&output).contains("the run was interrupted"), "{}", said(&output));
-    assert!(said(&output).contains("is in part.json"), "{}", said(&output));
+    assert!(said(&output).contains("are in part.json"), "{}", said(&output));
     let summary = String::from_utf8_lossy(&output.stdout);
     assert!(summary.contains("\nstopped early, at "), "{summary}");
     let part: serde_json::Value =

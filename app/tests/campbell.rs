@@ -79,7 +79,7 @@ fn what_is_no_speed_is_refused() {
     fs::write(folder.path().join("wheel.toml"), WHEEL).expect("written");
     for (more, words) in [
         (&["--speeds", "0..600 [m]"][..], "a speed is in rad/s, not in m"),
-        (&["--speeds", "600..0"], "must grow"),
+        (&["--speeds", "600..0"], "must increase"),
         (&["--speeds", "0..9", "--parameter", "shaft.stiffness=1..2"], "cannot be used with"),
         (&[], "--parameter"),
     ] {

@@ -136,13 +136,13 @@ fn bad_data_are_refused_with_the_place() {
     refused("time,twst\n0.1,1\n", stiffness, &["twst", "did you mean `twist`", "--map"]);
     refused("x,twist\n0.1,1\n", stiffness, &["not time"]);
     refused("time,twist [mm]\n0.1,1\n", stiffness, &["in mm", "rad"]);
-    refused("time [mm],twist\n0.1,1\n", stiffness, &["in mm", "no time"]);
-    refused("time [parsec],twist\n0.1,1\n", stiffness, &["in parsec", "no time"]);
-    refused("time,twist\n0.1,1\n0.05,1\n", stiffness, &["line 3", "ascend"]);
+    refused("time [mm],twist\n0.1,1\n", stiffness, &["in mm", "not a unit of time"]);
+    refused("time [parsec],twist\n0.1,1\n", stiffness, &["in parsec", "not a unit of time"]);
+    refused("time,twist\n0.1,1\n0.05,1\n", stiffness, &["line 3", "increase"]);
     refused("time,twist\n-0.1,1\n", stiffness, &["before the start", "--from"]);
-    refused("time,twist\n0.1,abc\n", stiffness, &["line 2", "no number"]);
+    refused("time,twist\n0.1,abc\n", stiffness, &["line 2", "not a number"]);
     refused("time,twist\n0.1,\n0.2,0.1\n", "motor.inertia,coupling.stiffness", &["too few"]);
-    refused("time,twist\n0.1,1\n", "coupling.stiffness=5..1", &["cross"]);
+    refused("time,twist\n0.1,1\n", "coupling.stiffness=5..1", &["invalid bounds"]);
     refused("time,twist\n0.1,1\n", "coupling.stifness", &["did you mean"]);
 }
 
@@ -296,7 +296,7 @@ fn experiments_that_make_no_sense_are_refused_by_name() {
     refused(&with("from = 0.2"), &["line 2", "before the start", "0.2 s"]);
     let both = with("sigma = { twist = 1 }") + "[[experiment]]\ndata = \"low.csv\"\n";
     refused(&both, &["sigma of `twist`", "not for low.csv"]);
-    refused(&with("").repeat(2), &["`full.csv`", "`name` tells them apart"]);
+    refused(&with("").repeat(2), &["`full.csv`", "a different `name`"]);
     let twice = folder.path().join("full.csv").display().to_string();
     let fit = ["fit", "saw_gin", "--parameters", "coupling.stiffness", "--data", &twice];
     assert_refused(&[&fit[..], &["--data", &twice]].concat(), &["two runs", "full.csv"]);
@@ -337,7 +337,7 @@ fn profiles_stand_beside_standard_errors() {
     let tau: Vec<f64> = points.iter().filter_map(|point| point["tau"].as_f64()).collect();
     assert!(tau.len() > 8 && tau.is_sorted(), "{tau:?}");
     assert_refused(&[&fit[..], &["--profile", "motor.inertia"]].concat(), &["is not fitted"]);
-    assert_refused(&[&fit[..], &["--plot-profiles", &plot]].concat(), &["no profiles"]);
+    assert_refused(&[&fit[..], &["--plot-profiles", &plot]].concat(), &["needs `--profile`"]);
 }
 
 #[test]
@@ -357,15 +357,15 @@ fn noise_is_a_number_a_share_or_a_column() {
         assert_refused(&arguments, words);
     };
     let plain = "time,twist\n0.1,0\n0.2,0.01\n";
-    refused(plain, "twist=1 %", &["row 1", "no share", "0.02 + 1 %"]);
+    refused(plain, "twist=1 %", &["row 1", "relative standard deviation", "0.02 + 1 %"]);
     refused(plain, "twist=0", &["not above 0"]);
     refused(plain, "twist=1 + 2", &["0.02 + 1 %"]);
     refused(plain, "twst=1", &["did you mean `twist`"]);
     let column = "time,twist,sigma(twist)\n0.1,0.01,1\n0.2,0.01,0\n";
     refused(column, "", &["row 2", "not above 0"]);
-    refused("time,twist,sigma(twist)\n0.1,0.01,1\n", "twist=1", &["is a column already"]);
+    refused("time,twist,sigma(twist)\n0.1,0.01,1\n", "twist=1", &["data already contain"]);
     refused("time,twist,sigma(twist) [mm]\n0.1,0.01,1\n", "", &["in mm"]);
-    refused("time,twist,sigma(motor_speed)\n0.1,0.01,1\n", "", &["of no column"]);
+    refused("time,twist,sigma(motor_speed)\n0.1,0.01,1\n", "", &["belongs to no column"]);
     // An outlier has no weight.
     let data = measured(folder.path());
     let text = fs::read_to_string(&data).expect("data");

@@ -107,7 +107,7 @@ fn spectra_of_nothing_are_refused() {
     let of = |more: &[&'static str]| [&["spectrum", "two_mass"], more].concat();
     assert_refused(&of(&["--outputs", "twits"]), &["twits", "did you mean `twist`?"]);
     assert_refused(&of(&["--samples", "1"]), &["--samples 1", "2 to 10000000"]);
-    assert_refused(&of(&["--from", "0.5"]), &["no stretch of the run from 0.5 s to 0.5 s"]);
+    assert_refused(&of(&["--from", "0.5"]), &["the interval from 0.5 s to 0.5 s is empty"]);
     assert_refused(&of(&["--from", "-1"]), &["begins at 0 s"]);
     assert_refused(&of(&["--window", "square"]), &["square", "rectangle"]);
     assert_refused(&of(&["--out", "lines.xls"]), &[".csv or .json"]);

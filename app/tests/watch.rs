@@ -373,7 +373,7 @@ fn what_cannot_be_watched_is_refused() {
         assert_refused(machinist(folder.path(), arguments), words);
     };
     refused(&["watch", "nothing.toml"], &["there is no such file", "machinist new"]);
-    refused(&["watch", "saw_gin"], &["built in", "give a scene file"]);
+    refused(&["watch", "saw_gin"], &["built-in", "give a scene file"]);
     refused(&["watch", "x.toml", "--port", "0"], &["--port"]);
     let taken = std::net::TcpListener::bind(("127.0.0.1", 0)).expect("a port");
     let port = taken.local_addr().expect("an address").port().to_string();
@@ -381,5 +381,5 @@ fn what_cannot_be_watched_is_refused() {
     let output = machinist(folder.path(), &["watch", "bouncer.toml", "--port", &port]).output();
     let output = output.expect("an end");
     assert_eq!(output.status.code(), Some(1));
-    assert!(crate::process::said(&output).contains("leave `--port` out"));
+    assert!(crate::process::said(&output).contains("without `--port`"));
 }

@@ -121,8 +121,8 @@ fn generate(scene: &Path) -> Result<Model, BuildError> {
     if !model.freeze.rigid.is_empty() {
         let scene = &model.name;
         println!(
-            "cargo:warning=scene {scene} is frozen in part; `machinist explain` measures what that \
-             does to its outputs"
+            "cargo:warning=some units of scene {scene} are frozen; `machinist explain` measures \
+             the effect on its outputs"
         );
     }
     Ok(model)

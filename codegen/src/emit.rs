@@ -51,13 +51,13 @@ pub enum EmitError {
         value: f64,
     },
     /// A name is not a Rust identifier.
-    #[error("the name `{name}` is no Rust identifier")]
+    #[error("`{name}` is not a valid Rust identifier")]
     Identifier {
         /// The name.
         name: String,
     },
     /// Two quantities of one kind share a name.
-    #[error("the name `{name}` is given to two {kind}")]
+    #[error("two {kind} are named `{name}`")]
     NamedTwice {
         /// The name.
         name: String,

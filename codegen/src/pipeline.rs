@@ -123,7 +123,7 @@ impl Linear {
             fields.map(|(field, equations)| lower::density::lower(field, equations)).collect();
         model.validate().map_err(|error| {
             let message = format!("the equations cannot be computed: {error}");
-            let help = "look for a number beyond 1e308, such as a large one to a high power";
+            let help = "look for a number above 1e308, such as a large number to a high power";
             Diagnostic::of_file("", message, help)
         })?;
         Ok(model)
@@ -259,7 +259,7 @@ fn defined(cas: &mut Cas) -> Result<(), Diagnostics> {
     if !cas.was_undefined() {
         return Ok(());
     }
-    let message = "the equations divide by zero, or take its logarithm, whatever the state is";
+    let message = "the equations divide by zero, or take its logarithm, in every state";
     let help = "look for a denominator or an argument of `ln` whose terms cancel";
     Err(Diagnostic::of_file("", message.to_owned(), help).into())
 }
@@ -273,9 +273,9 @@ fn decided(equations: &EquationsOfMotion) -> Result<(), Diagnostics> {
     let names = names.collect::<Vec<_>>().join(", ");
     let message = format!(
         "the equations are singular: {names} can move without kinetic energy, and no constraint \
-         that always holds decides how"
+         active in all modes determines their motion"
     );
-    let help = "give one of them an inertia of its own, or hold it by one more constraint";
+    let help = "give one of them an inertia, or add a constraint";
     Err(Diagnostic::of_file("", message, help).into())
 }
 

@@ -342,7 +342,7 @@ fn describe_foreign(files: &[(PathBuf, &'static str)]) -> String {
 }
 
 fn describe_not_fresh(files: &[(String, Freshness)], orphans: &[String]) -> String {
-    let mut text = String::from("emitted scenes are not what the specs give:");
+    let mut text = String::from("emitted scenes do not match the specs:");
     for (file, freshness) in files {
         let what = match freshness {
             Freshness::Missing => "is missing",

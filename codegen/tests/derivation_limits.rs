@@ -77,7 +77,7 @@ fn numbers_of_twenty_thousand_digits_are_handed_over_in_time() {
 #[test]
 fn numbers_that_powers_make_too_long_are_refused() {
     let report = refusal("((t/1 [s] + u)*((1e-16)^64))^64");
-    assert!(report.contains("powers of powers grow beyond"), "{report}");
+    assert!(report.contains("nested powers exceed"), "{report}");
 }
 
 /// Its derivative by the force contains the sign of the force.
@@ -107,7 +107,7 @@ fn equations_with_numbers_beyond_all_bounds_are_refused() {
     for potential in ["((1e9/a)^64 + a)*u", "((0 + 1e9/a)^64 + a)*u^2", "atan(u/1e-308)^2"] {
         let report = derived(&with_potential(potential)).expect_err("is refused");
         assert!(report.contains("is not a finite number"), "{report}");
-        assert!(report.contains("a large one to a high power"), "{report}");
+        assert!(report.contains("a large number to a high power"), "{report}");
     }
 }
 
@@ -248,6 +248,6 @@ fn a_unit_that_is_a_link_to_another_file_is_refused_unquoted() {
     std::fs::write(&target, "PASSWORD = hunter2 is no TOML").expect("write");
     std::os::unix::fs::symlink(&target, folder.path().join("secret.toml")).expect("link");
     let report = pipeline::check(Path::new(&path)).expect_err("is refused").render();
-    assert!(report.contains("a link that leads out"), "{report}");
+    assert!(report.contains("a link to a place outside"), "{report}");
     assert!(!report.contains("hunter2"), "{report}");
 }

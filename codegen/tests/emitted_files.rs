@@ -86,7 +86,7 @@ fn a_check_names_what_is_not_fresh_and_the_command_that_mends_it() {
     fs::write(folder.path().join("by_hand.rs"), "// not ours").expect("written");
     let error = emit_scenes(folder.path(), &models, Mode::Check).expect_err("not fresh");
     insta::assert_snapshot!(error, @r"
-    emitted scenes are not what the specs give:
+    emitted scenes do not match the specs:
       oddities.rs is missing
       pendulum.rs is out of date
     run `cargo run --release -- gen`
@@ -123,7 +123,7 @@ fn files_of_scenes_that_are_no_more_are_reported_and_kept() {
     let error = emit_scenes(folder.path(), &[pendulum()], Mode::Check).expect_err("an orphan");
     assert!(matches!(error, WriteError::NotFresh { ref files, .. } if files.is_empty()));
     insta::assert_snapshot!(error, @r"
-    emitted scenes are not what the specs give:
+    emitted scenes do not match the specs:
       oddities.rs has no scene any more; delete it
     run `cargo run --release -- gen`
     ");

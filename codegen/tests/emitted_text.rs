@@ -163,5 +163,5 @@ fn the_index_lists_scenes_by_name() {
 #[test]
 fn two_scenes_of_one_name_are_refused() {
     let error = emit_index(&[&pendulum(), &pendulum()], &EmitOptions::for_scenes());
-    insta::assert_snapshot!(error.expect_err("one name"), @"the name `pendulum` is given to two scenes");
+    insta::assert_snapshot!(error.expect_err("one name"), @"two scenes are named `pendulum`");
 }

@@ -178,10 +178,10 @@ fn require_room<T>(at: *const T, count: usize) -> Result<(), Refusal> {
     let fits =
         count.checked_mul(size_of::<T>()).is_some_and(|bytes| isize::try_from(bytes).is_ok());
     if count > 0 && at.is_null() {
-        return Err(Refusal::argument(format!("null for {count} values")));
+        return Err(Refusal::argument(format!("a null pointer for {count} values")));
     }
     if count > 0 && !(fits && at.is_aligned()) {
-        return Err(Refusal::argument(format!("a pointer that is none to {count} values")));
+        return Err(Refusal::argument(format!("a pointer that is not valid for {count} values")));
     }
     Ok(())
 }

@@ -67,7 +67,7 @@ pub enum Refusal {
         phase: Phase,
     },
     /// The call belongs to the other interface.
-    #[error("{0} is not of the interface that was instantiated")]
+    #[error("{0} does not belong to the interface that was instantiated")]
     OtherInterface(&'static str),
     /// An argument is invalid.
     #[error("{0}")]

@@ -259,7 +259,7 @@ impl Uses {
             (&self.jumps, "the time of a jump depends on it"),
         ];
         let found = reasons.into_iter().find(|(reads, _)| reads.parameters.contains(&parameter));
-        let of_fields = self.fields.contains(&parameter).then_some("a field is made of it");
+        let of_fields = self.fields.contains(&parameter).then_some("a field depends on it");
         found.map(|(_, why)| why).or(of_fields)
     }
 

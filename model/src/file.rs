@@ -41,16 +41,16 @@ pub struct Stamped {
 #[non_exhaustive]
 pub enum FileError {
     /// The bytes do not begin with the mark of models.
-    #[error("this is no model of Machinist")]
+    #[error("this is not a model of Machinist")]
     Foreign,
     /// The bytes have another version of the format.
-    #[error("this model has version {found} of the format, and version {VERSION} is read here")]
+    #[error("this model has version {found} of the format, but this program reads {VERSION}")]
     Version {
         /// Version in the header.
         found: u32,
     },
     /// The bytes are too few or too many.
-    #[error("this model should have {expected} bytes and has {found}: it is cut off or overfull")]
+    #[error("this model should have {expected} bytes but has {found}: it is cut off or too long")]
     Length {
         /// Length according to the header.
         expected: u64,
@@ -67,7 +67,7 @@ pub enum FileError {
         reason: String,
     },
     /// The content decodes to a model that breaks a rule.
-    #[error("this model breaks a rule of models: {0}")]
+    #[error("this model is not valid: {0}")]
     Malformed(#[from] Malformed),
 }
 

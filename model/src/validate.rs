@@ -148,7 +148,7 @@ impl Model {
         if steps && places && sorted && complete && small {
             Ok(())
         } else {
-            broken(part, "what it solves for is out of order or out of bounds")
+            broken(part, "the entries to solve for are out of order or out of bounds")
         }
     }
 
@@ -196,7 +196,7 @@ impl Model {
             if let StateKind::Position(id) | StateKind::Velocity(id) = state.kind
                 && id as usize >= self.coordinates.len()
             {
-                return broken(&state.quantity.name.path, format!("coordinate {id} is not there"));
+                return broken(&state.quantity.name.path, format!("there is no coordinate {id}"));
             }
         }
         let velocities = self.states.iter().filter(|s| matches!(s.kind, StateKind::Velocity(_)));
@@ -282,7 +282,7 @@ impl Model {
             return broken(path, format!("{value} is not a finite number"));
         }
         if field.parameters.iter().any(|id| *id as usize >= self.parameters.len()) {
-            return broken(path, "depends on a parameter that is not there");
+            return broken(path, "depends on a parameter that does not exist");
         }
         let handed = machinist_contract::field::HANDED as u32;
         let is_out = |at: &&crate::Attachment| {
@@ -290,7 +290,7 @@ impl Model {
                 || at.coordinate.is_some_and(|id| id as usize >= self.coordinates.len())
         };
         match field.attachments.iter().find(is_out) {
-            Some(at) => broken(&at.name.path, "hands over more than there is room for"),
+            Some(at) => broken(&at.name.path, "refers to values or a coordinate out of bounds"),
             None => Ok(()),
         }
     }

@@ -63,7 +63,7 @@ def test_a_response_tells_that_a_motion_grows(gin):
 @pytest.mark.parametrize(
     ("ask", "kind", "told"),
     [
-        (lambda m: m.modes(at="somewhere"), machinist.InputError, "none of equilibrium"),
+        (lambda m: m.modes(at="somewhere"), machinist.InputError, "not one of equilibrium"),
         (lambda m: m.modes(slopes=["coupling.stif"]), machinist.UnknownNameError, "no parameter"),
         (lambda m: m.modes(untl=2.0), machinist.InputError, "no setting `untl`"),
         (lambda m: m.response("motor.ph", "twist"), machinist.UnknownNameError, "motor.phi"),

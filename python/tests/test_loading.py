@@ -93,7 +93,7 @@ def test_what_is_no_machine_is_refused_by_name(name, kind, told):
 def test_a_model_file_that_is_damaged_or_of_another_version_is_refused(model_file, tmp_path):
     good = model_file.read_bytes()
     cases = {
-        "foreign": (b"something else", "no model"),
+        "foreign": (b"something else", "not a model"),
         "short": (good[:-7], "cut off"),
         "header": (good[:18], "cut off"),
         "altered": (good[:100] + bytes([good[100] ^ 1]) + good[101:], "altered"),

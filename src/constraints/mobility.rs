@@ -57,8 +57,8 @@ impl Redundant {
     #[must_use]
     pub fn why(&self) -> String {
         if self.is_level {
-            return "is at an extremum: its derivatives by all coordinates are zero where it is \
-                    fulfilled, so that it holds nothing"
+            return "is at an extremum: all its derivatives by coordinates are zero where it is \
+                    fulfilled, so it has no effect"
                 .to_owned();
         }
         if self.repeats.is_empty() {
@@ -73,7 +73,7 @@ impl Redundant {
     pub fn hint(&self) -> &'static str {
         match self {
             Self { is_level: true, .. } => {
-                "write it so that it passes zero, as `phi` instead of `1 - cos(phi)`"
+                "write it so that it crosses zero: `phi` instead of `1 - cos(phi)`"
             }
             Self { repeats, .. } if repeats.is_empty() => "leave it out: nothing can fulfil it",
             _ => "the constraint forces are not unique; leave it out",

@@ -23,7 +23,7 @@ use crate::sorting::sort_ascending;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ModalError {
     /// The number of eigenmodes is out of range.
-    #[error("from 1 to {most} modes can be taken, not {found}")]
+    #[error("the number of eigenmodes is from 1 to {most}, not {found}")]
     Modes {
         /// Number of coordinates of the simulator.
         most: usize,
@@ -31,19 +31,19 @@ pub enum ModalError {
         found: usize,
     },
     /// The mass matrix depends on the state.
-    #[error("the mass matrix moves with the machine, so that its modes do not stay")]
+    #[error("the mass matrix depends on the state, so there are no constant eigenmodes")]
     MovingMass,
     /// The simulator cannot be linearized at the start.
     #[error(transparent)]
     Linear(#[from] LinearError),
     /// Positions are left out of the state, so eigenmodes do not determine it.
-    #[error("the scene has left positions out; take it whole")]
+    #[error("the scene was derived without some positions; derive it without reduction")]
     LeftOut,
     /// The machine has constraints, which a sum of eigenmodes would violate.
-    #[error("the machine has constraints, which a sum of its modes would not keep")]
+    #[error("the machine has constraints, which a sum of its eigenmodes would violate")]
     Constrained,
     /// The machine has events, whose states a sum of eigenmodes does not contain.
-    #[error("the machine has events, which a sum of its modes would not see")]
+    #[error("the machine has events, which a sum of its eigenmodes cannot detect")]
     Events,
     /// M and K have no modes.
     #[error("the mass matrix is not positive definite, or the stiffness not finite")]

@@ -173,7 +173,7 @@ impl Walk<'_> {
         let end = if self.t.is_finite() && self.variance > 0.0 {
             self.outward(&mut points)
         } else {
-            Err("residuals do not say how exact the data are".to_owned())
+            Err("the accuracy of the data cannot be estimated from the residuals".to_owned())
         };
         Side { points, end }
     }
@@ -199,7 +199,7 @@ impl Walk<'_> {
             let here = points[points.len() - 1].clone();
             let from = here.at[self.held];
             if (bound - from) * self.outwards <= 0.0 {
-                return Err("a bound holds it".to_owned());
+                return Err("it is at its bound".to_owned());
             }
             if (from - first).abs() > FAR {
                 break;
@@ -227,7 +227,7 @@ impl Walk<'_> {
             }
         }
         let last = self.unknown().outer(points[points.len() - 1].at[self.held]);
-        Err(format!("the data do not tell it up to {}", number(last)))
+        Err(format!("the data do not determine it up to {}", number(last)))
     }
 
     /// Finds where tau is t between two points of the walk, and adds the points on the way.
@@ -262,7 +262,7 @@ impl Walk<'_> {
                 high = next;
             }
         }
-        Err("the sum of squares is too rough there to tell the end".to_owned())
+        Err("the sum of squares is too noisy there to locate the end".to_owned())
     }
 
     /// Returns the best fit with the unknown held at a value, searched for from a point of the

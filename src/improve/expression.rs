@@ -312,8 +312,8 @@ impl Reader<'_> {
                 Ok(())
             }
             Some(',') => {
-                let help = "max and min are over time, of one expression; give each limit as one \
-                            `--subject-to` of its own";
+                let help = "max and min are taken over time, of one expression; give each limit \
+                            its own `--subject-to`";
                 let message = "functions take one argument here";
                 Err(ExpressionError::new(message, self.here()).with_help(help))
             }

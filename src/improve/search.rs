@@ -169,7 +169,7 @@ pub fn search(
     let at = search.clipped(start);
     let evaluation = evaluate(&at)?;
     if !evaluation.is_finite() {
-        return Err("what is to be least, or an inequality, is not a finite number".to_owned());
+        return Err("the objective or an inequality is not a finite number".to_owned());
     }
     let n = at.len();
     let constraints = evaluation.constraints.len();

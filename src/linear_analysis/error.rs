@@ -13,10 +13,7 @@ pub enum LinearError {
     #[error(transparent)]
     Simulate(#[from] SimulateError),
     /// The scene is too large for dense matrices, or for all shapes of a chain.
-    #[error(
-        "scene `{scene}` has {states} states, but what a linear analysis needs here takes at most \
-         {most}"
-    )]
+    #[error("scene `{scene}` has {states} states, but this linear analysis takes at most {most}")]
     TooLarge {
         /// Name of the scene.
         scene: String,
@@ -28,9 +25,9 @@ pub enum LinearError {
     /// An output contains accelerations or constraint forces, so it has a direct feedthrough of
     /// forces.
     #[error(
-        "how `{output}` answers a force on `{coordinate}` is not analysed: it has accelerations or \
-         forces of constraints in it, which answer at once. \
-         Hint: make the force a parameter of the scene, 0 if need be, and name that"
+        "the response of `{output}` to a force on `{coordinate}` is not supported: it contains \
+         accelerations or constraint forces, which have direct feedthrough. Hint: make the force a \
+         parameter of the scene, with value 0 if need be, and name that"
     )]
     AnswersAtOnce {
         /// Name of the output.
@@ -40,9 +37,9 @@ pub enum LinearError {
     },
     /// A constraint depends on the varied parameter.
     #[error(
-        "what varies with `{parameter}` is not analysed: constraint `{constraint}` depends on it, \
-         and what it holds would have to move with it. \
-         Hint: take a parameter of a force, or a coordinate on which a force acts"
+        "the response to `{parameter}` is not supported: constraint `{constraint}` depends on it, \
+         so a change of it would prescribe a motion. Hint: take a parameter of a force, or a \
+         coordinate on which a force acts"
     )]
     MovesConstraint {
         /// Name of the parameter.
@@ -51,7 +48,7 @@ pub enum LinearError {
         constraint: String,
     },
     /// Orders refer to a quantity that is not a speed.
-    #[error("orders are of a parameter or a state in rad/s, but `{name}` {why}")]
+    #[error("orders refer to a parameter or a state in rad/s, but `{name}` {why}")]
     NoSpeed {
         /// Name given.
         name: String,
@@ -79,7 +76,7 @@ pub enum LinearError {
         value: f64,
     },
     /// Projection onto the constraints fails.
-    #[error("scene `{scene}` does not come back onto its constraint `{constraint}`")]
+    #[error("scene `{scene}` cannot be projected onto its constraint `{constraint}`")]
     Lost {
         /// Name of the scene.
         scene: String,
@@ -88,8 +85,8 @@ pub enum LinearError {
     },
     /// No equilibrium was found.
     #[error(
-        "scene `{scene}` has no equilibrium near the guess, with time held at {time} s; what \
-         remains nearest to one: {}",
+        "scene `{scene}` has no equilibrium near the guess, with time held at {time} s; largest \
+         remaining rates: {}",
         listed(residuals)
     )]
     NoEquilibrium {
@@ -102,8 +99,8 @@ pub enum LinearError {
     },
     /// The equilibrium exists only at this value of a parameter.
     #[error(
-        "scene `{scene}` is in equilibrium only at this value of `{parameter}`: beside it, nothing \
-         could make up for what it changes, so that no derivative by it is told"
+        "scene `{scene}` is in equilibrium only at this value of `{parameter}`: no state balances \
+         a change of it, so derivatives with respect to it do not exist"
     )]
     LosesEquilibrium {
         /// Name of the scene.
@@ -123,8 +120,9 @@ pub enum LinearError {
     },
     /// Differences of the Jacobian do not converge, as at a switching surface.
     #[error(
-        "scene `{scene}`: how its Jacobian changes{} could not be told; it may have a kink there",
-        parameter.as_ref().map_or_else(String::new, |name| format!(" with `{name}`"))
+        "scene `{scene}`: the derivative of its Jacobian{} could not be determined; a switching \
+         surface may be near",
+        parameter.as_ref().map_or_else(String::new, |name| format!(" by `{name}`"))
     )]
     Unsettled {
         /// Name of the scene.
@@ -155,8 +153,8 @@ pub enum LinearError {
     },
     /// A range of frequencies is invalid.
     #[error(
-        "{points} frequencies from {from} to {until} rad/s were asked for; a range goes from a \
-         finite number above 0 up to a larger one and has 2 to {max} points",
+        "{points} frequencies from {from} to {until} rad/s were requested; a range goes from a \
+         finite number above 0 to a larger one and has 2 to {max} points",
         max = super::response::MAX_POINTS
     )]
     BadRange {

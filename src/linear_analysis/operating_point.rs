@@ -31,7 +31,7 @@ impl FromStr for Place {
         let seconds = text.strip_prefix("t=").and_then(|seconds| seconds.trim().parse().ok());
         match seconds {
             Some(seconds) if f64::is_finite(seconds) => Ok(Self::Time(seconds)),
-            _ => Err(format!("`{text}` is none of equilibrium, initial and t=SECONDS")),
+            _ => Err(format!("`{text}` is not one of equilibrium, initial and t=SECONDS")),
         }
     }
 }

@@ -85,7 +85,7 @@ impl Integrator for Auto {
                     if method.has_no_series() {
                         stretch.system.note(
                             "dop853 instead of taylor: the solution has no power series at the \
-                             start, as where a root begins at zero"
+                             start, such as at a root of zero"
                                 .to_owned(),
                         );
                         return choice.by_pair(&DOP853, stretch, state, samples);
@@ -95,7 +95,7 @@ impl Integrator for Auto {
                 let Some(Left { time: from, .. }) = left else { return Ok(()) };
                 stretch.system.note(format!(
                     "dop853 instead of taylor from t = {from:.6} s on: the solution has no power \
-                     series there, or none whose terms are numbers"
+                     series there, or one with terms that are not finite"
                 ));
                 let choice = Choice { is_stiff_from_the_start: false, ..choice };
                 choice.by_pair(&DOP853, &Stretch { from, ..*stretch }, state, samples)
@@ -121,8 +121,8 @@ fn without_steps(
     let stopped = Exact.integrate(&lenient, state, samples);
     if stopped.is_ok() {
         stretch.system.note(format!(
-            "in closed form though rounding exceeds the relative tolerance of {:e}: it rings \
-             for so long that steps would add up to more",
+            "in closed form, although rounding exceeds the relative tolerance of {:e}: the machine \
+             rings so long that errors of steps would add up to more",
             stretch.rtol
         ));
     }
@@ -192,7 +192,7 @@ impl<'a> Choice<'a> {
         let why = held.map_or_else(
             || why.to_owned(),
             |steps| {
-                format!("; stability would ask for {steps:.0} steps of {}", chosen.explicit_name)
+                format!("; stability would require {steps:.0} steps of {}", chosen.explicit_name)
             },
         );
         stretch
@@ -268,9 +268,9 @@ impl<'a> Choice<'a> {
                     return Ok(Some(left));
                 }
                 let why = if is_doubted {
-                    "steps stayed near what stability allows"
+                    "steps stayed near the stability limit"
                 } else {
-                    "steps were held by stability"
+                    "steps were limited by stability"
                 };
                 stretch.system.note(format!(
                     "{} instead of {} from t = {:.6} s on: {why}, |h lambda| = {seen:.1}",
@@ -369,7 +369,7 @@ fn suitable_series(
 ) -> (Option<&dyn TaylorSeries<f64>>, &'static str) {
     let Some(series) = simulator.taylor() else { return (None, "") };
     if series.bends() == Bends::Corners {
-        let why = "; not with taylor, whose long steps do not see branches and tables from afar";
+        let why = "; not with taylor, whose long steps may miss branches and tables";
         return (None, why);
     }
     let order = TaylorSteps::order_for(rtol);

@@ -75,7 +75,7 @@ pub(super) fn has_kinks(simulator: &dyn Simulator<f64>) -> bool {
 pub(super) fn tolerances_at_kinks(method: Method, stretch: &Stretch<'_>) -> Option<Tolerances> {
     let stricter = method.stricter_at_kinks();
     (stricter > 1.0 && has_kinks(stretch.system.simulator())).then(|| {
-        let why = format!("where there are kinks, errors of {method} grow");
+        let why = format!("errors of {method} grow at switching surfaces");
         tightened(stretch, stretch.rtol / stricter, &why)
     })
 }

@@ -106,8 +106,8 @@ impl System<'_> {
         });
         if is_corner {
             self.note(
-                "speeds jump at a corner of what constraints hold, which takes energy: round it \
-                 if it should not"
+                "velocities jump at a corner of a constraint, which dissipates energy: round the \
+                 corner to avoid this"
                     .to_owned(),
             );
         }

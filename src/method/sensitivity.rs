@@ -59,7 +59,7 @@ impl By {
         match states().position(|known| known == name) {
             Some(index) if simulator.is_mode(index) => Err(SimulateError::NotDifferentiable {
                 name: name.to_owned(),
-                why: "is a mode, which has whole numbers for values".to_owned(),
+                why: "is a mode, whose values are whole numbers".to_owned(),
             }),
             Some(index) => Ok(Self::Initial(index)),
             None => Err(SimulateError::UnknownDirection {

@@ -133,7 +133,7 @@ impl Simulation<'_> {
         } else if simulator.constraints() > 0 {
             "it has constraints"
         } else if simulator.kinks() > 0 {
-            "its rate has kinks"
+            "its rate has switching surfaces"
         } else {
             return Ok(());
         };

@@ -84,8 +84,8 @@ impl Simulation<'_> {
     pub(crate) fn balanced(&self, _: Vec<f64>, _: &[usize]) -> Result<Vec<f64>, SimulateError> {
         let scene = self.simulator.name();
         Err(SimulateError::NoEquilibrium(format!(
-            "the search that scene `{scene}` asks for is not compiled in. \
-             Hint: turn on the feature `linear` of the crate machinist"
+            "the search for the equilibrium of scene `{scene}` is not compiled in. Hint: turn on \
+             the feature `linear` of the crate machinist"
         )))
     }
 
@@ -127,7 +127,7 @@ impl Simulation<'_> {
             let more = if moved.len() > SHOWN { ", ..." } else { "" };
             let shown = moved.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
             system.note(format!(
-                "the start was off the constraints by less than the tolerance of its scene, and is \
+                "the start violated constraints by less than the tolerance of its scene, and is \
                  projected onto them: {shown}{more}"
             ));
         }
@@ -238,8 +238,8 @@ impl Simulation<'_> {
                 if (difference - tangent).abs() * size.max(step) > NEAR * scale {
                     return Err(SimulateError::NotDifferentiable {
                         name: quantity.name.to_owned(),
-                        why: "moves an equilibrium that its equations leave open, so that it is \
-                              where the search ends; give more of the start in [initial]"
+                        why: "moves an equilibrium that its equations do not determine, so it \
+                              depends on the search; give more initial values in [initial]"
                             .to_owned(),
                     });
                 }

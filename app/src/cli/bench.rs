@@ -12,15 +12,15 @@ use crate::progress::during;
 
 #[derive(Debug, Args)]
 pub struct Bench {
-    /// Name of a scene, or a scene file
+    /// Name of a built-in scene, or a scene file
     scene: String,
-    /// Only these methods
+    /// Methods, all by default
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     methods: Vec<String>,
-    /// These relative tolerances
+    /// Relative tolerances
     #[arg(long, value_name = "TOLERANCES", value_delimiter = ',', default_values_t = TOLERANCES)]
     rtols: Vec<f64>,
-    /// Runs of which the median time counts
+    /// Number of runs, whose median time is reported
     #[arg(long, value_name = "NUMBER", default_value_t = 25)]
     runs: usize,
     /// Print JSON
@@ -53,9 +53,9 @@ impl Bench {
     fn table(&self, scene: &Scene, measured: &WorkPrecision) -> String {
         let mut text = format!(
             "{} ({}), measured against {}\n\
-             error: largest of all states over time, relative to the state's largest value, or to its\n\
-             scale where that is only rounding\n\
-             times: medians of up to {} runs; only their ratios mean anything elsewhere\n\n",
+             error: maximum over states and time, relative to the state's largest value, or to\n\
+             its scale if that value is only rounding\n\
+             times: medians of up to {} runs; elsewhere only their ratios are comparable\n\n",
             measured.scene,
             scene.how(),
             measured.reference.name,

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 
 #[derive(Debug, Args)]
 pub struct CacheCommand {
-    /// Forget everything
+    /// Delete all entries
     #[arg(long)]
     clear: bool,
 }
@@ -18,13 +18,13 @@ impl CacheCommand {
     pub fn execute(&self) -> Result<(), Failure> {
         let cache = Cache::of_user();
         let Some(folder) = cache.folder() else {
-            return print("there is no cache: nothing is remembered\n");
+            return print("there is no cache folder\n");
         };
         let folder = folder.display();
         if self.clear {
             let gone = cache.keep_within(0);
             return print(&format!(
-                "{folder}: forgot {} entries, {} bytes\n",
+                "{folder}: deleted {} entries, {} bytes\n",
                 gone.entries, gone.bytes
             ));
         }

@@ -29,7 +29,7 @@ const MOST_VALUES: usize = 10_000;
 pub struct CampbellDiagram {
     #[command(flatten)]
     at: Where,
-    /// The parameter and its values, equally spaced, or with `:log` at equal ratios
+    /// Parameter and its values, equally spaced, or logarithmically with `:log`
     #[arg(
         long,
         value_name = "UNIT.PARAMETER=FROM..TO[:log]",
@@ -37,8 +37,8 @@ pub struct CampbellDiagram {
         required_unless_present = "speeds"
     )]
     parameter: Option<Range>,
-    /// Speeds that orders are of and on which the machine does not depend: in rad/s, or in a unit,
-    /// `0..6000 [rpm]`
+    /// Speeds for the orders, if the machine does not depend on the speed: in rad/s, or with a
+    /// unit, `0..6000 [rpm]`
     #[arg(
         long,
         value_name = "FROM..TO",
@@ -46,30 +46,29 @@ pub struct CampbellDiagram {
         conflicts_with_all = ["parameter", "speed"]
     )]
     speeds: Option<[Amount; 2]>,
-    /// Number of values, both ends included
+    /// Number of values, including both ends
     #[arg(long, value_name = "NUMBER", default_value_t = 101)]
     count: usize,
-    /// The speed that orders are of: a parameter or a state in rad/s; the parameter that is
-    /// varied, if that is in rad/s, unless given
+    /// Speed that the orders multiply: a parameter or a state in rad/s. Default: the varied
+    /// parameter, if it is in rad/s
     #[arg(long, value_name = "NAME")]
     speed: Option<String>,
     /// Orders of the speed that excite the machine
     #[arg(long, value_name = "ORDERS", value_delimiter = ',', default_value = "1")]
     orders: Vec<f64>,
-    /// Write the frequencies to a file that ends in .csv; - for standard output and nothing
-    /// else there
+    /// Write the frequencies to a .csv file; - writes only CSV to standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Plot the frequencies, with the orders, to a file that ends in .svg or .png
+    /// Plot the frequencies and the orders to a .svg or .png file
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
-    /// Speeds in rpm, but in JSON
+    /// Show speeds in rpm, except in JSON
     #[arg(long)]
     rpm: bool,
-    /// Frequencies in Hz, but in JSON
+    /// Show frequencies in Hz, except in JSON
     #[arg(long)]
     hz: bool,
-    /// As JSON, in SI units
+    /// Print JSON, in SI units
     #[arg(long)]
     json: bool,
 }
@@ -178,19 +177,19 @@ impl CampbellDiagram {
             (None, None) => ("--parameter", f64::NAN, f64::NAN),
         };
         if from < 0.0 && option == "--speeds" {
-            return Err(Failure::input("--speeds: a speed is 0 or more", ""));
+            return Err(Failure::input("--speeds: speeds must not be negative", ""));
         }
         if !(2..=MOST_VALUES).contains(&self.count) {
             let message = format!("--count {}: a range has 2 to {MOST_VALUES} values", self.count);
             return Err(Failure::input(message, ""));
         }
         if from >= to || from.is_nan() {
-            let message = format!("{option}: the values must grow, but {from} is not below {to}");
+            let message = format!("{option}: values must increase, but {from} is not below {to}");
             return Err(Failure::input(message, ""));
         }
         if let Some(order) = self.orders.iter().find(|order| !(order.is_finite() && **order > 0.0))
         {
-            let message = format!("--orders {order}: an order is a number above zero");
+            let message = format!("--orders {order}: an order must be above zero");
             return Err(Failure::input(message, "half an order is 0.5"));
         }
         let value = |index: usize| match &self.parameter {
@@ -223,10 +222,10 @@ impl CampbellDiagram {
         }
         if speeds.is_none() {
             text.push_str(
-                "\nNo orders: the parameter is not in rad/s; `--speed NAME` says what they are of.\n",
+                "\nNo orders: the parameter is not in rad/s; `--speed NAME` selects a speed.\n",
             );
         } else if critical.is_empty() {
-            text.push_str("\nNo order meets a frequency here.\n");
+            text.push_str("\nNo order crosses a natural frequency in this range.\n");
         } else {
             let heads = ["order", "motion", "damping ratio"].map(str::to_owned);
             let ([order, branch, ratio], frequency) = (heads, format!("at [{hertz}]"));
@@ -277,8 +276,8 @@ fn growing(diagram: &Campbell) -> String {
         let ([from, to, at], fastest) = (numbers, number(stretch.fastest, 3));
         let moves = stretch.moves.join(", ");
         format!(
-            "\nUnstable from {parameter} = {from} to {to} {unit}: what is not disturbed grows by \
-             itself, fastest\nas e^({fastest} 1/s t) at {at} {unit}; {moves} most.\n"
+            "\nUnstable from {parameter} = {from} to {to} {unit}: disturbances grow, fastest\nas \
+             e^({fastest} 1/s t) at {at} {unit}; {moves} most.\n"
         )
     });
     told.collect()

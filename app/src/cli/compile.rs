@@ -13,10 +13,10 @@ use crate::failure::Failure;
 pub struct Compile {
     /// Name or file of the scene
     scene: String,
-    /// The file to write, which ends in .model
+    /// Model file to write, ending in .model
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
-    /// Leave nothing out, whether the outputs need it or not
+    /// Keep everything, even what no output needs
     #[arg(long)]
     keep_all: bool,
 }
@@ -27,7 +27,7 @@ impl Compile {
         let stamped = match Given::of(&self.scene)? {
             Given::Spec(source) => derived_stamped(&source, self.keep_all)?,
             Given::Model(_) => {
-                let message = format!("{} is a model already", self.scene);
+                let message = format!("{} is already a model", self.scene);
                 return Err(Failure::input(message, "copy it, or give the spec of a scene"));
             }
         };

@@ -16,7 +16,7 @@ enum Shell {
 
 #[derive(Debug, Args)]
 pub struct Completions {
-    /// The shell
+    /// Shell
     shell: Shell,
 }
 

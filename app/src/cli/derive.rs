@@ -18,10 +18,10 @@ use crate::failure::Failure;
 pub struct Derive {
     /// Name or file of the scene
     scene: String,
-    /// As LaTeX
+    /// Print LaTeX
     #[arg(long, conflicts_with = "json")]
     latex: bool,
-    /// As JSON, with both text and LaTeX
+    /// Print JSON, with both text and LaTeX
     #[arg(long)]
     json: bool,
 }
@@ -45,8 +45,8 @@ impl Derive {
 /// Creates the error for a model file, which holds no equations.
 fn no_equations(model: &Model) -> Failure {
     let spec = model.files.first().map_or("its spec", |file| file.label.as_str());
-    let message = format!("the model of `{}` holds what is computed, and no equations", model.name);
-    Failure::input(message, format!("derive {spec}, of which it was made"))
+    let message = format!("the model of `{}` contains no symbolic equations", model.name);
+    Failure::input(message, format!("derive {spec}, from which it was compiled"))
 }
 
 fn as_text(derivation: &Derivation) -> String {
@@ -59,7 +59,7 @@ fn as_text(derivation: &Derivation) -> String {
     };
     let rows: Vec<_> = std::iter::once(header).chain(costs(model).iter().map(row)).collect();
     let by = if derivation.algebra == Algebra::Plain {
-        "Worked out by our own algebra, which simplifies less than Symbolica.\n\n"
+        "Derived by Machinist's own algebra, which simplifies less than Symbolica.\n\n"
     } else {
         ""
     };

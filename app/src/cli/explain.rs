@@ -19,10 +19,10 @@ use crate::progress::during;
 pub struct Explain {
     /// Name or file of the scene
     scene: String,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     json: bool,
-    /// Leave nothing out
+    /// Keep everything, even what no output needs
     #[arg(long)]
     keep_all: bool,
     /// Do not run the scene to compare times, nor compile it to compare sizes
@@ -119,7 +119,7 @@ fn candidates(candidates: &[Candidate]) -> String {
         return String::new();
     }
     let lines = candidates.iter().map(|candidate| format!("  {}\n", price(candidate)));
-    format!("\nWhat [freeze] could take for rigid\n{}", lines.collect::<String>())
+    format!("\nCandidates for [freeze]\n{}", lines.collect::<String>())
 }
 
 /// Returns a sentence on the price of a candidate.
@@ -145,8 +145,8 @@ pub fn price(candidate: &Candidate) -> String {
 pub fn structure(explanation: &Explanation) -> Vec<String> {
     if explanation.has_fields {
         return vec![
-            "fields hold everything together: the scene is kept whole, and the numbers above are \
-             those of the machine at its ports, without the elements"
+            "the scene has fields, so nothing is left out; the numbers above are those of the \
+             machine at its ports, without the elements"
                 .to_owned(),
         ];
     }
@@ -164,36 +164,36 @@ pub fn structure(explanation: &Explanation) -> Vec<String> {
     let (constant, all) = structure.constant_jacobian;
     let time = if structure.autonomous { "does not depend" } else { "depends" };
     let mass = match structure.coordinates {
-        0 => "there is no coordinate, and so no mass matrix".to_owned(),
+        0 => "there are no coordinates, hence no mass matrix".to_owned(),
         _ => format!("the mass matrix is {mass}"),
     };
     let mut lines = vec![
         mass,
         format!("{constant} of {all} Jacobian entries depend on parameters only"),
-        format!("the rate {time} on time by itself"),
+        format!("the rate {time} on time explicitly"),
     ];
     match &structure.subsystems[..] {
-        [] | [_] => lines.push("no part of the state is independent of the rest".to_owned()),
+        [] | [_] => lines.push("the state has no independent parts".to_owned()),
         parts => {
             let parts: Vec<String> = parts.iter().map(|part| named(part)).collect();
-            lines.push(format!("parts that do not depend on each other: {}", parts.join("; ")));
+            lines.push(format!("independent parts: {}", parts.join("; ")));
         }
     }
     if structure.is_linear() {
         lines.push("the equations are linear with constant coefficients".to_owned());
     } else if !structure.linear_rows.is_empty() {
         let rows = named(&structure.linear_rows);
-        lines.push(format!("linear with constant coefficients are the rates of {rows}"));
+        lines.push(format!("these rates are linear with constant coefficients: {rows}"));
         if !structure.linear_part.is_empty() {
             let part = named(&structure.linear_part);
-            lines.push(format!("which alone make a linear time-invariant part: {part}"));
+            lines.push(format!("linear time-invariant subsystem: {part}"));
         }
     }
     for (name, frequency) in [("rate", structure.rate), ("Jacobian", structure.jacobian)] {
         let Frequency { once, by_time, by_state } = frequency;
         lines.push(format!(
-            "of the operations of the {name}, {once} are done once a run, {by_time} are of time and \
-             parameters alone, {by_state} of the state"
+            "operations of the {name}: {once} once per run, {by_time} dependent on time and \
+             parameters only, {by_state} dependent on the state"
         ));
     }
     lines

@@ -37,74 +37,76 @@ const STEPS: usize = 100;
 
 #[derive(Debug, Args)]
 pub struct FitCommand {
-    /// Name of a scene built in, or a scene file
+    /// Name of a built-in scene, or a scene file
     scene: String,
-    /// A measured run: a CSV file with time in its first column; may be given several times
+    /// Measured run: a CSV file with time in its first column; repeatable
     #[arg(long, value_name = "FILE", required_unless_present = "experiments")]
     data: Vec<PathBuf>,
-    /// Measured runs with settings of their own: a TOML file with a table [[experiment]] for each,
-    /// of `data`, and as wanted `name`, `from`, `set`, `map`, `outputs`, `sigma`
+    /// Measured runs with individual settings: a TOML file with one table [[experiment]] for each
+    /// run, with the key `data` and the optional keys `name`, `from`, `set`, `map`, `outputs` and
+    /// `sigma`
     #[arg(long, value_name = "FILE")]
     experiments: Option<PathBuf>,
-    /// What is fitted: parameters, or initial values of states, with bounds or without
+    /// Parameters or initial values of states to fit, optionally with bounds
     #[arg(long, value_name = "NAME[=FROM..TO]", value_delimiter = ',', required = true,
         value_parser = asked)]
     parameters: Vec<Asked>,
-    /// What a column of the data is, if it bears another name
+    /// Output that a column of the data measures, if their names differ
     #[arg(long, value_name = "COLUMN=OUTPUT", value_parser = pair)]
     map: Vec<(String, String)>,
-    /// Only these outputs or states; all columns unless given
+    /// Outputs or states to fit. Default: all columns of the data
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
-    /// Standard deviation of an output's measurement: in its unit, as a share of what is measured,
-    /// or both, `0.02 + 1 %`; found from the residuals unless given here, or by a column
-    /// `sigma(OUTPUT)` of the data
+    /// Standard deviation of an output's measurement: absolute, relative to the measured value, or
+    /// both, `0.02 + 1 %`. Default: the column `sigma(OUTPUT)` of the data, otherwise an estimate
+    /// from the residuals
     #[arg(long, value_name = "OUTPUT=VALUE", value_parser = of_output)]
     sigma: Vec<(String, Noise)>,
-    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
+    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, Amount)>,
     /// Start time of the runs, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     from: Option<f64>,
-    /// Relative tolerance of a step
+    /// Relative tolerance
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
-    /// The method, one that carries sensitivities
+    /// Integration method, one that computes sensitivities
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
-    /// Searches from so many starts, spread within bounds
+    /// Number of starts, spread within the bounds
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     starts: usize,
-    /// How residuals count
+    /// Loss function of the residuals
     #[arg(long, value_name = "LOSS", default_value = "squares")]
     loss: LossName,
-    /// Steps of a search at most
+    /// Maximum number of steps of a search
     #[arg(long, value_name = "NUMBER", default_value_t = STEPS)]
     steps: usize,
-    /// Intervals by profiles of the likelihood besides, of all that is fitted or of these
+    /// Add confidence intervals by profile likelihood, for all fitted parameters or for these
     #[arg(long, value_name = "NAMES", value_delimiter = ',', num_args = 0..=1)]
     profile: Option<Vec<String>>,
-    /// Plot the profiles to a file that ends in .svg or .png
+    /// Plot the profiles to a .svg or .png file
     #[arg(long, value_name = "FILE")]
     plot_profiles: Option<PathBuf>,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     json: bool,
-    /// Plot data beside the runs before and after to a file that ends in .svg or .png; of
-    /// several data files, one beside the other
+    /// Plot the data and the runs before and after the fit to a .svg or .png file, with several
+    /// data files side by side
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
-    /// Write the scene with the fitted values to a file that ends in .toml
+    /// Write the scene with the fitted values to a .toml file
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum LossName {
-    /// Their squares
+    /// Squares of the residuals
     Squares,
-    /// Their squares, beyond what is usual their sizes: outliers count less
+    /// Huber's loss: quadratic for small residuals, linear for large ones, which reduces the weight
+    /// of outliers
     Huber,
 }
 
@@ -197,7 +199,7 @@ impl FitCommand {
             }
             End::Stuck => {
                 let help = format!("{more}; a lower `--rtol`, or other bounds, may help");
-                Err(Failure::unsuccessful("no step from there leads to anything better", help))
+                Err(Failure::unsuccessful("no further step improves the fit", help))
             }
         }
     }
@@ -209,11 +211,11 @@ impl FitCommand {
             require_ending(file, &["toml"], "--out")?;
         }
         if self.plot_profiles.is_some() && self.profile.is_none() {
-            let help = "`--profile` asks for them, of all or of some parameters";
-            return Err(Failure::input("--plot-profiles: there are no profiles", help));
+            let help = "add `--profile`, for all or some parameters";
+            return Err(Failure::input("--plot-profiles needs `--profile`", help));
         }
         if self.starts == 0 || self.steps == 0 {
-            return Err(Failure::input("--starts and --steps are at least 1", ""));
+            return Err(Failure::input("--starts and --steps must be at least 1", ""));
         }
         Ok(())
     }
@@ -242,10 +244,10 @@ impl FitCommand {
         match setups.iter().enumerate().find(is_twice) {
             None => Ok(setups),
             Some((_, setup)) => {
-                let message = format!("there are two runs `{}`", setup.name.escape_debug());
+                let message = format!("there are two runs named `{}`", setup.name.escape_debug());
                 Err(Failure::input(
                     message,
-                    "each counts once; `name` of experiments tells them apart",
+                    "list each run once; `name` distinguishes experiments with the same data",
                 ))
             }
         }
@@ -296,8 +298,8 @@ impl FitCommand {
         };
         for (name, sigma) in setup.sigma.iter().chain(self.sigma.iter().filter(is_new)) {
             if noise.iter().any(|(other, _)| other == name) {
-                let message = format!("{}: `sigma({name})` is a column already", setup.name);
-                return Err(Failure::input(message, "leave the sigma of the output out"));
+                let message = format!("{}: the data already contain `sigma({name})`", setup.name);
+                return Err(Failure::input(message, "remove either the column or this sigma"));
             }
             noise.push((name.clone(), sigma.clone()));
         }
@@ -320,7 +322,7 @@ impl FitCommand {
         match self.sigma.iter().find(|(name, _)| !known.contains(&name.as_str())) {
             None => Ok(()),
             Some((name, _)) => Err(Failure::input(
-                format!("--sigma {}: that is not measured", name.escape_debug()),
+                format!("--sigma {}: there are no data for it", name.escape_debug()),
                 did_you_mean(name, known.into_iter()),
             )),
         }
@@ -335,7 +337,7 @@ impl FitCommand {
         let place = |name: &String| {
             let known = unknowns.iter().map(|unknown| unknown.name.as_str());
             known.clone().position(|other| other == name).ok_or_else(|| {
-                let message = format!("--profile {}: that is not fitted", name.escape_debug());
+                let message = format!("--profile {}: it is not fitted", name.escape_debug());
                 Failure::input(message, did_you_mean(name, known))
             })
         };
@@ -393,7 +395,7 @@ fn check_settings(setups: &[Setup], unknowns: &[Unknown]) -> Result<(), Failure>
                 "experiment `{}` sets `{name}`, which is fitted",
                 setup.name.escape_debug()
             );
-            let help = "leave it out of `set`, or out of `--parameters`; `--set` gives the start";
+            let help = "remove it from `set` or `--parameters`; `--set` gives the initial guess";
             return Err(Failure::input(message, help));
         }
     }
@@ -419,11 +421,11 @@ fn check_noise(experiments: &[Experiment]) -> Result<(), Failure> {
             let mut known = values.iter().enumerate().filter(|(_, value)| !value.is_nan());
             if let Some((row, value)) = known.find(|(row, value)| noise.at(*row, **value) == 0.0) {
                 let message = format!(
-                    "{}: row {} of `{name}` is {value}, of which no share is a standard deviation",
+                    "{}: row {} of `{name}` is {value}, so its relative standard deviation is zero",
                     experiment.name,
                     row + 1
                 );
-                return Err(Failure::input(message, "add what it is at 0, as in `0.02 + 1 %`"));
+                return Err(Failure::input(message, "add an absolute part, as in `0.02 + 1 %`"));
             }
         }
     }

@@ -14,13 +14,13 @@ use crate::fmu::{Archive, Library};
 pub struct Fmu {
     /// Name or file of the scene, or a model file
     scene: String,
-    /// The file to write, which ends in .fmu
+    /// FMU to write, ending in .fmu
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
-    /// Parameters that the host sets along the run: inputs
+    /// Parameters that become inputs, which the importer sets during the run
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     inputs: Vec<String>,
-    /// The shared library to put into it, instead of the one beside this program
+    /// Shared library to include, instead of the one beside this program
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
     /// Number of elements of each field
@@ -29,7 +29,7 @@ pub struct Fmu {
     /// Order of the elements of fields
     #[arg(long, value_name = "NUMBER")]
     order: Option<usize>,
-    /// Leave nothing out, whether the outputs need it or not
+    /// Keep everything, even what no output needs
     #[arg(long)]
     keep_all: bool,
 }

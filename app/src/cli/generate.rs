@@ -22,9 +22,9 @@ pub const EMITTED: &str = "generated/src/scenes";
 /// Language of the emitted code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Target {
-    /// All scenes of a folder as modules of a crate
+    /// All scenes of a folder, as modules of a crate
     Rust,
-    /// One scene as a header, a source, a CMake file and an example
+    /// One scene, as a header, a source, a CMake file and an example
     C99,
 }
 
@@ -32,19 +32,19 @@ enum Target {
 pub struct Generate {
     /// With --target c99: name or file of the scene, or a model file
     scene: Option<String>,
-    /// The language
+    /// Target language
     #[arg(long, value_name = "NAME", default_value = "rust")]
     target: Target,
-    /// Write nothing; fail if any emitted file is not what the specs give
+    /// Write nothing; fail if an emitted file is out of date
     #[arg(long)]
     check: bool,
-    /// The folder of the scenes
+    /// Folder of the scenes
     #[arg(long, value_name = "DIR", default_value = scene::SCENES)]
     specs: PathBuf,
-    /// The folder of the emitted files; of Rust generated/src/scenes unless given
+    /// Folder for the emitted files. Default for Rust: generated/src/scenes
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Leave nothing out, whether the outputs need it or not
+    /// Keep everything, even what no output needs
     #[arg(long)]
     keep_all: bool,
     #[command(flatten)]
@@ -63,7 +63,7 @@ impl Generate {
                 self.c99.execute(scene, self.keep_all, out, mode)
             }
             (Target::C99, None) => {
-                let message = "--target c99 emits one scene at a time, and none is given";
+                let message = "--target c99 emits one scene at a time, but none is given";
                 Err(Failure::input(message, "machinist gen --target c99 SCENE -o FOLDER"))
             }
             (Target::Rust, Some(scene)) => {
@@ -119,7 +119,7 @@ fn describe(summary: &Summary, folder: &str) -> String {
         lines.push(format!("{what:<8} {folder}{file}\n"));
     }
     for file in &summary.orphans {
-        lines.push(format!("orphan   {folder}{file}: its scene is no more; delete it\n"));
+        lines.push(format!("orphan   {folder}{file}: its scene no longer exists; delete it\n"));
     }
     lines.concat()
 }

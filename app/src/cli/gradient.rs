@@ -19,13 +19,13 @@ use crate::progress::during;
 
 #[derive(Debug, Args)]
 pub struct GradientCommand {
-    /// Name of a scene built in, or a scene file
+    /// Name of a built-in scene, or a scene file
     scene: String,
-    /// The number: an expression over extremes, means and ends of outputs, such as
-    /// max(abs(twist)), and parameters, as of `improve`
+    /// Result to differentiate: an expression as for `improve`, of extremes, means and final values
+    /// of outputs, such as max(abs(twist)), and of parameters
     #[arg(long, value_name = "EXPRESSION", allow_hyphen_values = true)]
     of: String,
-    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
+    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, Amount)>,
     /// Start time, s
@@ -34,20 +34,19 @@ pub struct GradientCommand {
     /// End time, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<f64>,
-    /// Times at which the run is looked at; as many as the scene's, and at least 2001, unless
-    /// given
+    /// Number of times at which the run is evaluated. Default: that of the scene, but at least 2001
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
-    /// Relative tolerance of a step
+    /// Relative tolerance
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
-    /// The method: tsit5 or dop853 in reverse, or another that carries sensitivities
+    /// Integration method: tsit5 or dop853 for reverse mode, or another that computes sensitivities
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
-    /// So many rows of the table at most; 0 for all
+    /// Maximum number of rows of the table; 0 shows all
     #[arg(long, value_name = "NUMBER", default_value_t = 20)]
     top: usize,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     json: bool,
 }
@@ -85,7 +84,7 @@ struct Answer<'a> {
 impl GradientCommand {
     pub fn execute(&self) -> Result<(), Failure> {
         if self.points.is_some_and(|points| points < 2) {
-            return Err(Failure::input("--points is at least 2", ""));
+            return Err(Failure::input("--points must be at least 2", ""));
         }
         let scene = Scene::load(&self.scene, false)?;
         let simulator = scene.simulator();

@@ -34,10 +34,10 @@ const STEPS: usize = 100;
 
 #[derive(Debug, Args)]
 pub struct Improve {
-    /// Name of a scene built in, or a scene file
+    /// Name of a built-in scene, or a scene file
     scene: String,
-    /// What is to be least: an expression over extremes, means and ends of outputs, such as
-    /// max(abs(twist)), and parameters
+    /// Objective to minimize: an expression of extremes, means and final values of outputs, such as
+    /// max(abs(twist)), and of parameters
     #[arg(
         long,
         value_name = "EXPRESSION",
@@ -45,17 +45,17 @@ pub struct Improve {
         allow_hyphen_values = true
     )]
     minimise: Option<String>,
-    /// What is to be greatest, likewise
+    /// Objective to maximize, an expression as for --minimise
     #[arg(long, value_name = "EXPRESSION", allow_hyphen_values = true)]
     maximise: Option<String>,
-    /// A limit, such as max(abs(coupling_torque)) <= 900; may be given several times
+    /// Constraint, such as max(abs(coupling_torque)) <= 900; repeatable
     #[arg(long, value_name = "EXPRESSION<=EXPRESSION", allow_hyphen_values = true)]
     subject_to: Vec<String>,
-    /// What is varied: parameters, or initial values of states, with bounds or without
+    /// Parameters or initial values of states to vary, optionally with bounds
     #[arg(long, value_name = "NAME[=FROM..TO]", value_delimiter = ',', required = true,
         value_parser = asked)]
     parameters: Vec<Asked>,
-    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
+    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, Amount)>,
     /// Start time of the runs, s
@@ -64,28 +64,28 @@ pub struct Improve {
     /// End time of the runs, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<f64>,
-    /// Times at which runs are looked at; as many as the scene's, and at least 2001, unless given
+    /// Number of times at which runs are evaluated. Default: that of the scene, but at least 2001
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
-    /// Relative tolerance of a step
+    /// Relative tolerance
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
-    /// The method, one that carries sensitivities
+    /// Integration method, one that computes sensitivities
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
-    /// Searches from so many starts, spread within bounds
+    /// Number of starts, spread within the bounds
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     starts: usize,
-    /// Steps of a search at most
+    /// Maximum number of steps of a search
     #[arg(long, value_name = "NUMBER", default_value_t = STEPS)]
     steps: usize,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     json: bool,
-    /// Plot what the expressions are of, before and after, to a file that ends in .svg or .png
+    /// Plot the outputs in the expressions, before and after, to a .svg or .png file
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
-    /// Write the scene with the values found to a file that ends in .toml
+    /// Write the scene with the values found to a .toml file
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -152,14 +152,14 @@ impl Improve {
             require_ending(file, &["toml"], "--out")?;
         }
         if self.starts == 0 || self.steps == 0 {
-            return Err(Failure::input("--starts and --steps are at least 1", ""));
+            return Err(Failure::input("--starts and --steps must be at least 1", ""));
         }
         if self.points.is_some_and(|points| points < 2) {
-            return Err(Failure::input("--points is at least 2", ""));
+            return Err(Failure::input("--points must be at least 2", ""));
         }
         if self.minimise.is_none() && self.maximise.is_none() {
             let help = "such as --minimise 'max(abs(coupling_torque))'";
-            return Err(Failure::input("--minimise or --maximise says what is to be best", help));
+            return Err(Failure::input("no objective: give --minimise or --maximise", help));
         }
         Ok(())
     }
@@ -223,7 +223,7 @@ impl Improve {
                     runs += 1;
                     let value = evaluation.objective[0].value * sizes.objective;
                     let missed = evaluation.missed();
-                    let missed = if missed > 0.0 { ", limits missed" } else { "" };
+                    let missed = if missed > 0.0 { ", constraints violated" } else { "" };
                     let value = number(value, 6);
                     spinner.set_message(format!("improving: {runs} runs, {value}{missed}"));
                 })
@@ -287,9 +287,9 @@ impl Improve {
                     .filter(|(branches, _)| branches[0].value > 1e-7)
                     .map(|(_, text)| text.as_str())
                     .collect();
-                let message = format!("nothing nearby meets {}", missed.join(" and "));
-                let help = "the values above miss it by the least; other bounds, `--starts`, or \
-                            more parameters may help";
+                let message = format!("found no values that satisfy {}", missed.join(" and "));
+                let help = "the values above violate it least; other bounds, `--starts`, or more \
+                            parameters may help";
                 Err(Failure::unsuccessful(message, help))
             }
             End::Converged | End::Infeasible => Ok(()),
@@ -299,7 +299,7 @@ impl Improve {
             }
             End::Stuck => {
                 let help = format!("{more}; a lower `--rtol`, or other bounds, may help");
-                Err(Failure::unsuccessful("no step from there leads to anything better", help))
+                Err(Failure::unsuccessful("no further step improves the objective", help))
             }
         }
     }

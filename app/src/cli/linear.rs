@@ -13,16 +13,16 @@ use crate::progress::during;
 
 #[derive(Debug, Args)]
 pub struct Where {
-    /// Name of a scene built in, or a scene file
+    /// Name of a built-in scene, or a scene file
     scene: String,
-    /// Leave nothing out, whether the outputs need it or not
+    /// Keep everything, even what no output needs
     #[arg(long)]
     keep_all: bool,
-    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
+    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, Amount)>,
-    /// Where to linearize: equilibrium (the one near the end of the scene's run, rest
-    /// or constant speed), initial, or t=SECONDS
+    /// Operating point: equilibrium (the one near the end of the scene's run, at rest or at
+    /// constant speed), initial, or t=SECONDS
     #[arg(long, value_name = "PLACE", default_value = "equilibrium")]
     at: Place,
 }

@@ -30,10 +30,10 @@ pub struct Modes {
     /// Add derivatives of frequencies and damping by these parameters, as NAME,NAME
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     sensitivities: Vec<String>,
-    /// As JSON, with shapes, the point, and the matrices M, D and K
+    /// Print JSON, with shapes, operating point, and the matrices M, D and K
     #[arg(long)]
     json: bool,
-    /// Plot the shapes to a file that ends in .svg or .png
+    /// Plot the shapes to a .svg or .png file
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }
@@ -233,20 +233,21 @@ impl Slopes<'_> {
 /// Explains why a mode has no derivatives.
 fn without(why: &NoSlope, linearization: &Linearization<'_>, modes: &[Mode]) -> String {
     match why {
-        NoSlope::Free => "nothing restores it, whatever the parameters".to_owned(),
+        NoSlope::Free => "it has no restoring force, for any parameters".to_owned(),
         NoSlope::Repeated(others) => {
             let named = others.iter().map(|other| {
                 let [kind, moves, ..] = row(linearization, &modes[*other]);
                 format!("the {kind} of {moves}")
             });
             format!(
-                "its eigenvalue is also that of {}, and how they part depends on what is changed",
+                "its eigenvalue coincides with that of {}, and they split differently for each \
+                 parameter",
                 named.collect::<Vec<_>>().join(" and of ")
             )
         }
         NoSlope::Defective => {
-            "its eigenvalue is double with one shape, as where an oscillation becomes two decays, \
-             and moves as a root"
+            "its eigenvalue is defective: double with a single shape, as at critical damping, \
+             where derivatives are infinite"
                 .to_owned()
         }
     }
@@ -283,8 +284,8 @@ fn doubts(linearization: &Linearization<'_>, modes: &[Mode]) -> String {
         let [kind, moves, ..] = row(linearization, mode);
         let residual = number(mode.residual, 2);
         format!(
-            "\nthe {kind} of {moves} misses the equations by {residual} of their size: as where the \
-             machine is not steady, or eigenvalues all but meet; its numbers are no better\n"
+            "\nthe {kind} of {moves} has a relative residual of {residual}: the machine is not \
+             steady there, or eigenvalues nearly coincide; its numbers are no more accurate\n"
         )
     });
     told.collect()

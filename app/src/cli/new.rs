@@ -68,9 +68,9 @@ const RESERVED: &[&str] = &[
 
 #[derive(Debug, Args)]
 pub struct New {
-    /// What to call it: lower-case letters, digits, - and _
+    /// Name of the machine: lower-case letters, digits, - and _
     name: String,
-    /// Only the spec, as the file NAME.toml
+    /// Write only the spec, as the file NAME.toml
     #[arg(long)]
     spec_only: bool,
 }
@@ -237,8 +237,8 @@ fn crate_written(names: &Names, sources: Option<&Path>) -> String {
     let from = match sources {
         Some(folder) => format!("Machinist itself is taken from {}.", folder.display()),
         None => format!(
-            "Machinist itself is taken from the registry, version {}, as the sources of this \
-             program are not here;\nCargo.toml may name their folders by `path` instead.",
+            "Machinist itself is taken from the registry, version {}: the sources of this program \
+             are not here;\nCargo.toml may name their folders by `path` instead.",
             env!("CARGO_PKG_VERSION")
         ),
     };

@@ -47,7 +47,7 @@ pub fn require_ending(file: &Path, endings: &[&str], option: &str) -> Result<(),
     if endings.iter().any(|known| known.eq_ignore_ascii_case(ending)) {
         return Ok(());
     }
-    let message = format!("{option} {}: no such format", file.display());
+    let message = format!("{option} {}: unknown format", file.display());
     Err(Failure::input(message, format!("the name must end in .{}", endings.join(" or ."))))
 }
 
@@ -159,7 +159,7 @@ fn lines(first: impl IntoIterator<Item = String>, notes: &[String], whole: &str)
     /// Maximum number of notes. A machine that becomes stiff again and again has one each time.
     const MOST: usize = 8;
     let more = notes.len().saturating_sub(MOST);
-    let more = (more > 0).then(|| format!("and {more} remarks more, which {whole} has"));
+    let more = (more > 0).then(|| format!("and {more} more remarks; {whole} has all of them"));
     let lines = first.into_iter().chain(notes.iter().take(MOST).cloned()).chain(more);
     lines.flat_map(|line| ["\n".to_owned(), line]).collect()
 }

@@ -18,19 +18,19 @@ const MENDING_COMMAND: &str = "cargo run --release -- parts --page docs/book/src
 pub struct Parts {
     #[command(subcommand)]
     what: Option<What>,
-    /// Only parts whose name, title, text, ports or parameters contain all of these words
+    /// List only parts whose name, title, text, ports or parameters contain all of these words
     #[arg(value_name = "WORD")]
     words: Vec<String>,
-    /// Write all of them to a page in Markdown
+    /// Write all parts to a page in Markdown
     #[arg(long, value_name = "FILE", conflicts_with = "words")]
     page: Option<PathBuf>,
 }
 
 #[derive(Debug, Subcommand)]
 enum What {
-    /// Equations, ports, parameters and an example of one part
+    /// Show equations, ports, parameters and an example of one part
     Show {
-        /// Its name, such as `rotational/clutch`, or the last part of it
+        /// Name of the part, such as `rotational/clutch`, or its last component
         name: String,
     },
 }
@@ -68,7 +68,7 @@ fn list(words: &[String]) -> Result<(), Failure> {
         }
     }
     if rows.is_empty() {
-        let message = format!("no part is described by `{}`", words.join(" ").escape_debug());
+        let message = format!("no part matches `{}`", words.join(" ").escape_debug());
         return Err(Failure::input(message, "`machinist parts` lists them all"));
     }
     print(&columns(&rows, 2))

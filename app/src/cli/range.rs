@@ -54,7 +54,7 @@ pub fn range(text: &str) -> Result<Range, String> {
     let [first, last] = ends(values, EXAMPLE)?;
     let (from, to) = (first.value, last.value);
     if is_log && from * to <= 0.0 {
-        return Err(format!("equal ratios do not lead from {from} to {to}; leave `:log` out"));
+        return Err(format!("no logarithmic range leads from {from} to {to}; leave `:log` out"));
     }
     Ok(Range { name: name.trim().to_owned(), from, to, is_log, amount: first })
 }
@@ -71,7 +71,7 @@ pub fn ends(values: &str, example: &str) -> Result<[Amount; 2], String> {
     match (&first.unit, &last.unit) {
         (Some(unit), None) => Err(format!("`{to}` has no unit, and `{from}` is in {unit}")),
         (Some(unit), Some(other)) if !is_alike(unit, other) => {
-            Err(format!("{unit} and {other} are not of one dimension"))
+            Err(format!("{unit} and {other} have different dimensions"))
         }
         _ => Ok([first, last]),
     }
@@ -110,7 +110,7 @@ mod tests {
             ("a.b=1", "NAME=FROM..TO"),
             ("a.b=1..x", "`x` is not a number"),
             ("a.b=1..inf", "not a finite number"),
-            ("a.b=0..1:log", "equal ratios"),
+            ("a.b=0..1:log", "no logarithmic"),
             ("a.b=1..2:lin", "only `:log`"),
         ] {
             let error = range(bad).unwrap_err();

@@ -14,22 +14,22 @@ use crate::report::{self, Extent};
 
 #[derive(Debug, Args)]
 pub struct Report {
-    /// Scene file of a machine of one's own, or the name of a spec: a page for this machine.
-    /// Without it, a page for every machine of the folder of scenes, with an index
+    /// Scene file or name of a spec, for a page of this machine. Default: a page for each scene of
+    /// the folder, with an index
     scene: Option<String>,
-    /// The folder to write into
+    /// Folder for the pages
     #[arg(long, value_name = "DIR", default_value = "target/report")]
     out: PathBuf,
-    /// The folder of the scenes
+    /// Folder of the scenes
     #[arg(long, value_name = "DIR", default_value = scene::SCENES, conflicts_with = "scene")]
     specs: PathBuf,
-    /// The folder of the emitted files, which are brought up to date unless `--algebra` is given
+    /// Folder of the emitted files, which are updated unless `--algebra` is given
     #[arg(long, value_name = "DIR", default_value = EMITTED, conflicts_with = "scene")]
     emitted: PathBuf,
-    /// Leave out error against run time: pages are then the same every time
+    /// Leave out timings, so that pages are reproducible
     #[arg(long)]
     no_times: bool,
-    /// How long each run may compute, s
+    /// Limit on the computing time of each run, s
     #[arg(long, value_name = "SECONDS", default_value = TIME_LIMIT, value_parser = time_limit)]
     time_limit: Duration,
 }

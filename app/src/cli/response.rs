@@ -19,24 +19,24 @@ use serde_json::json;
 pub struct FrequencyResponse {
     #[command(flatten)]
     at: Where,
-    /// The parameter that varies harmonically, or a coordinate on which a force does
+    /// Excitation: a parameter that varies harmonically, or a coordinate on which a harmonic force
+    /// acts
     #[arg(long, value_name = "PARAMETER")]
     from: String,
-    /// The output or state that answers
+    /// Responding output or state
     #[arg(long, value_name = "OUTPUT")]
     to: String,
-    /// Angular frequencies, rad/s; from a tenth of the slowest to ten times the
-    /// fastest motion unless given
+    /// Angular frequencies, rad/s. Default: from a tenth of the slowest to ten times the fastest
+    /// motion
     #[arg(long, value_name = "LOWEST:HIGHEST", value_parser = range)]
     range: Option<(f64, f64)>,
-    /// Number of frequencies, both ends included
+    /// Number of frequencies, including both ends
     #[arg(long, value_name = "NUMBER", default_value_t = 401)]
     points: usize,
-    /// Write frequency, amplitude and phase to a file that ends in .csv; - for
-    /// standard output and nothing else there
+    /// Write frequency, amplitude and phase to a .csv file; - writes only CSV to standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Plot amplitude and phase to a file that ends in .svg or .png
+    /// Plot amplitude and phase to a .svg or .png file
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }
@@ -56,8 +56,8 @@ impl FrequencyResponse {
         let remark = linearization.growth().ok().flatten().map(|growth| {
             let growth = number(growth, 3);
             format!(
-                "what is not disturbed grows there by itself, as e^({growth} 1/s t): no motion \
-                 settles to these amplitudes"
+                "the operating point is unstable: disturbances grow as e^({growth} 1/s t), so no \
+                 motion settles to these amplitudes"
             )
         });
 
@@ -100,7 +100,7 @@ impl FrequencyResponse {
         let Response { from, to, .. } = response;
         let mut text = format!("{heading}\n{to} answers {from}\n\n");
         if response.amplitudes.iter().all(|amplitude| *amplitude == 0.0) {
-            text.extend(["It does not: there, ", to, " does not change with ", from, ".\n"]);
+            text.extend(["No response: at this point ", to, " does not change with ", from, ".\n"]);
         } else {
             text.push_str(&columns(&rows(response, largest), 1));
         }

@@ -28,7 +28,7 @@ pub fn write_scene<'a>(
     use crate::spec_source::SpecSource;
 
     let no_text = || {
-        let message = format!("--out: `{scene}` is a model, which has no text");
+        let message = format!("--out: `{scene}` is a model, which has no spec");
         Failure::input(message, "give the spec that it was compiled from")
     };
     let (text, of) = match Given::of(scene)? {

@@ -36,12 +36,12 @@ use serde_json::json;
 
 #[derive(Debug, Args)]
 pub struct Run {
-    /// Name of a scene built in, or a scene file
+    /// Name of a built-in scene, or a scene file
     scene: String,
-    /// Leave nothing out, whether the outputs need it or not
+    /// Keep everything, even what no output needs
     #[arg(long)]
     keep_all: bool,
-    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
+    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, Amount)>,
     /// Start time, s
@@ -50,15 +50,15 @@ pub struct Run {
     /// End time, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<f64>,
-    /// Where to start: in the equilibrium near what the scene gives, or there; as the scene
-    /// says, unless set
+    /// Initial state: the equilibrium near the scene's initial values, or these values as given.
+    /// Default: as in the scene
     #[arg(long, value_name = "STATE")]
     start: Option<Start>,
-    /// Number of output times, both ends included; equally spaced, or as `--times` says
+    /// Number of output times, including both ends; equally spaced, unless --times gives a range
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
-    /// Output times, s: a list, `0,0.1,0.5`, or so many as `--points` says at equal ratios since
-    /// the start, `1e-3..10:log`
+    /// Output times, s: a list, `0,0.1,0.5`, or a logarithmic range of times after the start with
+    /// `--points` values, `1e-3..10:log`
     #[arg(long, value_name = "TIMES", value_parser = times, allow_hyphen_values = true)]
     times: Option<Times>,
     /// Number of elements of each field
@@ -67,31 +67,30 @@ pub struct Run {
     /// Order of the elements of fields
     #[arg(long, value_name = "NUMBER")]
     order: Option<usize>,
-    /// Move only so many of the slowest modes, those at the start of the run
+    /// Simulate only this number of the slowest eigenmodes, computed at the start of the run
     #[arg(long, value_name = "NUMBER")]
     modes: Option<usize>,
-    /// Relative tolerance of a step
+    /// Relative tolerance
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
-    /// Largest number of steps; ten million unless given
+    /// Maximum number of steps. Default: ten million
     #[arg(long, value_name = "NUMBER")]
     max_steps: Option<NonZeroUsize>,
-    /// auto, exact, taylor, tsit5, dop853, rodas5p or radau; if it was built with the feature
-    /// `diffsol`, also bdf, tr_bdf2, esdirk34 or tsit45
+    /// Integration method: auto, exact, taylor, tsit5, dop853, rodas5p or radau; with the feature
+    /// `diffsol` also bdf, tr_bdf2, esdirk34 or tsit45
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
-    /// Derivatives of all states and outputs by these parameters, or by initial values of
-    /// these states: columns d(output)/d(parameter)
+    /// Add derivatives of all states and outputs by these parameters, or by initial values of these
+    /// states, as columns d(output)/d(parameter)
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     sensitivities: Vec<String>,
-    /// Write all values to a file that ends in .csv or .json; - for CSV on
-    /// standard output and nothing else there
+    /// Write all values to a .csv or .json file; - writes only CSV to standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Plot to a file that ends in .svg or .png
+    /// Plot to a .svg or .png file
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
-    /// Only these columns: states, outputs, energy.total, derivatives that are asked for
+    /// Columns to write and plot: states, outputs, energy.total, requested derivatives
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     columns: Vec<String>,
     #[command(flatten)]
@@ -164,7 +163,7 @@ impl Run {
                 } else {
                     remark_beside(&trajectory);
                 }
-                let missed = |reason| format!("the accuracy is not met: {reason}");
+                let missed = |reason| format!("the accuracy was not reached: {reason}");
                 shortfall.map_or(Ok(()), |reason| Err(Failure::unsuccessful(missed(reason), "")))
             }
             Err(error) => Err(self.stopped(&scene, format, error)?),
@@ -232,7 +231,7 @@ impl Run {
         if files.is_empty() {
             return Ok(error.into());
         }
-        let what = format!("the run until {last} s is in {}", files.join(" and "));
+        let what = format!("the results until {last} s are in {}", files.join(" and "));
         Ok(Failure::unsuccessful(error, what))
     }
 

@@ -45,7 +45,7 @@ impl Given {
         }
         let bytes = fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
         let stamped = read(&bytes).map_err(|error| {
-            let help = "`machinist compile` makes it again from its spec";
+            let help = "compile it again from its spec with `machinist compile`";
             Failure::input(format!("{}: {error}", path.display()), help)
         })?;
         Ok(Self::Model(Box::new(stamped)))
@@ -228,7 +228,7 @@ pub fn derived_stamped(source: &SpecSource, keep_all: bool) -> Result<Stamped, F
 pub fn stamped(argument: &str, keep_all: bool) -> Result<Stamped, Failure> {
     match Given::of(argument)? {
         Given::Model(_) if keep_all => {
-            let message = format!("{argument} is a model already");
+            let message = format!("{argument} is already a model");
             Err(Failure::input(message, "leave `--keep-all` out"))
         }
         Given::Model(stamped) => Ok(*stamped),
@@ -245,13 +245,13 @@ fn derived(source: &SpecSource, _keep_all: bool) -> Result<Model, Failure> {
 /// Creates the error for a spec in a build that reads none.
 #[cfg(not(feature = "derive"))]
 pub fn cannot_derive(source: &SpecSource) -> Failure {
-    let message = format!("{source}: this program was built without what derives");
-    Failure::input(message, "give a model, as `machinist compile` of a whole build writes it")
+    let message = format!("{source}: this program was built without the feature `derive`");
+    Failure::input(message, "give a model file, written by `machinist compile` of a full build")
 }
 
 /// Hint for fields that cannot be discretized as wanted.
 pub const CUTTING: &str =
-    "`--elements` and `--order` say how fields are cut; without them the spec does";
+    "`--elements` and `--order` override the discretization of fields in the spec";
 
 /// Creates the failure of fields that cannot be discretized as wanted.
 pub fn refused(error: &FieldError) -> Failure {

@@ -14,10 +14,10 @@ const DIALECT: &str = "http://json-schema.org/draft-07/schema#";
 
 #[derive(Debug, Args)]
 pub struct Schema {
-    /// Of files of units, instead of those of scenes
+    /// Print the schema of unit files instead of scene files
     #[arg(long)]
     unit: bool,
-    /// Write it to a file instead of standard output
+    /// Write to a file instead of standard output
     #[arg(long, short, value_name = "FILE")]
     out: Option<PathBuf>,
 }

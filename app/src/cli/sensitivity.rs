@@ -28,15 +28,15 @@ const DRAWN: usize = 6;
 
 #[derive(Debug, Args)]
 pub struct Sensitivity {
-    /// Name of a scene built in, or a scene file
+    /// Name of a built-in scene, or a scene file
     scene: String,
-    /// Only these parameters, or initial values of these states; all parameters unless given
+    /// Parameters, or states for their initial values. Default: all parameters
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     parameters: Vec<String>,
-    /// Only these outputs or states; all outputs unless given
+    /// Outputs or states. Default: all outputs
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
-    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
+    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, Amount)>,
     /// Start time, s
@@ -45,25 +45,25 @@ pub struct Sensitivity {
     /// End time, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<f64>,
-    /// Number of times over which is averaged, both ends included
+    /// Number of times in the averages, including both ends
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
-    /// Relative tolerance of a step
+    /// Relative tolerance
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
-    /// The method, one that carries sensitivities
+    /// Integration method, one that computes sensitivities
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
-    /// So many rows of the table at most; 0 for all
+    /// Maximum number of rows of the table; 0 shows all
     #[arg(long, value_name = "NUMBER", default_value_t = 20)]
     top: usize,
-    /// All of them as JSON
+    /// Print all sensitivities as JSON
     #[arg(long)]
     json: bool,
-    /// Write relative sensitivities over time to a file that ends in .csv
+    /// Write relative sensitivities over time to a .csv file
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Plot the largest relative sensitivities over time to a file that ends in .svg or .png
+    /// Plot the largest relative sensitivities over time to a .svg or .png file
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }
@@ -114,7 +114,7 @@ impl Sensitivity {
         let simulation = self.simulation(simulator)?;
         let (by, mut left_out) = self.directions(simulator, &simulation);
         let nothing = |left_out: &[String]| {
-            Failure::input("there is nothing to differentiate by", left_out.join("; "))
+            Failure::input("there are no parameters to differentiate by", left_out.join("; "))
         };
         if by.is_empty() {
             return Err(nothing(&left_out));
@@ -133,7 +133,7 @@ impl Sensitivity {
         let (mut effects, endless): (Vec<_>, Vec<_>) =
             effects.into_iter().partition(|effect| effect.rms.is_finite());
         left_out.extend(endless.iter().map(|Effect { parameter, output, .. }| {
-            format!("the effect of {parameter} on {output}, which hardly moves")
+            format!("the effect of {parameter} on {output}, which is nearly zero")
         }));
         effects.sort_by(|a, b| b.rms.total_cmp(&a.rms));
         let relative = relative(&trajectory, &effects);
@@ -150,7 +150,7 @@ impl Sensitivity {
             let names: Vec<String> = largest.map(Effect::name).collect();
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
             if names.is_empty() {
-                return Err(Failure::unsuccessful("nothing moves any output: no plot", ""));
+                return Err(Failure::unsuccessful("no parameter affects any output: no plot", ""));
             }
             draw_file(file, |path| crate::plot::plot(&relative, &names, path))?;
         }
@@ -174,7 +174,7 @@ impl Sensitivity {
 
     fn stopped(&self, error: SimulateError) -> Failure {
         if let SimulateError::Stopped { cause: StopCause::AtOnce { .. }, .. } = &error {
-            let help = format!("`--parameters` names those of {} that are wanted", self.scene);
+            let help = format!("`--parameters` selects parameters of {}", self.scene);
             return Failure::unsuccessful(error, help);
         }
         error.into()

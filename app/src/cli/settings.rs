@@ -63,7 +63,7 @@ pub fn time_limit(text: &str) -> Result<Duration, String> {
     let seconds: f64 = text.trim().parse().map_err(|_| "write it as seconds, such as 30")?;
     match Duration::try_from_secs_f64(seconds) {
         Ok(limit) if !limit.is_zero() => Ok(limit),
-        _ => Err("a limit is a number of seconds above 0".to_owned()),
+        _ => Err("a time limit must be above 0 s".to_owned()),
     }
 }
 

@@ -22,7 +22,7 @@ const DIGITS: usize = 12;
 pub struct Show {
     /// Name or file of the scene, or a model file
     scene: String,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     json: bool,
 }

@@ -29,40 +29,39 @@ const MOST_SAMPLES: usize = 10_000_000;
 
 #[derive(Debug, Args)]
 pub struct Spectrum {
-    /// Name of a scene built in, or a scene file
+    /// Name of a built-in scene, or a scene file
     scene: String,
-    /// Only these outputs or states; all outputs unless given
+    /// Outputs or states. Default: all outputs
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
-    /// Start of the stretch that is looked at, s; the run begins where the scene says
+    /// Start of the analysed interval, s; the run starts at the start time of the scene
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     from: Option<f64>,
-    /// End of it and of the run, s
+    /// End of the analysed interval and of the run, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<f64>,
-    /// Number of samples, equally spaced; frequencies go up to half of it over the stretch
+    /// Number of samples, equally spaced; the highest frequency is half the sampling rate
     #[arg(long, value_name = "NUMBER", default_value_t = SAMPLES)]
     samples: usize,
-    /// What samples are weighed by
+    /// Window function
     #[arg(long, value_name = "WINDOW", value_enum, default_value_t = Window::Hann)]
     window: Window,
-    /// Rows of the table for each output: its greatest peaks
+    /// Number of largest peaks shown for each output
     #[arg(long, value_name = "NUMBER", default_value_t = 5)]
     peaks: usize,
-    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
+    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, Amount)>,
-    /// Relative tolerance of a step
+    /// Relative tolerance
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
-    /// The method
+    /// Integration method
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
-    /// Write all lines to a file that ends in .csv or .json; - for CSV on standard output and
-    /// nothing else there
+    /// Write all spectral lines to a .csv or .json file; - writes only CSV to standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Plot to a file that ends in .svg or .png
+    /// Plot to a .svg or .png file
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }
@@ -110,7 +109,7 @@ impl Spectrum {
             let mut values = run.times.iter().zip(&column.values);
             if let Some((time, value)) = values.find(|(_, value)| !value.is_finite()) {
                 let message = format!("`{}` is {value} at {time} s", column.name);
-                return Err(Failure::unsuccessful(message, "numbers alone have a spectrum"));
+                return Err(Failure::unsuccessful(message, "a spectrum needs finite values"));
             }
         }
         let spectra = Spectra {
@@ -162,7 +161,7 @@ impl Spectrum {
         if from >= run.from && from < until && until.is_finite() {
             return Ok((from, until));
         }
-        let message = format!("there is no stretch of the run from {from} s to {until} s");
+        let message = format!("the interval from {from} s to {until} s is empty");
         Err(Failure::input(message, format!("the run begins at {} s", run.from)))
     }
 

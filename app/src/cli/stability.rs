@@ -11,17 +11,17 @@ use crate::trials::{DRIFT, ORDERS, cell, drift_cells, order, refusals, rule};
 
 #[derive(Debug, Args)]
 pub struct Stability {
-    /// Only these methods
+    /// Methods, all by default
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     method: Vec<String>,
-    /// Only cases whose part or name contains this text
+    /// Run only cases whose part or name contains this text
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
     /// Relative tolerance of every run
     #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-6, allow_hyphen_values = true)]
     rtol: f64,
-    /// Steps of the runs that show how far constraints are left: 1000000 with all cases,
-    /// else none
+    /// Number of steps of the runs that measure constraint drift. Default: 1000000 with all cases,
+    /// otherwise none
     #[arg(long, value_name = "NUMBER")]
     drift_steps: Option<usize>,
     /// Print JSON, with the reasons of all refusals

@@ -26,40 +26,41 @@ const MOST_VARIANTS: usize = 1_000_000;
 
 #[derive(Debug, Args)]
 pub struct Sweep {
-    /// Name of a scene built in, or a scene file
+    /// Name of a built-in scene, or a scene file
     scene: String,
-    /// A parameter and its values, equally spaced, or with `:log` at equal ratios; given
-    /// again, all pairs
+    /// Parameter and its values, equally spaced, or logarithmically with `:log`; repeatable, for
+    /// all combinations
     #[arg(long, required = true, value_name = "UNIT.PARAMETER=FROM..TO[:log]", value_parser = range)]
     parameter: Vec<Range>,
     /// Number of values of each parameter
     #[arg(long, value_name = "NUMBER")]
     count: usize,
-    /// Only these outputs or states
+    /// Outputs or states to write
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
-    /// The least and the greatest value over the output times instead of the last
+    /// Write the minimum and the maximum over the output times instead of the final value
     #[arg(long)]
     extremes: bool,
-    /// Give another parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
+    /// Set another parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, Amount)>,
     /// End time, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<f64>,
-    /// Number of output times, both ends included
+    /// Number of output times, including both ends
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
-    /// Relative tolerance of a step
+    /// Relative tolerance
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
-    /// The method; `taylor`, and `auto` where it is that, run variants side by side
+    /// Integration method; `taylor`, also where `auto` selects it, runs variants side by side in
+    /// vector lanes
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
-    /// Number of threads; as many as the machine has unless given
+    /// Number of threads. Default: the number of cores
     #[arg(long, value_name = "NUMBER")]
     threads: Option<usize>,
-    /// Write to a file that ends in .csv or .parquet instead of standard output
+    /// Write to a .csv or .parquet file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -132,7 +133,7 @@ impl Sweep {
             return Err(Failure::input(format!("--parameter {} is given twice", names[twice]), ""));
         }
         if self.threads == Some(0) {
-            return Err(Failure::input("--threads 0: it takes at least one", ""));
+            return Err(Failure::input("--threads 0: at least one is needed", ""));
         }
         Ok(())
     }

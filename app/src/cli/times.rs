@@ -22,13 +22,13 @@ pub fn times(text: &str) -> Result<Times, String> {
     if text.contains("..") {
         let (values, spacing) = text.rsplit_once(':').unwrap_or((text, ""));
         if spacing != "log" {
-            return Err(format!("a range of times is at equal ratios; {EXAMPLE}"));
+            return Err(format!("a range of times must be logarithmic; {EXAMPLE}"));
         }
         return ends(values, EXAMPLE).map(Times::Ratios);
     }
     let times = text.split(',').map(Amount::parse).collect::<Result<Vec<_>, _>>()?;
     if times.len() < 2 || times.windows(2).any(|pair| pair[0].value >= pair[1].value) {
-        return Err(format!("times are two or more, and grow; {EXAMPLE}"));
+        return Err(format!("give two or more times that increase; {EXAMPLE}"));
     }
     Ok(Times::Listed(times))
 }
@@ -62,12 +62,12 @@ impl Times {
                 let (first, last) = (first.value - from, last.value - from);
                 if !(first > 0.0 && last > first && points >= 3) {
                     let message = format!(
-                        "--times: {points} times at equal ratios do not lead from {first} s to \
+                        "--times: {points} logarithmic times cannot lead from {first} s to \
                          {last} s after the start"
                     );
                     return Err(Failure::input(
                         message,
-                        "give the first after the start, and later ends",
+                        "the first time must be after the start, the last after the first",
                     ));
                 }
                 let ratios = (points - 2) as f64;
@@ -95,10 +95,10 @@ mod tests {
         assert!(matches!(times("1e-3..10:log"), Ok(Times::Ratios(_))));
         for (bad, reason) in [
             ("0", "two or more"),
-            ("0,0.2,0.1", "grow"),
+            ("0,0.2,0.1", "increase"),
             ("0,x", "not a number"),
-            ("0..1", "equal ratios"),
-            ("0..1:lin", "equal ratios"),
+            ("0..1", "logarithmic"),
+            ("0..1:lin", "logarithmic"),
         ] {
             assert!(times(bad).unwrap_err().contains(reason), "{bad}");
         }

@@ -21,26 +21,24 @@ pub use machine::verify_spec;
 
 #[derive(Debug, Args)]
 pub struct Verify {
-    /// Scene file or model file of a machine of one's own, or the name of a spec; without it,
-    /// all scenes that are built in
+    /// Scene file, model file, or name of a spec. Default: all built-in scenes
     scene: Option<String>,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     json: bool,
-    /// Give a parameter another value. Without a file write SCENE.UNIT.PARAMETER=VALUE;
-    /// references then stay those of the published one
+    /// Set a parameter. Without a scene: SCENE.UNIT.PARAMETER=VALUE, with references unchanged
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, Amount)>,
-    /// Only checks whose scene or name contains this text
+    /// Run only checks whose scene or name contains this text
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
-    /// End time of the file's run, s
+    /// End time of the scene's run, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, requires = "scene")]
     until: Option<f64>,
-    /// Relative tolerance of a step of the file's run
+    /// Relative tolerance of the scene's run
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true, requires = "scene")]
     rtol: Option<f64>,
-    /// How long each run of the file may compute, s
+    /// Limit on the computing time of each run of the scene, s
     #[arg(long, value_name = "SECONDS", default_value = TIME_LIMIT, value_parser = time_limit, requires = "scene")]
     time_limit: Duration,
 }

@@ -24,32 +24,32 @@ pub struct WalkCommand {
     /// Radius of the full package [m]
     #[arg(long, value_name = "RADIUS", allow_hyphen_values = true)]
     radius_max: Option<f64>,
-    /// Force once a turn of the drum [N]; unless given, that of an unbalance with 25 N at 5.5 m/s
+    /// Force once per turn of the drum [N]. Default: that of an unbalance with 25 N at 5.5 m/s
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
     force: Option<f64>,
-    /// Amplitude of the drum's shape twice a turn [m]
+    /// Amplitude of the drum's shape, twice per turn [m]
     #[arg(long, value_name = "AMPLITUDE", allow_hyphen_values = true)]
     shape: Option<f64>,
-    /// Force once a turn of the package [N], of an irregular one
+    /// Force once per turn of an irregular package [N]
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
     package: Option<f64>,
-    /// Pressure at rest [N], with the empty bobbin
+    /// Contact force at rest with the empty bobbin [N]
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
     preload: Option<f64>,
-    /// Growth of that pressure with the radius of the package [N/m]: the holder's spring, 3800 N/m,
-    /// where it alone presses
+    /// Growth of that force with the radius of the package [N/m]: 3800 N/m if only the holder's
+    /// spring presses
     #[arg(long, value_name = "STIFFNESS", default_value_t = 0.0, allow_hyphen_values = true)]
     growth: f64,
     /// Tension of the thread [N]
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
     tension: Option<f64>,
-    /// What the yarn bears at most [N], for the stability map
+    /// Largest permissible force on the yarn [N], for the stability map
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
     largest: Option<f64>,
-    /// Draw the stability map to a file that ends in .svg or .png
+    /// Draw the stability map to a .svg or .png file
     #[arg(long, value_name = "FILE")]
     map: Option<PathBuf>,
-    /// As JSON, with the stability map
+    /// Print JSON, with the stability map
     #[arg(long)]
     json: bool,
 }
@@ -68,7 +68,7 @@ impl WalkCommand {
         require_picture(self.map.as_deref(), "--map")?;
         let winder = self.winder()?;
         if let Some(mistake) = winder.mistake() {
-            return Err(Failure::input(mistake, "`machinist walk --help` lists what it takes"));
+            return Err(Failure::input(mistake, "`machinist walk --help` lists the options"));
         }
         let failed = |error| Failure::unsuccessful(error, "");
         let walk = during("walking", || Walk::of(&winder).map_err(failed))?;

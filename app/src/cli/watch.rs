@@ -12,9 +12,9 @@ use crate::watch;
 
 #[derive(Debug, Args)]
 pub struct Watch {
-    /// Scene file of a machine of one's own
+    /// Scene file
     scene: String,
-    /// The port of this machine to serve the page at; a free one unless given
+    /// Local port that serves the page. Default: a free one
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..))]
     port: Option<u16>,
     /// Limit on the computing time of each run, s
@@ -37,15 +37,15 @@ impl Watch {
                 ))
             }
             Given::Spec(SpecSource::BuiltIn(_)) => {
-                let message = format!("{scene} is built in, and no file that could be saved");
+                let message = format!("{scene} is a built-in scene, not a file");
                 Err(Failure::input(
                     message,
                     "give a scene file; `machinist new NAME --spec-only` writes one",
                 ))
             }
             Given::Model(_) => {
-                let message = format!("{scene} is a model, and nothing that is written by hand");
-                Err(Failure::input(message, "give the spec it was compiled of"))
+                let message = format!("{scene} is a model file, not a spec");
+                Err(Failure::input(message, "give the spec it was compiled from"))
             }
         }
     }

@@ -117,7 +117,7 @@ impl Cache {
     pub(super) fn put(&self, key: &Key, derived: &Derived) {
         let (Some(folder), Some(path)) = (&self.folder, self.path(key)) else { return };
         if let Err(error) = write(folder, &path, &seal(MARK, derived)) {
-            eprintln!("machinist: {}: not remembered: {error}", path.display());
+            eprintln!("machinist: {}: not cached: {error}", path.display());
         }
         self.keep_within(MOST_BYTES);
     }

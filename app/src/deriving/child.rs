@@ -27,7 +27,7 @@ static GREETED_ONCE: AtomicBool = AtomicBool::new(false);
 /// Derives requests in a child, each by its algebra.
 pub(super) fn ask(requests: &[(&Request, Algebra)]) -> Result<Vec<Derived>, Failure> {
     let failed = |error: &std::io::Error| {
-        Failure::unsuccessful(format!("cannot start a process that derives: {error}"), "")
+        Failure::unsuccessful(format!("cannot start the derivation process: {error}"), "")
     };
     let program = std::env::current_exe().map_err(|error| failed(&error))?;
     let mut command = Command::new(program);
@@ -69,7 +69,7 @@ pub fn answer_parent() -> Result<(), Failure> {
     let question = question().map_err(failed)?;
     end_with_parent();
     let requests: Vec<(Request, Algebra)> = open(QUESTION, &question)
-        .map_err(|error| Failure::input(error, "this command is for the program's own use"))?;
+        .map_err(|error| Failure::input(error, "this command is internal to the program"))?;
     let answers =
         all(&requests, |(request, algebra)| request.derived_of(request.system()?, *algebra))?;
     let mut out = stdout().lock();

@@ -58,7 +58,7 @@ impl Archive {
             files.push(("terminalsAndIcons/terminalsAndIcons.xml", text.as_bytes()));
         }
         let bytes = archive(&files).map_err(|error| {
-            Failure::unsuccessful(format!("the archive cannot be made: {error}"), "")
+            Failure::unsuccessful(format!("cannot create the archive: {error}"), "")
         })?;
         Ok(Self { bytes, variables: machine.variables.all().len() })
     }

@@ -23,7 +23,7 @@ impl Library {
         };
         let bytes = fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
         if !is_library(&bytes) {
-            let message = format!("{}: this is no shared library of this platform", path.display());
+            let message = format!("{}: not a shared library of this platform", path.display());
             return Err(Failure::input(message, build()));
         }
         Ok(Self { bytes })

@@ -66,7 +66,8 @@ fn definition(unit: &str) -> Result<Element, Failure> {
     let wrong = |why: &str| Failure::input(format!("unit `{unit}` of the model: {why}"), "");
     let Measure { unit: coherent, factor } =
         Measure::parse(unit).map_err(|error| wrong(&error.message))?;
-    let exponents = coherent.whole_exponents().ok_or_else(|| wrong("it has a root"))?;
+    let exponents =
+        coherent.whole_exponents().ok_or_else(|| wrong("it has fractional exponents"))?;
     let mut base = Element::new("BaseUnit");
     if !factor.is_one() {
         base = base.with_number("factor", factor.to_f64());
@@ -94,7 +95,7 @@ pub fn types(variables: &Variables, has_modes: bool) -> Vec<Element> {
         })
         .collect();
     if has_modes {
-        let doc = "which equations hold; events change it";
+        let doc = "selects the active equations; changed by events";
         types.push(Element::new("Int32Type").with("name", MODE).with("description", doc));
     }
     types

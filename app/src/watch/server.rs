@@ -29,7 +29,7 @@ const HEADERS: [(&str, &str); 5] = [
 pub fn start(site: &Arc<Site>, port: Option<u16>) -> Result<u16, Failure> {
     let wanted = port.unwrap_or(0);
     let server = Server::http((Ipv4Addr::LOCALHOST, wanted)).map_err(|error| {
-        let help = "leave `--port` out: a free one is found then";
+        let help = "without `--port` a free port is used";
         let message = format!("cannot serve at {}:{wanted}: {error}", Ipv4Addr::LOCALHOST);
         Failure::unsuccessful(message, if port.is_some() { help } else { "" })
     })?;
@@ -46,10 +46,10 @@ pub fn start(site: &Arc<Site>, port: Option<u16>) -> Result<u16, Failure> {
 
 fn answer(request: Request, site: &Arc<Site>, port: u16) -> io::Result<()> {
     if !is_for(&request, port) {
-        return refuse(request, 403, "this server answers to its own address only");
+        return refuse(request, 403, "requests must use the address of this server");
     }
     if *request.method() != Method::Get {
-        return refuse(request, 405, "there is nothing here but to be read");
+        return refuse(request, 405, "only GET requests are supported");
     }
     match request.url() {
         "/" => respond(request, 200, "text/html", site.page()),

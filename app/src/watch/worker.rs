@@ -147,7 +147,7 @@ impl Worker {
         inbox: &Sender<Message>,
     ) -> Result<Self, Failure> {
         let failed = |error: std::io::Error| {
-            Failure::unsuccessful(format!("cannot start a process that derives: {error}"), "")
+            Failure::unsuccessful(format!("cannot start the derivation process: {error}"), "")
         };
         let program = std::env::current_exe().map_err(failed)?;
         let mut child = Command::new(program)

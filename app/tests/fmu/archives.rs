@@ -224,11 +224,11 @@ fn what_cannot_be_exported_is_refused_with_a_reason() {
         refused(&all, words);
     };
     with_fields(&["--elements", "0"], &["at least"]);
-    with_fields(&["--inputs", "shaft.stiffness"], &["shaft.stiffness", "a field is made of it"]);
+    with_fields(&["--inputs", "shaft.stiffness"], &["shaft.stiffness", "a field depends on it"]);
     fs::write(folder.path().join("text.so"), "no library").expect("written");
     refused(
         &["saw_gin", "-o", "x.fmu", "--library", "text.so"],
-        &["no shared library", "cargo build"],
+        &["not a shared library", "cargo build"],
     );
     let missing =
         machinist(folder.path(), &["fmu", "saw_gin", "-o", "x.fmu", "--library", "no.so"]);

@@ -126,7 +126,7 @@ pub fn emit(model: &Model, options: &C99Options) -> Result<Vec<C99File>, EmitErr
 /// Returns the error for a scene with fields.
 fn fields_are_unsupported(field: &str) -> EmitError {
     let message = format!(
-        "the field `{field}` is cut into elements when a run begins, which emitted C99 does not do"
+        "field `{field}` is discretized at the start of a run, which emitted C99 does not support"
     );
     EmitError::Unsupported { message }
 }
@@ -270,7 +270,7 @@ fn inputs(model: &Model, names: &[String]) -> Result<Vec<usize>, EmitError> {
     let find = |name: &String| {
         let found = model.parameters.iter().position(|p| p.quantity.name.path == *name);
         found.ok_or_else(|| EmitError::Unsupported {
-            message: format!("the input `{name}` is no parameter"),
+            message: format!("input `{name}` is not a parameter"),
         })
     };
     names.iter().map(find).collect()

@@ -278,7 +278,7 @@ fn machine_states(system: &LagrangianSystem, load: f64, tied: f64) -> Vec<f64> {
     states.map(|z| if z.quantity.name.path == "m.tied" { tied } else { load }).collect()
 }
 
-/// Expressions nest as deep as possible with helpers substituted, on the smallest stack that a
+/// Expressions nest as deep as possible with helpers expanded, on the smallest stack that a
 /// program has.
 #[test]
 fn deep_expressions_have_room() {

@@ -307,7 +307,7 @@ impl<'a> Assembler<'a> {
             let spec = coordinate_spec(self.spec, self.layout, *slot);
             let instance = &self.spec.instances[self.layout.coordinate(*slot).0].name;
             let message = format!(
-                "coordinate {} has no inertia: its velocity is in no kinetic energy",
+                "coordinate {} has no inertia: no kinetic energy depends on its velocity",
                 quoted(&format!("{}.{}", instance.value, spec.name.value))
             );
             let help = "join it to a unit with inertia, or give it a kinetic energy";
@@ -344,8 +344,8 @@ impl<'a> Assembler<'a> {
             names.join(", ")
         );
         let span = coordinate_spec(self.spec, self.layout, slots[first.0 as usize]).name.span;
-        let help = "give one of them an inertia of its own (a node of a circuit: a capacitance \
-                    to ground), or describe the machine by fewer coordinates";
+        let help = "give one of them an inertia (for a node of a circuit, a capacitance to \
+                    ground), or describe the machine by fewer coordinates";
         let mistake = Mistake::new(span, message, "moves without energy");
         self.mistakes.push(mistake.help(help));
     }
@@ -391,7 +391,7 @@ impl<'a> Assembler<'a> {
         }
         for output in self.spec.outputs.iter().map(OutputSpec::name) {
             if self.spec.states.iter().any(|state| state.name.value == output.value) {
-                let message = format!("{} is a state and an output", quoted(&output.value));
+                let message = format!("{} is both a state and an output", quoted(&output.value));
                 let mistake = Mistake::new(output.span, message, "given again");
                 clashes.push(mistake.help("give the output another name"));
             }

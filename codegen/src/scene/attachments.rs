@@ -95,9 +95,9 @@ pub fn locate(
         if (a.instance, a.field) == (b.instance, b.field) && a.x.to_bits() == b.x.to_bits() {
             let unit = &spec.units[spec.instances[a.instance].unit];
             let name = quoted(&unit.ports[a.port].name.value);
-            let message = format!("another port, {name}, is at this place of the field");
-            let help = "join what belongs to one place of a field to one port";
-            mistakes.push(Mistake::new(*span, message, "the same place").help(help));
+            let message = format!("port {name} is at the same point of the field");
+            let help = "join all parts at one point of a field to one port";
+            mistakes.push(Mistake::new(*span, message, "same point").help(help));
         }
     }
     layout.attach(spec, found.into_iter().map(|(attachment, _)| attachment).collect());
@@ -138,7 +138,7 @@ fn choices(spec: &SceneSpec, mistakes: &mut Vec<Mistake>) {
         for name in names() {
             if !instance.fields.iter().any(|choice| choice.field.value == name) {
                 let field = quoted(&format!("{}.{name}", instance.name.value));
-                let message = format!("the scene does not say how {field} is cut into elements");
+                let message = format!("the scene does not define the elements of {field}");
                 let help = format!("write fields = {{ {name} = {{ elements = 32, order = 4 }} }}");
                 let mistake = Mistake::new(instance.name.span, message, "lacks `fields`");
                 mistakes.push(mistake.help(help));
@@ -159,7 +159,7 @@ fn length(
     let unit = &spec.units[instance.unit];
     let Some(Local::Parameter(number)) = layout.units[instance.unit].get(&field.over.value) else {
         let message = format!(
-            "the length of a field is a parameter of its unit, and {} is none",
+            "the length of a field must be a parameter of its unit, but {} is not",
             quoted(&field.over.value)
         );
         let known = unit.parameters.iter().map(|parameter| parameter.name.value.as_str());
@@ -168,7 +168,7 @@ fn length(
     };
     let declared = &unit.parameters[number];
     if declared.unit.unit.dimension != Dimension::LENGTH {
-        let message = "a field lies over a length in m";
+        let message = "the length of a field must be in m";
         let label = format!("this parameter is in {}", declared.unit.unit.dimension);
         return Err(Box::new(Mistake::new(field.over.span, message, label)));
     }
@@ -181,7 +181,7 @@ fn length(
     let own = instance.parameters.iter().find(|(name, _)| name.value == field.over.value);
     let span = own.map_or(declared.name.span, |(name, _)| name.span);
     let message =
-        format!("the length of a field is above 0, but {} is {value} m", quoted(&field.over.value));
+        format!("a field must be longer than 0, but {} is {value} m", quoted(&field.over.value));
     Err(Box::new(Mistake::new(span, message, "not a length")))
 }
 
@@ -193,7 +193,7 @@ fn place(
     length: f64,
     parameter: &impl Fn(ParameterId) -> f64,
 ) -> Result<(Expr, f64), Box<Mistake>> {
-    let wanted = Wanted::new(Dimension::LENGTH, "the place of a port").of(Uses::PARAMETERS);
+    let wanted = Wanted::new(Dimension::LENGTH, "the position of a port").of(Uses::PARAMETERS);
     let typed = resolver.formula(at, Scope::Instance(instance), &wanted)?;
     let x = evaluate(&typed.expr, parameter);
     if (0.0..=length).contains(&x) {

@@ -112,7 +112,7 @@ impl Resolver<'_> {
         match typed.dimension {
             None | Some(Dimension::ONE) => Ok(typed),
             Some(dimension) => {
-                let message = "the argument of this function is a pure number";
+                let message = "the argument of this function must be dimensionless";
                 let label = format!("in {dimension}");
                 Err(Box::new(
                     Mistake::new(x.span, message, label)
@@ -138,7 +138,7 @@ impl Resolver<'_> {
             && dimension != other
         {
             let message =
-                format!("`mod` is of two values of one dimension: this is in {dimension}");
+                format!("the arguments of `mod` differ in dimension: this is in {dimension}");
             return Err(Box::new(Mistake::new(by.span, message, format!("in {other}"))));
         }
         self.spend(x.terms.saturating_add(y.terms), span)?;
@@ -205,7 +205,7 @@ impl Resolver<'_> {
         let (y, x) = (self.resolve(y, scope, allowed)?, self.resolve(x, scope, allowed)?);
         Self::agree(span, &y, &x)?;
         if y.value == Some(0.0) && x.value == Some(0.0) {
-            return Err(Box::new(Mistake::new(span, "the angle of no direction", "both are 0")));
+            return Err(Box::new(Mistake::new(span, "`atan2(0, 0)` is undefined", "both are 0")));
         }
         self.spend(x.terms.saturating_add(y.terms).saturating_mul(5).saturating_add(8), span)?;
         let mut typed = Typed::over(&[&x, &y, &x, &y, &x, &y, &x, &y, &x, &y]);
@@ -250,7 +250,7 @@ impl Resolver<'_> {
     fn agree(span: Span, a: &Typed, b: &Typed) -> Result<(), Box<Mistake>> {
         match a.dimension.zip(b.dimension) {
             Some((a, b)) if a != b => {
-                let message = format!("the values before are in {a}, but this one is in {b}");
+                let message = format!("the preceding values are in {a}, but this one is in {b}");
                 Err(Box::new(Mistake::new(span, message, format!("in {b}"))))
             }
             _ => Ok(()),
@@ -298,9 +298,9 @@ impl Resolver<'_> {
         let place = at.span;
         let (time, at) = self.condition(t, at, scope, allowed)?;
         if time.expr != Expr::Symbol(Symbol::Time) || at.uses != Uses::default() {
-            let message = "a step is of time `t`, at a time made of parameters";
-            let mistake = Mistake::new(t.span.to(place), message, "not such a step");
-            return Err(Box::new(mistake.help("write piecewise(x < x1, 0, 1) of anything else")));
+            let message = "a step must be in `t`, at a time that depends on parameters only";
+            let mistake = Mistake::new(t.span.to(place), message, "not a step in time");
+            return Err(Box::new(mistake.help("otherwise write piecewise(x < x1, 0, 1)")));
         }
         self.spend(2, span)?;
         let mut typed = Typed::over(&[&time, &at]);
@@ -322,7 +322,7 @@ impl Resolver<'_> {
         for pair in arguments.chunks(2) {
             let [condition, value] = pair else { continue };
             let Node::Less(t, at) = &condition.node else {
-                let mistake = Mistake::new(condition.span, "this is no condition", "not `a < b`");
+                let mistake = Mistake::new(condition.span, "expected a condition", "not `a < b`");
                 return Err(Box::new(mistake.help("write piecewise(t < t1, a, x < x2, b, c)")));
             };
             conditions.push(self.condition(t, at, scope, allowed)?);
@@ -381,9 +381,9 @@ impl Resolver<'_> {
         if let Some(dimension) = at_time.dimension
             && dimension != Dimension::TIME
         {
-            let message = format!("a time is in s, but this is in {dimension}");
+            let message = format!("a time must be in s, but this is in {dimension}");
             let mistake = Mistake::new(at.span, message, format!("in {dimension}"));
-            return Err(Box::new(mistake.help("a number carries its unit in brackets: 0.1 [s]")));
+            return Err(Box::new(mistake.help("write the unit of a number in brackets: 0.1 [s]")));
         }
         if !self.discontinuities.contains(&at_time.expr) {
             self.discontinuities.push(at_time.expr.clone());
@@ -410,12 +410,12 @@ impl Resolver<'_> {
     ) -> Result<(Typed, Typed), Box<Mistake>> {
         let bound = self.resolve(at, scope, Uses::PARAMETERS)?;
         let Expr::Number(number) = &bound.expr else {
-            let message = "a mode is compared with a whole number";
+            let message = "a mode must be compared with an integer";
             return Err(Box::new(Mistake::new(at.span, message, "not a number")));
         };
         if !number.is_integer() || bound.dimension.is_some_and(|d| d != Dimension::ONE) {
-            let message = "a mode is compared with a whole number";
-            return Err(Box::new(Mistake::new(at.span, message, "not a whole number")));
+            let message = "a mode must be compared with an integer";
+            return Err(Box::new(Mistake::new(at.span, message, "not an integer")));
         }
         let half = num_rational::BigRational::new(1.into(), 2.into());
         let between = Typed { expr: Expr::Number(number - half), ..bound };
@@ -441,12 +441,12 @@ impl Resolver<'_> {
         let (expr, terms) = along::rate(&x.expr, MAX_TERMS, &of_symbol).map_err(|why| {
             let message = match why {
                 NoRate::TooLarge => format!("this rate has more than {MAX_TERMS} terms"),
-                NoRate::Unknown(_) => "this depends on a state or on what a field hands over, \
-                                       whose rate is not taken here"
+                NoRate::Unknown(_) => "this depends on a state or a field, whose rate is not \
+                                       available here"
                     .to_owned(),
             };
             Mistake::new(of.span, message, "its rate")
-                .help("take rates of coordinates, time and what is made of them")
+                .help("only expressions of coordinates and time have a rate here")
         })?;
         self.spend(terms, span)?;
         let mut typed = Typed::over(&[&x]);
@@ -479,7 +479,7 @@ impl Resolver<'_> {
     ) -> Resolved {
         let (Node::Text(path), Node::Text(name)) = (&file.node, &column.node) else {
             let mistake =
-                Mistake::new(file.span.to(column.span), "a table is named by two texts", "here");
+                Mistake::new(file.span.to(column.span), "a table needs two quoted texts", "here");
             return Err(Box::new(mistake.help("write table('file.csv', 'column', x)")));
         };
         let spec = self.spec;
@@ -499,7 +499,7 @@ impl Resolver<'_> {
         if argument.dimension.is_some_and(|dimension| dimension != abscissa.unit.dimension) {
             let wanted = abscissa.unit.dimension;
             let message =
-                format!("the table goes over {}, which is in {wanted}", quoted(&abscissa.name));
+                format!("the table's first column {} is in {wanted}", quoted(&abscissa.name));
             return Err(Box::new(Mistake::new(x.span, message, "of another dimension")));
         }
         let mut typed = Typed::over(&[&argument]);
@@ -557,7 +557,7 @@ impl Resolver<'_> {
         let csv = &self.spec.tables[index];
         let (x, y) = (&csv.columns[0], &csv.columns[column]);
         let Some(coefficients) = spline::through(course, &x.values, &y.values) else {
-            let message = "no curve goes through this column: its numbers are too far apart";
+            let message = "this column cannot be interpolated: its numbers are too far apart";
             return Err(Box::new(Mistake::new(span, message, "here")));
         };
         let stem = csv.path.rsplit('/').next().unwrap_or_default().split('.').next();
@@ -591,12 +591,12 @@ fn course_of(ast: &Ast) -> Result<Course, Box<Mistake>> {
     let known =
         [("natural", Course::Natural), ("linear", Course::Linear), ("monotone", Course::Monotone)];
     let Node::Text(text) = &ast.node else {
-        let mistake = Mistake::new(ast.span, "how a table goes is a text", "not a text");
+        let mistake = Mistake::new(ast.span, "the interpolation must be quoted", "not a text");
         return Err(Box::new(mistake.help("write \"linear\", \"monotone\" or \"natural\"")));
     };
     let found = known.iter().find(|(name, _)| name == text);
     found.map(|(_, course)| *course).ok_or_else(|| {
-        let message = format!("a table does not go {}", quoted(text));
+        let message = format!("unknown interpolation {}", quoted(text));
         let help = did_you_mean(text, known.iter().map(|(name, _)| *name));
         Box::new(Mistake::new(ast.span, message, "unknown").help(help))
     })
@@ -608,7 +608,7 @@ fn unknown(function: &str, name: Span, span: Span, given: usize) -> Mistake {
         return Mistake::new(span, message, "here");
     }
     if let Some((_, usage)) = OTHERS.iter().find(|(known, _)| *known == function) {
-        let message = format!("{function} does not take {given} arguments like these");
+        let message = format!("{function}: wrong number or kind of arguments ({given} given)");
         return Mistake::new(span, message, "here").help(format!("write {usage}"));
     }
     let known = PURE.iter().map(|(name, _)| *name).chain(OTHERS.iter().map(|(name, _)| *name));

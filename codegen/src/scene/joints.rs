@@ -75,11 +75,11 @@ fn refuse_idle(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) {
         }
         let names: Vec<String> = unit.coordinates.iter().map(|c| quoted(&c.name.value)).collect();
         let message = format!(
-            "joints make {} of {} one, so that it does nothing",
+            "joints make {} of {} equal: the unit has no effect",
             names.join(" and "),
             quoted(&instance.name.value)
         );
-        let mistake = Mistake::new(instance.name.span, message, "between one thing and itself");
+        let mistake = Mistake::new(instance.name.span, message, "joined to itself");
         mistakes.push(mistake.help("join its ends to different parts, or leave it out"));
     }
 }
@@ -115,7 +115,7 @@ fn edge(
     let (kind, other_kind) = (port.kind.value, other.kind.value);
     if kind != other_kind {
         let message = format!(
-            "a joint connects ports of one kind: {} is {}, {} is {}",
+            "a joint must connect ports of the same kind: {} is {}, {} is {}",
             quoted(&first.value),
             kind.name(),
             quoted(&second.value),
@@ -172,8 +172,8 @@ fn hold(spec: &SceneSpec, layout: &mut Layout, roots: &mut [usize], mistakes: &m
                 let (instance, _) = layout.coordinate(other);
                 let name = &spec.instances[instance].name;
                 let message =
-                    format!("a field of {} is joined to what is fixed", quoted(&name.value));
-                let help = "let the field itself be fixed there: start = \"fixed\"";
+                    format!("a field of {} is joined to a fixed part", quoted(&name.value));
+                let help = "fix the end of the field instead: start = \"fixed\"";
                 mistakes.push(Mistake::new(name.span, message, "fixed by a joint").help(help));
             }
         }

@@ -362,8 +362,8 @@ pub fn find_inside(
 ) -> Result<usize, Box<Mistake>> {
     let unit = &spec.units[spec.instances[assembly].unit];
     if !unit.is_assembly() {
-        let message = "a name with a dot is used in scenes and assemblies only";
-        let help = "a unit knows its own names; let the scene bind an input";
+        let message = "names with a dot are allowed in scenes and assemblies only";
+        let help = "a unit sees only its own names: use an input, bound by the scene";
         return Err(Box::new(Mistake::new(span, message, "not in a unit").help(help)));
     }
     let whole = format!("{}.{path}", spec.instances[assembly].name.value);
@@ -382,9 +382,9 @@ pub fn find_port<'a>(
     path: &Spanned<String>,
 ) -> Result<(&'a PortSpec, usize), Box<Mistake>> {
     let Some((instance, port)) = path.value.rsplit_once('.') else {
-        let message = format!("{} is no port", quoted(&path.value));
+        let message = format!("{} is not a port", quoted(&path.value));
         let mistake = Mistake::new(path.span, message, "not instance.port");
-        return Err(Box::new(mistake.help("a port is written instance.port")));
+        return Err(Box::new(mistake.help("write a port as instance.port")));
     };
     let instance = find_instance(spec, instance, path.span)?;
     let unit_index = spec.instances[instance].unit;
@@ -398,8 +398,9 @@ pub fn find_port<'a>(
         Some(Local::Coordinate(index)) => {
             let slot = layout.slot(instance, index);
             if layout.is_fixed_end(slot) {
-                let message = format!("{} is at an end that is fixed", quoted(&path.value));
-                let help = "an end has one boundary condition: leave this out, or let it be free";
+                let message = format!("{} is at a fixed end", quoted(&path.value));
+                let help = "an end has one boundary condition: remove this one, or leave the end \
+                            free";
                 let mistake = Mistake::new(path.span, message, "fixed already");
                 return Err(Box::new(mistake.help(help)));
             }
@@ -487,7 +488,7 @@ fn check_port(port: &PortSpec, unit: &UnitSpec, names: &Names, mistakes: &mut Ve
     };
     if !fits && port.ratio.is_none() {
         let kind = port.kind.value.name();
-        let message = format!("the coordinate of a port that is {kind} is {wanted}");
+        let message = format!("the coordinate of a port of kind {kind} must be {wanted}");
         let label = format!("its coordinate is in {dimension}");
         mistakes.push(Mistake::new(port.kind.span, message, label));
     }

@@ -133,9 +133,9 @@ impl Resolver<'_> {
     fn outside_of_field(&mut self, name: &str, span: Span, scope: Scope) -> Resolved {
         let typed = self.local(name, span, scope.base())?;
         if scope != scope.base() && typed.uses.moves() {
-            let message = format!("{} moves with the machine, not with the field", quoted(name));
-            let help = "along a field there are the field, x, t and parameters; what moves with \
-                        the machine is joined to a port";
+            let message = format!("{} belongs to the machine, not to the field", quoted(name));
+            let help = "an expression along a field may use the field, x, t and parameters; join \
+                        moving parts to a port";
             return Err(Box::new(Mistake::new(span, message, "not of the field").help(help)));
         }
         Ok(typed)
@@ -212,8 +212,8 @@ impl Resolver<'_> {
             Local::Coordinate(index) => (index, 0, Uses { position: true, ..none }),
             Local::Slope(port, side) => return self.slope(instance, port, side, span),
             Local::Place | Local::Field(..) => {
-                let help = "ask for it at a port, by the name of the port";
-                let mistake = Mistake::new(span, "a field has no one value", "along a field");
+                let help = "use its value at a port, by the name of the port";
+                let mistake = Mistake::new(span, "a field has no single value", "along a field");
                 return Err(Box::new(mistake.help(help)));
             }
             _ => return Err(Box::new(Mistake::new(span, "this name has no value", "not a value"))),
@@ -278,7 +278,7 @@ impl Resolver<'_> {
             Some(State::Pending) => {
                 let mistake =
                     Mistake::new(span, "this definition refers to itself", "back to itself");
-                return Err(Box::new(mistake.help("a helper cannot be made of itself")));
+                return Err(Box::new(mistake.help("a helper cannot depend on itself")));
             }
             None => {
                 self.definitions.insert(definition, State::Pending);

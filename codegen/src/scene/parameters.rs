@@ -188,7 +188,11 @@ impl Resolver<'_> {
     ) -> Result<Typed, Box<Mistake>> {
         let parameter = declared(self.spec, scope, index);
         let Given::Expression(ast, whose) = given(self.spec, scope, index) else {
-            return Err(Box::new(Mistake::new(span, "this parameter is a number", "a number")));
+            return Err(Box::new(Mistake::new(
+                span,
+                "this parameter must be a number",
+                "a number",
+            )));
         };
         let what = format!("parameter {}", quoted(&parameter.name.value));
         let wanted = Wanted::new(parameter.unit.unit.dimension, what).of(Uses::PARAMETERS);

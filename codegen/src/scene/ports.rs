@@ -55,6 +55,6 @@ pub fn require_ratio(
     if value != 0.0 && value.is_finite() {
         return Ok(());
     }
-    let message = format!("a ratio is a number other than 0, but this one is {value}");
+    let message = format!("a ratio must be a number other than 0, but this one is {value}");
     Err(Box::new(Mistake::new(formula.span(), message, "not a ratio")))
 }

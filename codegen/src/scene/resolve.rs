@@ -19,7 +19,7 @@ use crate::spec::expression::{Ast, MAX_NESTING, Node};
 use crate::spec::{Formula, SceneSpec};
 use machinist_model::Table;
 
-/// Maximum number of leaves of an expression with helpers substituted.
+/// Maximum number of leaves of an expression with helpers expanded.
 pub(super) const MAX_TERMS: usize = 100_000;
 /// Maximum number of leaves of all expressions of a scene.
 const MAX_SCENE_TERMS: usize = 1_000_000;
@@ -174,11 +174,11 @@ impl<'a> Resolver<'a> {
                 self.call(function, *span, arguments, ast.span, scope, allowed)
             }
             Node::Less(..) => Err(Box::new(
-                Mistake::new(ast.span, "a comparison stands only in piecewise", "not here")
+                Mistake::new(ast.span, "a comparison is allowed only in piecewise", "not here")
                     .help("write piecewise(t < t1, a, b)"),
             )),
             Node::Text(_) => Err(Box::new(
-                Mistake::new(ast.span, "a quoted text is no value", "not here")
+                Mistake::new(ast.span, "a quoted text is not a value", "not here")
                     .help("only `table` takes texts"),
             )),
         };
@@ -248,12 +248,12 @@ impl<'a> Resolver<'a> {
         allowed: Uses,
     ) -> Resolved {
         let number = constant(exponent).ok_or_else(|| {
-            Mistake::new(exponent.span, "an exponent is a number", "not a number")
+            Mistake::new(exponent.span, "an exponent must be a number", "not a number")
                 .help("write exp(b*ln(a)) for a^b")
         })?;
         let Some((numerator, denominator)) = typed::exponent(&number) else {
             let mistake =
-                Mistake::new(exponent.span, "an exponent is at most 64 in size", "too large");
+                Mistake::new(exponent.span, "an exponent is at most 64 in magnitude", "too large");
             return Err(Box::new(mistake));
         };
         let part = self.resolve(base, scope, allowed)?;
@@ -267,7 +267,7 @@ impl<'a> Resolver<'a> {
             Some(dimension) => Some(dimension.power(numerator, denominator).ok_or_else(|| {
                 let label = format!("the base is in {dimension}");
                 Mistake::new(exponent.span, "this power has no dimension in SI units", label)
-                    .help("of a quantity with a dimension, exponents are multiples of 1/840")
+                    .help("exponents of a quantity with a dimension must be multiples of 1/840")
             })?),
         };
         typed.bits = part.bits.saturating_mul(u64::from(numerator.unsigned_abs().max(1)));
@@ -292,7 +292,7 @@ impl<'a> Resolver<'a> {
         if self.level + levels <= MAX_LEVELS {
             return Ok(());
         }
-        let message = format!("with helpers put in, expressions nest deeper than {MAX_NESTING}");
+        let message = format!("with helpers expanded, expressions nest deeper than {MAX_NESTING}");
         Err(Box::new(Mistake::new(span, message, "too deep here")))
     }
 
@@ -304,9 +304,9 @@ impl<'a> Resolver<'a> {
             return Ok(());
         }
         let message = if self.spent > MAX_TERMS {
-            format!("with helpers put in, the expression has more than {MAX_TERMS} terms")
+            format!("with helpers expanded, the expression has more than {MAX_TERMS} terms")
         } else {
-            format!("with helpers put in, the scene has more than {MAX_SCENE_TERMS} terms")
+            format!("with helpers expanded, the scene has more than {MAX_SCENE_TERMS} terms")
         };
         Err(Box::new(Mistake::new(span, message, "grows beyond the limit here")))
     }
@@ -374,7 +374,7 @@ pub(super) fn fits(span: Span, part: &Typed, wanted: &Wanted) -> Result<(), Box<
         let message = format!("{what} is in {}, but this term is in {dimension}", wanted.dimension);
         let mistake = Mistake::new(span, message, format!("in {dimension}"));
         let bare = part.value.is_some() && dimension == Dimension::ONE;
-        let help = if bare { "a number carries its unit in brackets: 0.1 [s]" } else { "" };
+        let help = if bare { "write the unit of a number in brackets: 0.1 [s]" } else { "" };
         return Err(Box::new(mistake.help(help)));
     }
     if wanted.energy && part.angular.is_torque() {
@@ -391,7 +391,7 @@ fn same(span: Span, part: &Typed, before: &[Typed]) -> Result<(), Box<Mistake>> 
     let first = before.iter().find_map(|part| part.dimension);
     match first.zip(part.dimension) {
         Some((first, this)) if first != this => {
-            let message = format!("the terms before are in {first}, but this term is in {this}");
+            let message = format!("the preceding terms are in {first}, but this term is in {this}");
             Err(Box::new(Mistake::new(span, message, format!("in {this}"))))
         }
         _ => Ok(()),
@@ -403,7 +403,7 @@ pub(super) fn not_zero(part: &Typed, span: Span, what: &str) -> Result<(), Box<M
     if part.value != Some(0.0) && identity(&part.expr) == Identity::NotZero {
         return Ok(());
     }
-    let label = if part.value.is_some() { "this is 0" } else { "this is 0, whatever is put in" };
+    let label = if part.value.is_some() { "this is 0" } else { "this is always 0" };
     Err(Box::new(Mistake::new(span, what, label)))
 }
 
@@ -413,11 +413,10 @@ fn derivable(typed: Typed, span: Span) -> Resolved {
     if leaves <= MAX_DERIVATIVE {
         return Ok(typed);
     }
-    let message = format!(
-        "a second derivative of this would have more than {MAX_DERIVATIVE} terms, written out"
-    );
+    let message =
+        format!("a second derivative of this would expand to more than {MAX_DERIVATIVE} terms");
     let mistake = Mistake::new(span, message, "nests or multiplies too much");
-    Err(Box::new(mistake.help("make a part of it a state or a coordinate of its own, or a table")))
+    Err(Box::new(mistake.help("replace a part of it by a state, a coordinate or a table")))
 }
 
 /// Rejects numbers beyond the range of `f64`.
@@ -432,10 +431,10 @@ fn guard_bits(bits: u64, most: u64, span: Span) -> Result<(), Box<Mistake>> {
     if bits <= most {
         return Ok(());
     }
-    let message = "powers of powers grow beyond what exact numbers can hold";
+    let message = "nested powers exceed the range of exact numbers";
     Err(Box::new(Mistake::new(span, message, "grows beyond the limit here")))
 }
 
 pub(super) fn beyond_reason(span: Span) -> Mistake {
-    Mistake::new(span, "exponents of units grow beyond all reason", "here")
+    Mistake::new(span, "exponents of units are too large", "here")
 }

@@ -33,7 +33,7 @@ pub fn unroll<'n>(
     let counts: Counts = rows.map(|(text, count)| (text.name.value.clone(), count.value)).collect();
     if !counts.is_empty() {
         for name in names.filter(|name| name.value == INDEX) {
-            let message = "`i` is the index of rows, `disc[i]`, and names nothing else";
+            let message = "`i` is reserved for the index of rows, as in `disc[i]`";
             found.mistakes.push(Mistake::new(name.span, message, "rename this"));
         }
     }
@@ -123,7 +123,7 @@ impl Unroll<'_> {
         for path in paths {
             let Some((row, offset)) = indexed(&path.value) else { continue };
             let Some(count) = self.counts.get(row) else {
-                let message = format!("{} is no row of instances", quoted(row));
+                let message = format!("{} is not a row of instances", quoted(row));
                 let help = format!("write count = 10 in [units.{row}]");
                 self.found.mistakes.push(Mistake::new(path.span, message, "one").help(help));
                 return Vec::new();
@@ -136,7 +136,7 @@ impl Unroll<'_> {
         }
         let Some(indices) = indices else { return vec![None] };
         if indices.is_empty() {
-            let message = "there is no `i` for which all of this is there";
+            let message = "no index `i` is valid for all of these rows";
             let first = paths.first().map(|path| Mistake::new(path.span, message, "nowhere"));
             self.found.mistakes.extend(first);
         }

@@ -85,7 +85,7 @@ fn reference(name: Span, fields: &mut Fields<'_>) -> Option<ReferenceSpec> {
             Some(ReferenceSpec::Column { csv, column })
         }
         _ => {
-            let message = "a check is held against one of `expression`, `values` and `csv`";
+            let message = "a check needs exactly one of `expression`, `values` and `csv`";
             let label = if expression.or(values).or(csv).is_some() { "several" } else { "none" };
             let help = "write expression = \"...\", values = [[t, value], ...], or \
                         csv = \"file.csv\" with column = \"name\"";
@@ -106,14 +106,14 @@ fn pairs(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<Vec<(Spanned<f
             return fields.wrong(row, "values", "a list of [t, value]");
         };
         let [time, value] = cells.as_slice() else {
-            let mistake = Mistake::new(row.span, "a row of `values` is a time and a value", "here");
+            let mistake = Mistake::new(row.span, "a row of `values` must be [t, value]", "here");
             fields.found().mistakes.push(mistake.help("write values = [[t, value], ...]"));
             return None;
         };
         let time = fields.as_number(time, "values")?;
         let value = fields.as_number(value, "values")?.value;
         if pairs.last().is_some_and(|(before, _)| before.value >= time.value) {
-            let message = "the times of `values` increase strictly";
+            let message = "the times of `values` must increase strictly";
             fields.found().mistakes.push(Mistake::new(time.span, message, "not later"));
             return None;
         }
@@ -132,7 +132,7 @@ fn above_zero(key: &'static str, fields: &mut Fields<'_>) -> Option<f64> {
     if number.value > 0.0 {
         return Some(number.value);
     }
-    let message = format!("`{key}` is the largest error that passes, above 0");
+    let message = format!("`{key}` is the maximum error and must be above 0");
     fields.found().mistakes.push(Mistake::new(number.span, message, "not above 0"));
     None
 }
@@ -144,7 +144,7 @@ fn source(fields: &mut Fields<'_>) -> Option<String> {
     if !line.is_empty() && !line.contains(['\n', '\r']) {
         return Some(line.to_owned());
     }
-    let message = "`source` is one line that says where the reference is from";
+    let message = "`source` must be one line naming the origin of the reference";
     let label = if line.is_empty() { "empty" } else { "several lines" };
     fields.found().mistakes.push(Mistake::new(text.span, message, label));
     None

@@ -50,7 +50,7 @@ fn check_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) {
     for connector in &unit.connectors {
         let name = &connector.name;
         if ports().any(|port| port == name.value) {
-            let message = format!("{} is a port and a connector", quoted(&name.value));
+            let message = format!("{} is both a port and a connector", quoted(&name.value));
             mistakes.push(Mistake::new(name.span, message, "given again"));
         }
         for (index, port) in connector.ports.iter().enumerate() {
@@ -71,8 +71,8 @@ fn check_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) {
 
 /// Returns the mistake of a force on a connector.
 fn of_several(port: &Spanned<String>, ports: &[String]) -> Mistake {
-    let message = format!("a force acts on one port, and {} is a connector", quoted(&port.value));
-    let help = format!("it is of {}", ports.join(", "));
+    let message = format!("a force acts on one port, but {} is a connector", quoted(&port.value));
+    let help = format!("its ports are {}", ports.join(", "));
     Mistake::new(port.span, message, "several ports").help(help)
 }
 
@@ -112,7 +112,7 @@ impl Ports<'_> {
                 if self.ports(&format!("{}.{}", instance.name.value, of.value)).is_some() {
                     continue;
                 }
-                let message = format!("{} is no port of what is inside", quoted(&of.value));
+                let message = format!("{} is not a port of a part inside", quoted(&of.value));
                 let part = of.value.rsplit_once('.').map_or("", |(part, _)| part);
                 let whole = format!("{}.{part}", instance.name.value);
                 let help = if let Some(at) = self.by_name.get(whole.as_str()) {
@@ -157,8 +157,8 @@ impl Ports<'_> {
         if let Some(ratio) = &joint.ratio
             && ports.len() > 1
         {
-            let message = "a joint of connectors has no ratio";
-            let mistake = Mistake::new(ratio.span(), message, "of which of their ports?");
+            let message = "a joint of connectors cannot have a ratio";
+            let mistake = Mistake::new(ratio.span(), message, "for which ports?");
             return Err(Box::new(mistake.help("join their ports one by one")));
         }
         let pairs = ports.into_iter().zip(others).map(|(port, other)| JointSpec {
@@ -188,7 +188,7 @@ fn of_unlike_counts(paths: [&Spanned<String>; 2], ports: [&[String]; 2]) -> Mist
     };
     let [first, second] = paths;
     let message = format!(
-        "a joint pairs ports one by one: {} is {}, {} is {}",
+        "joined connectors need the same number of ports: {} has {}, {} has {}",
         quoted(&first.value),
         count(ports[0]),
         quoted(&second.value),

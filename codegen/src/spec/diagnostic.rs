@@ -123,7 +123,7 @@ impl Diagnostic {
     /// Returns the error that the system granted no thread to work on.
     #[must_use]
     pub fn no_thread() -> Self {
-        Diagnostic::of_file("", "the system grants no thread to read the spec with", "")
+        Diagnostic::of_file("", "the system could not start a thread to read the spec", "")
     }
 
     /// Returns the mistake with the text around it; `label` names the file.

@@ -130,11 +130,11 @@ fn bounded(parts: i32) -> Option<i32> {
 }
 
 impl fmt::Display for Dimension {
-    /// Writes `J = kg m^2/s^2`, or the base units alone, or `a pure number`.
+    /// Writes `J = kg m^2/s^2`, or the base units alone, or `1 (dimensionless)`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         const NAMED: [&str; 10] = ["N", "J", "W", "Pa", "V", "ohm", "F", "H", "Wb", "C"];
         if *self == Dimension::ONE {
-            return f.write_str("a pure number");
+            return f.write_str("1 (dimensionless)");
         }
         let named = NAMED.into_iter().find(|name| dimension_of(name) == Some(*self));
         match named {
@@ -290,7 +290,7 @@ mod tests {
     #[test]
     fn dimensions_are_written_with_their_names() {
         assert_eq!(Dimension::ENERGY.to_string(), "J = kg m^2/s^2");
-        assert_eq!(unit("rad").dimension.to_string(), "a pure number");
+        assert_eq!(unit("rad").dimension.to_string(), "1 (dimensionless)");
         assert_eq!(unit("m/s^2").dimension.to_string(), "m/s^2");
         assert_eq!(
             unit("kg").dimension.power(1, 2).map(|d| d.to_string()),

@@ -125,7 +125,7 @@ fn choice<T: Copy>(
     let text = fields.as_text(tree, key)?;
     let found = choices.iter().find(|(name, _)| *name == text.value);
     if found.is_none() {
-        let message = format!("{} is no value of `{key}`", quoted(&text.value));
+        let message = format!("{} is not a value of `{key}`", quoted(&text.value));
         let known: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
         let help = format!(
             "{}\nit is one of: {}",
@@ -155,7 +155,7 @@ fn count(fields: &mut Fields<'_>, key: &'static str, most: f64) -> Option<usize>
     if number.value.fract() == 0.0 && (1.0..=most).contains(&number.value) {
         return Some(number.value as usize);
     }
-    let message = format!("`{key}` is an integer from 1 to {most}");
+    let message = format!("`{key}` must be an integer from 1 to {most}");
     fields.found().mistakes.push(Mistake::new(number.span, message, "out of range"));
     None
 }

@@ -97,6 +97,6 @@ fn whole_number(tree: &Spanned<Tree>, key: &str, fields: &mut Fields<'_>) -> Opt
 }
 
 fn no_whole_number(span: Span, what: &str) -> Mistake {
-    let message = format!("{what} is a whole number");
-    Mistake::new(span, message, "not a whole number")
+    let message = format!("{what} must be an integer");
+    Mistake::new(span, message, "not an integer")
 }

@@ -228,7 +228,7 @@ impl<'a> Parser<'a> {
         if self.depth >= MAX_NESTING {
             let message = format!("the expression nests deeper than {MAX_NESTING}");
             let mistake = Mistake::new(self.here(), message, "too deep here");
-            return Err(Box::new(mistake.help("name a part of it as a helper")));
+            return Err(Box::new(mistake.help("move a part of it into a helper")));
         }
         self.depth += 1;
         let part = rule(self);
@@ -272,7 +272,7 @@ impl<'a> Parser<'a> {
     fn unexpected(token: &Spanned<Token>) -> Mistake {
         let (message, help) = match &token.value {
             Token::Mark('<') => (
-                "a comparison stands only in piecewise".to_owned(),
+                "a comparison is allowed only in piecewise".to_owned(),
                 "write piecewise(x < y, a, b), which is a where x is less than y, and b elsewhere",
             ),
             Token::Mark(mark) => {
@@ -281,7 +281,7 @@ impl<'a> Parser<'a> {
             Token::Number(_) => ("a number is not expected here".to_owned(), "is `*` missing?"),
             Token::Name(..) => (
                 "a name is not expected here".to_owned(),
-                "is `*` missing? A unit of measure stands in brackets: 0.1 [s]",
+                "is `*` missing? Units of measure are written in brackets: 0.1 [s]",
             ),
             Token::Text(_) => {
                 ("a quoted text is not expected here".to_owned(), "only `table` takes texts")
@@ -369,7 +369,7 @@ mod tests {
             ("0.1 [s]*motor.phi", "(*1/10[s]*motor.phi)"),
             ("5 [mm] + x", "(+1/200[m]+x)"),
             ("1500 [rpm]*t", "(*(*50[1/s]*pi)*t)"),
-            ("-90 [1/deg]", "(-(*16200[a pure number]/pi))"),
+            ("-90 [1/deg]", "(-(*16200[1 (dimensionless)]/pi))"),
             ("2e3", "2000"),
             ("piecewise(t < 1 [s], a, b)", "piecewise(t < 1[s], a, b)"),
             ("table('a b.csv', \"load\", t)", "table(\"a b.csv\", \"load\", t)"),
@@ -387,10 +387,10 @@ mod tests {
             ("a b", "a name is not expected here at 2"),
             ("2 3", "a number is not expected here at 2"),
             ("f(a", "a closing parenthesis is missing at 1"),
-            ("(a]", "`]` does not belong in an expression at 2"),
-            ("a**b", "`**` is no operator at 1"),
-            ("a <= b", "`<=` is no operator at 2"),
-            ("a; b", "`;` does not belong in an expression at 1"),
+            ("(a]", "`]` is not allowed in an expression at 2"),
+            ("a**b", "`**` is not an operator at 1"),
+            ("a <= b", "`<=` is not an operator at 2"),
+            ("a; b", "`;` is not allowed in an expression at 1"),
             ("f(a,)", "`)` is not expected here at 4"),
             ("a [m]", "a unit in brackets is not expected here at 2"),
             ("2 [mn]", "unknown unit of measure \"mn\" at 3"),

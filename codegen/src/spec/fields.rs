@@ -46,7 +46,7 @@ impl<'a> Fields<'a> {
         let entries = match &tree.value {
             Tree::Table(entries) => entries.as_slice(),
             other => {
-                let message = format!("{what} is a table, not {}", other.kind());
+                let message = format!("{what} must be a table, not {}", other.kind());
                 found.mistakes.push(Mistake::new(tree.span, message, "not a table"));
                 &[]
             }
@@ -207,7 +207,7 @@ impl<'a> Fields<'a> {
         if scale.value > 0.0 {
             return scale.value;
         }
-        let message = format!("`{key}` is a typical size, above 0");
+        let message = format!("`{key}` is a typical magnitude and must be above 0");
         self.found.mistakes.push(Mistake::new(scale.span, message, "not above 0"));
         1.0
     }
@@ -267,14 +267,14 @@ impl<'a> Fields<'a> {
             Tree::Number { value: 0.0, text, .. } if is_written_as_more(text) => {
                 let message = format!("{} is too small for a double, but not 0", quoted(key));
                 let mistake = Mistake::new(tree.span, message, "would become 0");
-                self.found.mistakes.push(mistake.help("sizes go from about 1e-308 to 1e308"));
+                self.found.mistakes.push(mistake.help("values range from about 1e-308 to 1e308"));
                 None
             }
             Tree::Number { value, .. } if value.is_finite() => {
                 Some(Spanned { value: *value, span: tree.span })
             }
             Tree::Number { .. } => {
-                let message = format!("{} is a finite number", quoted(key));
+                let message = format!("{} must be a finite number", quoted(key));
                 self.found.mistakes.push(Mistake::new(tree.span, message, "not finite"));
                 None
             }
@@ -326,7 +326,7 @@ impl<'a> Fields<'a> {
     /// Reports a value of the wrong kind.
     pub fn wrong<T>(&mut self, tree: &Spanned<Tree>, key: &str, wanted: &str) -> Option<T> {
         let found = tree.value.kind();
-        let message = format!("{} is {wanted}, not {found}", quoted(key));
+        let message = format!("{} must be {wanted}, not {found}", quoted(key));
         self.found.mistakes.push(Mistake::new(tree.span, message, format!("this is {found}")));
         None
     }

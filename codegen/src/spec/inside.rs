@@ -57,7 +57,7 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
         if count.value.fract() == 0.0 && (1.0..=array::MOST).contains(&count.value) {
             return Some(Spanned { value: count.value as i64, span: count.span });
         }
-        let message = format!("`count` is a whole number from 1 to {}", array::MOST);
+        let message = format!("`count` must be an integer from 1 to {}", array::MOST);
         fields.found().mistakes.push(Mistake::new(count.span, message, "out of range"));
         None
     });
@@ -108,7 +108,7 @@ fn ports(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<[Spanned<Strin
         return fields.wrong(tree, "connect", "a list of two ports");
     };
     let [first, second] = items.as_slice() else {
-        let mistake = Mistake::new(tree.span, "a joint connects two ports", "not two");
+        let mistake = Mistake::new(tree.span, "a joint must connect two ports", "not two");
         fields.found().mistakes.push(mistake.help("write connect = [\"a.port\", \"b.port\"]"));
         return None;
     };

@@ -143,13 +143,13 @@ impl Lexer<'_> {
             other => {
                 let range = self.at..self.at + other.len_utf8();
                 let help = match other {
-                    '>' => "the only comparison is `x < y`, within piecewise: turn this one round",
+                    '>' => "the only comparison is `x < y`, within piecewise: swap the two sides",
                     '=' | '!' => ONLY_COMPARISON,
                     '.' => "a number starts with a digit: 0.5",
-                    _ => "names and operators are ASCII",
+                    _ => "names and operators must be ASCII",
                 };
                 let message =
-                    format!("{} does not belong in an expression", quoted(&other.to_string()));
+                    format!("{} is not allowed in an expression", quoted(&other.to_string()));
                 Err(Box::new(self.mistake(range, message, "here", help)))
             }
         }
@@ -159,12 +159,12 @@ impl Lexer<'_> {
     fn no_double(&self, c: char) -> Result<(), Box<Mistake>> {
         let next = self.rest().chars().next();
         let help = match (c, next) {
-            ('*', Some('*')) => "a power is written x^2",
+            ('*', Some('*')) => "write a power as x^2",
             ('<', Some('=')) => ONLY_COMPARISON,
             _ => return Ok(()),
         };
         let range = self.at - 1..self.at + 1;
-        let message = format!("{} is no operator", quoted(&self.text.value[range.clone()]));
+        let message = format!("{} is not an operator", quoted(&self.text.value[range.clone()]));
         Err(Box::new(self.mistake(range, message, "here", help)))
     }
 
@@ -199,8 +199,8 @@ impl Lexer<'_> {
             let message = format!("a number has at most {MAX_DIGITS} digits");
             return Err(Box::new(self.mistake(range, message, "too long", "round it")));
         }
-        let message = "this number cannot be held by an f64".to_owned();
-        let help = "sizes go from about 1e-308 to 1e308";
+        let message = "this number is outside the range of an f64".to_owned();
+        let help = "values range from about 1e-308 to 1e308";
         Err(Box::new(self.mistake(range, message, "too large or too small", help)))
     }
 

@@ -159,7 +159,7 @@ impl Loader<'_> {
         let from = trail.iter().position(|known| *known == unit).unwrap_or(0);
         let names = trail[from..].iter().chain([&unit]).map(|unit| quoted(&self.units[*unit].name));
         let names: Vec<String> = names.collect();
-        let message = format!("unit {} is made of itself", names[0]);
+        let message = format!("unit {} contains itself", names[0]);
         let help = format!("one inside the other: {}", names.join(", "));
         self.found.mistakes.push(Mistake::new(text.unit.span, message, "again").help(help));
     }
@@ -202,10 +202,10 @@ impl Loader<'_> {
             }
             if self.leads_out(&path) {
                 let message = format!(
-                    "the file of unit {} is a link that leads out of the folders of specs",
+                    "the file of unit {} is a link to a place outside the folders of specs",
                     quoted(&name.value)
                 );
-                self.refuse(name, message, "put the file itself there");
+                self.refuse(name, message, "replace the link by the file");
                 return Err(Refused);
             }
             return match self.sources.read(&path) {
@@ -268,7 +268,7 @@ impl Loader<'_> {
     }
 
     fn refuse(&mut self, name: &Spanned<String>, message: String, help: &str) {
-        self.found.mistakes.push(Mistake::new(name.span, message, "asked for here").help(help));
+        self.found.mistakes.push(Mistake::new(name.span, message, "used here").help(help));
     }
 }
 
@@ -278,7 +278,7 @@ fn help_to_find(name: &str, define: &[UnitSpec]) -> String {
     let alike = LIBRARY.iter().filter(|unit| last(unit.name) == last(name));
     let alike: Vec<String> = alike.map(|unit| quoted(unit.name)).collect();
     if !alike.is_empty() {
-        return format!("with Machinist comes {}", alike.join(" and "));
+        return format!("Machinist comes with {}", alike.join(" and "));
     }
     // Compared by the last part alone: folders are long, and would make any two names similar.
     let defined = define.iter().map(|unit| unit.name.as_str());

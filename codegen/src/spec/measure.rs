@@ -169,7 +169,7 @@ impl Measure {
         let instead = FACTORED.iter().find(|(known, ..)| *known == symbol);
         let instead = instead.map_or("", |(.., coherent)| coherent);
         Err(UnitError {
-            message: format!("{symbol:?} is no coherent SI unit, which is asked for here"),
+            message: format!("{symbol:?} is not a coherent SI unit, which is required here"),
             help: format!(
                 "declare it in {instead}; numbers ({:?}), values of parameters, columns of tables \
                  and outputs of scenes may be in {symbol}",
@@ -328,8 +328,8 @@ impl Reader<'_> {
         self.at += 1;
         let raised = of.unit.power(numerator, denominator).filter(|_| of.factor.is_one());
         raised.map(|unit| Measure { unit, ..Measure::one() }).ok_or_else(|| UnitError {
-            message: "there is no such power of this unit".to_owned(),
-            help: "fractions are multiples of 1/840, of coherent units".to_owned(),
+            message: "this power of the unit does not exist".to_owned(),
+            help: "fractional exponents must be multiples of 1/840, on coherent units".to_owned(),
             range: start..self.at,
         })
     }
@@ -339,10 +339,10 @@ impl Reader<'_> {
         if &self.text[range.clone()] == "1" {
             return Ok(Measure::one());
         }
-        let message = "a unit holds no number but 1".to_owned();
+        let message = "the only number allowed in a unit is 1".to_owned();
         Err(UnitError {
             message,
-            help: "a factor belongs to the number before it".to_owned(),
+            help: "put the factor into the number before the unit".to_owned(),
             range,
         })
     }
@@ -364,7 +364,7 @@ impl Reader<'_> {
             return Ok(Measure { factor: own, ..measure });
         }
         let help = if ["degC", "degF"].contains(&symbol) {
-            "a temperature is in K: no offset is applied".to_owned()
+            "a temperature must be in K: offsets are not supported".to_owned()
         } else {
             meant(symbol)
         };
@@ -404,7 +404,7 @@ impl Reader<'_> {
     }
 
     fn bounded(&self, measure: Option<Measure>) -> Result<Measure, UnitError> {
-        measure.ok_or_else(|| self.error("exponents beyond all reason".to_owned()))
+        measure.ok_or_else(|| self.error("exponents are too large".to_owned()))
     }
 
     fn error(&self, message: String) -> UnitError {

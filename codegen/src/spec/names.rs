@@ -64,11 +64,11 @@ pub fn check(name: &Spanned<String>) -> Result<(), Mistake> {
     }
     if RUST_KEYWORDS.contains(&text) {
         let message = format!("{} is a keyword of Rust", quoted(text));
-        return refuse(message, "not free as a name", "emitted code uses the names of the spec");
+        return refuse(message, "reserved name", "emitted code uses the names of the spec");
     }
     if FUNCTIONS.contains(&text) || text == "t" || text == "pi" {
         let message = format!("{} already has a meaning in expressions", quoted(text));
-        return refuse(message, "not free as a name", "choose another name");
+        return refuse(message, "reserved name", "choose another name");
     }
     Ok(())
 }
@@ -134,8 +134,8 @@ pub fn check_scene(name: &Spanned<String>) -> Result<(), Mistake> {
         return Ok(());
     }
     let message = format!("a scene cannot be called {}: emitted code uses it", quoted(&name.value));
-    Err(Mistake::new(name.span, message, "not free as the name of a scene")
-        .help("add a word: two of them clash with nothing"))
+    Err(Mistake::new(name.span, message, "reserved name")
+        .help("add a word: names of two words do not clash"))
 }
 
 /// Returns the mistake in a scene's name, if any.

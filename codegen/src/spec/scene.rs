@@ -215,7 +215,7 @@ fn freeze(tree: &Spanned<Tree>, found: &mut Findings) -> (Vec<Spanned<String>>, 
     if let Some(tolerance) = &tolerance
         && !(tolerance.value > 0.0 && tolerance.value <= 1.0)
     {
-        let message = "`tolerance` is an error relative to an output, above 0 and at most 1";
+        let message = "`tolerance` is a relative error and must be above 0 and at most 1";
         found.mistakes.push(Mistake::new(tolerance.span, message, "out of range"));
     }
     (rigid, tolerance.map_or(0.0, |tolerance| tolerance.value))
@@ -250,7 +250,7 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
     };
     // Each is checked by itself, whether the others are present or not.
     if let Some(rtol) = &rtol {
-        let message = "`rtol` lies between 1e-14 and 0.1";
+        let message = "`rtol` must be between 1e-14 and 0.1";
         refuse(RTOL.contains(&rtol.value), rtol.span, message, "out of range", String::new());
     }
     if let Some(method) = &method {
@@ -280,7 +280,7 @@ fn sampling(fields: &mut Fields<'_>) -> (Option<Formula>, Option<SamplingSpec>) 
             return (None, fields.wrong(tree, "times", "a list of times"));
         };
         if !(2..=MAX_POINTS as usize).contains(&items.len()) {
-            let message = "`times` are 2 to 10 000 000";
+            let message = "`times` must have 2 to 10 000 000 entries";
             fields.found().mistakes.push(Mistake::new(tree.span, message, "out of range"));
         }
         let times = items.iter().filter_map(|item| fields.as_formula(item, "times")).collect();
@@ -301,13 +301,13 @@ fn sampling(fields: &mut Fields<'_>) -> (Option<Formula>, Option<SamplingSpec>) 
     let first = fields.formula("first");
     match (&first, &spacing) {
         (None, Some(spacing)) if is_log => {
-            let message = "times at equal ratios need `first`, the time after the start";
-            let mistake = Mistake::new(spacing.span, message, "from when on?");
+            let message = "logarithmic spacing needs `first`, the first time after the start";
+            let mistake = Mistake::new(spacing.span, message, "`first` is missing");
             fields.found().mistakes.push(mistake.help("write first = 1e-3, in s"));
         }
         (Some(first), _) if !is_log => {
-            let message = "`first` is of times at equal ratios";
-            let mistake = Mistake::new(first.span(), message, "of no use");
+            let message = "`first` is used only with logarithmic spacing";
+            let mistake = Mistake::new(first.span(), message, "unused");
             fields.found().mistakes.push(mistake.help("write spacing = \"log\" too"));
         }
         _ => {}
@@ -316,7 +316,7 @@ fn sampling(fields: &mut Fields<'_>) -> (Option<Formula>, Option<SamplingSpec>) 
     if let Some(points) = &points
         && !(points.value.fract() == 0.0 && (least..=MAX_POINTS).contains(&points.value))
     {
-        let message = format!("`points` is an integer from {least} to 10 000 000");
+        let message = format!("`points` must be an integer from {least} to 10 000 000");
         fields.found().mistakes.push(Mistake::new(points.span, message, "out of range"));
     }
     let points = points.map_or(DEFAULT_POINTS, |points| points.value as usize);

@@ -76,7 +76,7 @@ fn read(
 /// Finds the file of a relative path, which must stay below the folder of its spec.
 fn locate(path: &Spanned<String>, sources: &Sources) -> Result<PathBuf, Mistake> {
     let refuse = |message: &str| {
-        let help = "the path is relative to the spec and stays below its folder";
+        let help = "the path must be relative to the spec and stay below its folder";
         Err(Mistake::new(path.span, message, "not allowed").help(help))
     };
     let spec = &sources.get(path.span.file).file.path;
@@ -120,13 +120,13 @@ fn columns(text: &str, file: FileId) -> Result<(Vec<Column>, Vec<Span>), Mistake
         rows.push(line.cell(None));
         for (index, (cell, column)) in record.iter().zip(&mut columns).enumerate() {
             column.values.push(number(cell, column.factor).ok_or_else(|| {
-                line.mistake(Some(index), "a cell of a table is a finite number".to_owned())
+                line.mistake(Some(index), "a cell of a table must be a finite number".to_owned())
             })?);
         }
         if let Some([.., before, now]) = columns.first().map(|x| x.values.as_slice())
             && before >= now
         {
-            let message = "the first column of a table increases strictly".to_owned();
+            let message = "the first column of a table must increase strictly".to_owned();
             return Err(line.mistake(Some(0), message));
         }
     }
@@ -143,7 +143,7 @@ fn header(record: &csv::StringRecord, line: &Line) -> Result<Vec<Column>, Mistak
     for (index, cell) in record.iter().enumerate() {
         let parts = cell.trim().strip_suffix(']').and_then(|cell| cell.split_once('['));
         let Some((name, unit)) = parts else {
-            let mistake = line.mistake(Some(index), "a column is named with its unit".to_owned());
+            let mistake = line.mistake(Some(index), "a column needs a unit in its name".to_owned());
             return Err(mistake.help("write time [s],load [N m]"));
         };
         let name = Spanned { value: name.trim().to_owned(), span: line.cell(Some(index)) };
@@ -214,7 +214,7 @@ fn csv_mistake(error: &csv::Error, text: &str, file: FileId) -> Mistake {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             format!("a row of a table has {len} cells where the header has {expected_len}")
         }
-        _ => "this is no CSV file".to_owned(),
+        _ => "this is not a CSV file".to_owned(),
     };
     Mistake::new(Span::new(file, at..at), message, "here")
 }

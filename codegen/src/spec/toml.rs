@@ -77,7 +77,7 @@ pub fn parse(text: &str, file: FileId) -> Result<Spanned<Tree>, Mistake> {
         };
         let is_unit = is_unit_behind_number(text, range.start);
         let mistake = Mistake::new(Span::new(file, range), message, "here");
-        if is_unit { mistake.help("a number with a unit is a text: \"0.1 [s]\"") } else { mistake }
+        if is_unit { mistake.help("quote a number with a unit: \"0.1 [s]\"") } else { mistake }
     })?;
     let reader = Reader { text, file };
     let whole = Span::new(file, 0..0);

@@ -166,7 +166,7 @@ fn ports(fields: &mut Fields<'_>) -> (Vec<PortSpec>, Vec<ExposedSpec>) {
             exposed.push(ExposedSpec { name: entry.key.clone(), of });
             continue;
         }
-        let message = format!("{} is no port of what is inside", quoted(&of.value));
+        let message = format!("{} is not a port of a part inside", quoted(&of.value));
         let help = "write \"part.port\"; a port of the unit's own is a table, { kind = \"...\", \
                     coordinate = \"...\" }";
         fields.found().mistakes.push(Mistake::new(of.span, message, "not part.port").help(help));

@@ -161,9 +161,9 @@ impl Instance {
         let simulator = self.machine.simulator();
         if is_before && (simulator.constraints() > 0 || simulator.starts_in_equilibrium()) {
             let by = if simulator.starts_in_equilibrium() {
-                "is looked for: it is an equilibrium"
+                "is an equilibrium found by a search"
             } else {
-                "constraints decide"
+                "constraints determine"
             };
             let message = format!("there are no derivatives of a start that {by}");
             return Err(Refusal::Argument(message));

@@ -72,17 +72,17 @@ impl Instance {
     /// # Errors
     /// [`Refusal`] for bytes that are not a state of an instance of this archive and interface.
     pub fn read(&mut self, bytes: &[u8]) -> Result<usize, Refusal> {
-        let unreadable = |why: String| Refusal::Argument(format!("this is no state: {why}"));
+        let unreadable = |why: String| Refusal::Argument(format!("not an FMU state: {why}"));
         let (snapshot, rest): (Snapshot, _) =
             postcard::take_from_bytes(bytes).map_err(|error| unreadable(error.to_string()))?;
         if !rest.is_empty() {
             return Err(unreadable(format!("{} bytes are left over", rest.len())));
         }
         if snapshot.of != (self.machine.token.clone(), self.is_exchange()) {
-            return Err(unreadable("it is of another archive or interface".to_owned()));
+            return Err(unreadable("it belongs to another archive or interface".to_owned()));
         }
         if !self.fits(&snapshot.now) {
-            return Err(unreadable("its numbers are not those of the machine".to_owned()));
+            return Err(unreadable("its values do not fit the machine".to_owned()));
         }
         let handle = self.new_handle();
         self.kept.insert(handle, snapshot);
@@ -95,7 +95,7 @@ impl Instance {
     }
 
     fn kept(&self, handle: usize) -> Result<&Snapshot, Refusal> {
-        let unknown = || Refusal::argument("this FMU state is none of this instance");
+        let unknown = || Refusal::argument("this FMU state does not belong to this instance");
         self.kept.get(&handle).ok_or_else(unknown)
     }
 

@@ -82,7 +82,7 @@ impl Instance {
                 self.require(call, &[Phase::Step])?;
             }
             Interface::CoSimulation { event_mode: false, .. } => {
-                return Err(Refusal::argument("event mode was not asked for at instantiation"));
+                return Err(Refusal::argument("event mode was not requested at instantiation"));
             }
         }
         self.now.phase = Phase::Event;

@@ -60,8 +60,8 @@ impl<'a> Exponential<'a> {
         let error = ROUNDINGS * norm * piece.span();
         if error.is_nan() || error > rtol {
             return Err(format!(
-                "the exponential of a matrix of norm {norm:.1e} 1/s over {} s keeps {error:.0e} \
-                 of relative error by rounding, more than the tolerance; try the method `auto`",
+                "the exponential of a matrix of norm {norm:.1e} 1/s over {} s has a relative \
+                 rounding error of {error:.0e}, more than the tolerance; try the method `auto`",
                 piece.span()
             ));
         }

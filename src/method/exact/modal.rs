@@ -49,7 +49,7 @@ impl<'a> Modal<'a> {
         let Some(modes) = forms.modes(stretch.rtol) else { return Ok(None) };
         if modes.mixing > stretch.rtol {
             return Err(format!(
-                "its modes lie so close that rounding mixes them by {:.0e}, more than the \
+                "its eigenmodes are so close that rounding mixes them by {:.0e}, more than the \
                  tolerance; try the method `auto`",
                 modes.mixing
             ));

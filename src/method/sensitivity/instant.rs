@@ -319,7 +319,7 @@ impl Tangents<'_> {
         if guard < events {
             format!("the guard of event `{}`", self.simulator.event(guard).name)
         } else {
-            "what a kink of the rate compares".to_owned()
+            "a comparison in the rate".to_owned()
         }
     }
 

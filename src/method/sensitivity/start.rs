@@ -131,8 +131,8 @@ impl Tangents<'_> {
             {
                 let name = self.by[direction].quantity(self.simulator).name.to_owned();
                 let why = format!(
-                    "moves a jump that is at the very start of the run, {from} s, and would leave \
-                     it on one side"
+                    "moves a jump that is exactly at the start of the run, {from} s, so the \
+                     derivative is one-sided"
                 );
                 return Err(SimulateError::NotDifferentiable { name, why });
             }
@@ -240,8 +240,8 @@ impl Tangents<'_> {
                 let name = self.by[direction].quantity(self.simulator).name.to_owned();
                 let constraint = self.simulator.constraint(row).name;
                 let why = format!(
-                    "takes the start off constraint `{constraint}`, and what is given of the start \
-                     leaves nothing that could make up for it"
+                    "moves the start off constraint `{constraint}`, and no initial value is free \
+                     to compensate"
                 );
                 return Err(SimulateError::NotDifferentiable { name, why });
             }
@@ -262,9 +262,10 @@ impl Tangents<'_> {
             let quantity = by.quantity(self.simulator);
             let open = || SimulateError::NotDifferentiable {
                 name: quantity.name.to_owned(),
-                why: "moves a start that constraints leave open, so that it is where the search \
-                      from the guesses ends; give more of the start"
-                    .to_owned(),
+                why:
+                    "moves a start that constraints do not determine, so the start depends on the \
+                      search from the guesses; give more initial values"
+                        .to_owned(),
             };
             let size = match by {
                 By::Parameter(index) => self.parameters[*index].abs(),

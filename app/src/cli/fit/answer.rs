@@ -158,7 +158,7 @@ impl Answer {
         text.push_str(&columns(&self.parameter_rows(), 2));
         if self.t.is_nan() {
             text.push_str(
-                "\nThere are as many unknowns as values: nothing says how exact they are\n",
+                "\nThere are as many unknowns as values, so no errors can be estimated\n",
             );
         }
         text.push_str(&self.correlations_told());
@@ -172,7 +172,7 @@ impl Answer {
                 None => "not at all".to_owned(),
             };
             text.extend([format!(
-                "\nThe data tell {error} of this relative change: {}\n",
+                "\nThe data determine this relative change {error}: {}\n",
                 shares.join(", ")
             )]);
         }
@@ -183,8 +183,8 @@ impl Answer {
                 && output.probability_of_runs.is_some_and(|chance| chance < UNLIKELY)
             {
                 text.extend([format!(
-                    "Residuals of {} are not chance: the model lacks something, and intervals are \
-                     narrower than they should be\n",
+                    "Residuals of {} are not random: the model is incomplete, and the intervals \
+                     are too narrow\n",
                     output.output
                 )]);
             }
@@ -236,7 +236,7 @@ impl Answer {
         for profile in &self.profiles {
             for (side, why) in ["lower", "upper"].iter().zip(&profile.open) {
                 if let Some(why) = why {
-                    text.extend([format!("No {side} end of {}: {why}\n", profile.parameter)]);
+                    text.extend([format!("No {side} limit of {}: {why}\n", profile.parameter)]);
                 }
             }
         }

@@ -79,14 +79,13 @@ impl Reading<'_> {
                 let value = cell(&record, column.place, (line, &column.name))?;
                 if value.is_infinite() {
                     let message = format!("line {line}: `{}` is infinite", column.name);
-                    return Err(refuse(message, "an empty place is a gap, and so is NaN"));
+                    return Err(refuse(message, "gaps are empty cells or NaN"));
                 }
                 column.values.push((column.convert)(value));
             }
         }
         if times.last().is_none_or(|last| *last <= self.from) {
-            let message =
-                format!("nothing is measured after the start of the run, {} s", self.from);
+            let message = format!("there are no data after the start of the run, {} s", self.from);
             return Err(refuse(message, ""));
         }
         let (deviations, columns): (Vec<Wanted>, Vec<Wanted>) =
@@ -110,7 +109,7 @@ impl Reading<'_> {
             let Some((name, convert)) = read else { continue };
             let is_same = |other: &Wanted| other.name == name && other.is_deviation == is_deviation;
             if wanted.iter().any(is_same) {
-                return Err(refuse(format!("`{name}` stands in two columns"), ""));
+                return Err(refuse(format!("there are two columns `{name}`"), ""));
             }
             wanted.push(Wanted { convert, place, name, is_deviation, values: Vec::new() });
         }
@@ -123,23 +122,23 @@ impl Reading<'_> {
             ));
         }
         if wanted.iter().all(|column| column.is_deviation) {
-            return Err(refuse("there is no column but time".to_owned(), ""));
+            return Err(refuse("there is no column besides time".to_owned(), ""));
         }
         Ok(wanted)
     }
 
     fn check_time(&self, time: f64, latest: Option<f64>, line: usize) -> Result<(), Refusal> {
         if !time.is_finite() {
-            return Err(refuse(format!("line {line}: there is no time"), ""));
+            return Err(refuse(format!("line {line}: the time is missing"), ""));
         }
         if let Some(latest) = latest.filter(|latest| time < *latest) {
             let message = format!("line {line}: {time} s is before the {latest} s above it");
-            return Err(refuse(message, "times must ascend"));
+            return Err(refuse(message, "times must increase"));
         }
         if time < self.from {
             let message =
                 format!("line {line}: {time} s is before the start of the run, {} s", self.from);
-            return Err(refuse(message, "`--from` gives another start"));
+            return Err(refuse(message, "`--from` sets another start time"));
         }
         Ok(())
     }
@@ -167,14 +166,13 @@ impl Reading<'_> {
                 return Ok(None);
             }
             let message = format!(
-                "column `{}` is no output and no state of scene `{}`",
+                "column `{}` is neither an output nor a state of scene `{}`",
                 name.escape_debug(),
                 simulator.name()
             );
             let hint = did_you_mean(name, known.iter().map(|quantity| quantity.name));
-            let help = format!(
-                "{hint}; `--map COLUMN=OUTPUT` names it, `--outputs` takes only some columns"
-            );
+            let help =
+                format!("{hint}; `--map COLUMN=OUTPUT` assigns it, `--outputs` selects columns");
             return Err(refuse(message, help));
         };
         let Some(unit) = unit else { return Ok(Some((name.to_owned(), Box::new(|value| value)))) };
@@ -201,7 +199,7 @@ fn seconds(header: &csv::StringRecord) -> Result<Conversion, Refusal> {
     }
     let Some(unit) = unit else { return Ok(Box::new(|time| time)) };
     let Some(convert) = conversion(unit, "s") else {
-        let message = format!("time is in {}, which is no time", unit.escape_debug());
+        let message = format!("time is in {}, which is not a unit of time", unit.escape_debug());
         return Err(refuse(message, "times are in seconds, or in a unit of time such as ms"));
     };
     Ok(Box::new(convert))
@@ -233,8 +231,9 @@ fn cell(
     match record.get(place).unwrap_or_default() {
         "" => Ok(f64::NAN),
         cell => cell.parse::<f64>().map_err(|_| {
-            let message = format!("line {line}: `{}` of {what} is no number", cell.escape_debug());
-            refuse(message, "an empty place is a gap, and so is NaN")
+            let message =
+                format!("line {line}: `{}` of {what} is not a number", cell.escape_debug());
+            refuse(message, "gaps are empty cells or NaN")
         }),
     }
 }
@@ -244,7 +243,7 @@ fn cell(
 fn check_deviations(deviation: &Wanted, columns: &[Wanted]) -> Result<(), Refusal> {
     let Wanted { name, values, .. } = deviation;
     let Some(column) = columns.iter().find(|column| column.name == *name) else {
-        return Err(refuse(format!("`sigma({name})` is of no column"), ""));
+        return Err(refuse(format!("`sigma({name})` belongs to no column"), ""));
     };
     let is_bad =
         |(value, sigma): (&f64, &f64)| !value.is_nan() && (sigma.is_nan() || *sigma <= 0.0);
@@ -253,7 +252,7 @@ fn check_deviations(deviation: &Wanted, columns: &[Wanted]) -> Result<(), Refusa
         Some(row) => {
             let message =
                 format!("row {}: `sigma({name})` is {}, not above 0", row + 1, values[row]);
-            Err(refuse(message, "every value has its standard deviation, in its unit"))
+            Err(refuse(message, "every value needs a standard deviation, in the same unit"))
         }
     }
 }

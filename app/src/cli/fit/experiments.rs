@@ -49,9 +49,8 @@ pub fn read(path: &Path) -> Result<Vec<Setup>, Failure> {
 /// Returns an error, because this build reads no TOML.
 #[cfg(not(feature = "derive"))]
 pub fn read(path: &Path) -> Result<Vec<Setup>, Failure> {
-    let message =
-        format!("--experiments {}: this program was built without what reads it", path.display());
-    Err(Failure::input(message, "give files without settings of their own by `--data`"))
+    let message = format!("--experiments {}: this program reads no TOML", path.display());
+    Err(Failure::input(message, "use `--data`, or a build with the feature `derive`"))
 }
 
 #[cfg(feature = "derive")]
@@ -103,7 +102,7 @@ mod parse {
                 let name = setup.name.escape_debug();
                 let message = format!("two experiments are called `{name}`");
                 return Err(Wrong {
-                    help: "`name` tells them apart".to_owned(),
+                    help: "give each a different `name`".to_owned(),
                     ..wrong(table.span(), message)
                 });
             }
@@ -127,14 +126,14 @@ mod parse {
                 "map" => {
                     let text = |(name, value): Leaf<'_>| match value.as_str() {
                         Some(output) => Ok((name, output.to_owned())),
-                        None => Err(wrong(value.span(), format!("`{name}` is no text"))),
+                        None => Err(wrong(value.span(), format!("`{name}` is not a string"))),
                     };
                     setup.map =
                         leaves(item, key)?.into_iter().map(text).collect::<Result<_, _>>()?;
                 }
                 "outputs" => {
                     let list =
-                        item.as_array().ok_or_else(|| wrong(at(), "`outputs` is no list"))?;
+                        item.as_array().ok_or_else(|| wrong(at(), "`outputs` is not a list"))?;
                     let text = |value: &Value| {
                         let text = value.as_str().map(str::to_owned);
                         text.ok_or_else(|| wrong(value.span(), "`outputs` is a list of names"))
@@ -167,7 +166,7 @@ mod parse {
     /// Returns the values of a table and its subtables, with names joined by points.
     fn leaves<'t>(item: &'t Item, key: &str) -> Result<Vec<Leaf<'t>>, Wrong> {
         let Some(table) = item.as_table_like() else {
-            return Err(wrong(item.span(), format!("`{key}` is no table")));
+            return Err(wrong(item.span(), format!("`{key}` is not a table")));
         };
         let mut all = Vec::new();
         gather(table, "", &mut all);
@@ -187,12 +186,12 @@ mod parse {
 
     fn string(item: &Item, key: &str) -> Result<String, Wrong> {
         let text = item.as_str().filter(|text| !text.is_empty()).map(str::to_owned);
-        text.ok_or_else(|| wrong(item.span(), format!("`{key}` is no text, such as \"cold\"")))
+        text.ok_or_else(|| wrong(item.span(), format!("`{key}` is not a string such as \"cold\"")))
     }
 
     fn number(item: &Item, key: &str) -> Result<f64, Wrong> {
         let value = item.as_value().and_then(plain).filter(|value| value.is_finite());
-        value.ok_or_else(|| wrong(item.span(), format!("`{key}` is no finite number")))
+        value.ok_or_else(|| wrong(item.span(), format!("`{key}` is not a finite number")))
     }
 
     fn plain(value: &Value) -> Option<f64> {
@@ -254,12 +253,12 @@ mod parse {
                 ("", "no experiments"),
                 ("[[experiments]]\ndata = \"a\"", "not known here"),
                 ("[[experiment]]\nname = \"a\"", "no data"),
-                ("[[experiment]]\ndata = 3", "no text"),
+                ("[[experiment]]\ndata = 3", "not a string"),
                 ("[[experiment]]\ndata = \"a\"\nsett = {}", "no `sett`"),
                 ("[[experiment]]\ndata = \"a\"\nset = { b = true }", "b: a number"),
                 ("[[experiment]]\ndata = \"a\"\nset = { b = \"1 [x y]\" }", "b:"),
                 ("[[experiment]]\ndata = \"a\"\nsigma = { b = -1 }", "not above 0"),
-                ("[[experiment]]\ndata = \"a\"\nfrom = nan", "no finite"),
+                ("[[experiment]]\ndata = \"a\"\nfrom = nan", "not a finite"),
                 ("[[experiment]]\ndata = \"a\"\n[[experiment]]\ndata = \"a\"", "called `a`"),
                 ("[[experiment]\n", "not valid TOML"),
             ] {

@@ -4,8 +4,8 @@ use machinist::fit::Noise;
 
 /// Parses a standard deviation: `2e-4`, `2 %` of the measured value, or `2e-4 + 2 %`.
 pub fn noise(text: &str) -> Result<Noise, String> {
-    const EXAMPLE: &str = "write it as a number in the unit of the column, as a share of what is \
-                           measured, or both: 0.02, 1 %, 0.02 + 1 %";
+    const EXAMPLE: &str = "write it as a number in the unit of the column, relative to the \
+                           measured value, or both: 0.02, 1 %, 0.02 + 1 %";
     let (mut absolute, mut share) = (0.0, 0.0);
     for part in text.split(" + ").flat_map(|part| split_plain(part.trim())) {
         let (number, place, factor) = match part.strip_suffix('%') {

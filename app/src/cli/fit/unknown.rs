@@ -27,7 +27,7 @@ pub fn asked(text: &str) -> Result<Asked, String> {
     let bounds = ends(values, EXAMPLE)?;
     let [from, to] = bounds.each_ref().map(|bound| bound.value);
     if from >= to {
-        return Err(format!("the bounds cross: {from} is not below {to}"));
+        return Err(format!("invalid bounds: {from} is not below {to}"));
     }
     Ok(Asked { name: name.trim().to_owned(), bounds: Some(bounds) })
 }
@@ -89,7 +89,7 @@ mod tests {
         assert_eq!(asked("a.b=..").map(|asked| asked.bounds), Ok(None));
         for (bad, reason) in [
             ("a.b=3", "NAME=FROM..TO"),
-            ("a.b=5..1", "cross"),
+            ("a.b=5..1", "invalid bounds"),
             ("a.b=1..inf", "finite"),
             ("a.b=1..x", "not a number"),
         ] {

@@ -26,13 +26,14 @@ enum Width {
 
 #[derive(Debug, Args)]
 pub struct Options {
-    /// With --target c99: the type of numbers, double or float; f64 unless given
+    /// With --target c99: type of numbers, f64 (double) or f32 (float). Default: f64
     #[arg(long, value_name = "TYPE")]
     real: Option<Width>,
-    /// With --target c99: the method of a step, rk4, heun or ros2; rk4 unless given
+    /// With --target c99: step method, rk4, heun or ros2. Default: rk4
     #[arg(long, value_name = "NAME", value_parser = step_method)]
     step: Option<StepMethod>,
-    /// With --target c99: parameters that are set along the run, which get a struct of their own
+    /// With --target c99: parameters that become inputs, in a separate struct, and can be set
+    /// during the run
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     inputs: Vec<String>,
 }
@@ -48,7 +49,7 @@ impl Options {
         match given.into_iter().find(|(_, is_given)| *is_given) {
             None => Ok(()),
             Some((option, _)) => {
-                Err(Failure::input(format!("{option} is of --target c99"), "name that target too"))
+                Err(Failure::input(format!("{option} requires --target c99"), "add --target c99"))
             }
         }
     }
@@ -84,8 +85,8 @@ impl Options {
             }
             Err(WriteError::NotFresh { files, .. }) => {
                 let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
-                let message = format!("not what the spec gives: {}", names.join(", "));
-                Err(Failure::unsuccessful(message, "leave `--check` out to write it again"))
+                let message = format!("out of date: {}", names.join(", "));
+                Err(Failure::unsuccessful(message, "without `--check` it is written again"))
             }
             Err(error) => Err(error.into()),
         }

@@ -154,7 +154,7 @@ impl Answer {
         let Objective { expression, unit, is_greatest, before, after } = &self.objective;
         let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
         let best = if *is_greatest { "greatest" } else { "least" };
-        let before = before.map_or("what cannot be simulated".to_owned(), shown);
+        let before = before.map_or("a start that cannot be simulated".to_owned(), shown);
         let mut text = format!(
             "{}: {} ({})\n{best} {expression}: {}{unit}, from {before}\n{} after {} steps, {} \
              runs{}\n\n",

@@ -156,7 +156,7 @@ mod readable {
             Node::Number(_, Some(unit)) => match Measure::parse(unit) {
                 Ok(Measure { unit, .. }) => Ok(Some(unit.dimension)),
                 Err(error) => {
-                    let message = format!("`{unit}` is no unit of measure: {}", error.message);
+                    let message = format!("`{unit}` is not a unit of measure: {}", error.message);
                     Err(ExpressionError::new(message, range.clone()).with_help(error.help))
                 }
             },
@@ -174,7 +174,7 @@ mod readable {
             },
             Node::Call(_, a) => match dimension(a, simulator)? {
                 Some(of) if of != Dimension::default() => {
-                    let message = format!("a function of a pure number is given one in {of}");
+                    let message = format!("the argument must be dimensionless, but is in {of}");
                     Err(ExpressionError::new(message, a.range.clone()))
                 }
                 _ => Ok(Some(Dimension::default())),
@@ -213,7 +213,7 @@ mod readable {
 
     fn power(base: Known, exponent: Known, text: &Expression) -> Result<Known, String> {
         if exponent.is_some_and(|of| of != Dimension::default()) {
-            return Err("an exponent is a pure number".to_owned());
+            return Err("an exponent must be dimensionless".to_owned());
         }
         let none = Dimension::default();
         let Some(base) = base.filter(|base| *base != none) else { return Ok(base) };
@@ -230,9 +230,9 @@ mod readable {
             return base
                 .power(halves as i32, 2)
                 .map(Some)
-                .ok_or("too large an exponent".to_owned());
+                .ok_or("the exponent is too large".to_owned());
         }
-        Err("of what has a unit, an exponent is a whole number or a half".to_owned())
+        Err("the exponent of a quantity with a unit must be a multiple of 1/2".to_owned())
     }
 
     /// Returns the common dimension of two operands, or an error if they differ.
@@ -244,7 +244,7 @@ mod readable {
         if let (Some(a), Some(other)) = of
             && a != other
         {
-            let message = format!("this is in {other}, but what it stands beside in {a}");
+            let message = format!("this is in {other}, but the other operand is in {a}");
             return Err(ExpressionError::new(message, b.range.clone()));
         }
         // A bare number could be in the unit shown or in SI units.
@@ -255,8 +255,9 @@ mod readable {
                 && let Some(name) = shown(other, simulator)
             {
                 let unit = unit_of(name, simulator).unwrap_or_default();
-                let message =
-                    format!("this has no unit, and `{name}` beside it is shown in {unit}");
+                let message = format!(
+                    "this has no unit, but the other operand, `{name}`, is shown in {unit}"
+                );
                 let help = format!("give it one, as in `5 [{unit}]`");
                 return Err(ExpressionError::new(message, bare.range.clone()).with_help(help));
             }

@@ -18,10 +18,10 @@ use crate::number::number;
 #[derive(Debug, Args)]
 pub struct Others {
     /// Compare with a CSV file, whose first column is time, or with the run of another scene or
-    /// model; may be repeated
+    /// model; repeatable
     #[arg(long, value_name = "CSV|SCENE")]
     compare: Vec<String>,
-    /// Compare with the same run with other values of parameters; may be repeated
+    /// Compare with a run of the same scene with other parameters; repeatable
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE,..", value_parser = assignments)]
     compare_set: Vec<Settings>,
 }

@@ -18,11 +18,11 @@ use crate::progress::during;
 
 #[derive(Debug, Args)]
 pub struct Options {
-    /// Run once, without an estimate of the error
+    /// Do not estimate the error, which takes a second run
     #[arg(long)]
     no_error: bool,
-    /// Tighten the tolerance until the estimated error of every column is at most this part of its
-    /// largest value
+    /// Tighten the tolerance until the estimated error of every column, relative to its largest
+    /// value, is at most this
     #[arg(long, value_name = "PART", conflicts_with_all = ["no_error", "fixed"], allow_hyphen_values = true)]
     accuracy: Option<f64>,
 }

@@ -15,11 +15,11 @@ use crate::number::number;
 
 #[derive(Debug, Args)]
 pub struct Options {
-    /// Take steps of this length, s, as emitted C99 does, and report their errors against the
+    /// Use fixed steps of this size, s, as emitted C99 does, and report errors relative to the
     /// adaptive run
     #[arg(long, value_name = "STEP", conflicts_with_all = ["sensitivities", "modes"])]
     fixed: Option<f64>,
-    /// With --fixed: rk4, heun or ros2; rk4 unless given
+    /// With --fixed: step method, rk4, heun or ros2. Default: rk4
     #[arg(long, value_name = "NAME", requires = "fixed", value_parser = step_method)]
     step_method: Option<StepMethod>,
 }
@@ -29,7 +29,7 @@ pub fn step_method(name: &str) -> Result<StepMethod, String> {
     let found = StepMethod::ALL.into_iter().find(|method| method.name() == name);
     found.ok_or_else(|| {
         let names = StepMethod::ALL.map(StepMethod::name).join(", ");
-        format!("there are {names}")
+        format!("known are {names}")
     })
 }
 
@@ -59,7 +59,7 @@ impl Options {
     pub fn asked(&self) -> Result<Option<Fixed>, Failure> {
         let Some(step) = self.fixed else { return Ok(None) };
         if !(step > 0.0 && step.is_finite()) {
-            let message = format!("--fixed {step}: a step is a finite time above zero");
+            let message = format!("--fixed {step}: the step size must be finite and above zero");
             return Err(Failure::input(message, "such as `--fixed 1e-4`, in seconds"));
         }
         Ok(Some(Fixed { step, method: self.step_method.unwrap_or_default() }))
@@ -80,7 +80,7 @@ impl Fixed {
         let wanted = (until - from) / self.step;
         if wanted > MOST_STEPS {
             let message = format!("--fixed {}: the run would take {wanted:.0} steps", self.step);
-            return Err(Failure::input(message, "take longer steps, or a shorter run"));
+            return Err(Failure::input(message, "use larger steps or a shorter run"));
         }
         // A step that fits up to rounding is not shortened.
         let steps = (wanted * (1.0 - 1e-9)).ceil().max(1.0) as usize;
@@ -125,7 +125,7 @@ impl Fixed {
                 "{} with steps of {step:.3e} s: the state is not finite at {lost} s",
                 self.method.name()
             );
-            let help = "take shorter steps, or `--step-method ros2` for a stiff machine";
+            let help = "use smaller steps, or `--step-method ros2` for a stiff machine";
             return Err(Failure::unsuccessful(message, help));
         }
         Ok(stepping)
@@ -169,7 +169,7 @@ impl Fixed {
         adaptive.energy_balance = None;
         let parts = match stepping.crowded {
             0 => String::new(),
-            some => format!("\n{some} steps had more parts than may be: take shorter ones"),
+            some => format!("\n{some} steps have more parts than allowed: use smaller steps"),
         };
         format!(
             "{}: {}\n{} steps of {:e} s by {}, {} events{parts}\nerrors against {}, rtol {:e}\n\n{}",

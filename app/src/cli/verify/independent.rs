@@ -38,14 +38,14 @@ impl Spec {
         }
         let read = system.files.iter().map(|file| &file.sha256);
         if !read.eq(model.files.iter().map(|file| &file.sha256)) {
-            return Ok(Err("the spec has changed while it was checked".to_owned()));
+            return Ok(Err("the spec changed during the check".to_owned()));
         }
         let (system, elements) = if system.fields.is_empty() {
             (system, None)
         } else if let Some((system, elements)) = elements::written_out(&system) {
             (system, Some(elements))
         } else {
-            let why = "no one number of elements cuts all its fields once between ports";
+            let why = "no common number of elements divides all its fields once between ports";
             return Ok(Err(why.to_owned()));
         };
         let unknowns = system.coordinates.len() + system.constraints.len();

@@ -122,7 +122,7 @@ fn verify_both<'a>(
     let parameters = simulation.parameter_values().to_vec();
     let own = model.checks.iter().map(|check| own_check(check, &parameters)).collect();
     let twin = ways.is_compiled.then_some(ways.twin);
-    let twin = twin.ok_or("models are not compiled on this machine");
+    let twin = twin.ok_or("models cannot be JIT-compiled on this computer");
     let independent = independent(&parameters);
     let subject = Subject { simulation, twin, independent, own };
     Ok(during("verifying", || verify_machine(&subject)))

@@ -28,10 +28,10 @@ pub enum FreezeError {
     )]
     NoRatio(String),
     /// Events may set the coordinates that it would hold.
-    #[error("unit `{0}` cannot be frozen: the scene has events, which might set what it holds")]
+    #[error("unit `{0}` cannot be frozen: the scene has events, which might reset its coordinates")]
     Events(String),
     /// Constraints already hold its coordinates.
-    #[error("unit `{0}` cannot be frozen: the scene has constraints, which might say the same")]
+    #[error("unit `{0}` cannot be frozen: a constraint of the scene might be redundant with it")]
     Constraints(String),
     /// Its coordinates would have to jump at the start.
     #[error("unit `{0}` cannot be frozen: its spring is not at rest at the start")]

@@ -92,7 +92,7 @@ impl Assembler<'_> {
         let typed = self.resolver.expect_any(&ast, Scope::Scene)?;
         let (unit, doc) = self.alias(&ast)?;
         if self.spec.outputs.is_empty() && !states.contains(&of.value) {
-            let message = format!("{} is no state of the scene", quoted(&of.value));
+            let message = format!("{} is not a state of the scene", quoted(&of.value));
             let help = format!(
                 "it is joined to another coordinate, or held: {}",
                 did_you_mean(&of.value, states.iter().map(String::as_str))
@@ -157,7 +157,7 @@ impl Assembler<'_> {
                 let (from, until) = (self.run.from, self.run.until);
                 let outside = rows.iter().find(|(t, _)| !(from..=until).contains(&t.value));
                 if let Some((time, _)) = outside {
-                    let message = format!("the run goes from {from} s to {until} s");
+                    let message = format!("this time is outside the run, {from} s to {until} s");
                     return Err(Box::new(Mistake::new(time.span, message, "not within the run")));
                 }
                 let rows = rows.iter().map(|(time, value)| [time.value, *value]);
@@ -226,7 +226,7 @@ impl Assembler<'_> {
         let in_dimension = |column: &Column| column.unit.dimension;
         if in_dimension(time) != Dimension::TIME {
             let (name, is) = (quoted(&time.name), in_dimension(time));
-            let message = format!("the first column is time, but {name} is in {is}");
+            let message = format!("the first column must be time, but {name} is in {is}");
             return refuse(csv.span, message, "not over time", String::new());
         }
         if in_dimension(found) != dimension {

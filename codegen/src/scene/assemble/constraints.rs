@@ -73,19 +73,19 @@ fn unfit(constraint: &ConstraintSpec, typed: &Typed) -> Option<Mistake> {
         return refuse(message, "of a first-order state", help);
     }
     if !typed.expr.mentions(moves) {
-        let message = format!("{what} is of no coordinate");
-        let help = "it is an expression of coordinates, or of velocities, that is to be zero";
-        return refuse(message, "of no coordinate", help);
+        let message = format!("{what} depends on no coordinate");
+        let help = "write an expression of coordinates or velocities that must be zero";
+        return refuse(message, "no coordinate", help);
     }
     if constraint.friction.is_some() && !has_velocity(&typed.expr) {
-        let message = format!("{what} is of no velocity");
-        let help = "it is how fast one slides on the other: x_dot, v - belt_speed";
-        return refuse(message, "of no velocity", help);
+        let message = format!("{what} depends on no velocity");
+        let help = "write the slip speed: x_dot, v - belt_speed";
+        return refuse(message, "no velocity", help);
     }
     if is_bent(&typed.expr) {
         let message = format!("{what} is not linear in velocities");
-        let help = "it is a sum of velocities with coefficients of coordinates and time, such as \
-                    rolling: v - radius*omega";
+        let help = "write a sum of velocities, with coefficients that depend on coordinates and \
+                    time: v - radius*omega for rolling";
         return refuse(message, "not linear in them", help);
     }
     None

@@ -51,13 +51,13 @@ impl Assembler<'_> {
         };
         let declared = self.spec.units[unit].fields[field].unit.unit;
         let dimension = declared.per_second(order as i32).unwrap_or(declared).dimension;
-        let what = format!("the initial {}", quoted(&name.value));
+        let what = format!("the initial value of {}", quoted(&name.value));
         let allowed = Uses { position: true, ..Uses::PARAMETERS };
         let wanted = Wanted::new(dimension, what).of(allowed);
         let resolved = self.resolver.formula(formula, Scope::Profile, &wanted);
         let expr = self.note(resolved);
         if profiles.insert((index, field, order), expr).is_some() {
-            let message = format!("the initial {} is given twice", quoted(&name.value));
+            let message = format!("two initial values of {}", quoted(&name.value));
             self.mistakes.push(Mistake::new(name.span, message, "given again"));
         }
         true
@@ -122,8 +122,8 @@ impl Assembler<'_> {
     fn without_reduction(&mut self) {
         let tunable = self.spec.tunable.iter().flatten().next();
         if let Some(name) = tunable.or(self.spec.rigid.first()) {
-            let message = "a scene with fields is kept whole, with all its parameters";
-            let help = "leave [tunable] and [freeze] out";
+            let message = "a scene with fields does not support [tunable] and [freeze]";
+            let help = "remove [tunable] and [freeze]";
             self.mistakes.push(Mistake::new(name.span, message, "not with fields").help(help));
         }
     }
@@ -140,7 +140,7 @@ impl Assembler<'_> {
             };
             let link = self.layout.link(instance, place);
             if link.factor.is_some() && !at.fixed {
-                let message = "two places of fields are joined with a ratio between them";
+                let message = "two points of fields are joined with a ratio";
                 let help = "join them one to one, or put a gear with inertia between them";
                 let mistake = Mistake::new(port.name.span, message, "joined with a ratio");
                 self.mistakes.push(mistake.help(help));
@@ -164,10 +164,10 @@ impl Assembler<'_> {
         let force = Dimension::ENERGY.over(field.unit.unit.dimension).unwrap_or(Dimension::ENERGY);
         let timeless = Uses { position: true, velocity: true, ..Uses::PARAMETERS };
         let wanted = [
-            Wanted::new(per_metre(Dimension::ENERGY), "the kinetic energy a length").of(timeless),
-            Wanted::new(per_metre(Dimension::ENERGY), "the potential energy a length"),
-            Wanted::new(per_metre(Dimension::POWER), "the dissipation a length"),
-            Wanted::new(per_metre(force), "the force a length"),
+            Wanted::new(per_metre(Dimension::ENERGY), "the kinetic energy per length").of(timeless),
+            Wanted::new(per_metre(Dimension::ENERGY), "the potential energy per length"),
+            Wanted::new(per_metre(Dimension::POWER), "the dissipation per length"),
+            Wanted::new(per_metre(force), "the force per length"),
         ];
         let [kinetic, potential, dissipation] = &field.densities;
         let texts = [kinetic, potential, dissipation, &field.force];
@@ -180,7 +180,7 @@ impl Assembler<'_> {
         self.inertia_of_field(field, densities[0].as_ref());
         if let (Some(ast), Some(expr)) = (potential, &densities[1]) {
             let moving = |symbol| symbol == RATE || symbol == SLOPE_RATE;
-            self.refuse(ast, expr, moving, "a potential energy does not depend on rates");
+            self.refuse(ast, expr, moving, "a potential energy must not depend on rates");
         }
         densities.map(|density| density.unwrap_or_else(|| integer(0)))
     }
@@ -189,16 +189,16 @@ impl Assembler<'_> {
     fn inertia_of_field(&mut self, field: &FieldSpec, density: Option<&Expr>) {
         let (Some(ast), Some(density)) = (&field.densities[0], density) else {
             let message = format!("field {} has no inertia", quoted(&field.name.value));
-            let help = "give it a kinetic energy a length";
+            let help = "give it a kinetic energy per length";
             let mistake = Mistake::new(field.name.span, message, "lacks `kinetic`");
             self.mistakes.push(mistake.help(help));
             return;
         };
         let elsewhere = |symbol| [VALUE, SLOPE, SLOPE_RATE].contains(&symbol);
-        let message = "the kinetic energy a length depends on the rate, x and parameters only";
+        let message = "the kinetic energy per length may depend on the rate, x and parameters only";
         self.refuse(ast, density, elsewhere, message);
         if !density.mentions(|symbol| symbol == RATE) {
-            let message = "the kinetic energy a length does not depend on the rate";
+            let message = "the kinetic energy per length does not depend on the rate";
             self.mistakes.push(Mistake::new(ast.span, message, "without inertia"));
         }
         let tables = |expr: &Expr| {
@@ -223,8 +223,8 @@ impl Assembler<'_> {
         };
         let [one, three] = [at_rate(2), at_rate(6)];
         if (three - 9.0 * one).abs() > 1e-9 * three.abs() {
-            let message = "the kinetic energy a length is quadratic in the rate";
-            let help = "write inertia*rate^2/2, the inertia of x and parameters";
+            let message = "the kinetic energy per length must be quadratic in the rate";
+            let help = "write inertia*rate^2/2, where inertia depends on x and parameters only";
             let mistake = Mistake::new(ast.span, message, "not a quadratic form");
             self.mistakes.push(mistake.help(help));
         }

@@ -50,7 +50,7 @@ impl Assembler<'_> {
             let name = quoted(&event.name.value);
             let message = format!("the guard of event {name} {what}");
             let mistake = Mistake::new(event.guard.span, message, "of parameters only");
-            let help = "a guard is an expression of time, coordinates, velocities and states";
+            let help = "a guard must depend on time, coordinates, velocities or states";
             self.mistakes.push(mistake.help(help));
         }
         self.note(resolved)
@@ -66,7 +66,7 @@ impl Assembler<'_> {
         for (path, value) in when {
             match self.mode(path, scope) {
                 Ok(id) if modes.iter().any(|(known, _)| *known == id) => {
-                    let message = format!("mode {} is asked for twice", quoted(&path.value));
+                    let message = format!("mode {} is given twice", quoted(&path.value));
                     self.mistakes.push(Mistake::new(path.span, message, "again"));
                 }
                 Ok(id) => modes.push((id, *value)),
@@ -93,7 +93,7 @@ impl Assembler<'_> {
             _ => {
                 let modes = unit.states.iter().filter(|state| state.is_mode);
                 let help = did_you_mean(name, modes.map(|state| state.name.value.as_str()));
-                let message = format!("{} is no mode", quoted(&path.value));
+                let message = format!("{} is not a mode", quoted(&path.value));
                 Err(Box::new(Mistake::new(path.span, message, "not a mode").help(help)))
             }
         }
@@ -110,7 +110,7 @@ impl Assembler<'_> {
                     continue;
                 }
             };
-            let what = format!("the new {}", quoted(&path.value));
+            let what = format!("the new value of {}", quoted(&path.value));
             let wanted = Wanted::new(dimension, what);
             let resolved = self.resolver.formula(formula, scope, &wanted);
             let value = self.note(resolved);
@@ -159,15 +159,15 @@ impl Assembler<'_> {
         match (scope.base(), path.value.rsplit_once('.')) {
             (Scope::Instance(instance), None) => Ok((instance, &path.value)),
             (_, None) => {
-                let message = format!("{} is nothing that an event could set", quoted(&path.value));
+                let message = format!("an event cannot set {}", quoted(&path.value));
                 let mistake = Mistake::new(path.span, message, "not instance.name");
                 Err(Box::new(mistake.help("write \"instance.name\"")))
             }
             (Scope::Instance(own), Some(_))
                 if !self.spec.units[self.spec.instances[own].unit].is_assembly() =>
             {
-                let message = "a name with a dot is used in scenes and assemblies only";
-                let help = "a unit sets what is its own";
+                let message = "names with a dot are allowed in scenes and assemblies only";
+                let help = "an event of a unit can set only variables of the unit";
                 Err(Box::new(Mistake::new(path.span, message, "not in a unit").help(help)))
             }
             (Scope::Instance(own), Some((part, name))) => {

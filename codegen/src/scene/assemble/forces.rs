@@ -116,7 +116,7 @@ impl Assembler<'_> {
     ) -> Result<Vec<OnCoordinate>, Box<Mistake>> {
         let way = self.resolver.expect_any(along, scope)?;
         if let Some(what) = way.uses.beyond(Uses::PLACE) {
-            let message = format!("what a force acts along depends on {what}");
+            let message = format!("the `along` of a force depends on {what}");
             let mistake = Mistake::new(along.span, message, "not allowed here");
             return Err(Box::new(mistake.help("write it with coordinates, time and parameters")));
         }
@@ -134,9 +134,9 @@ impl Assembler<'_> {
             let (slope, _) = along::slope_by(&way.expr, MAX_TERMS, &of).map_err(|why| {
                 let message = match why {
                     NoRate::TooLarge => {
-                        format!("the slope of this has more than {MAX_TERMS} terms")
+                        format!("the derivative of this has more than {MAX_TERMS} terms")
                     }
-                    NoRate::Unknown(_) => "the slope of this is not known".to_owned(),
+                    NoRate::Unknown(_) => "the derivative of this is not known".to_owned(),
                 };
                 Mistake::new(along.span, message, "along this")
             })?;
@@ -145,7 +145,7 @@ impl Assembler<'_> {
             }
         }
         if forces.is_empty() {
-            let message = "what a force acts along does not move with any coordinate";
+            let message = "the `along` of a force depends on no coordinate";
             let mistake = Mistake::new(along.span, message, "does not move");
             return Err(Box::new(mistake.help("a force along it would do no work")));
         }

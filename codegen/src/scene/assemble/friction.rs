@@ -68,7 +68,7 @@ impl Assembler<'_> {
         let slope = |of: Symbol| {
             let rate = |symbol| Some(integer(i64::from(symbol == of)));
             let slope = along::slope_by(&speed.expr, MAX_TERMS, &rate);
-            let what = "the slope of this by a velocity is not known, or too long";
+            let what = "the derivative of this by a velocity is not known or too long";
             slope.map_err(|_| Mistake::new(friction.speed.span, what, "how fast it slides"))
         };
         for symbol in speed.expr.symbols() {

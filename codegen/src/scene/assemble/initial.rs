@@ -63,7 +63,7 @@ impl<'a> Assembler<'a> {
                     continue;
                 }
             };
-            let what = format!("the initial {}", quoted(&name.value));
+            let what = format!("the initial value of {}", quoted(&name.value));
             let value = self.initial_value(formula, scope, dimension, what);
             let key = match &target {
                 Target::State(index) => (*index, 2),
@@ -71,7 +71,7 @@ impl<'a> Assembler<'a> {
             };
             if let Some((_, by)) = set.iter().find(|(known, _)| *known == key) {
                 if *by == scope {
-                    let message = format!("the initial {} is given twice", quoted(&name.value));
+                    let message = format!("two initial values of {}", quoted(&name.value));
                     let mistake = Mistake::new(name.span, message, "given again");
                     self.mistakes.push(mistake.help("joined coordinates start together"));
                 }
@@ -123,15 +123,15 @@ impl<'a> Assembler<'a> {
         if constraints == 0
             && let Some((name, _)) = spec.guess.first()
         {
-            let message = "a scene without constraints has nothing to guess";
+            let message = "guesses are allowed only in scenes with constraints";
             let mistake = Mistake::new(name.span, message, "a guess");
-            self.mistakes.push(mistake.help("write it in [initial]"));
+            self.mistakes.push(mistake.help("give the value in [initial]"));
         }
         for Entry { scope, name, .. } in self.entries().iter().filter(|entry| !entry.is_given) {
             if let Ok((Target::State(_), _)) = self.target(name, *scope) {
-                let message = format!("{} is no coordinate or velocity", quoted(&name.value));
+                let message = format!("{} is not a coordinate or velocity", quoted(&name.value));
                 let mistake = Mistake::new(name.span, message, "a first-order state");
-                self.mistakes.push(mistake.help("constraints do not move it: see [initial]"));
+                self.mistakes.push(mistake.help("constraints do not change it: use [initial]"));
             }
         }
     }
@@ -140,7 +140,7 @@ impl<'a> Assembler<'a> {
     fn of_units(&mut self) -> Vec<Expr> {
         let mut values = Vec::new();
         for (scope, _, state) in self.states() {
-            let what = format!("the initial {}", quoted(&state.name.value));
+            let what = format!("the initial value of {}", quoted(&state.name.value));
             let dimension = state.unit.unit.dimension;
             values.push(state.initial.as_ref().map_or_else(
                 || integer(0),
@@ -171,7 +171,7 @@ impl<'a> Assembler<'a> {
     pub(super) fn finite(&mut self, expr: &Expr, span: Span, what: &str) {
         let value = evaluate(expr, &|id: ParameterId| self.values[id.0 as usize]);
         if !value.is_finite() {
-            let message = format!("{what} is a finite number, but this is {value}");
+            let message = format!("{what} must be a finite number, but this is {value}");
             self.mistakes.push(Mistake::new(span, message, "not finite"));
         }
     }
@@ -186,7 +186,7 @@ impl<'a> Assembler<'a> {
             return Ok((Target::State(id), self.spec.states[index].unit.unit.dimension));
         }
         if scope == Scope::Scene && !path.value.contains('.') {
-            let message = format!("{} is nothing that has an initial value", quoted(&path.value));
+            let message = format!("{} cannot have an initial value", quoted(&path.value));
             let mistake = Mistake::new(path.span, message, "not instance.name");
             return Err(Box::new(mistake.help("write \"instance.name\" = value")));
         }
@@ -238,7 +238,7 @@ impl<'a> Assembler<'a> {
         if stands_for.is_none_or(|slot| self.layout.attachment(*slot).is_some())
             || self.layout.is_fixed(self.layout.slot(instance, index))
         {
-            let message = format!("{} starts as the field that it is part of", quoted(&path.value));
+            let message = format!("{} takes its initial value from its field", quoted(&path.value));
             let help = "give the field's initial value, an expression of x";
             return Err(Box::new(Mistake::new(path.span, message, "part of a field").help(help)));
         }

@@ -156,7 +156,7 @@ impl Assembler<'_> {
                 }
             }
             _ => {
-                let message = "an output in quotes is the name of something, not an expression";
+                let message = "an output in quotes must be a name, not an expression";
                 let help = "write { expression = \"...\", unit = \"...\" }";
                 Err(Box::new(Mistake::new(of.span, message, "not a name").help(help)))
             }

@@ -57,11 +57,11 @@ impl Assembler<'_> {
             }
             let message = format!("{} is given by an expression", quoted(&path.value));
             let mistake = Mistake::new(path.span, message, "follows others");
-            return Err(Box::new(mistake.help("list the parameters that it is made of")));
+            return Err(Box::new(mistake.help("list the parameters that it depends on")));
         }
         let known =
             names.iter().filter(|known| matches!(names.get(known), Some(Local::Parameter(_))));
-        let message = format!("{} is no parameter", quoted(&path.value));
+        let message = format!("{} is not a parameter", quoted(&path.value));
         let label = if names.get(name).is_some() { "not a parameter" } else { "unknown" };
         let help = match scope {
             Scope::Scene if names.get(name).is_none() => {

@@ -24,7 +24,7 @@ impl Assembler<'_> {
         // Written so that NaN is rejected.
         if !(from.is_finite() && until.is_finite() && until > from) {
             let label = if until <= from { "too early" } else { "not a time" };
-            let mistake = Mistake::new(end.span(), "a run ends after its start", label);
+            let mistake = Mistake::new(end.span(), "a run must end after its start", label);
             self.mistakes.push(mistake.help(format!("it goes from {from} s to {until} s")));
         }
         self.run.until = until;
@@ -48,7 +48,7 @@ impl Assembler<'_> {
         for formula in formulas {
             let time = self.time(formula, "a time of the run");
             if !(time.is_finite() && time >= self.run.from && time > before) {
-                let message = "the times of a run grow, from its start on";
+                let message = "the times of a run must increase from its start";
                 let mistake = Mistake::new(formula.span(), message, "too early");
                 let help = format!("this is at {time} s, the start at {} s", self.run.from);
                 self.mistakes.push(mistake.help(help));
@@ -65,7 +65,7 @@ impl Assembler<'_> {
         let first = self.time(formula, "the first time after the start");
         let (from, until) = (self.run.from, self.run.until);
         if !(first > 0.0 && first < until - from) {
-            let message = "`first` is a time after the start, and before the end";
+            let message = "`first` must be after the start and before the end";
             let mistake = Mistake::new(formula.span(), message, "not within the run");
             self.mistakes.push(mistake.help(format!("it is {first} s of {} s", until - from)));
             return;

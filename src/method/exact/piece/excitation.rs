@@ -35,8 +35,8 @@ impl Piece {
             return Ok(());
         }
         Err(format!(
-            "what excites it from {} s to {} s is known in closed form to {missed:.0e} only; \
-             try the method `auto`",
+            "its excitation from {} s to {} s is known in closed form only to {missed:.0e}; try \
+             the method `auto`",
             self.from, self.until
         ))
     }

@@ -23,8 +23,8 @@ use super::watched::{Sources, Watched};
 /// Relative change of a guard, at its current rate, below which it is at rest.
 pub(super) const AT_REST: f64 = 1e-9;
 
-/// Maximum number of pieces of a step evaluated for one root; enough for 200 periods of an
-/// oscillation within a step.
+/// Maximum number of pieces of a step evaluated for one root; at about five a
+/// period, enough for 200 periods of an oscillation within a step.
 const PIECES: usize = 1000;
 
 /// All watched functions at one time.
@@ -87,7 +87,7 @@ impl Turns {
     /// Returns whether an oscillation of this extent may turn so far within a span that its values
     /// and rates at both ends do not show it.
     fn may_turn_within(&self, span: f64) -> bool {
-        /// Angle up to which cubics never missed a zero \[rad\].
+        /// Angle up to which cubics missed no zero in the 69 000 steps of the prototype \[rad\].
         const SHOWN: f64 = 4.0;
         self.steepest * span > SHOWN * 0.5 * (self.greatest - self.least)
     }

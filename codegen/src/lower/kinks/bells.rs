@@ -20,7 +20,8 @@ const EXPONENTIAL: f64 = 25.0;
 /// Factor by which a power of the distance is below its largest value at the border of its zone:
 /// its effect reaches far.
 const ALGEBRAIC: f64 = 100.0;
-/// Ratio to its least value above which a divisor makes a pulse.
+/// Ratio to its least value above which a divisor makes a pulse: the distance, its root, is then
+/// ten times that at the border of the zone of [`ALGEBRAIC`].
 const RECURS: f64 = 1e4;
 /// Argument at which `tanh` and `cosh` are at their limits, up to e^-24.
 const SATURATED: f64 = 12.0;

@@ -320,12 +320,19 @@ pub enum StopCause {
         /// Time limit \[s\].
         seconds: f64,
     },
-    /// The kinetic energy jumps in time while sensitivities are carried.
+    /// The kinetic energy jumps while sensitivities are carried.
     #[error(
         "the kinetic energy jumps, and sensitivities are not carried through the jump of \
          velocities. Hint: let the inertia change smoothly"
     )]
     InertiaJumps,
+    /// The kinetic energy jumps where a guard that reads velocities crosses zero.
+    #[error(
+        "the kinetic energy jumps where a comparison of velocities changes, and no law determines \
+         the velocities behind such a jump. Hint: let the inertia depend on time, on positions or \
+         on modes that events set"
+    )]
+    InertiaByVelocity,
     /// A motion would slide along the surface of a relation, but cannot.
     #[error(
         "`{state}` is driven back to {value:e} from both sides, and no unique sliding motion \

@@ -18,6 +18,7 @@ pub(crate) mod faithful;
 #[cfg(feature = "implicit")]
 pub mod fixed;
 mod held;
+mod inertia;
 mod jump;
 mod lanes;
 pub(crate) mod loose;
@@ -61,6 +62,7 @@ use crate::method::sensitivity::Passing;
 use crate::trajectory::Switch;
 use faithful::faithful_tolerances;
 pub(crate) use held::Held;
+use inertia::Moment;
 pub(crate) use jump::just_behind;
 pub(crate) use one_step::{OneStep, Trial};
 pub use stretch::{Samples, Stretch};
@@ -314,23 +316,19 @@ impl Problem<'_> {
         watch: &Watch<'_>,
         state: &mut [f64],
     ) -> Result<Option<f64>, Stopped> {
-        let states = self.system.states();
-        let before = state[..states].to_vec();
+        let front = self.system.moment(stretch.until, state);
         let Some(time) = watch.switch(state)? else { return Ok(None) };
-        let is_of_time = watch.changes_with_time(time, &before);
+        let front = Moment { time, ..front };
+        let is_of_time = watch.changes_with_time(time, &front.state);
         let allowed = (self.rtol, &self.atol[..]);
-        let energy = |state: &[f64]| {
-            let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
-            simulator.energy(time, &state[..states], parameters).total()
-        };
-        let switched = energy(state);
+        let impulses = self.system.pass_inertia(watch, &front, state)?;
+        self.system.account(&front, impulses.supplied, state);
         let has_moved = watch.has_changed_relations()
             && self.system.go_along(time, is_of_time, allowed, state)?;
-        // A velocity jump in `go_along` accounts for its own energy.
-        let own = switched - energy(state);
+        let switched = self.system.moment(time, state);
         self.system.constrain(time, state)?;
         if let Some(tangents) = self.system.tangents() {
-            let passing = Passing { time: stretch.within(time), before: &before };
+            let passing = Passing { time: stretch.within(time), before: &front.state };
             let happened = watch.happened();
             if happened.applied.is_empty() {
                 tangents.cross(stretch, watch, &passing, (state, has_moved))?;
@@ -338,11 +336,7 @@ impl Problem<'_> {
                 tangents.switch(stretch, watch, &passing, &happened, state)?;
             }
         }
-        if state.len() > states {
-            let lost = energy(&before) - energy(state) - own;
-            state[states + 1] += lost;
-            state[states + 2] += lost.abs();
-        }
+        self.system.account(&switched, 0.0, state);
         Ok(Some(time))
     }
 }

@@ -33,6 +33,7 @@ mod held;
 mod hosted;
 mod improvements;
 mod independent;
+mod inertia;
 mod interpreted;
 mod jumps;
 mod kinks;

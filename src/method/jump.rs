@@ -11,11 +11,8 @@
 //! Constraints that hold in some modes only, such as friction that sticks, have no finite impulse,
 //! and stop the run.
 
-use nalgebra::DVector;
-
 use super::{Stopped, System};
 use crate::constraints::Level;
-use crate::dense::dense;
 use crate::error::StopCause;
 
 /// Share of the tolerances below which a move is not a jump.
@@ -118,76 +115,5 @@ impl System<'_> {
         }
         state[..states].copy_from_slice(&after);
         Ok(true)
-    }
-}
-
-impl System<'_> {
-    /// Keeps the momentum of velocities where the kinetic energy jumps between two times:
-    ///
-    /// ```text
-    /// dT/dv (v+, behind) + G^T nu = dT/dv (v-, front)
-    /// ```
-    ///
-    /// Returns whether they have moved. The change of energy is supplied.
-    ///
-    /// # Errors
-    /// [`StopCause::InertiaJumps`] if sensitivities are carried.
-    pub(crate) fn keep_momentum(
-        &self,
-        (front, behind): (f64, f64),
-        state: &mut [f64],
-    ) -> Result<bool, Stopped> {
-        /// Momenta that differ by rounding do not jump.
-        const ROUNDINGS: f64 = 1e3;
-        let (simulator, states) = (self.simulator(), self.states());
-        let shape = simulator.shape();
-        let before = self.momentum(front, &state[..states]);
-        let after = self.momentum(behind, &state[..states]);
-        let size = before.iter().chain(&after).fold(0.0, |most: f64, p| most.max(p.abs()));
-        let left: Vec<f64> = before.iter().zip(&after).map(|(a, b)| a - b).collect();
-        if left.iter().all(|left| left.abs() <= ROUNDINGS * f64::EPSILON * size) {
-            return Ok(false);
-        }
-        if self.tangents().is_some() {
-            return Err(Stopped { time: behind, cause: StopCause::InertiaJumps });
-        }
-        let energy =
-            |time: f64, state: &[f64]| simulator.energy(time, state, &self.held().all()).total();
-        let earlier = energy(front, &state[..states]);
-        let pattern = simulator.mass_matrix_pattern();
-        let mut values = vec![0.0; pattern.entries.len()];
-        simulator.mass_matrix(behind, &state[..states], &self.held().all(), &mut values);
-        let mass = dense(pattern, &values);
-        let Some(moved) = mass.lu().solve(&DVector::from_vec(left)) else { return Ok(false) };
-        for (index, moved) in moved.iter().enumerate() {
-            state[shape.positions + index] += moved;
-        }
-        self.constrain(behind, state)?;
-        let gained = energy(behind, &state[..states]) - earlier;
-        if state.len() > states {
-            state[states] += gained;
-            state[states + 2] += gained.abs();
-        }
-        Ok(true)
-    }
-
-    /// Returns dT/dv, one for each coordinate. T is quadratic in velocities, so central differences
-    /// are exact.
-    fn momentum(&self, time: f64, state: &[f64]) -> Vec<f64> {
-        let shape = self.simulator().shape();
-        let mut shifted = state.to_vec();
-        (0..shape.coordinates)
-            .map(|coordinate| {
-                let entry = shape.positions + coordinate;
-                let by = self.simulator().state_scale(entry).max(state[entry].abs());
-                let mut kinetic = |by: f64| {
-                    shifted[entry] = state[entry] + by;
-                    let energy = self.simulator().energy(time, &shifted, &self.held().all());
-                    shifted[entry] = state[entry];
-                    energy.kinetic
-                };
-                (kinetic(by) - kinetic(-by)) / (2.0 * by)
-            })
-            .collect()
     }
 }

@@ -18,6 +18,8 @@ use super::system::FLOWS;
 use super::{Stopped, System};
 use crate::error::StopCause;
 
+/// Newton's iteration is at rounding after two rounds; a third is for curved surfaces.
+const ROUNDS: usize = 3;
 /// Slot that holds a branch below zero.
 pub(crate) const BELOW: f64 = f64::NEG_INFINITY;
 /// Slot that holds a branch above zero.
@@ -145,8 +147,6 @@ impl System<'_> {
     /// # Errors
     /// [`StopCause::OffSurface`] if that does not succeed.
     pub(crate) fn put_onto_surfaces(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
-        /// Newton's iteration is at rounding after two rounds; a third is for curved surfaces.
-        const ROUNDS: usize = 3;
         let states = self.states();
         let slides = self.slides();
         for _ in 0..ROUNDS {
@@ -180,7 +180,6 @@ impl System<'_> {
 
     /// Projects onto g = 0 and g' = 0 by the shortest way, measured by the scales of the states.
     fn put_onto_flat_surfaces(&self, time: f64, state: &mut [f64], slides: &[Slide]) {
-        const ROUNDS: usize = 3;
         let of: Vec<usize> = slides
             .iter()
             .filter(|slide| slide.order == Order::Second)

@@ -15,6 +15,7 @@
 //!   only modes; it may also happen after events. See `settle`.
 //! - Infinitely many events in a finite time (Zeno) stop the run.
 
+mod crossing;
 mod hosted;
 mod led;
 mod noise;
@@ -22,12 +23,13 @@ mod passing;
 mod polynomial;
 mod relations;
 mod settle;
+mod silent;
 mod watched;
 
 use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
 
-use machinist_contract::{Direction, Reader, RelationKind};
+use machinist_contract::{Direction, RelationKind};
 use serde::{Deserialize, Serialize};
 
 use super::one_step::OneStep;
@@ -38,7 +40,7 @@ use crate::trajectory::Switch;
 pub(crate) use hosted::Memory;
 use led::Turn;
 use passing::{Guard, Outcome, Parts, Step, Zero, is_wanted};
-use relations::Relations;
+use relations::{Change, Relations};
 use settle::is_beyond;
 use watched::{Sources, Watched};
 
@@ -47,6 +49,9 @@ use watched::{Sources, Watched};
 const ENDLESS: usize = 50;
 /// Zeno window, as a share of the time reached, or of the run if that is longer.
 const NO_TIME: f64 = 1e-10;
+/// Rounding errors of a guard's terms, or of time, that count as zero: a few for each operation of
+/// a guard.
+const ROUNDINGS: f64 = 64.0;
 
 /// The guards of a run and their states.
 pub struct Watch<'a> {
@@ -73,8 +78,8 @@ struct Inner {
     start: Vec<f64>,
     parts: Parts,
     outcomes: Vec<Outcome>,
-    /// Relations that change within the step without ending it, with their new slots.
-    silent: Vec<(usize, f64)>,
+    /// Guards whose relations change within the step without ending it, with these changes.
+    silent: Vec<(usize, Change)>,
     /// First time within the step at which a prescribed part comes to rest or starts to move.
     turn: Option<Turn>,
     /// Longest step within the current zone \[s\], and the time at which the motion entered it.
@@ -111,7 +116,7 @@ impl Inner {
     /// Returns the first guard that crosses zero, with its time; `None` if a prescribed part comes
     /// to rest or starts to move before it.
     fn first(&self) -> Option<(usize, f64)> {
-        let near = |time: f64| 64.0 * f64::EPSILON * time.abs();
+        let near = |time: f64| ROUNDINGS * f64::EPSILON * time.abs();
         let guards = self.outcomes.iter().enumerate();
         let passings = guards.filter_map(|(index, outcome)| match outcome {
             Outcome::Passes { time, .. } => Some((index, *time)),
@@ -267,86 +272,6 @@ impl<'a> Watch<'a> {
         first
     }
 
-    /// Lets relations that only guards of events read change within the step, if it takes none of
-    /// these guards to zero on either branch.
-    fn look_over_silent_changes(&self, inner: &mut Inner, step: &mut Step<'_, '_>) {
-        inner.silent.clear();
-        for index in self.system.simulator().events()..self.watched.len() {
-            let Watched::Branch(relation) = self.watched[index] else { continue };
-            let Outcome::Passes { from, .. } = inner.outcomes[index] else { continue };
-            let (last, _) = inner.parts.last(index);
-            if last.abs() <= inner.parts.rounding(index) {
-                continue;
-            }
-            let Some(events) = self.events_alone(inner, relation) else { continue };
-            let held = self.system.held();
-            let slot = held.slot(relation);
-            let other = if slot < 0.0 { ABOVE } else { BELOW };
-            held.set(relation, other);
-            let start = std::mem::take(&mut inner.start);
-            let is_silent =
-                events.into_iter().all(|event| inner.parts.stays_as_held(step, event, &start));
-            inner.start = start;
-            held.set(relation, slot);
-            if is_silent {
-                let side = last.signum();
-                inner.outcomes[index] = Outcome::Stays(Side::Known(side));
-                if side * from < 0.0 {
-                    inner.silent.push((index, other));
-                }
-            }
-        }
-    }
-
-    /// Returns the armed events that read a relation, with the sides of their guards, if nothing
-    /// else reads it, none of them passes within the step and no other relation that they read does.
-    fn events_alone(&self, inner: &Inner, relation: usize) -> Option<Vec<(usize, f64)>> {
-        let simulator = self.system.simulator();
-        let passes = |other: usize| {
-            let guards = self.watched.iter().zip(&inner.outcomes);
-            guards.into_iter().any(|(watched, outcome)| {
-                let is_its = watched.relation() == Some(other);
-                is_its && matches!(outcome, Outcome::Passes { .. })
-            })
-        };
-        let mut events = Vec::new();
-        for reader in simulator.relation(relation).readers {
-            let Reader::Event(event) = *reader else { return None };
-            let event = event as usize;
-            match (inner.sides[event], inner.outcomes[event]) {
-                (Side::Idle, _) => {}
-                (Side::Known(side), Outcome::Stays(Side::Known(end))) if side * end > 0.0 => {
-                    events.push((event, side));
-                }
-                _ => return None,
-            }
-        }
-        let is_alone = (0..simulator.relations()).filter(|other| *other != relation).all(|other| {
-            let readers = simulator.relation(other).readers;
-            let depends = readers.iter().any(|reader| match *reader {
-                Reader::Below(of) | Reader::Above(of) | Reader::Relation(of) => {
-                    of as usize == relation
-                }
-                Reader::Rate | Reader::Event(_) => false,
-            });
-            let shares = |(event, _): &(usize, f64)| {
-                readers.contains(&Reader::Event(u32::try_from(*event).expect("few events")))
-            };
-            !(depends || passes(other) && events.iter().any(shares))
-        });
-        is_alone.then_some(events)
-    }
-
-    /// Changes relations that have changed within the step without ending it.
-    fn change_silently(&self, inner: &mut Inner) {
-        for (index, slot) in inner.silent.drain(..) {
-            let Watched::Branch(relation) = self.watched[index] else { continue };
-            self.system.held().set(relation, slot);
-            inner.zeros[index] = None;
-            inner.parts.forget_end();
-        }
-    }
-
     /// Returns the longest step allowed now \[s\].
     pub(super) fn longest_step(&self) -> f64 {
         self.inner.borrow().longest
@@ -411,73 +336,10 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Returns whether the first guard that crosses moves the other way at the crossing. The
-    /// crossing is then an error of the step, and a shorter step does not cross.
-    pub(super) fn is_of_error(&self, time: f64, end: &[f64]) -> bool {
-        let inner = &mut *self.inner.borrow_mut();
-        let Some((index, _)) = inner.first() else { return false };
-        let Outcome::Passes { from, .. } = inner.outcomes[index] else { return false };
-        let was_zero = match self.watched[index] {
-            // A guard beyond zero at the end has crossed.
-            Watched::Event(_) => {
-                let is_back = from * inner.parts.last(index).0 > 0.0;
-                is_back && matches!(inner.sides[index], Side::Fresh { .. })
-            }
-            Watched::Branch(_) => inner.zeros[index].is_some(),
-            _ => false,
-        };
-        if !was_zero {
-            return false;
-        }
-        let (_, rate) = inner.parts.at(self.system, time, end, index);
-        from * rate > 0.0
-    }
-
-    /// Returns the correction to the crossing time `time`, where the state is `end`; `None` if the
-    /// guard gives no finite correction.
-    pub(super) fn correction(&self, time: f64, end: &[f64]) -> Option<f64> {
-        let inner = &mut *self.inner.borrow_mut();
-        let (index, _) = inner.first()?;
-        if self.watched[index].is_border() {
-            // Behind a border the function is live, and roots and logarithms may have no finite
-            // slope at zero.
-            return None;
-        }
-        let there = self.followed(inner, time, end);
-        let (guard, rate) = inner.parts.at(self.system, time, &there, index);
-        let residual = inner.zeros[index].map_or(0.0, |zero| zero.residual);
-        let correction = (residual - guard) / rate;
-        correction.is_finite().then_some(correction)
-    }
-
-    /// Returns whether the event guard that crosses first has not reached zero yet at `time`, where
-    /// the state is `end`. The guard is then too steep for Newton's method.
-    pub(super) fn is_short_of(&self, time: f64, end: &[f64]) -> bool {
-        let inner = &mut *self.inner.borrow_mut();
-        let Some((index, _)) = inner.first() else { return false };
-        let Outcome::Passes { from, .. } = inner.outcomes[index] else { return false };
-        let there = self.followed(inner, time, end);
-        let (guard, rate) = inner.parts.at(self.system, time, &there, index);
-        let zero = inner.parts.rounding(index).max(by_rounding(time, rate));
-        !self.is_kink(index) && inner.zeros[index].is_none() && from * guard > zero
-    }
-
-    /// Returns whether the first guard that crosses is beyond zero at `time`, where the state is
-    /// `end`.
-    pub(super) fn has_passed_at(&self, time: f64, end: &[f64]) -> bool {
-        let inner = &mut *self.inner.borrow_mut();
-        let Some((index, _)) = inner.first() else { return false };
-        let Outcome::Passes { from, .. } = inner.outcomes[index] else { return false };
-        let there = self.followed(inner, time, end);
-        let (guard, _) = inner.parts.at(self.system, time, &there, index);
-        let residual = inner.zeros[index].map_or(0.0, |zero| zero.residual);
-        from * (guard - residual) < 0.0
-    }
-
     /// Ends the step at `time` for the crossings found, in state `end`.
     pub(super) fn happens(&self, time: f64, first: f64, end: &[f64]) {
         let inner = &mut *self.inner.borrow_mut();
-        let near = 64.0 * f64::EPSILON * time.abs().max(inner.time.abs());
+        let near = ROUNDINGS * f64::EPSILON * time.abs().max(inner.time.abs());
         let mut happening = Vec::new();
         for (index, outcome) in inner.outcomes.iter().enumerate() {
             let (guard, rate) = inner.parts.at(self.system, time, end, index);
@@ -635,6 +497,33 @@ impl<'a> Watch<'a> {
             self.system.put_onto_surfaces(time, state)?;
         }
         self.count_changes(time, changes.len())
+    }
+
+    /// Settles relations after velocities jumped; at guards in `thrown_back` the motion stays on
+    /// its side.
+    ///
+    /// # Errors
+    /// As [`Watch::switch`].
+    pub(super) fn settle_after_impulses(
+        &self,
+        time: f64,
+        state: &[f64],
+        thrown_back: &[usize],
+    ) -> Result<(), Stopped> {
+        self.settle_relations((time, state), &[])?;
+        let passed = self.inner.borrow().happened.passed.clone();
+        let is_settled = |index: &usize| {
+            self.is_kink(*index)
+                && (!self.watched[*index].is_border() || thrown_back.contains(index))
+        };
+        let passed: Vec<usize> = passed.into_iter().filter(is_settled).collect();
+        self.take_sides_of_kinks(time, state, &passed);
+        Ok(())
+    }
+
+    /// Returns the rounding error of a watched function in the last step.
+    pub(crate) fn rounding_of(&self, index: usize) -> f64 {
+        self.inner.borrow().parts.rounding(index)
     }
 
     /// Returns the events whose guards cross zero in their direction because relations changed.
@@ -863,7 +752,6 @@ impl<'a> Watch<'a> {
 
 /// Returns the rounding error of a guard with some rate, due to rounding of time.
 fn by_rounding(time: f64, rate: f64) -> f64 {
-    const ROUNDINGS: f64 = 64.0;
     ROUNDINGS * f64::EPSILON * time.abs() * rate.abs()
 }
 

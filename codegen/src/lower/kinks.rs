@@ -55,7 +55,7 @@ pub struct Kinks {
 pub struct Places<'a> {
     /// The rate, one for each entry of the state.
     pub rate: &'a [NodeId],
-    /// Values and rates of constraints.
+    /// Values and rates of constraints, and entries of M: velocities jump where these jump.
     pub holds: &'a [NodeId],
     /// Guards of events.
     pub guards: &'a [NodeId],
@@ -89,8 +89,8 @@ enum By {
     State,
 }
 
-/// Finds the kinks of a rate, of constraints, where the rate may be smooth and velocities jump, and
-/// of guards of events.
+/// Finds the kinks of a rate, of constraints and of M, where the rate may be smooth and velocities
+/// jump, and of guards of events.
 pub fn kinks(graph: &mut Graph, places: &Places<'_>, given: &Given<'_>) -> Kinks {
     let rate = places.rate;
     let all = [rate, places.holds, places.guards].concat();

@@ -33,7 +33,7 @@ pub fn lower(linearization: &Linearization) -> Model {
     let initial = build.initial_state();
     let [constraint_values, constraint_rates] = build.constraints();
     let [guards, guard_rates, resets] = build.events();
-    let holds = [&constraint_values[..], &constraint_rates].concat();
+    let holds = [&constraint_values[..], &constraint_rates, &build.mass_entries()].concat();
     let Kinks { guards: kinks, rates: kink_rates, times, relations, slots, .. } =
         build.kinks(&holds, &guards, &initial);
     let first_slot = (system.parameters.len() + system.handed.len()) as u32;
@@ -51,9 +51,9 @@ pub fn lower(linearization: &Linearization) -> Model {
     let motion = OfMotion { time_derivative, outputs, power_balance, guard_rates, kink_rates };
     let graph = &build.graph;
     let rate = graph.tape(&build.rate);
-    // The rate does not include effects of events and constraints. It includes those of fields,
-    // by parameters.
-    let is_whole = system.events.is_empty() && system.constraints.is_empty();
+    // The rate does not include effects of events, constraints and jumps of M. It includes those of
+    // fields, by parameters.
+    let is_whole = system.events.is_empty() && system.constraints.is_empty() && kinks.is_empty();
     let model = Model {
         excitation: is_whole.then(|| excitation(&graph.live_tape(&build.rate))).flatten(),
         initial_state: graph.tape(&initial),
@@ -426,6 +426,12 @@ impl<'a> Build<'a> {
         let (motion, tapes) = share(&tape, &parts);
         let tapes = <[Tape; 7]>::try_from(tapes).expect("one tape for each function");
         (Shared { motion, factors }, tapes)
+    }
+
+    /// Returns the nonzero entries of M.
+    fn mass_entries(&self) -> Vec<NodeId> {
+        let n = self.coordinates();
+        (0..n).flat_map(|row| self.matrix.row(row).range(..n).map(|(_, node)| *node)).collect()
     }
 
     fn mass_matrix_tape(&self) -> MatrixTape {

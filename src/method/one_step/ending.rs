@@ -75,13 +75,16 @@ fn change(
     if !watch.is_of_kinks() || stretch.system.constraints().is_some() {
         return Ok(Ending::Event);
     }
-    let (before, slides) = (state.to_vec(), stretch.system.slides());
+    let (system, slides) = (stretch.system, stretch.system.slides());
+    let front = system.moment(time, state);
     watch.switch(state)?;
-    if let Some(tangents) = stretch.system.tangents() {
-        let passing = Passing { time, before: &before };
+    let impulses = system.pass_inertia(watch, &front, state)?;
+    system.account(&front, impulses.supplied, state);
+    if let Some(tangents) = system.tangents() {
+        let passing = Passing { time, before: &front.state };
         tangents.cross(stretch, watch, &passing, (state, false))?;
     }
-    if slides != stretch.system.slides() {
+    if slides != system.slides() {
         watch.goes_on_elsewhere(time);
         return Ok(Ending::Event);
     }

@@ -17,12 +17,9 @@ use serde::{Deserialize, Serialize};
 
 use super::passing::{AT_REST, is_wanted};
 use super::settle::is_beyond;
-use super::{Problem, Side, Stopped, Switch, System, Watch, Watched};
+use super::{Problem, ROUNDINGS, Side, Stopped, Switch, System, Watch, Watched};
 use crate::error::StopCause;
 use crate::method::sliding::{Order, Slide};
-
-/// Rounding errors of a guard's terms, at the scales of the states, that count as zero.
-const ROUNDINGS: f64 = 64.0;
 
 /// State of the guards between two pieces of a run.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

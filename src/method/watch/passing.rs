@@ -15,10 +15,10 @@ use machinist_contract::Direction;
 use super::super::System;
 use super::super::one_step::OneStep;
 use super::super::stretch::within;
-use super::Side;
 use super::noise::Noise;
 use super::polynomial::{Enclosure, NODES, SHARES};
 use super::watched::{Sources, Watched};
+use super::{ROUNDINGS, Side};
 
 /// Relative change of a guard, at its current rate, below which it is at rest.
 pub(super) const AT_REST: f64 = 1e-9;
@@ -613,7 +613,6 @@ impl Parts {
 
     /// Returns the rounding error of a guard, as that of the values it compares.
     pub(super) fn rounding(&self, index: usize) -> f64 {
-        const ROUNDINGS: f64 = 64.0;
         let size = match self.watched[index] {
             // Near a place nothing depends on the size of distances far away.
             Watched::Border(_) | Watched::Zone(_) | Watched::Nearest(_) => self.largest(index),

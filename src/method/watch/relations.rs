@@ -35,9 +35,9 @@ pub(super) struct Relations {
 /// A relation that changes, and its new slot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Change {
-    relation: usize,
+    pub(super) relation: usize,
     /// The slot on the other side.
-    slot: f64,
+    pub(super) slot: f64,
     /// True if the motion leaves a surface along which it slid.
     leaves: bool,
 }

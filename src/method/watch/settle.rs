@@ -8,7 +8,7 @@
 use machinist_contract::Direction;
 
 use super::passing::Outcome;
-use super::{Inner, Passed, Side, Watch};
+use super::{Inner, Passed, Side, Watch, by_rounding};
 use crate::constraints::{Constraints, Level};
 use crate::error::StopCause;
 use crate::method::Stopped;
@@ -203,9 +203,8 @@ impl Watch<'_> {
     /// Returns the tolerance for zero of a guard at events, from the tolerances of the run and the
     /// rounding of time.
     pub(super) fn zero(&self, index: usize, time: f64, state: &[f64]) -> f64 {
-        const ROUNDINGS: f64 = 64.0;
         let (_, rate) = self.guard_at(time, state, index);
-        let by_time = ROUNDINGS * f64::EPSILON * time.abs() * rate.abs();
+        let by_time = by_rounding(time, rate);
         let blur = self.blur(index, time, state);
         if by_time > blur { by_time } else { blur }
     }

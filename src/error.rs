@@ -337,8 +337,8 @@ pub enum StopCause {
     #[error(
         "`{state}` is driven back to {value:e} from both sides, and no unique sliding motion \
          exists: the comparison is in the kinetic energy or in a constraint, its force is \
-         multiplied by another one that switches there, or sensitivities are requested. Hint: \
-         write dry friction as `[friction.NAME]`"
+         multiplied by another one that switches there, or sensitivities are requested where only \
+         the second derivative of its guard jumps. Hint: write dry friction as `[friction.NAME]`"
     )]
     Chattering {
         /// Name of the state.

@@ -276,9 +276,14 @@ impl Problem<'_> {
                     continue;
                 };
                 watch.start_stretch(&stretch, stretch.step_rtol(method), state);
-                // No series exists along a surface.
-                let is_by_series = method == Method::Taylor && self.system.is_sliding();
-                let integrator = if is_by_series { &explicit::Dop853 } else { integrator };
+                // Along a surface no series exists, and dy'/dy, with which implicit methods carry
+                // sensitivities, has more entries than its pattern.
+                let is_special = method == Method::Taylor || self.system.tangents().is_some();
+                let is_changed = is_special && self.system.is_sliding();
+                let integrator = if is_changed { &explicit::Dop853 } else { integrator };
+                if let Some(tangents) = self.system.tangents() {
+                    tangents.begin_stretch(self.system, stretch.within(stretch.from), state)?;
+                }
                 if !watch.turns(&stretch, stretch.from, state) {
                     integrator.integrate(&stretch, state, samples)?;
                 }

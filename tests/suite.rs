@@ -58,6 +58,7 @@ mod scene_states;
 mod sensitivities;
 mod series;
 mod simulate;
+mod slides;
 mod slow_beside_fast;
 mod small_states;
 mod sparsity;

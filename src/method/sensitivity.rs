@@ -17,9 +17,10 @@ mod allowed;
 mod columns;
 mod equations;
 mod instant;
+mod sliding;
 mod start;
 
-use std::cell::RefCell;
+use std::cell::{Cell, OnceCell, RefCell};
 use std::ops::Range;
 
 use machinist_contract::{Derivatives, Describe, Dual, DualFunction, Simulator};
@@ -87,6 +88,9 @@ pub(crate) struct Tangents<'a> {
     by: Vec<By>,
     states: usize,
     equations: Equations,
+    /// The equations along surfaces, once the motion slides, and whether it does.
+    full_equations: OnceCell<Equations>,
+    is_sliding: Cell<bool>,
     /// Sizes of the quantities to differentiate by.
     sizes: Vec<f64>,
     is_controlled: bool,
@@ -160,6 +164,8 @@ impl<'a> Tangents<'a> {
             by,
             states,
             equations,
+            full_equations: OnceCell::new(),
+            is_sliding: Cell::new(false),
             sizes,
             is_controlled,
             inner,
@@ -212,9 +218,13 @@ impl<'a> Tangents<'a> {
         std::mem::take(&mut self.inner.borrow_mut().rows)
     }
 
-    /// Returns the variational equations.
+    /// Returns the variational equations of the current stretch.
     pub(crate) fn equations(&self) -> &Equations {
-        &self.equations
+        if self.is_sliding.get() {
+            self.full_equations.get_or_init(|| sliding::full_equations(self.states, &self.by))
+        } else {
+            &self.equations
+        }
     }
 
     /// Evaluates J and df/dp at a state of a stretch: the parts of S' = J S + df/dp that do not
@@ -228,7 +238,11 @@ impl<'a> Tangents<'a> {
         values: &mut [f64],
         drive: &mut [f64],
     ) {
-        if self.equations.are_driven() {
+        if self.is_sliding.get() {
+            let time = stretch.within(time);
+            self.linearize_along_surfaces(stretch.system, time, state, values);
+            self.equations().drive(values, drive);
+        } else if self.equations.are_driven() {
             stretch.system.jacobians(stretch.within(time), state, values);
             self.equations.drive(values, drive);
         } else {
@@ -248,7 +262,7 @@ impl<'a> Tangents<'a> {
         let Scratch { jacobians, drive } = &mut *self.scratch.borrow_mut();
         self.linearize(stretch, time, state, jacobians, drive);
         let of = (&jacobians[..], &drive[..]);
-        widest(Product { equations: &self.equations, of, tangents, into });
+        widest(Product { equations: self.equations(), of, tangents, into });
     }
 
     /// Visits the entries of dy'/dy at the last evaluation of [`Tangents::rate`]: row, column,

@@ -108,6 +108,69 @@ impl System<'_> {
         [total[0], total[1], total[0].abs() + total[1].abs()]
     }
 
+    /// Calls a function once for every side of the surfaces, with relations held there and its share
+    /// in the combination.
+    pub(super) fn for_each_side(&self, time: f64, state: &[f64], mut call: impl FnMut(f64)) {
+        let alphas = self.alphas(time, state);
+        call(1.0 - alphas.iter().sum::<f64>());
+        for (slide, alpha) in self.slides().iter().zip(alphas) {
+            self.held().set(slide.relation, ABOVE);
+            call(alpha);
+            self.held().set(slide.relation, BELOW);
+        }
+    }
+
+    /// Returns the difference of the rates on both sides of each surface.
+    pub(super) fn differences_across_surfaces(&self, time: f64, state: &[f64]) -> Vec<Vec<f64>> {
+        differences(&self.combination(time, state).rates)
+    }
+
+    /// Returns these differences, and the shares of them that change the rates of guards by the
+    /// columns of `right`; `None` if they are not determined.
+    pub(super) fn shares_along_surfaces(
+        &self,
+        time: f64,
+        state: &[f64],
+        right: &DMatrix<f64>,
+    ) -> Option<(Vec<Vec<f64>>, DMatrix<f64>)> {
+        let Combination { rates, slopes, .. } = self.combination(time, state);
+        let shares = slopes.columns(1, rates.len() - 1).into_owned().lu().solve(right)?;
+        Some((differences(&rates), shares))
+    }
+
+    /// Returns the derivatives of the alphas by a state or, counted after the states, a parameter,
+    /// by central differences. Surfaces are of order one.
+    pub(super) fn slopes_of_alphas(&self, time: f64, state: &[f64], by: usize) -> Vec<f64> {
+        let states = self.states();
+        let all = [&state[..states], &self.held().all()].concat();
+        let size = if by < states { self.simulator().state_scale(by) } else { 0.0 };
+        let size = all[by].abs().max(size);
+        let step = f64::EPSILON.cbrt() * if size > 0.0 { size } else { 1.0 };
+        let [ahead, behind] = [step, -step].map(|step| {
+            let mut shifted = all.clone();
+            shifted[by] += step;
+            let (state, parameters) = shifted.split_at_mut(states);
+            let slides = self.slides();
+            let mut rates = |above: Option<usize>| {
+                let first = parameters.len() - self.simulator().relations();
+                let slot = above.map(|relation| first + relation);
+                slot.inspect(|slot| parameters[*slot] = ABOVE);
+                let mut rates = vec![0.0; self.simulator().kinks()];
+                self.simulator().kink_rates(time, state, parameters, &mut rates);
+                slot.inspect(|slot| parameters[*slot] = BELOW);
+                DVector::from_iterator(slides.len(), slides.iter().map(|it| rates[it.relation]))
+            };
+            let below = rates(None);
+            let columns: Vec<_> =
+                slides.iter().map(|slide| rates(Some(slide.relation)) - &below).collect();
+            DMatrix::from_columns(&columns).lu().solve(&-below)
+        });
+        match (ahead, behind) {
+            (Some(ahead), Some(behind)) => ((ahead - behind) / (2.0 * step)).as_slice().to_vec(),
+            _ => vec![f64::NAN; self.slides().len()],
+        }
+    }
+
     /// Computes the Jacobian along the surfaces by central differences, in the order of its
     /// pattern.
     pub(super) fn sliding_jacobian(&self, time: f64, state: &[f64], values: &mut [f64]) {
@@ -288,4 +351,12 @@ impl System<'_> {
         let alphas = alphas.unwrap_or_else(|| DVector::from_element(count, f64::NAN));
         Combination { rates, slopes, alphas }
     }
+}
+
+/// Returns the rates above surfaces less those below all of them.
+fn differences(rates: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let less_below = |above: &Vec<f64>| {
+        above.iter().zip(&rates[0]).map(|(above, below)| above - below).collect()
+    };
+    rates[1..].iter().map(less_below).collect()
 }

@@ -679,6 +679,12 @@ impl<'a> Watch<'a> {
         self.inner.borrow().front.clone()
     }
 
+    /// Returns whether the motion leaves a surface where a watched function crosses zero. The rate is
+    /// continuous there.
+    pub(crate) fn ends_slide(&self, index: usize) -> bool {
+        matches!(self.watched[index], Watched::FromBelow(_) | Watched::FromAbove(_))
+    }
+
     /// Returns the guard of a kink among those of the simulator, with its sign.
     pub(crate) fn kink_of(&self, index: usize) -> Option<(usize, f64)> {
         self.watched[index].kink()

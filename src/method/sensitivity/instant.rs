@@ -132,7 +132,7 @@ impl Tangents<'_> {
             return Ok(());
         }
         let mut found: Option<Vec<f64>> = None;
-        for guard in watch.happened().passed {
+        for guard in watch.happened().passed.into_iter().filter(|it| !watch.ends_slide(*it)) {
             let shifts = self.shifts_of_guard(watch, &front, passing, guard)?;
             if let Some(others) = &found {
                 self.require_same(passing.time, others, &shifts)?;
@@ -167,7 +167,7 @@ impl Tangents<'_> {
         let time = passing.time;
         let Some(front) = watch.front() else { return Ok(()) };
         let mut found: Option<Vec<f64>> = None;
-        for guard in &happened.passed {
+        for guard in happened.passed.iter().filter(|it| !watch.ends_slide(**it)) {
             let shifts = self.shifts_of_guard(watch, &front, passing, *guard)?;
             if let Some(others) = &found {
                 self.require_same(time, others, &shifts)?;

@@ -316,8 +316,8 @@ impl Watch<'_> {
         (mut others, own): (Vec<Slide>, Option<Slide>),
         (slide, toward): (Slide, f64),
     ) -> Result<bool, Stopped> {
-        if self.system.tangents().is_some() || !self.enters_forces_only(time, state, slide.relation)
-        {
+        let is_carried = self.system.tangents().is_none() || slide.order == Order::First;
+        if !is_carried || !self.enters_forces_only(time, state, slide.relation) {
             return Err(self.chatters(time, state, slide.relation));
         }
         let is_alone = others.is_empty();

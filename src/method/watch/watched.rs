@@ -151,14 +151,30 @@ impl Sources {
     /// Evaluates rates of guards along the motion at a state; none for shares.
     pub(super) fn take_rates(&mut self, system: &System<'_>, time: f64, state: &[f64]) {
         let (simulator, state) = (system.simulator(), &state[..system.states()]);
-        let (rates, kinks) = self.values.split_at_mut(self.events);
-        let held = system.held().all();
-        if !rates.is_empty() {
-            simulator.guard_rates(time, state, &held, rates);
+        let events = self.events;
+        let take = |values: &mut [f64]| {
+            let (rates, kinks) = values.split_at_mut(events);
+            let held = system.held().all();
+            if !rates.is_empty() {
+                simulator.guard_rates(time, state, &held, rates);
+            }
+            if !kinks.is_empty() {
+                simulator.kink_rates(time, state, &held, kinks);
+            }
+        };
+        if !system.is_sliding() {
+            return take(&mut self.values);
         }
-        if !kinks.is_empty() {
-            simulator.kink_rates(time, state, &held, kinks);
-        }
+        // Rates of guards are linear in y', like y' along surfaces.
+        let values = &mut self.values;
+        values.fill(0.0);
+        let mut side = vec![0.0; values.len()];
+        system.for_each_side(time, state, |share| {
+            take(&mut side);
+            for (value, side) in values.iter_mut().zip(&side) {
+                *value += share * side;
+            }
+        });
     }
 
     /// Returns the rate of a watched function after [`Sources::take_rates`].

@@ -594,7 +594,10 @@ impl<R: Real> Work<R> {
         let parameters = most(&|index| scene.field(index).parameters.len());
         let places = most(&|index| scene.field(index).attachments.len()) + 1;
         Self {
-            p: (0..shape.parameters).map(|i| R::literal(scene.parameter_default(i))).collect(),
+            p: (0..shape.parameters)
+                .map(|i| R::literal(scene.parameter_default(i)))
+                .chain(zeros(scene.relations()))
+                .collect(),
             state: zeros(shape.states()),
             result: zeros(shape.states().max(scene.rate_jacobian_pattern().entries.len())),
             parameter_jacobian: zeros(scene.parameter_jacobian_pattern().entries.len()),

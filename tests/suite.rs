@@ -64,6 +64,7 @@ mod small_states;
 mod sparsity;
 mod stages;
 mod sweep;
+mod switched_fields;
 mod taylor;
 mod turning;
 mod unrolled;

@@ -85,7 +85,7 @@ macro_rules! for_each_function {
                     "`G = dg'/dq'`, values in the order of its pattern." }
             }
             kinks {
-                { KinkGuards kink_guards Motion [numbers KINKS] [] "what passes zero at kinks"
+                { KinkGuards kink_guards Motion [numbers KINKS] [] "guards of switching surfaces"
                     "What passes zero where the rate has a kink or a jump: arguments of `abs` and \
                      `sign`, differences of what `min` and `max` compare, ends of tables." }
                 { KinkRates kink_rates Motion [numbers KINKS] [] "rates of these"

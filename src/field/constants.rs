@@ -198,10 +198,24 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
     }
 
+    /// Writes the parameters, and behind those that fields provide the slots of relations: the given
+    /// ones, or slots that leave relations live.
+    fn write_parameters(&self, parameters: &[R], work: &mut Work<R>) {
+        let (parameters, slots) = parameters.split_at(self.parameters);
+        work.p[..self.parameters].copy_from_slice(parameters);
+        let into = &mut work.p[self.machine.parameters..];
+        if slots.is_empty() {
+            for (index, slot) in into.iter_mut().enumerate() {
+                *slot = R::literal(self.scene().relation(index).kind.live());
+            }
+        } else {
+            into.copy_from_slice(slots);
+        }
+    }
+
     /// Computes the places of the fields for these parameters.
     pub(super) fn place(&self, parameters: &[R], work: &mut Work<R>) {
-        assert_eq!(parameters.len(), self.parameters, "number of parameters");
-        work.p[..self.parameters].copy_from_slice(parameters);
+        self.write_parameters(parameters, work);
         for (index, mesh) in self.meshes.iter().enumerate() {
             let attachments = self.scene().field(index).attachments;
             let places = &mut work.places[..=attachments.len()];
@@ -261,8 +275,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         work: &mut Work<R>,
     ) {
         assert_eq!(state.len(), self.border_and_own(), "length of the state");
-        assert_eq!(parameters.len(), self.parameters, "number of parameters");
-        work.p[..self.parameters].copy_from_slice(parameters);
+        self.write_parameters(parameters, work);
         self.hand_over_inertias(constants.inertia, work);
         for (value, place) in work.state.iter_mut().zip(&self.border) {
             *value = state[*place as usize];

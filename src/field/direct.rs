@@ -51,7 +51,8 @@ struct Bound {
 /// Returns the lines of all fields of a machine, if its rates can be computed in this way.
 pub(super) fn lines<R: Real>(simulator: &FieldSimulator<'_, R>) -> Option<Vec<Line>> {
     let machine = simulator.machine;
-    if machine.parameters > PARAMETERS || machine.states() > STATES {
+    let is_large = machine.parameters > PARAMETERS || machine.states() > STATES;
+    if is_large || simulator.scene().relations() > 0 {
         return None;
     }
     let laws = simulator.laws.iter().zip(&simulator.meshes).enumerate();

@@ -4,7 +4,7 @@ use machinist_contract::field::FieldPlace;
 use machinist_contract::linear::LinearEquations;
 use machinist_contract::{
     Constraint, Derivatives, Describe, Dual, Energy, Event, PowerBalance, Quantity, Real, Refusal,
-    RunDefaults, Shape, Simulator, SparsityPattern, StateKind,
+    Relation, RunDefaults, Shape, Simulator, SparsityPattern, StateKind,
 };
 
 use super::mesh::Owner;
@@ -136,6 +136,15 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
     fn constraint(&self, index: usize) -> Constraint<'_> {
         self.scene().constraint(index)
     }
+    fn kinks(&self) -> usize {
+        self.scene().kinks()
+    }
+    fn relations(&self) -> usize {
+        self.scene().relations()
+    }
+    fn relation(&self, index: usize) -> Relation<'_> {
+        shorter_relation(self.scene().relation(index), self)
+    }
     fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
         // The coordinates of the machine come first.
         let columns = self.coordinates();
@@ -150,6 +159,11 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
 /// Shortens the lifetime of an event to that of the simulator.
 fn shorter_event<'s, R>(event: Event<'s>, _: &'s FieldSimulator<'_, R>) -> Event<'s> {
     event
+}
+
+/// Shortens the lifetime of a relation to that of the simulator.
+fn shorter_relation<'s, R>(relation: Relation<'s>, _: &'s FieldSimulator<'_, R>) -> Relation<'s> {
+    relation
 }
 
 /// Shortens the lifetime of a quantity to that of the simulator.
@@ -438,6 +452,18 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         let work = &mut *self.work();
         self.load_once(time, state, parameters, work);
         self.scene().resets(time, &work.state, &work.p, values);
+    }
+
+    fn kink_guards(&self, time: R, state: &[R], parameters: &[R], guards: &mut [R]) {
+        let work = &mut *self.work();
+        self.load_once(time, state, parameters, work);
+        self.scene().kink_guards(time, &work.state, &work.p, guards);
+    }
+
+    fn kink_rates(&self, time: R, state: &[R], parameters: &[R], rates: &mut [R]) {
+        let work = &mut *self.work();
+        self.load_once(time, state, parameters, work);
+        self.scene().kink_rates(time, &work.state, &work.p, rates);
     }
 
     fn constraint_values(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {

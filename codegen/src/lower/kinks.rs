@@ -15,7 +15,7 @@
 //! - Features near a place (`bells`) have guards that cross zero where the motion comes near and
 //!   where it leaves.
 //!
-//! Excluded are expressions of parameters or modes alone, and values handed over by fields.
+//! Excluded are expressions of parameters or modes alone, and values that fields provide.
 
 mod bells;
 mod extent;
@@ -130,6 +130,11 @@ pub fn kinks(graph: &mut Graph, places: &Places<'_>, given: &Given<'_>) -> Kinks
     found
 }
 
+/// Returns whether an operation reads a value that a field provides.
+fn is_handed_over(op: Op) -> bool {
+    matches!(op, Op::Handed(_))
+}
+
 /// Returns the distances from the ends and corners of a table.
 fn ends_of_table(graph: &mut Graph, id: NodeId, tables: &[Table]) -> Vec<NodeId> {
     match graph.op(id) {
@@ -188,6 +193,10 @@ impl Kinks {
     fn passes(&mut self, graph: &mut Graph, search: &mut Search<'_>, guard: NodeId) -> bool {
         for id in reached(graph, &[guard]) {
             search.look(graph, id);
+            // The rate of a value that a field provides is not on the graph.
+            if is_handed_over(graph.op(id)) {
+                return false;
+            }
         }
         match search.by[&guard] {
             By::Nothing => return false,
@@ -226,7 +235,9 @@ impl Kinks {
         if let Compared::Whole(argument) = compared {
             search.look(graph, argument);
             // An argument of time alone changes at many times, which steps find.
-            if search.by[&argument] == By::Nothing {
+            let is_handed =
+                reached(graph, &[argument]).iter().any(|id| is_handed_over(graph.op(*id)));
+            if search.by[&argument] == By::Nothing || is_handed {
                 return;
             }
         } else if !self.passes(graph, search, guard) {

@@ -488,13 +488,10 @@ impl<'a> Build<'a> {
     }
 
     /// Returns the surfaces at which the rate, the guards, or whether a constraint holds, are not
-    /// smooth or change within a very short time. Effects of fields are not included: they are not
-    /// on the graph.
+    /// smooth or change within a very short time. Those of fields themselves are not included: they
+    /// are not on the graph.
     fn kinks(&mut self, holds: &[NodeId], guards: &[NodeId], initial: &[NodeId]) -> Kinks {
         let equations = &self.linearization.equations;
-        if !equations.system.handed.is_empty() {
-            return Kinks::default();
-        }
         let is_mode = |state: &crate::mechanics::state::State| match state.motion {
             Motion::FirstOrder(id) => equations.system.first_order[id.0 as usize].is_mode,
             _ => false,

@@ -18,11 +18,11 @@
 //   Reed study, in its consistent reading; that the fell only pushes is ours.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 4, states 8, parameters 25, outputs 8.
+// Shapes: coordinates 4, states 8, parameters 25, outputs 8, kinks 1, relations 1.
 // Nonzeros: mass_matrix 4 of 4 by 4, rate_jacobian 9 of 8 by 8, parameter_jacobian 14 of 8 by 25.
-// Operations: rate 23, mass_matrix 2, forcing 13, rate_jacobian 16, parameter_jacobian 53,
-//     time_derivative 7, outputs 8, energy 34, power_balance 53, prepare 14, prepared_rate 17,
-//     prepared_rate_jacobian 6, prepared_parameter_jacobian 44.
+// Operations: rate 24, mass_matrix 2, forcing 14, rate_jacobian 17, parameter_jacobian 54,
+//     time_derivative 7, outputs 9, energy 35, power_balance 54, prepare 14, prepared_rate 18,
+//     prepared_rate_jacobian 7, prepared_parameter_jacobian 45.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -36,7 +36,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     ReedBeatUpOneSided: "reed_beat_up_one_sided", "Beat-up of a reed against a one-sided fell";
     run from 0.0, until 0.0527, points 501, rtol 1e-8, method "auto";
     quadratures 0, discontinuities 0;
-    prepared; jacobians_apart;
+    prepared; jacobians_apart; kinks 1; relations;
 }
 
 ::machinist_contract::parameters! {
@@ -65,6 +65,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     shaft_middle_field_force: 0.0, "J/(rad)", "shaft.middle_field_force", "force of the field on its node; the field sets it";
     shaft_middle_u_x_before: 0.0, "rad/m", "shaft.middle_u_x_before", "slope of the field before the port; the field sets it";
     shaft_middle_u_x_after: 0.0, "rad/m", "shaft.middle_u_x_after", "slope of the field after the port; the field sets it";
+    @ held_1: Branch;
 }
 
 ::machinist_contract::outputs! {
@@ -87,6 +88,10 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     SHAFT_REED_DOT: velocity, 100.0, "rad/s", "shaft.reed_dot", "rate of angle of the section, at port reed";
     SHAFT_MIDDLE_DOT: velocity, 100.0, "rad/s", "shaft.middle_dot", "rate of angle of the section, at port middle";
     REED_SPEED: velocity, 100.0, "rad/s", "reed.speed", "rate of angle of the reed";
+}
+
+::machinist_contract::relations! {
+    Branch [Rate, Above(0)];
 }
 
 ::machinist_contract::patterns! {
@@ -152,7 +157,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 17 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 18 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -160,11 +165,12 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let [shaft_driven, shaft_reed, _, reed_angle, shaft_driven_dot, shaft_reed_dot,
         shaft_middle_dot, reed_speed] = *state;
     let drive_angle = p.drive_amplitude * (p.drive_frequency * time).sin();
-    let fell_torque = R::select_less(reed_angle, R::literal(0.0), R::literal(0.0), p.fell_stiffness
-        * reed_angle);
+    let reed_angle_plus_held_1 = reed_angle + p.held_1;
+    let fell_torque = R::select_less(reed_angle_plus_held_1, R::literal(0.0), R::literal(0.0),
+        p.fell_stiffness * reed_angle);
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
-    let reed_speed_dot = (t0 - R::select_less(reed_angle, R::literal(0.0), R::literal(0.0),
-        fell_torque)) * c.t0;
+    let reed_speed_dot = (t0 - R::select_less(reed_angle_plus_held_1, R::literal(0.0),
+        R::literal(0.0), fell_torque)) * c.t0;
     let shaft_middle_dot_dot = p.shaft_middle_field_force * c.inverse_shaft_middle_field_inertia;
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0) * c.inverse_shaft_reed_field_inertia;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.drive_stiffness,
@@ -180,28 +186,30 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -
         p.reed_mass * (p.reed_arm * p.reed_arm)]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 13 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 14 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [shaft_driven, shaft_reed, _, reed_angle, ..] = *state;
     let drive_angle = p.drive_amplitude * (p.drive_frequency * time).sin();
-    let fell_torque = R::select_less(reed_angle, R::literal(0.0), R::literal(0.0), p.fell_stiffness
-        * reed_angle);
+    let reed_angle_plus_held_1 = reed_angle + p.held_1;
+    let fell_torque = R::select_less(reed_angle_plus_held_1, R::literal(0.0), R::literal(0.0),
+        p.fell_stiffness * reed_angle);
     let shaft_driven_forcing = p.shaft_driven_field_force.sub_product(p.drive_stiffness,
         shaft_driven - drive_angle);
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
     let shaft_reed_forcing = p.shaft_reed_field_force - t0;
-    let reed_angle_forcing = t0 - R::select_less(reed_angle, R::literal(0.0), R::literal(0.0),
-        fell_torque);
+    let reed_angle_forcing = t0 - R::select_less(reed_angle_plus_held_1, R::literal(0.0),
+        R::literal(0.0), fell_torque);
     [shaft_driven_forcing, shaft_reed_forcing, p.shaft_middle_field_force, reed_angle_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 6 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 7 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 9] {
     let [_, _, _, reed_angle, ..] = *state;
-    let t0 = R::select_less(reed_angle, R::literal(0.0), R::literal(0.0), R::literal(1.0));
+    let t0 = R::select_less(reed_angle + p.held_1, R::literal(0.0), R::literal(0.0),
+        R::literal(1.0));
     let reed_speed_dot_by_reed_angle = -(p.reed_stiffness.add_product(p.fell_stiffness, t0 * t0)
         * c.t0);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
@@ -209,7 +217,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         c.reed_speed_dot_by_shaft_reed, reed_speed_dot_by_reed_angle]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 44 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 45 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 14] {
@@ -218,17 +226,19 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let (sin_drive_frequency_times_time,
         cos_drive_frequency_times_time) = drive_frequency_times_time.sin_cos();
     let drive_angle = p.drive_amplitude * sin_drive_frequency_times_time;
-    let fell_torque = R::select_less(reed_angle, R::literal(0.0), R::literal(0.0), p.fell_stiffness
-        * reed_angle);
+    let reed_angle_plus_held_1 = reed_angle + p.held_1;
+    let fell_torque = R::select_less(reed_angle_plus_held_1, R::literal(0.0), R::literal(0.0),
+        p.fell_stiffness * reed_angle);
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
     let t0 = p.reed_stiffness * shaft_reed_minus_reed_angle;
-    let reed_speed_dot = (t0 - R::select_less(reed_angle, R::literal(0.0), R::literal(0.0),
-        fell_torque)) * c.t0;
+    let reed_speed_dot = (t0 - R::select_less(reed_angle_plus_held_1, R::literal(0.0),
+        R::literal(0.0), fell_torque)) * c.t0;
     let shaft_middle_dot_dot = p.shaft_middle_field_force * c.inverse_shaft_middle_field_inertia;
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0) * c.inverse_shaft_reed_field_inertia;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.drive_stiffness,
         shaft_driven - drive_angle) * c.inverse_shaft_driven_field_inertia;
-    let t1 = R::select_less(reed_angle, R::literal(0.0), R::literal(0.0), R::literal(1.0));
+    let t1 = R::select_less(reed_angle_plus_held_1, R::literal(0.0), R::literal(0.0),
+        R::literal(1.0));
     let shaft_driven_dot_dot_by_drive_stiffness = (drive_angle - shaft_driven)
         * c.inverse_shaft_driven_field_inertia;
     let shaft_driven_dot_dot_by_drive_amplitude = p.drive_stiffness
@@ -266,13 +276,13 @@ pub fn time_derivative<R: Real>(time: R, _state: &[R; STATES], p: &Parameters<R>
         shaft_driven_dot_dot_by_time, R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs. 8 operations.
+/// Wanted outputs. 9 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [shaft_driven, shaft_reed, shaft_middle, reed_angle, ..] = *state;
     let drive_angle = p.drive_amplitude * (p.drive_frequency * time).sin();
-    let fell_torque = R::select_less(reed_angle, R::literal(0.0), R::literal(0.0), p.fell_stiffness
-        * reed_angle);
+    let fell_torque = R::select_less(reed_angle + p.held_1, R::literal(0.0), R::literal(0.0),
+        p.fell_stiffness * reed_angle);
     let t0 = p.shaft_radius * p.shaft_shear_modulus;
     Outputs {
         drive_angle,
@@ -286,12 +296,13 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     }
 }
 
-/// T, V and the energy of first-order states \[J\]. 34 operations.
+/// T, V and the energy of first-order states \[J\]. 35 operations.
 #[must_use]
 pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [shaft_driven, shaft_reed, _, reed_angle, shaft_driven_dot, shaft_reed_dot,
         shaft_middle_dot, reed_speed] = *state;
-    let fell_pressed = R::select_less(reed_angle, R::literal(0.0), R::literal(0.0), reed_angle);
+    let fell_pressed = R::select_less(reed_angle + p.held_1, R::literal(0.0), R::literal(0.0),
+        reed_angle);
     let drive_angle = p.drive_amplitude * (p.drive_frequency * time).sin();
     let shaft_driven_minus_drive_angle = shaft_driven - drive_angle;
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
@@ -310,7 +321,7 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 53 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 54 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [shaft_driven, shaft_reed, _, reed_angle, shaft_driven_dot, shaft_reed_dot,
@@ -319,13 +330,14 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let (sin_drive_frequency_times_time,
         cos_drive_frequency_times_time) = drive_frequency_times_time.sin_cos();
     let drive_angle = p.drive_amplitude * sin_drive_frequency_times_time;
-    let fell_torque = R::select_less(reed_angle, R::literal(0.0), R::literal(0.0), p.fell_stiffness
-        * reed_angle);
+    let reed_angle_plus_held_1 = reed_angle + p.held_1;
+    let fell_torque = R::select_less(reed_angle_plus_held_1, R::literal(0.0), R::literal(0.0),
+        p.fell_stiffness * reed_angle);
     let reed_mass_times_reed_arm_squared = p.reed_mass * (p.reed_arm * p.reed_arm);
     let shaft_driven_minus_drive_angle = shaft_driven - drive_angle;
     let t0 = p.drive_stiffness * shaft_driven_minus_drive_angle;
     let t1 = p.reed_stiffness * (shaft_reed - reed_angle);
-    let t2 = R::select_less(reed_angle, R::literal(0.0), R::literal(0.0), fell_torque);
+    let t2 = R::select_less(reed_angle_plus_held_1, R::literal(0.0), R::literal(0.0), fell_torque);
     let reed_speed_dot = (t1 - t2) * (R::literal(1.0) / reed_mass_times_reed_arm_squared);
     let shaft_middle_dot_dot = p.shaft_middle_field_force * (R::literal(1.0)
         / p.shaft_middle_field_inertia);
@@ -347,6 +359,21 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
             - t3,
         dissipated: R::literal(0.0),
     }
+}
+
+/// What passes zero where the rate has a kink or a jump: arguments of `abs` and `sign`, differences
+/// of what `min` and `max` compare, ends of tables. No operations.
+#[must_use]
+pub fn kink_guards<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; KINKS] {
+    let [_, _, _, reed_angle, ..] = *state;
+    [reed_angle]
+}
+
+/// Rates along the motion of what passes zero at kinks. No operations.
+#[must_use]
+pub fn kink_rates<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; KINKS] {
+    let [_, _, _, _, _, _, _, reed_speed] = *state;
+    [reed_speed]
 }
 
 /// The field shaft.u: angle of the section \[rad\].

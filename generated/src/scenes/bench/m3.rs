@@ -17,11 +17,11 @@
 //   Benchmark models of textile-machine dynamics.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 3, first-order states 4, states 10, parameters 33, outputs 3.
+// Shapes: coordinates 3, first-order states 4, states 10, parameters 33, outputs 3, discontinuities 1.
 // Nonzeros: mass_matrix 3 of 3 by 3, rate_jacobian 30 of 10 by 10, parameter_jacobian 50 of 10 by 33.
-// Operations: initial_state 18, rate 91, mass_matrix 4, forcing 50, rate_jacobian 88,
-//     parameter_jacobian 241, time_derivative 46, energy 50, power_balance 177, prepare 85,
-//     prepared_rate 62, prepared_rate_jacobian 43, prepared_parameter_jacobian 179.
+// Operations: initial_state 18, discontinuities 6, rate 91, mass_matrix 4, forcing 50,
+//     rate_jacobian 88, parameter_jacobian 241, time_derivative 46, energy 50, power_balance 177,
+//     prepare 85, prepared_rate 62, prepared_rate_jacobian 43, prepared_parameter_jacobian 179.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -35,7 +35,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     /// Source: Benchmark models of textile-machine dynamics.
     M3: "m3", "Benchmark M3: motor and torsional shaft of equal pieces";
     run from 0.0, until 0.5, points 501, rtol 1e-8, method "auto";
-    quadratures 0, discontinuities 0;
+    quadratures 0, discontinuities 1;
     prepared; jacobians_apart;
 }
 
@@ -226,10 +226,15 @@ pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
         synchronous_speed, loss * flux, -flux, p.motor_k_s * loss * flux, -(p.motor_k_s * flux)]
 }
 
-/// Times of known jumps of the right-hand side \[s\], unsorted. No operations.
+/// Times of known jumps of the right-hand side \[s\], unsorted. 6 operations.
 #[must_use]
-pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
-    []
+pub fn discontinuities<R: Real>(p: &Parameters<R>) -> [R; DISCONTINUITIES] {
+    let inverse_shaft_engagement_width = R::literal(1.0) / p.shaft_engagement_width;
+    let abs_inverse_shaft_engagement_width = inverse_shaft_engagement_width.abs();
+    [R::select_less(R::literal(200.0), abs_inverse_shaft_engagement_width,
+        R::select_less(R::literal(0.0), abs_inverse_shaft_engagement_width,
+        inverse_shaft_engagement_width * p.shaft_engagement_time / inverse_shaft_engagement_width,
+        R::literal(0.0)), R::literal(0.0))]
 }
 
 /// As `rate`, with the constants of the parameters from `prepare`. 62 operations.

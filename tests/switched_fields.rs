@@ -1,0 +1,189 @@
+//! Switches beside fields, compared with chains of rotors: elements of order 1 are such a chain.
+
+use std::fmt::Write;
+
+use machinist::field::{Discretisation, FieldSimulator};
+use machinist::{Method, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::Simulator;
+
+use crate::own_scene::of_text;
+
+const ELEMENTS: usize = 4;
+const LENGTH: f64 = 2.0;
+const DENSITY: f64 = 0.5;
+const STIFFNESS: f64 = 40.0;
+const DAMPING_TIME: f64 = 2e-2;
+
+/// Shafts and the forces at their ends; `{a0}` and `{a1}` are the angles of the start and the end
+/// of shaft `a`, `{a0'}` and `{a1'}` their rates.
+struct Case {
+    shafts: &'static [&'static str],
+    /// End of a shaft, and the torque on it.
+    torques: &'static [(&'static str, &'static str)],
+}
+
+/// Ends as the scene of fields, or of chains, names them.
+fn with_names(text: &str, shafts: &[&str], name: &dyn Fn(&str, bool, bool) -> String) -> String {
+    let mut text = text.to_owned();
+    for shaft in shafts {
+        for (number, is_end) in [(0, false), (1, true)] {
+            text = text.replace(&format!("{{{shaft}{number}'}}"), &name(shaft, is_end, true));
+            text = text.replace(&format!("{{{shaft}{number}}}"), &name(shaft, is_end, false));
+        }
+    }
+    text
+}
+
+const RUN: &str = "[run]\nuntil = 3.0\npoints = 61\nrtol = 1e-8\n";
+
+fn scene_of_fields(case: &Case) -> String {
+    let mut text = format!("[scene]\nname = \"fields\"\n{RUN}");
+    let name = |shaft: &str, is_end: bool, is_rate: bool| {
+        let place = if is_end { "end" } else { "start" };
+        format!("{shaft}.{place}{}", if is_rate { "_dot" } else { "" })
+    };
+    for shaft in case.shafts {
+        write!(
+            text,
+            r#"
+            [units.{shaft}]
+            unit = "shaft"
+            inputs = {{ load = 0 }}
+            parameters = {{ length = {LENGTH}, density = {DENSITY}, stiffness = {STIFFNESS}, damping_time = {DAMPING_TIME} }}
+            fields = {{ phi = {{ elements = {ELEMENTS}, order = 1 }} }}
+            "#
+        )
+        .expect("written");
+    }
+    for (end, torque) in case.torques {
+        let port = with_names(&format!("{{{end}}}"), case.shafts, &name);
+        let torque = with_names(torque, case.shafts, &name);
+        write!(text, "\n[[forces]]\nport = \"{port}\"\nexpression = \"{torque}\"\n")
+            .expect("written");
+    }
+    text += "\n[outputs]\n";
+    for shaft in case.shafts {
+        writeln!(text, "{shaft}_start = \"{shaft}.start_dot\"\n{shaft}_end = \"{shaft}.end_dot\"")
+            .expect("written");
+    }
+    text
+}
+
+fn scene_of_chains(case: &Case) -> String {
+    let mut text = format!("[scene]\nname = \"chains\"\n[units.u]\nunit = \"u\"\n{RUN}");
+    let name = |shaft: &str, is_end: bool, is_rate: bool| {
+        format!("{}{shaft}{}", if is_rate { "w" } else { "" }, if is_end { ELEMENTS } else { 0 })
+    };
+    let (mut kinetic, mut potential, mut dissipation) =
+        (String::from("0 [J]"), String::from("0 [J]"), String::from("0 [W]"));
+    let inertia = DENSITY * LENGTH / ELEMENTS as f64;
+    let spring = STIFFNESS / (LENGTH / ELEMENTS as f64);
+    for shaft in case.shafts {
+        for index in 0..=ELEMENTS {
+            write!(
+                text,
+                "\n[define.u.coordinates.{shaft}{index}]\nunit = \"rad\"\nvelocity = \"w{shaft}{index}\"\n"
+            )
+            .expect("written");
+            let share = if index % ELEMENTS == 0 { 0.5 } else { 1.0 };
+            write!(kinetic, " + {} [kg m^2]*w{shaft}{index}^2/2", share * inertia)
+                .expect("written");
+        }
+        for index in 0..ELEMENTS {
+            let next = index + 1;
+            write!(potential, " + {spring} [N m]*({shaft}{next} - {shaft}{index})^2/2")
+                .expect("written");
+            let damping = spring * DAMPING_TIME;
+            write!(dissipation, " + {damping} [N m s]*(w{shaft}{next} - w{shaft}{index})^2/2")
+                .expect("written");
+        }
+    }
+    write!(
+        text,
+        "\n[define.u.energy]\nkinetic = \"{kinetic}\"\npotential = \"{potential}\"\ndissipation = \"{dissipation}\"\n"
+    )
+    .expect("written");
+    for (end, torque) in case.torques {
+        let coordinate = with_names(&format!("{{{end}}}"), case.shafts, &name);
+        let torque = with_names(torque, case.shafts, &name);
+        write!(
+            text,
+            "\n[[define.u.forces]]\ncoordinate = \"{coordinate}\"\nexpression = \"{torque}\"\n"
+        )
+        .expect("written");
+    }
+    text
+}
+
+fn run(simulator: &dyn Simulator<f64>, method: Method) -> Trajectory {
+    let run = Simulation::new(simulator).method(method).run();
+    run.unwrap_or_else(|stopped| panic!("{}, {method}: {stopped}", simulator.name()))
+}
+
+fn compare(case: &Case) {
+    let chains = of_text(&scene_of_chains(case), Keep::All);
+    let fields = of_text(&scene_of_fields(case), Keep::Needed);
+    let fields = FieldSimulator::new(fields.with_fields(), Discretisation::default());
+    let fields = fields.expect("it is divided into elements");
+    let exact = run(&chains, Method::Dop853);
+    for method in [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Auto] {
+        let found = run(&fields, method);
+        for shaft in case.shafts {
+            for (end, index) in [("start", 0), ("end", ELEMENTS)] {
+                let exact = exact.column(&format!("u.w{shaft}{index}")).expect("a column");
+                let found = found.column(&format!("{shaft}_{end}")).expect("a column");
+                let size = exact.iter().fold(0.1, |most: f64, value| most.max(value.abs()));
+                for (row, (found, exact)) in found.iter().zip(exact).enumerate() {
+                    assert!(
+                        (found - exact).abs() <= 2e-6 * size,
+                        "{method}, {shaft} {end}, row {row}: {found} and not {exact}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn dry_friction_at_the_end_of_a_shaft_sticks_and_slides_as_on_a_chain() {
+    compare(&Case {
+        shafts: &["a"],
+        torques: &[("a0", "-2 [N m]*sign({a0'})"), ("a1", "3 [N m]*sin(4 [1/s]*t)")],
+    });
+}
+
+#[test]
+fn a_stop_at_the_end_of_a_shaft_meets_it_as_on_a_chain() {
+    compare(&Case {
+        shafts: &["a"],
+        torques: &[
+            ("a0", "2 [N m]"),
+            ("a1", "-piecewise({a1} < 0.3, 0 [N m], 200 [N m]*({a1} - 0.3) + 1 [N m s]*{a1'})"),
+        ],
+    });
+}
+
+#[test]
+fn a_clutch_between_two_shafts_slips_and_holds_as_between_two_chains() {
+    compare(&Case {
+        shafts: &["a", "b"],
+        torques: &[
+            ("a0", "2 [N m]*cos(2 [1/s]*t)"),
+            ("a1", "-1.2 [N m]*sign({a1'} - {b0'})"),
+            ("b0", "1.2 [N m]*sign({a1'} - {b0'})"),
+            ("b1", "-0.5 [N m s]*{b1'}"),
+        ],
+    });
+}
+
+#[test]
+fn a_relay_and_a_limited_torque_drive_a_shaft_as_they_drive_a_chain() {
+    compare(&Case {
+        shafts: &["a"],
+        torques: &[
+            ("a0", "max(-1 [N m], min(1 [N m], 5 [N m]*(0.5 - {a0})))"),
+            ("a1", "-0.7 [N m]*sign({a1} - 0.2 + 0.1 [s]*{a1'})"),
+        ],
+    });
+}

@@ -8,7 +8,8 @@
 //! ```
 //!
 //! [`operating_point`] finds such a point. [`Linearization`] holds A and provides
-//! [`Linearization::modes`], [`Linearization::second_order`] and [`Linearization::response`].
+//! [`Linearization::modes`], [`Linearization::second_order`], [`Linearization::response`] and
+//! [`Linearization::state_space`].
 //! Eigenmodes and the matrices M, D, K refer to all generalized coordinates \[q, q', z\], including
 //! positions that y leaves out; see [`Linearization::motion_names`]. Time is held: a force that
 //! depends on t has its value at the point's time.
@@ -28,11 +29,14 @@ mod largest;
 mod modes;
 mod motions;
 mod operating_point;
+mod output_slopes;
+mod regulator;
 mod response;
 mod rest;
 mod search;
 mod slopes;
 mod sparse_rows;
+mod state_space;
 mod steady;
 mod turning;
 mod undamped;
@@ -54,8 +58,10 @@ pub use error::{LinearError, Residual};
 pub use largest::Largest;
 pub use modes::{Mode, ModeKind};
 pub use operating_point::{Place, operating_point};
-pub use response::{Response, logarithmic_range};
+pub use regulator::{Estimator, Regulator, RegulatorError, Weight};
+pub use response::{FORCE_ON, Response, logarithmic_range};
 pub use slopes::{ModeSlope, NoSlope, PointSlopes};
+pub use state_space::{Hidden, Hold, Rows, Sampling, Signal, StateSpace};
 pub(crate) use steady::{growth, steady_start, steady_tangents};
 
 /// Maximum number of states for dense matrices; beyond, they take too much time.

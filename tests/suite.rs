@@ -63,6 +63,7 @@ mod slow_beside_fast;
 mod small_states;
 mod sparsity;
 mod stages;
+mod state_space;
 mod sweep;
 mod switched_fields;
 mod taylor;

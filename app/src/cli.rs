@@ -26,6 +26,7 @@ mod generate;
 mod gradient;
 mod improve;
 mod linear;
+mod linearize;
 mod list;
 pub mod modes;
 #[cfg(feature = "derive")]
@@ -135,6 +136,8 @@ enum Command {
     Campbell(campbell::CampbellDiagram),
     /// Compute the frequency response of a scene: amplitude and phase
     Response(response::FrequencyResponse),
+    /// Compute the state-space model of a scene, with poles, zeros, regulators and Kalman filters
+    Linearize(linearize::Linearize),
     /// Select a sufficient model of a winder, and find where winding is stable
     Walk(walk::WalkCommand),
     /// Compare the simulators with closed forms and references
@@ -228,6 +231,7 @@ pub fn main() -> ExitCode {
         Command::Modes(command) => command.execute(),
         Command::Campbell(command) => command.execute(),
         Command::Response(command) => command.execute(),
+        Command::Linearize(command) => command.execute(),
         Command::Walk(command) => command.execute(),
         Command::Verify(command) => command.execute(),
         #[cfg(feature = "derive")]

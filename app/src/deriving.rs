@@ -48,6 +48,8 @@ pub struct Request {
     /// Constraints to be dropped because they follow from others, each with the parameters that
     /// must keep the spec's values for this.
     pub dropped: Vec<(String, Vec<String>)>,
+    /// Coordinates on which a test force of zero acts, as a parameter.
+    pub test_forces: Vec<String>,
 }
 
 /// Algebra for all further derivations in this process, if the user names one.
@@ -105,8 +107,15 @@ enum Derived {
 impl Request {
     /// Requests the model of a scene, to be run.
     pub fn model(scene: &SpecSource, keep: Keep) -> Self {
-        let (rigid, wanted, dropped) = (None, Wanted::Model, Vec::new());
-        Self { scene: scene.clone(), keep, rigid, wanted, purpose: Purpose::Running, dropped }
+        Self {
+            scene: scene.clone(),
+            keep,
+            rigid: None,
+            wanted: Wanted::Model,
+            purpose: Purpose::Running,
+            dropped: Vec::new(),
+            test_forces: Vec::new(),
+        }
     }
 
     /// Reads the system of the scene and applies the request's changes.
@@ -117,6 +126,12 @@ impl Request {
         }
         for (constraint, needs) in &self.dropped {
             system.drop_constraint(constraint, needs);
+        }
+        for coordinate in &self.test_forces {
+            if !system.add_test_force(coordinate) {
+                let message = format!("there is no coordinate `{coordinate}`");
+                return Err(Diagnostic::of_file("", message, "").into());
+            }
         }
         Ok(system)
     }

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use machinist::SimulateError;
 use machinist::error::nearest;
-use machinist::linear_analysis::LinearError;
+use machinist::linear_analysis::{LinearError, RegulatorError};
 #[cfg(feature = "derive")]
 use machinist_codegen::spec::diagnostic::{Diagnostic, Diagnostics};
 #[cfg(feature = "derive")]
@@ -171,6 +171,16 @@ impl From<LinearError> for Failure {
             LinearError::Simulate(error) => error.into(),
             LinearError::Eigenvalues => Self::unsuccessful(error, ""),
             LinearError::NoEquilibrium { .. } => Self::input(error, at),
+            _ => Self::input(error, ""),
+        }
+    }
+}
+
+impl From<RegulatorError> for Failure {
+    fn from(error: RegulatorError) -> Self {
+        match error {
+            RegulatorError::Linear(error) => error.into(),
+            RegulatorError::Unsolved => Self::unsuccessful(error, ""),
             _ => Self::input(error, ""),
         }
     }

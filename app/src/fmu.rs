@@ -12,3 +12,4 @@ mod zip;
 
 pub use archive::Archive;
 pub use library::Library;
+pub use zip::archive as zip_archive;

@@ -16,6 +16,7 @@ mod fmu;
 #[cfg(feature = "derive")]
 mod freeze;
 mod interrupt;
+mod matrices;
 mod number;
 #[cfg(feature = "derive")]
 pub mod object;

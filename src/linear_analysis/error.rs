@@ -151,6 +151,42 @@ pub enum LinearError {
         /// Nearest known name as a question, or empty.
         hint: String,
     },
+    /// A name is given twice.
+    #[error("the {kind} `{name}` is given twice. Hint: name each {kind} once")]
+    Twice {
+        /// Kind of name: `input`, `output`.
+        kind: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// A matrix has the wrong shape.
+    #[error("the matrix {matrix} must have {rows} rows of {columns} numbers")]
+    Shape {
+        /// Name of the matrix.
+        matrix: &'static str,
+        /// Number of rows.
+        rows: usize,
+        /// Number of columns.
+        columns: usize,
+    },
+    /// A sampling period is not a positive number.
+    #[error("a sampling period is a finite number of seconds above 0, but {period} was given")]
+    BadPeriod {
+        /// The period \[s\].
+        period: f64,
+    },
+    /// A sampled model is to be sampled.
+    #[error("the model is sampled already; sample the continuous one")]
+    Sampled,
+    /// A sampled model is too fast for its period.
+    #[error(
+        "sampled at {period} s, the model overflows: its fastest motion grows beyond all numbers \
+         between two samples. Hint: take a shorter period"
+    )]
+    Overflow {
+        /// The period \[s\].
+        period: f64,
+    },
     /// A range of frequencies is invalid.
     #[error(
         "{points} frequencies from {from} to {until} rad/s were requested; a range goes from a \

@@ -185,6 +185,27 @@ fn mirrored(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     &mirror * matrix * &mirror
 }
 
+/// Returns the eigenvalues of a matrix.
+pub(super) fn eigenvalues(matrix: DMatrix<f64>) -> Result<Vec<Complex64>, LinearError> {
+    Ok(balanced_eigenvalues(matrix)?.0)
+}
+
+/// Returns the eigenvalues of a matrix, and the norm of the matrix after balancing.
+fn balanced_eigenvalues(mut matrix: DMatrix<f64>) -> Result<(Vec<Complex64>, f64), LinearError> {
+    if matrix.is_empty() {
+        return Ok((Vec::new(), 0.0));
+    }
+    balance(&mut matrix);
+    let norm = matrix.norm();
+    // If the iteration cycles, it does not on a similar matrix.
+    let iterations = ITERATIONS * matrix.nrows();
+    let mirrored = std::iter::successors(Some(matrix), |matrix| Some(mirrored(matrix)));
+    let schur =
+        mirrored.take(ATTEMPTS).find_map(|matrix| Schur::try_new(matrix, f64::EPSILON, iterations));
+    let schur = schur.ok_or(LinearError::Eigenvalues)?;
+    Ok((schur.complex_eigenvalues().iter().copied().collect(), norm))
+}
+
 /// Computes eigenmodes by banded matrices, if possible.
 pub(super) fn of_bands(motions: &Motions) -> Option<Vec<Mode>> {
     let mut found = banded::spectrum(motions)?;
@@ -276,23 +297,12 @@ impl Problem {
         let mut basis = DMatrix::zeros(size, kept + size - n);
         basis.view_mut((0, 0), (n, kept)).copy_from(rest);
         basis.view_mut((n, kept), (size - n, size - n)).fill_with_identity();
-        let mut reduced = basis.transpose() * &self.matrix * basis;
-        if reduced.is_empty() {
-            return Ok(Vec::new());
-        }
-        balance(&mut reduced);
-        let norm = reduced.norm();
-        // If the iteration cycles, it does not on a similar matrix.
-        let iterations = ITERATIONS * reduced.nrows();
-        let mirrored = std::iter::successors(Some(reduced), |matrix| Some(mirrored(matrix)));
-        let schur = mirrored
-            .take(ATTEMPTS)
-            .find_map(|matrix| Schur::try_new(matrix, f64::EPSILON, iterations));
-        let schur = schur.ok_or(LinearError::Eigenvalues)?;
-        let cleaned = |value: &Complex64| {
-            if value.norm() <= zero * norm { Complex64::ZERO } else { *value }
+        let reduced = basis.transpose() * &self.matrix * basis;
+        let (values, norm) = balanced_eigenvalues(reduced)?;
+        let cleaned = |value: Complex64| {
+            if value.norm() <= zero * norm { Complex64::ZERO } else { value }
         };
-        Ok(schur.complex_eigenvalues().iter().map(cleaned).collect())
+        Ok(values.into_iter().map(cleaned).collect())
     }
 
     fn drift_mode(&self, drift: &DMatrix<f64>, column: usize) -> Mode {

@@ -2,13 +2,15 @@
 
 use std::io;
 
-use machinist_contract::Simulator;
+use machinist_contract::{Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 use serde::Serialize;
 
 use super::differences::derivative;
 use super::motions::{Motions, Places};
+use super::output_slopes::output_slopes;
+use super::state_space::Signal;
 use super::within::Within;
 use super::{LinearError, Linearization, ModeKind, Point, full, position, scales};
 use crate::constraints::Constraints;
@@ -18,8 +20,9 @@ use crate::error::did_you_mean;
 pub const MAX_POINTS: usize = 1_000_000;
 /// Factor by which the range of frequencies extends beyond the slowest and the fastest motion.
 const BEYOND: f64 = 10.0;
-/// Prefix of the name of a force, before its coordinate.
-const FORCE_ON: &str = "force on ";
+/// Prefix of the name of a force, before its coordinate. A parameter of such a name is a test force
+/// that the derivation added to the scene.
+pub const FORCE_ON: &str = "force on ";
 
 /// Frequency response of an output to a harmonic input.
 ///
@@ -78,14 +81,28 @@ impl Response {
     }
 }
 
-/// Input of a response.
-struct Input {
-    name: String,
-    unit: String,
+/// Input of a response or of a state-space model.
+pub(super) struct Input {
+    pub name: String,
+    pub unit: String,
     /// Derivative of y' by the input.
-    rate: DVector<f64>,
+    pub rate: DVector<f64>,
     /// Index of the parameter; `None` for a force.
-    parameter: Option<usize>,
+    pub parameter: Option<usize>,
+}
+
+impl Input {
+    /// Returns name, unit and value at the operating point.
+    pub fn signal(self, parameters: &[f64]) -> Signal {
+        let value = self.parameter.map_or(0.0, |index| parameters[index]);
+        Signal { name: self.name, unit: self.unit, value }
+    }
+
+    /// Creates the error for a force with feedthrough to an output.
+    pub fn answers_at_once(&self, output: &str) -> LinearError {
+        let coordinate = self.name.trim_start_matches(FORCE_ON).to_owned();
+        LinearError::AnswersAtOnce { output: output.to_owned(), coordinate }
+    }
 }
 
 /// Output of a response, with its derivatives by states and input.
@@ -108,8 +125,9 @@ impl Linearization<'_> {
     ///
     /// `from` names a parameter, b = dy'/dp, or a coordinate, for a generalized force on it, b =
     /// M^-1 e in the rows of q'. `to` names an output or a state. Derivatives C and d of outputs
-    /// are extrapolated differences, accurate to about 1e-12. For a force d = 0: an output that
-    /// contains accelerations or constraint forces, and so has feedthrough, is refused.
+    /// are exact to rounding. For a force d = 0: an output that contains accelerations or
+    /// constraint forces, and so has feedthrough, is refused, unless the scene was derived with a
+    /// test force on the coordinate ([`FORCE_ON`]).
     ///
     /// For a machine with constraints, b of a force is M^-1 (e + G^T lambda) with G b = 0, and A, b
     /// and C are those of the allowed motions.
@@ -166,13 +184,18 @@ impl Linearization<'_> {
         Ok(growing.map(|mode| mode.real).reduce(f64::max))
     }
 
-    fn input(&self, name: &str) -> Result<Input, LinearError> {
+    /// Returns the input of a name: a parameter, or a force on a coordinate.
+    pub(super) fn input(&self, name: &str) -> Result<Input, LinearError> {
         let shape = self.simulator.shape();
-        if let Some(index) = position(name, shape.parameters, |i| self.simulator.parameter(i)) {
-            let unit = self.simulator.parameter(index).unit.to_owned();
+        let parameter =
+            |name: &str| position(name, shape.parameters, |i| self.simulator.parameter(i));
+        let found = parameter(name).or_else(|| parameter(&format!("{FORCE_ON}{name}")));
+        if let Some(index) = found {
+            let Quantity { name, unit, .. } = self.simulator.parameter(index);
             self.require_still_constraints(index)?;
-            let rate = self.parameter_column(index)?;
-            return Ok(Input { name: name.to_owned(), unit, rate, parameter: Some(index) });
+            let (name, unit, rate) =
+                (name.to_owned(), unit.to_owned(), self.parameter_column(index)?);
+            return Ok(Input { name, unit, rate, parameter: Some(index) });
         }
         if let Some(index) = position(name, shape.coordinates, |i| self.simulator.coordinate(i)) {
             let rate = self.force_column(index)?;
@@ -237,16 +260,16 @@ impl Linearization<'_> {
     }
 
     fn output(&self, name: &str, input: &Input) -> Result<Output, LinearError> {
-        let (shape, states) = (self.simulator.shape(), self.matrix.rows());
-        if let Some(index) = position(name, shape.outputs, |i| self.simulator.output(i)) {
+        let states = self.matrix.rows();
+        if let Some(index) = named_output(self.simulator, name) {
             if input.parameter.is_none() && self.simulator.output_answers_at_once(index) {
-                let coordinate = input.name.trim_start_matches(FORCE_ON).to_owned();
-                return Err(LinearError::AnswersAtOnce { output: name.to_owned(), coordinate });
+                return Err(input.answers_at_once(name));
             }
             let unit = self.simulator.output(index).unit.to_owned();
-            let by_state = DVector::from_vec(self.output_derivatives(index));
-            let by_input =
-                input.parameter.map_or(0.0, |parameter| self.output_by_parameter(index, parameter));
+            let parameters: Vec<usize> = input.parameter.into_iter().collect();
+            let slopes = output_slopes(self.simulator, &self.point, &parameters);
+            let by_state = slopes.by_state.row(index).transpose();
+            let by_input = slopes.by_parameters.row(index).iter().sum();
             let what = "the derivative of the output";
             finite(what, by_state.as_slice())?;
             finite(what, &[by_input])?;
@@ -257,14 +280,7 @@ impl Linearization<'_> {
             let by_state = DVector::from_fn(states, |i, _| if i == index { 1.0 } else { 0.0 });
             return Ok(Output { name: name.to_owned(), unit, by_state, by_input: 0.0 });
         }
-        let outputs = (0..shape.outputs).map(|index| self.simulator.output(index).name);
-        let states = (0..states).map(|index| self.simulator.state(index).name);
-        Err(LinearError::Unknown {
-            scene: self.simulator.name().to_owned(),
-            kind: "output or state",
-            name: name.to_owned(),
-            hint: did_you_mean(name, outputs.chain(states)),
-        })
+        Err(self.unknown_output(name))
     }
 
     /// Returns C of one output: its derivatives by the states, of length `states`.
@@ -273,32 +289,8 @@ impl Linearization<'_> {
     /// If there is no such output.
     #[must_use]
     pub fn output_derivatives(&self, output: usize) -> Vec<f64> {
-        let scales = scales(self.simulator);
-        let mut state = self.point.state.clone();
-        let by = |index: usize| {
-            let value = state[index];
-            let found = derivative(scales[index], 1, |shift| {
-                state[index] = value + shift;
-                vec![
-                    outputs(self.simulator, self.point.time, &state, &self.point.parameters)
-                        [output],
-                ]
-            });
-            state[index] = value;
-            found[0]
-        };
-        (0..scales.len()).map(by).collect()
-    }
-
-    fn output_by_parameter(&self, output: usize, parameter: usize) -> f64 {
-        let mut parameters = self.point.parameters.clone();
-        let value = parameters[parameter];
-        let size = if value == 0.0 { 1.0 } else { value.abs() };
-        let found = derivative(size, 1, |shift| {
-            parameters[parameter] = value + shift;
-            vec![outputs(self.simulator, self.point.time, &self.point.state, &parameters)[output]]
-        });
-        found[0]
+        let slopes = output_slopes(self.simulator, &self.point, &[]);
+        slopes.by_state.row(output).iter().copied().collect()
     }
 
     /// Refuses a parameter on which constraints depend: constrained parts would have to move with
@@ -423,7 +415,13 @@ pub fn logarithmic_range(from: f64, until: f64, points: usize) -> Result<Vec<f64
     Ok((0..points).map(frequency).collect())
 }
 
-fn outputs(
+/// Returns the index of an output of a name.
+pub(super) fn named_output(simulator: &dyn Simulator<f64>, name: &str) -> Option<usize> {
+    position(name, simulator.shape().outputs, |index| simulator.output(index))
+}
+
+/// Returns all outputs.
+pub(super) fn outputs(
     simulator: &dyn Simulator<f64>,
     time: f64,
     state: &[f64],
@@ -434,7 +432,8 @@ fn outputs(
     outputs
 }
 
-fn finite(what: &str, values: &[f64]) -> Result<(), LinearError> {
+/// Refuses numbers that are not finite.
+pub(super) fn finite(what: &str, values: &[f64]) -> Result<(), LinearError> {
     match values.iter().find(|value| !value.is_finite()) {
         None => Ok(()),
         Some(value) => Err(LinearError::NotFinite { what: what.to_owned(), value: *value }),

@@ -1,9 +1,11 @@
-//! Options shared by `modes`, `campbell` and `response`: a scene, its parameters, and the operating
+//! Options shared by `modes`, `campbell`, `response` and `linearize`: a scene, its parameters, and the operating
 //! point.
 
 use clap::Args;
 use machinist::Simulation;
-use machinist::linear_analysis::{Linearization, Place, operating_point};
+use machinist::linear_analysis::{LinearError, Linearization, Place, operating_point};
+
+use machinist_contract::Simulator;
 
 use super::amount::{Amount, assignment};
 use super::scene::Scene;
@@ -55,6 +57,35 @@ impl Where {
         Ok(Linearization::at(scene.simulator(), point)?)
     }
 
+    /// Analyses the scene at the place asked for. If forces on coordinates among the inputs have
+    /// direct feedthrough to outputs, or if massless coordinates have no inertia to divide by, the
+    /// scene is derived again with a parameter for each of these forces.
+    pub fn analyse<T>(
+        &self,
+        inputs: &[&str],
+        analyse: impl Fn(&Scene, &Linearization<'_>) -> Result<T, Failure>,
+        tried: impl Fn(&Linearization<'_>) -> Result<(), LinearError>,
+    ) -> Result<T, Failure> {
+        let scene = self.load()?;
+        let linearization = self.linearize(&scene)?;
+        let failed = match tried(&linearization) {
+            Ok(()) => return analyse(&scene, &linearization),
+            Err(error) => error,
+        };
+        let asks_for_forces =
+            matches!(failed, LinearError::AnswersAtOnce { .. } | LinearError::Singular { .. });
+        let forces = coordinates_among(scene.simulator(), inputs);
+        if !asks_for_forces || forces.is_empty() {
+            return Err(failed.into());
+        }
+        let Some(scene) = Scene::load_with_forces(&self.scene, self.keep_all, forces)? else {
+            return Err(failed.into());
+        };
+        let linearization = self.linearize(&scene)?;
+        tried(&linearization)?;
+        analyse(&scene, &linearization)
+    }
+
     /// Describes the place for people: `equilibrium with time held at 3 s`.
     pub fn described(&self, linearization: &Linearization<'_>) -> String {
         let time = linearization.point().time;
@@ -64,4 +95,15 @@ impl Where {
             Place::Time(_) => format!("state of the run at {time} s"),
         }
     }
+}
+
+/// Returns the names that are coordinates and not parameters.
+fn coordinates_among(simulator: &dyn Simulator<f64>, names: &[&str]) -> Vec<String> {
+    let shape = simulator.shape();
+    let is_parameter =
+        |name: &str| (0..shape.parameters).any(|index| simulator.parameter(index).name == name);
+    let is_coordinate =
+        |name: &str| (0..shape.coordinates).any(|index| simulator.coordinate(index).name == name);
+    let names = names.iter().copied().filter(|name| !is_parameter(name) && is_coordinate(name));
+    names.map(str::to_owned).collect()
 }

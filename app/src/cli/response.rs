@@ -4,12 +4,13 @@ use std::path::PathBuf;
 
 use crate::plot::plot_response;
 use clap::Args;
-use machinist::linear_analysis::{Largest, Response, logarithmic_range};
+use machinist::linear_analysis::{Largest, Linearization, Response, logarithmic_range};
 
 use super::linear::Where;
 use super::output::{
     columns, draw_file, is_standard_output, print, print_with, require_picture, write_file,
 };
+use super::scene::Scene;
 use crate::failure::Failure;
 use crate::number::number;
 use crate::parquet::{self, Column};
@@ -45,8 +46,20 @@ impl FrequencyResponse {
     pub fn execute(&self) -> Result<(), Failure> {
         let to_standard_output = is_standard_output(self.out.as_deref())?;
         require_picture(self.plot.as_deref(), "--plot")?;
-        let scene = self.at.load()?;
-        let linearization = self.at.linearize(&scene)?;
+        self.at.analyse(
+            &[&self.from],
+            |scene, linearization| self.answer(scene, linearization, to_standard_output),
+            |linearization| linearization.response(&self.from, &self.to, &[]).map(drop),
+        )
+    }
+
+    /// Computes the response and prints or writes it.
+    fn answer(
+        &self,
+        scene: &Scene,
+        linearization: &Linearization<'_>,
+        to_standard_output: bool,
+    ) -> Result<(), Failure> {
         let (lowest, highest) = match self.range {
             Some(range) => range,
             None => linearization.range_of_interest()?,
@@ -82,13 +95,13 @@ impl FrequencyResponse {
                     Column::numbers("amplitude", &response.amplitude_unit(), amplitudes.clone()),
                     Column::numbers("phase", "rad", phases.clone()),
                 ];
-                let of = ("response", self.at.scene(), &scene);
+                let of = ("response", self.at.scene(), scene);
                 parquet::write_table(file, &columns, of, json!({ "from": from, "to": to }))?;
             }
             Some(file) => write_file(file, |out| response.write_csv(out))?,
             None => {}
         }
-        let place = self.at.described(&linearization);
+        let place = self.at.described(linearization);
         let mut heading = format!("{}: {title}\n{place}", scene.simulator().name());
         if let Some(remark) = remark {
             heading.extend(["\n", &remark]);

@@ -128,6 +128,33 @@ impl Scene {
         Self::load_as(argument, keep_all, wanted, ModelSimulator::new)
     }
 
+    /// Derives the scene with a parameter for a test force on each of these coordinates; `None` for
+    /// a model file or in a build that does not derive.
+    #[cfg(feature = "derive")]
+    pub fn load_with_forces(
+        argument: &str,
+        keep_all: bool,
+        coordinates: Vec<String>,
+    ) -> Result<Option<Self>, Failure> {
+        let Given::Spec(source) = Given::of(argument)? else { return Ok(None) };
+        let keep = if keep_all { Keep::All } else { Keep::Needed };
+        let request = Request { test_forces: coordinates, ..Request::model(&source, keep) };
+        let model = deriving::stamped(&request)?.model;
+        let has_fields = !model.fields.is_empty();
+        let simulator = Box::new(ModelSimulator::new(model));
+        if has_fields {
+            let uncut = Uncut::Model(Box::leak(simulator));
+            return Ok(Some(Self::Fields(Cut::new(uncut, Discretisation::default())?)));
+        }
+        Ok(Some(Self::Model(simulator)))
+    }
+
+    /// Returns `None`, because this build does not derive.
+    #[cfg(not(feature = "derive"))]
+    pub fn load_with_forces(_: &str, _: bool, _: Vec<String>) -> Result<Option<Self>, Failure> {
+        Ok(None)
+    }
+
     /// Like [`Scene::load`], with machine code from the first call on, for measuring times.
     pub fn load_compiled(argument: &str) -> Result<Self, Failure> {
         let wanted = Discretisation::default();

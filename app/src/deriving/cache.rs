@@ -62,8 +62,8 @@ pub(super) fn key(request: &Request, algebra: Algebra, files: &[SourceFile]) -> 
     };
     add(&VERSION.to_string());
     add(GENERATOR);
-    let Request { wanted, keep, rigid, dropped, .. } = request;
-    add(&format!("{wanted:?} {keep:?} {rigid:?} {} {dropped:?}", algebra.name()));
+    let Request { wanted, keep, rigid, dropped, test_forces, .. } = request;
+    add(&format!("{wanted:?} {keep:?} {rigid:?} {} {dropped:?} {test_forces:?}", algebra.name()));
     for file in files {
         add(&file.label);
         add(&file.sha256);

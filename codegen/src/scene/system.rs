@@ -377,6 +377,40 @@ impl LagrangianSystem {
         }
     }
 
+    /// Adds a parameter with value 0, named `force on COORDINATE`, and a generalized force of that
+    /// size on the coordinate. Linear analysis takes the parameter as an input: effects of the
+    /// force on outputs with accelerations and constraint forces are then derivatives like others.
+    ///
+    /// Returns false if there is no such coordinate.
+    pub fn add_test_force(&mut self, coordinate: &str) -> bool {
+        let has_name = |one: &Coordinate| one.position.name.path == coordinate;
+        let Some(index) = self.coordinates.iter().position(has_name) else { return false };
+        let position = &self.coordinates[index].position;
+        let unit = match position.unit.as_str() {
+            "rad" | "1" => "N m".to_owned(),
+            "m" => "N".to_owned(),
+            other => format!("J/({other})"),
+        };
+        let taken =
+            |ident: &str| self.parameters.iter().any(|one| one.quantity.name.ident == ident);
+        let mut ident = format!("force_on_{}", position.name.ident);
+        while taken(&ident) {
+            ident.push('_');
+        }
+        let name = Name {
+            path: format!("force on {coordinate}"),
+            latex: format!("F_{{{}}}", position.name.latex),
+            ident,
+        };
+        let doc = "test force of a linear analysis".to_owned();
+        let force = Symbol::Parameter(ParameterId(self.parameters.len() as u32));
+        let quantity = Quantity { name, unit, doc };
+        self.parameters.push(Parameter { quantity, value: 0.0, tunable: true });
+        let total = &mut self.generalized_force[index].total;
+        *total = Expr::Sum(vec![total.clone(), Expr::Symbol(force)]);
+        true
+    }
+
     /// Returns an expression without the parameters that the spec sets to zero, such as a mass of
     /// 0.
     #[must_use]

@@ -1,0 +1,180 @@
+//! `machinist linearize`: the state-space model of a scene, with regulators and Kalman filters.
+
+mod answer;
+mod table;
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use machinist::linear_analysis::{Estimator, Hold, Regulator, Signal, StateSpace, Weight};
+
+use super::amount::{Amount, assignment};
+use super::linear::Where;
+use super::output::{print, require_ending, write_file};
+use super::scene::Scene;
+use crate::failure::Failure;
+use crate::matrices::mat_file;
+use answer::Answer;
+
+#[derive(Debug, Args)]
+pub struct Linearize {
+    #[command(flatten)]
+    at: Where,
+    /// Inputs, as NAME,NAME: parameters, or coordinates for a force on each
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', required = true)]
+    inputs: Vec<String>,
+    /// Outputs, as NAME,NAME: outputs or states
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', required = true)]
+    outputs: Vec<String>,
+    /// Convert to samples with this period, s
+    #[arg(long, value_name = "SECONDS")]
+    sample: Option<f64>,
+    /// Conversion to samples: zoh (inputs constant between samples, exact) or tustin (bilinear)
+    #[arg(long, value_name = "NAME", requires = "sample", default_value = "zoh")]
+    hold: HoldName,
+    /// Design a linear-quadratic regulator: the deviation of each output and input that costs 1
+    #[arg(long, value_name = "NAME=DEVIATION", value_parser = assignment, value_delimiter = ',')]
+    lqr: Vec<(String, Amount)>,
+    /// Design a steady Kalman filter: the standard deviation of noise on each measured output and
+    /// on inputs; per root of hertz if not sampled
+    #[arg(long, value_name = "NAME=DEVIATION", value_parser = assignment, value_delimiter = ',')]
+    kalman: Vec<(String, Amount)>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    /// Write the matrices to a .mat file (MATLAB), .npz file (NumPy) or .json file
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+/// Name of a conversion to samples.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum HoldName {
+    Zoh,
+    Tustin,
+}
+
+impl From<HoldName> for Hold {
+    fn from(name: HoldName) -> Self {
+        match name {
+            HoldName::Zoh => Self::Zoh,
+            HoldName::Tustin => Self::Tustin,
+        }
+    }
+}
+
+/// Designs that were asked for.
+struct Designs {
+    regulator: Option<Regulator>,
+    estimator: Option<Estimator>,
+}
+
+impl Linearize {
+    pub fn execute(&self) -> Result<(), Failure> {
+        if let Some(file) = &self.out {
+            require_format(file)?;
+        }
+        let inputs: Vec<&str> = self.inputs.iter().map(String::as_str).collect();
+        let text = self.at.analyse(
+            &inputs,
+            |scene, linearization| {
+                let model = linearization.state_space(&self.inputs, &self.outputs)?;
+                self.told(scene, model, self.at.described(linearization))
+            },
+            |linearization| linearization.state_space(&self.inputs, &self.outputs).map(drop),
+        )?;
+        print(&text)
+    }
+
+    /// Completes the model and returns the answer, after writing the file.
+    fn told(&self, scene: &Scene, model: StateSpace, place: String) -> Result<String, Failure> {
+        let model = match self.sample {
+            Some(period) => model.sampled(period, self.hold.into())?,
+            None => model,
+        };
+        let designs = Designs {
+            regulator: (!self.lqr.is_empty())
+                .then(|| model.lqr(&weights(&model, &self.lqr)?).map_err(Failure::from))
+                .transpose()?,
+            estimator: (!self.kalman.is_empty())
+                .then(|| model.kalman(&weights(&model, &self.kalman)?).map_err(Failure::from))
+                .transpose()?,
+        };
+        let answer = Answer::new(scene.simulator(), place, &model, &designs)?;
+        if let Some(file) = &self.out {
+            self.write(file, &answer)?;
+        }
+        if self.json {
+            return Ok(answer.json()? + "\n");
+        }
+        let mut text = table::told(&answer, &designs);
+        if let Some(file) = &self.out {
+            text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
+        }
+        Ok(text)
+    }
+
+    fn write(&self, file: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
+        let failed = |error: std::io::Error| Failure::file(file, &error);
+        let bytes = match ending(file).as_str() {
+            "mat" => mat_file(&answer.entries()).map_err(failed)?,
+            #[cfg(feature = "derive")]
+            "npz" => crate::matrices::npz_file(&answer.entries()).map_err(failed)?,
+            _ => (answer.json()? + "\n").into_bytes(),
+        };
+        write_file(file, |out| out.write_all(&bytes))
+    }
+}
+
+/// Refuses files of other formats before anything is computed.
+fn require_format(file: &Path) -> Result<(), Failure> {
+    let formats: &[&str] =
+        if cfg!(feature = "derive") { &["mat", "npz", "json"] } else { &["mat", "json"] };
+    require_ending(file, formats, "--out")
+}
+
+fn ending(file: &Path) -> String {
+    let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    ending.to_ascii_lowercase()
+}
+
+/// Returns deviations in the units of the model's signals. Deviations of outputs in other units
+/// than SI are converted.
+fn weights(model: &StateSpace, given: &[(String, Amount)]) -> Result<Vec<Weight>, Failure> {
+    let named = |signals: &[Signal], name: &str| {
+        signals
+            .iter()
+            .find(|signal| {
+                signal.name == name || signal.name.strip_prefix("force on ") == Some(name)
+            })
+            .cloned()
+    };
+    let weight = |(name, amount): &(String, Amount)| {
+        let signal = named(&model.inputs, name).or_else(|| named(&model.outputs, name));
+        // Unknown names are refused by the design.
+        let Some(signal) = signal else {
+            return Ok(Weight { name: name.clone(), deviation: amount.value });
+        };
+        amount.check(name, &signal.unit)?;
+        // Amounts with a unit are in SI units; outputs may be in others.
+        let deviation = match amount.unit {
+            Some(_) => in_unit(amount.value, &signal.unit),
+            None => amount.value,
+        };
+        Ok(Weight { name: signal.name, deviation })
+    };
+    given.iter().map(weight).collect()
+}
+
+/// Converts a number in SI units to a unit.
+#[cfg(feature = "derive")]
+fn in_unit(value: f64, unit: &str) -> f64 {
+    use machinist_codegen::spec::measure::Measure;
+
+    Measure::parse(unit).map_or(value, |measure| value / measure.factor.to_f64())
+}
+
+#[cfg(not(feature = "derive"))]
+fn in_unit(value: f64, _: &str) -> f64 {
+    value
+}

@@ -382,6 +382,10 @@ pub(super) struct Transfer {
 impl Transfer {
     /// Returns H at a frequency \[rad/s\].
     pub fn at(&self, frequency: f64) -> Result<Complex64, LinearError> {
+        // Without motions, as with a closed brake. nalgebra's solution reads beyond such matrices.
+        if self.negative.is_empty() {
+            return Ok(Complex64::from(self.by_input));
+        }
         let mut matrix = self.negative.clone();
         for index in 0..matrix.nrows() {
             matrix[(index, index)] += Complex64::new(0.0, frequency);

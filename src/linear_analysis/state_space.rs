@@ -102,10 +102,10 @@ impl Linearization<'_> {
     /// that a constraint depends on, [`LinearError::AnswersAtOnce`] for a force on a coordinate with
     /// feedthrough to an output, [`LinearError::TooLarge`] for more than
     /// [`MAX_STATES`](super::MAX_STATES) states.
-    pub fn state_space<S: AsRef<str>>(
+    pub fn state_space(
         &self,
-        inputs: &[S],
-        outputs: &[S],
+        inputs: &[impl AsRef<str>],
+        outputs: &[impl AsRef<str>],
     ) -> Result<StateSpace, LinearError> {
         let (simulator, point) = (self.simulator, &self.point);
         require_once("input", inputs)?;

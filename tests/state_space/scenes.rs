@@ -3,7 +3,8 @@
 
 use machinist::Simulation;
 use machinist::linear_analysis::{
-    Hold, LinearError, Linearization, Place, RegulatorError, StateSpace, Weight, operating_point,
+    Hold, LinearError, Linearization, Place, Point, RegulatorError, StateSpace, Weight,
+    operating_point,
 };
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
@@ -35,6 +36,9 @@ fn matrix(rows: &[Vec<f64>], columns: usize) -> DMatrix<f64> {
 /// Returns C (s - A)^-1 B + D of one input and output.
 fn transfer(model: &StateSpace, from: usize, to: usize, frequency: f64) -> Option<Complex64> {
     let n = model.states.len();
+    if n == 0 {
+        return Some(Complex64::from(model.d[to][from]));
+    }
     let mut whole = matrix(&model.a, n).map(|value| Complex64::from(-value));
     (0..n).for_each(|index| whole[(index, index)] += Complex64::new(0.0, frequency));
     let b = DVector::from_fn(n, |row, _| Complex64::from(model.b[row][from]));
@@ -50,38 +54,191 @@ fn signals(linearization: &Linearization<'_>) -> (Vec<String>, Vec<String>) {
     let outputs: Vec<String> =
         (0..shape.outputs).map(|index| simulator.output(index).name.to_owned()).collect();
     let parameters = (0..shape.parameters).map(|index| simulator.parameter(index).name.to_owned());
-    let fits = |name: &String| linearization.state_space(&[name], &outputs).is_ok();
+    let fits =
+        |name: &String| linearization.state_space(std::slice::from_ref(name), &outputs).is_ok();
     (parameters.filter(fits).collect(), outputs)
 }
 
 /// The response uses orthonormal coordinates of the null spaces, of all positions and velocities;
-/// the model those of independent coordinates. Every scene, at its start and on its way.
+/// the model those of independent coordinates. In equilibrium both have the same responses.
 #[test]
 fn models_of_independent_coordinates_have_the_responses_of_orthonormal_ones() {
     let mut compared = 0;
+    for name in scenes_to_try("MACHINIST_STATE_SPACE", &SOME) {
+        let simulator = of_specs(&name, Keep::Needed);
+        let run = Simulation::new(simulator.single());
+        let Ok(point) = operating_point(&run, Place::Equilibrium) else { continue };
+        let Ok(linearization) = Linearization::at(simulator.single(), point) else { continue };
+        let (inputs, outputs) = signals(&linearization);
+        if !inputs.is_empty() && !outputs.is_empty() {
+            let model = linearization.state_space(&inputs, &outputs).expect("each fits alone");
+            compared += compare(&name, &linearization, &model);
+        }
+    }
+    assert!(compared > 200, "{compared} responses");
+}
+
+/// Every entry of A, B, C and D, at the start and on the way, where machines with constraints turn
+/// and accelerate: the dependent coordinates follow from the constraints by Newton's method.
+#[test]
+fn models_are_the_differences_of_rates_and_outputs_on_the_constraints() {
+    let mut columns = 0;
     for name in scenes_to_try("MACHINIST_STATE_SPACE", &SOME) {
         let simulator = of_specs(&name, Keep::Needed);
         let simulator = simulator.single();
         let defaults = simulator.run_defaults();
         let middle = defaults.from + 0.37 * (defaults.until - defaults.from);
         for place in [Place::Initial, Place::Time(middle)] {
-            let run = Simulation::new(simulator);
-            let Ok(point) = operating_point(&run, place) else { continue };
+            let Ok(point) = operating_point(&Simulation::new(simulator), place) else { continue };
             let Ok(linearization) = Linearization::at(simulator, point) else { continue };
-            let (inputs, outputs) = signals(&linearization);
-            if inputs.is_empty() || outputs.is_empty() {
-                continue;
-            }
+            let (mut inputs, outputs) = signals(&linearization);
+            inputs.truncate(4);
             let model = linearization.state_space(&inputs, &outputs).expect("each fits alone");
-            compared += compare(&name, &linearization, &model);
+            let manifold = Manifold::new(simulator, linearization.point(), &model);
+            columns += manifold.compare(&name, &model);
         }
     }
-    assert!(compared > 500, "{compared} responses");
+    assert!(columns > 100, "{columns} columns");
+}
+
+/// States that fulfil the constraints, by independent entries of the state.
+struct Manifold<'a> {
+    simulator: &'a dyn Simulator<f64>,
+    point: &'a Point,
+    /// Entries of the state in the model, and the others but modes.
+    kept: Vec<usize>,
+    dependent: Vec<usize>,
+}
+
+impl<'a> Manifold<'a> {
+    fn new(simulator: &'a dyn Simulator<f64>, point: &'a Point, model: &StateSpace) -> Self {
+        let index = |name: &str| {
+            (0..point.state.len()).find(|at| simulator.state(*at).name == name).expect("a state")
+        };
+        let kept: Vec<usize> = model.states.iter().map(|state| index(&state.name)).collect();
+        let dependent = model.eliminated.iter().map(|name| index(name)).collect();
+        Self { simulator, point, kept, dependent }
+    }
+
+    /// Returns the state with some independent entries changed, dependent ones by Gauss-Newton
+    /// steps in positions, then in velocities.
+    fn state(&self, change: Option<(usize, f64)>) -> Vec<f64> {
+        let mut state = self.point.state.clone();
+        if let Some((entry, by)) = change {
+            state[self.kept[entry]] += by;
+        }
+        let (count, n) = (self.simulator.constraints(), self.simulator.shape().coordinates);
+        let Point { time, parameters, .. } = self.point;
+        for level in 0..2 {
+            let within = |entry: &&usize| (**entry >= n) == (level == 1);
+            let moved: Vec<usize> = self.dependent.iter().filter(within).copied().collect();
+            for _ in 0..if moved.is_empty() { 0 } else { 8 } {
+                let (mut values, mut rates) = (vec![0.0; count], vec![0.0; count]);
+                self.simulator.constraint_values(*time, &state, parameters, &mut values);
+                self.simulator.constraint_rates(*time, &state, parameters, &mut rates);
+                let pattern = self.simulator.constraint_matrix_pattern();
+                let mut entries = vec![0.0; pattern.entries.len()];
+                self.simulator.constraint_matrix(*time, &state, parameters, &mut entries);
+                let mut matrix = DMatrix::zeros(count, moved.len());
+                let mut holds = vec![false; count];
+                for ((row, column), value) in pattern.entries.iter().zip(entries) {
+                    holds[*row as usize] |= value != 0.0;
+                    let place = moved.iter().position(|at| *at == *column as usize + level * n);
+                    if let Some(place) = place {
+                        matrix[(*row as usize, place)] = value;
+                    }
+                }
+                let residual = DVector::from_fn(count, |row, _| {
+                    let is_of_positions = self.simulator.constraint(row).is_of_positions;
+                    match level {
+                        _ if !holds[row] => 0.0,
+                        1 => rates[row],
+                        // Sticking friction holds its position, which is not among the values.
+                        _ if is_of_positions => values[row],
+                        _ => 0.0,
+                    }
+                });
+                let step = matrix.svd(true, true).solve(&residual, 1e-12).expect("vectors");
+                moved.iter().zip(step.iter()).for_each(|(at, step)| state[*at] -= step);
+            }
+        }
+        state
+    }
+
+    /// Returns rates of the kept entries and all outputs, and signs of the switching surfaces.
+    fn values(&self, state: &[f64], parameters: &[f64]) -> (Vec<f64>, Vec<bool>) {
+        let time = self.point.time;
+        let mut rate = vec![0.0; state.len()];
+        self.simulator.rate(time, state, parameters, &mut rate);
+        let mut outputs = vec![0.0; self.simulator.shape().outputs];
+        self.simulator.outputs(time, state, parameters, &mut outputs);
+        let mut guards = vec![0.0; self.simulator.kinks()];
+        self.simulator.kink_guards(time, state, parameters, &mut guards);
+        let signs = guards.iter().map(|guard| *guard > 0.0).collect();
+        (self.kept.iter().map(|at| rate[*at]).chain(outputs).collect(), signs)
+    }
+
+    /// Compares the columns of a model; returns their number.
+    fn compare(&self, scene: &str, model: &StateSpace) -> usize {
+        let n = self.kept.len();
+        let parameters = &self.point.parameters;
+        let (of_states, of_inputs) = sizes(self.simulator, model);
+        let all_sizes = [of_states, of_inputs].concat();
+        let entry = |row: usize, column: usize| match (row < n, column < n) {
+            (true, true) => model.a[row][column],
+            (true, false) => model.b[row][column - n],
+            (false, true) => model.c[row - n][column],
+            (false, false) => model.d[row - n][column - n],
+        };
+        let mut compared = 0;
+        for column in 0..n + model.inputs.len() {
+            let name = match column.checked_sub(n) {
+                None => model.states[column].name.clone(),
+                Some(input) => model.inputs[input].name.clone(),
+            };
+            let size = all_sizes[column];
+            let at = |step: f64| {
+                if column < n {
+                    return self.values(&self.state(Some((column, step))), parameters);
+                }
+                let count = parameters.len();
+                let index = (0..count).find(|at| self.simulator.parameter(*at).name == name);
+                let mut changed = parameters.clone();
+                changed[index.expect("a parameter")] += step;
+                self.values(&self.point.state, &changed)
+            };
+            // Differences of sixth order.
+            let h = 1e-3 * size;
+            let samples = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0].map(|k| at(k * h));
+            if samples.iter().any(|(_, signs)| *signs != samples[0].1) {
+                continue;
+            }
+            let rows = samples[0].0.len();
+            for row in 0..rows {
+                let [a, b, c, d, e, f] = samples.each_ref().map(|(values, _)| values[row]);
+                let slope = ((f - a) - 9.0 * (e - b) + 45.0 * (d - c)) / (60.0 * h);
+                let largest = [a, b, c, d, e, f].iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+                let found = entry(row, column);
+                let effects = (0..all_sizes.len()).map(|at| (entry(row, at) * all_sizes[at]).abs());
+                let most = effects.fold(0.0, f64::max) / size;
+                // Nor are effects below 1e-12 units of a typical change compared.
+                let rounding = 1e-12 * largest / h + 1e-10 * most + 1e-12 / size;
+                assert!(
+                    (found - slope).abs() <= 1e-6 * slope.abs() + rounding,
+                    "{scene} at {} s, row {row} by {name}: {found}, not {slope}",
+                    self.point.time,
+                );
+            }
+            compared += 1;
+        }
+        compared
+    }
 }
 
 /// Compares responses at three frequencies and returns their number.
 fn compare(scene: &str, linearization: &Linearization<'_>, model: &StateSpace) -> usize {
     const FREQUENCIES: [f64; 3] = [0.7, 11.0, 230.0];
+    let (scales, sizes) = sizes(linearization.simulator(), model);
     let mut compared = 0;
     for (from, input) in model.inputs.iter().enumerate().take(6) {
         for (to, output) in model.outputs.iter().enumerate().take(6) {
@@ -89,11 +246,14 @@ fn compare(scene: &str, linearization: &Linearization<'_>, model: &StateSpace) -
             else {
                 continue;
             };
+            // A typical change of all states, relative to that of the input, is not seen below this.
+            let moved = model.c[to].iter().zip(&scales).map(|(c, scale)| (c * scale).abs());
+            let least = moved.sum::<f64>().max(1e-3) / sizes[from] * 1e-9;
             for (at, frequency) in FREQUENCIES.iter().enumerate() {
                 let wanted = Complex64::from_polar(response.amplitudes[at], response.phases[at]);
                 let Some(found) = transfer(model, from, to, *frequency) else { continue };
                 // Sums of large terms that cancel are as accurate as the terms.
-                let size = wanted.norm().max(1e-9 * terms(model, from, to));
+                let size = wanted.norm().max(1e-9 * terms(model, from, to)).max(1e-6 * least);
                 assert!(
                     (found - wanted).norm() <= 1e-7 * size,
                     "{scene}: {} to {} at {frequency}: {found}, not {wanted}",
@@ -105,6 +265,18 @@ fn compare(scene: &str, linearization: &Linearization<'_>, model: &StateSpace) -
         }
     }
     compared
+}
+
+/// Returns typical sizes of states and inputs.
+fn sizes(simulator: &dyn Simulator<f64>, model: &StateSpace) -> (Vec<f64>, Vec<f64>) {
+    let scale = |name: &str| {
+        let states = 0..simulator.shape().states();
+        let mut found = states.filter(|at| simulator.state(*at).name == name);
+        simulator.state_scale(found.next().expect("a state"))
+    };
+    let states = model.states.iter().map(|state| scale(&state.name)).collect();
+    let of_input = |value: f64| if value == 0.0 { 1.0 } else { value.abs() };
+    (states, model.inputs.iter().map(|input| of_input(input.value)).collect())
 }
 
 /// Returns the size of the terms of a response.
@@ -332,6 +504,24 @@ difference = { expression = "left.x - right.x", unit = "m", doc = "distance" }
 [run]
 until = 1.0
 "#;
+
+#[test]
+fn a_closed_brake_leaves_no_state_but_its_feedthrough() {
+    let brake = of_specs("parts/rotational/brake", Keep::Needed);
+    let run = Simulation::new(brake.single());
+    let point = operating_point(&run, Place::Equilibrium).expect("it stands");
+    let linearization = Linearization::at(brake.single(), point).expect("it is regular");
+    let (inputs, outputs) = signals(&linearization);
+    let model = linearization.state_space(&inputs, &outputs).expect("a model");
+    assert!(model.states.is_empty() && !model.eliminated.is_empty());
+    assert!(model.poles().expect("none").is_empty() && model.zeros().expect("none").is_empty());
+    assert!(model.uncontrollable().expect("none").is_empty());
+    for hold in [Hold::Zoh, Hold::Tustin] {
+        assert_eq!(model.sampled(0.1, hold).expect("samples").d, model.d);
+    }
+    let response = linearization.response(&inputs[0], &outputs[0], &[1.0]).expect("it answers");
+    close(response.amplitudes[0], model.d[0][0].abs());
+}
 
 #[test]
 fn designs_that_do_not_exist_are_refused_with_the_motion() {

@@ -67,6 +67,9 @@ pub(super) fn exponential(mut exponent: DMatrix<f64>) -> DMatrix<f64> {
 
 fn bilinear(of: &Matrices, period: f64) -> Result<Matrices, LinearError> {
     let n = of.a.nrows();
+    if n == 0 {
+        return Ok(of.clone());
+    }
     let half = &of.a * (period / 2.0);
     let factors = (DMatrix::identity(n, n) - &half).lu();
     let what = "1 - A h/2, for an eigenvalue of A at 2/h,";

@@ -184,6 +184,9 @@ impl Split {
 
 /// Solves R x = b for an upper triangle R without zeros on its diagonal.
 fn solved(upper: &DMatrix<f64>, mut right_side: DMatrix<f64>) -> DMatrix<f64> {
+    if upper.is_empty() {
+        return right_side;
+    }
     // False only for a zero on the diagonal, which the rank excludes.
     let _ = upper.solve_upper_triangular_mut(&mut right_side);
     right_side

@@ -30,14 +30,24 @@ impl StateSpace {
         let full_rows = with_full_rows(of_unit_signals(matrices))?;
         let square = with_full_rows(transposed(full_rows))?;
         let Matrices { a, b, c, d } = square;
-        let Some(inner) = d.lu().solve(&c).filter(|_| !a.is_empty()) else {
-            return Ok(Vec::new());
-        };
-        let zeros = eigenvalues_about(a - b * inner, self.steady_pole())?;
-        let mut zeros: Vec<Complex64> = zeros.into_iter().map(|zero| zero * pace).collect();
-        sort_poles(&mut zeros);
-        Ok(zeros)
+        if a.is_empty() || d.is_empty() {
+            return eigenvalues_of_rest(a, self.steady_pole(), pace);
+        }
+        let Some(inner) = d.lu().solve(&c) else { return Ok(Vec::new()) };
+        eigenvalues_of_rest(a - b * inner, self.steady_pole(), pace)
     }
+}
+
+/// Returns the eigenvalues of what the reduction leaves, with time in seconds again.
+fn eigenvalues_of_rest(
+    rest: DMatrix<f64>,
+    one: f64,
+    pace: f64,
+) -> Result<Vec<Complex64>, LinearError> {
+    let zeros = eigenvalues_about(rest, one)?;
+    let mut zeros: Vec<Complex64> = zeros.into_iter().map(|zero| zero * pace).collect();
+    sort_poles(&mut zeros);
+    Ok(zeros)
 }
 
 /// Measures inputs and outputs so that columns of \[B; D\], then rows of \[C, D\], have length 1.

@@ -62,6 +62,13 @@ def response(
     frequencies: ArrayLike | None,
     points: int,
 ) -> tuple[str, str, str, list[Array], float | None, tuple[float, float] | None]: ...
+def state_space(
+    machine: Machine,
+    settings: dict[str, Any],
+    at: str,
+    signals: tuple[Sequence[str], Sequence[str]],
+    sampling: tuple[float, str] | None,
+) -> dict[str, Any]: ...
 def fit(
     machine: Machine,
     settings: dict[str, Any],

@@ -16,6 +16,7 @@ from ._fit import Fit, measured_runs
 from ._linear import Modes, Response
 from ._run import Run
 from ._sensitivities import Sensitivities
+from ._state_space import StateSpace
 from ._sweep import Sweep, sweep
 from ._tables import Event, Parameter, Quantity, State, Table, html, text
 from .errors import InputError, ModelFileError, StoppedError, UnknownNameError
@@ -328,6 +329,33 @@ class Model:
             self._machine, given, _place(at), (input, output), frequencies, points
         )
         return Response(self.title, told)
+
+    def linearize(
+        self,
+        inputs: str | Sequence[str],
+        outputs: str | Sequence[str],
+        *,
+        sample: float | None = None,
+        hold: Literal["zoh", "tustin"] = "zoh",
+        at: str | float = "equilibrium",
+        parameters: Parameters | None = None,
+        initial: Mapping[str, float] | ArrayLike | None = None,
+        **settings: Any,
+    ) -> StateSpace:
+        """State-space model x' = A x + B u, y = C x + D u in deviations from an operating point.
+
+        :param inputs: parameters, or coordinates for a force on each.
+        :param outputs: outputs or states.
+        :param sample: period of samples [s]; `hold` is "zoh" (inputs constant between samples,
+            exact) or "tustin".
+        :param at: operating point; `at` and `settings` as for :meth:`modes`.
+        """
+        given = _given(parameters=parameters, initial=initial, **settings)
+        sampling = None if sample is None else (float(sample), hold)
+        signals = (_names(inputs), _names(outputs))
+        place = _place(at)
+        told = _machinist.state_space(self._machine, given, place, signals, sampling)
+        return StateSpace(self.name, place, told)
 
     def sensitivities(
         self,

@@ -36,6 +36,8 @@ mod _machinist {
     #[pymodule_export]
     use crate::linear::response;
     #[pymodule_export]
+    use crate::linear::state_space;
+    #[pymodule_export]
     use crate::machine::Machine;
     #[pymodule_export]
     use crate::run::Run;

@@ -2,7 +2,7 @@
 
 use machinist::Simulation;
 use machinist::linear_analysis::{
-    LinearError, Linearization, Mode, ModeKind, NoSlope, Place, PointSlopes, operating_point,
+    Hold, LinearError, Linearization, Mode, ModeKind, NoSlope, Place, PointSlopes, operating_point,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -180,4 +180,71 @@ pub fn response<'py>(
     let arrays = [response.frequencies, response.amplitudes, response.phases];
     let arrays = arrays.map(|values| array(py, values).into_any());
     Ok((response.from, response.to, unit, arrays, growth, largest))
+}
+
+/// State-space model of a machine at an operating point, as a dictionary of names, units, values
+/// and rows. `sampling` is the period \[s\] and the conversion, `zoh` or `tustin`.
+#[pyfunction]
+pub fn state_space<'py>(
+    py: Python<'py>,
+    machine: &Machine,
+    settings: &Bound<'py, PyDict>,
+    at: &str,
+    signals: (Vec<String>, Vec<String>),
+    sampling: Option<(f64, String)>,
+) -> Result<Bound<'py, PyDict>, Failure> {
+    let (inputs, outputs) = signals;
+    let settings = Settings::of(settings)?;
+    let sampling = match sampling {
+        None => None,
+        Some((period, hold)) => match hold.as_str() {
+            "zoh" => Some((period, Hold::Zoh)),
+            "tustin" => Some((period, Hold::Tustin)),
+            other => {
+                return Err(Failure::input(format!("hold is `zoh` or `tustin`, not `{other}`")));
+            }
+        },
+    };
+    let (told, _) = looked_at(py, machine, &settings, at, |linearization, _, _| {
+        let model = linearization.state_space(&inputs, &outputs)?;
+        let model = match sampling {
+            None => model,
+            Some((period, hold)) => model.sampled(period, hold)?,
+        };
+        let (poles, zeros) = (model.poles()?, model.zeros()?);
+        Ok((poles, zeros, model.uncontrollable()?, model.unobservable()?, model))
+    })?;
+    let (poles, zeros, uncontrollable, unobservable, model) = told;
+    let answer = PyDict::new(py);
+    let signals = [
+        ("states", &model.states),
+        ("inputs", &model.inputs),
+        ("outputs", &model.outputs),
+    ];
+    for (key, signals) in signals {
+        let row = |signal: &machinist::linear_analysis::Signal| {
+            (signal.name.clone(), signal.unit.clone(), signal.value)
+        };
+        answer.set_item(key, signals.iter().map(row).collect::<Vec<_>>())?;
+    }
+    let named = |modes: &[machinist::linear_analysis::Hidden]| -> Vec<((f64, f64), String)> {
+        let one = |hidden: &machinist::linear_analysis::Hidden| {
+            ((hidden.pole[0], hidden.pole[1]), model.named(hidden))
+        };
+        modes.iter().map(one).collect()
+    };
+    answer.set_item("uncontrollable", named(&uncontrollable))?;
+    answer.set_item("unobservable", named(&unobservable))?;
+    for (key, roots) in [("poles", poles), ("zeros", zeros)] {
+        let parts: Vec<(f64, f64)> = roots.iter().map(|root| (root.re, root.im)).collect();
+        answer.set_item(key, parts)?;
+    }
+    for (key, rows) in [("a", model.a), ("b", model.b), ("c", model.c), ("d", model.d)] {
+        answer.set_item(key, array(py, rows.concat()))?;
+    }
+    answer.set_item("time", model.time)?;
+    answer.set_item("drift", array(py, model.drift))?;
+    answer.set_item("eliminated", model.eliminated)?;
+    answer.set_item("period", model.sampling.map(|sampling| sampling.period))?;
+    Ok(answer)
 }

@@ -11,7 +11,7 @@ use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
-use crate::own_scene::{of_specs, of_text, scenes_to_try};
+use crate::own_scene::{model_of_specs, of_specs, of_text, scenes_to_try};
 
 /// Scenes that the sweep tries by default: constraints, brakes, motors, controllers, springs.
 const SOME: [&str; 12] = [
@@ -63,8 +63,11 @@ fn signals(linearization: &Linearization<'_>) -> (Vec<String>, Vec<String>) {
 /// the model those of independent coordinates. In equilibrium both have the same responses.
 #[test]
 fn models_of_independent_coordinates_have_the_responses_of_orthonormal_ones() {
-    let mut compared = 0;
+    let (mut compared, mut mistakes) = (0, Vec::new());
     for name in scenes_to_try("MACHINIST_STATE_SPACE", &SOME) {
+        if !model_of_specs(&name, Keep::Needed).fields.is_empty() {
+            continue;
+        }
         let simulator = of_specs(&name, Keep::Needed);
         let run = Simulation::new(simulator.single());
         let Ok(point) = operating_point(&run, Place::Equilibrium) else { continue };
@@ -72,9 +75,11 @@ fn models_of_independent_coordinates_have_the_responses_of_orthonormal_ones() {
         let (inputs, outputs) = signals(&linearization);
         if !inputs.is_empty() && !outputs.is_empty() {
             let model = linearization.state_space(&inputs, &outputs).expect("each fits alone");
-            compared += compare(&name, &linearization, &model);
+            compared += compare(&name, &linearization, &model, &mut mistakes);
         }
     }
+    assert!(mistakes.is_empty(), "{mistakes:#?}");
+    println!("{compared} responses");
     assert!(compared > 200, "{compared} responses");
 }
 
@@ -82,8 +87,11 @@ fn models_of_independent_coordinates_have_the_responses_of_orthonormal_ones() {
 /// and accelerate: the dependent coordinates follow from the constraints by Newton's method.
 #[test]
 fn models_are_the_differences_of_rates_and_outputs_on_the_constraints() {
-    let mut columns = 0;
+    let (mut columns, mut mistakes) = (0, Vec::new());
     for name in scenes_to_try("MACHINIST_STATE_SPACE", &SOME) {
+        if !model_of_specs(&name, Keep::Needed).fields.is_empty() {
+            continue;
+        }
         let simulator = of_specs(&name, Keep::Needed);
         let simulator = simulator.single();
         let defaults = simulator.run_defaults();
@@ -95,9 +103,11 @@ fn models_are_the_differences_of_rates_and_outputs_on_the_constraints() {
             inputs.truncate(4);
             let model = linearization.state_space(&inputs, &outputs).expect("each fits alone");
             let manifold = Manifold::new(simulator, linearization.point(), &model);
-            columns += manifold.compare(&name, &model);
+            columns += manifold.compare(&name, &model, &mut mistakes);
         }
     }
+    assert!(mistakes.is_empty(), "{mistakes:#?}");
+    println!("{columns} columns");
     assert!(columns > 100, "{columns} columns");
 }
 
@@ -141,23 +151,34 @@ impl<'a> Manifold<'a> {
                 self.simulator.constraint_matrix(*time, &state, parameters, &mut entries);
                 let mut matrix = DMatrix::zeros(count, moved.len());
                 let mut holds = vec![false; count];
-                for ((row, column), value) in pattern.entries.iter().zip(entries) {
-                    holds[*row as usize] |= value != 0.0;
+                for ((row, column), value) in pattern.entries.iter().zip(&entries) {
+                    holds[*row as usize] |= *value != 0.0;
                     let place = moved.iter().position(|at| *at == *column as usize + level * n);
                     if let Some(place) = place {
-                        matrix[(*row as usize, place)] = value;
+                        matrix[(*row as usize, place)] = *value;
                     }
                 }
-                let residual = DVector::from_fn(count, |row, _| {
-                    let is_of_positions = self.simulator.constraint(row).is_of_positions;
-                    match level {
+                // Sticking friction and closed clutches hold positions as they are.
+                let moved_by = |row: usize| -> f64 {
+                    let entries = pattern.entries.iter().zip(&entries);
+                    let of_row = entries.filter(|((of, _), _)| *of as usize == row);
+                    let change = |at: usize| state[at] - self.point.state[at];
+                    of_row.map(|((_, at), value)| value * change(*at as usize)).sum()
+                };
+                let mut residual = DVector::zeros(count);
+                for row in 0..count {
+                    let constraint = self.simulator.constraint(row);
+                    residual[row] = match level {
                         _ if !holds[row] => 0.0,
                         1 => rates[row],
-                        // Sticking friction holds its position, which is not among the values.
-                        _ if is_of_positions => values[row],
-                        _ => 0.0,
-                    }
-                });
+                        _ if constraint.is_of_positions => values[row],
+                        _ if constraint.in_modes => moved_by(row),
+                        _ => {
+                            matrix.row_mut(row).fill(0.0);
+                            0.0
+                        }
+                    };
+                }
                 let step = matrix.svd(true, true).solve(&residual, 1e-12).expect("vectors");
                 moved.iter().zip(step.iter()).for_each(|(at, step)| state[*at] -= step);
             }
@@ -179,7 +200,7 @@ impl<'a> Manifold<'a> {
     }
 
     /// Compares the columns of a model; returns their number.
-    fn compare(&self, scene: &str, model: &StateSpace) -> usize {
+    fn compare(&self, scene: &str, model: &StateSpace, mistakes: &mut Vec<String>) -> usize {
         let n = self.kept.len();
         let parameters = &self.point.parameters;
         let (of_states, of_inputs) = sizes(self.simulator, model);
@@ -207,36 +228,54 @@ impl<'a> Manifold<'a> {
                 changed[index.expect("a parameter")] += step;
                 self.values(&self.point.state, &changed)
             };
-            // Differences of sixth order.
-            let h = 1e-3 * size;
-            let samples = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0].map(|k| at(k * h));
-            if samples.iter().any(|(_, signs)| *signs != samples[0].1) {
-                continue;
-            }
-            let rows = samples[0].0.len();
+            let differences: Vec<_> =
+                [1e-3, 1e-4, 1e-5].into_iter().filter_map(|h| slopes(h * size, at)).collect();
+            let rows = differences.first().map_or(0, Vec::len);
             for row in 0..rows {
-                let [a, b, c, d, e, f] = samples.each_ref().map(|(values, _)| values[row]);
-                let slope = ((f - a) - 9.0 * (e - b) + 45.0 * (d - c)) / (60.0 * h);
-                let largest = [a, b, c, d, e, f].iter().fold(0.0_f64, |most, v| most.max(v.abs()));
                 let found = entry(row, column);
                 let effects = (0..all_sizes.len()).map(|at| (entry(row, at) * all_sizes[at]).abs());
                 let most = effects.fold(0.0, f64::max) / size;
-                // Nor are effects below 1e-12 units of a typical change compared.
-                let rounding = 1e-12 * largest / h + 1e-10 * most + 1e-12 / size;
-                assert!(
-                    (found - slope).abs() <= 1e-6 * slope.abs() + rounding,
-                    "{scene} at {} s, row {row} by {name}: {found}, not {slope}",
-                    self.point.time,
-                );
+                // Effects below 1e-10 units of a typical change are not compared.
+                let is_near = |(slope, rounding): &(f64, f64)| {
+                    let least = rounding + 1e-10 * most + 1e-10 / size;
+                    (found - slope).abs() <= 1e-6 * slope.abs() + least
+                };
+                if !differences.iter().any(|slopes| is_near(&slopes[row])) {
+                    let slopes: Vec<f64> = differences.iter().map(|slopes| slopes[row].0).collect();
+                    let time = self.point.time;
+                    mistakes.push(format!(
+                        "{scene} at {time} s, row {row} by {name}: {found:e}, not {slopes:?}"
+                    ));
+                }
             }
-            compared += 1;
+            compared += usize::from(rows > 0);
         }
         compared
     }
 }
 
+/// Returns differences of sixth order with their rounding errors; `None` across a switching
+/// surface.
+fn slopes(h: f64, at: impl Fn(f64) -> (Vec<f64>, Vec<bool>)) -> Option<Vec<(f64, f64)>> {
+    let samples = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0].map(|k| at(k * h));
+    if samples.iter().any(|(_, signs)| *signs != samples[0].1) {
+        return None;
+    }
+    let slope = |row: usize| {
+        let [a, b, c, d, e, f] = samples.each_ref().map(|(values, _)| values[row]);
+        let largest = [a, b, c, d, e, f].iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        (((f - a) - 9.0 * (e - b) + 45.0 * (d - c)) / (60.0 * h), 1e-14 * largest / h)
+    };
+    Some((0..samples[0].0.len()).map(slope).collect())
+}
+
 /// Compares responses at three frequencies and returns their number.
-fn compare(scene: &str, linearization: &Linearization<'_>, model: &StateSpace) -> usize {
+fn compare(
+    scene: &str,
+    linearization: &Linearization<'_>,
+    model: &StateSpace,
+    mistakes: &mut Vec<String>,
+) -> usize {
     const FREQUENCIES: [f64; 3] = [0.7, 11.0, 230.0];
     let (scales, sizes) = sizes(linearization.simulator(), model);
     let mut compared = 0;
@@ -246,20 +285,19 @@ fn compare(scene: &str, linearization: &Linearization<'_>, model: &StateSpace) -
             else {
                 continue;
             };
-            // A typical change of all states, relative to that of the input, is not seen below this.
+            // What a millionth of a millionth of a typical change of all states shows is rounding.
             let moved = model.c[to].iter().zip(&scales).map(|(c, scale)| (c * scale).abs());
-            let least = moved.sum::<f64>().max(1e-3) / sizes[from] * 1e-9;
+            let least = moved.sum::<f64>().max(1e-3) / sizes[from] * 1e-12;
             for (at, frequency) in FREQUENCIES.iter().enumerate() {
                 let wanted = Complex64::from_polar(response.amplitudes[at], response.phases[at]);
                 let Some(found) = transfer(model, from, to, *frequency) else { continue };
                 // Sums of large terms that cancel are as accurate as the terms.
-                let size = wanted.norm().max(1e-9 * terms(model, from, to)).max(1e-6 * least);
-                assert!(
-                    (found - wanted).norm() <= 1e-7 * size,
-                    "{scene}: {} to {} at {frequency}: {found}, not {wanted}",
-                    input.name,
-                    output.name,
-                );
+                let size = wanted.norm().max(1e-9 * terms(model, from, to));
+                if (found - wanted).norm() > 1e-7 * size + least {
+                    let names = format!("{} to {}", input.name, output.name);
+                    mistakes
+                        .push(format!("{scene}: {names} at {frequency}: {found}, not {wanted}"));
+                }
                 compared += 1;
             }
         }

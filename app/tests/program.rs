@@ -14,6 +14,7 @@ mod fit;
 mod fmu;
 mod fuzz;
 mod improve;
+mod linearize;
 mod lists;
 mod live;
 mod process;

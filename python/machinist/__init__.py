@@ -17,6 +17,7 @@ from ._linear import Mode, Modes, Response
 from ._model import Model, load
 from ._run import Run
 from ._sensitivities import Sensitivities
+from ._state_space import StateSpace
 from ._sweep import Sweep, sweep
 from .errors import (
     AnalysisError,
@@ -46,6 +47,7 @@ __all__ = [
     "Sensitivities",
     "ShapeError",
     "SpecError",
+    "StateSpace",
     "StoppedError",
     "Sweep",
     "SweepError",

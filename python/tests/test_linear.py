@@ -75,3 +75,31 @@ def test_a_response_tells_that_a_motion_grows(gin):
 def test_what_makes_no_sense_is_refused(gin, ask, kind, told):
     with pytest.raises(kind, match=told):
         ask(gin)
+
+
+def test_a_state_space_model_has_the_response_of_the_machine(gin):
+    model = gin.linearize("motor.phase_voltage", ["twist", "motor.omega"])
+    assert model.inputs == ("motor.phase_voltage",) and model.A.shape == (len(model.states),) * 2
+    response = gin.response("motor.phase_voltage", "twist", frequencies=[1.0, 30.0, 200.0])
+    for w, wanted in zip(response.frequencies, response.values):
+        states = np.linalg.solve(1j * w * np.eye(len(model.A)) - model.A, model.B)
+        found = model.C @ states + model.D
+        assert abs(found[0, 0] - wanted) < 1e-9 * abs(wanted)
+    of_numpy = np.linalg.eigvals(model.A)
+    size = abs(of_numpy).max()
+    assert all(abs(of_numpy - pole).min() < 1e-7 * size for pole in model.poles)
+    assert "state" in repr(model) and "<table" in model._repr_html_()
+
+
+def test_a_sampled_model_is_that_of_scipy(gin):
+    signal = pytest.importorskip("scipy.signal")
+    names = (["motor.phase_voltage", "coupling.damping"], ["twist"])
+    model = gin.linearize(*names)
+    for hold, method in (("zoh", "zoh"), ("tustin", "bilinear")):
+        sampled = gin.linearize(*names, sample=1e-3, hold=hold)
+        wanted = signal.cont2discrete((model.A, model.B, model.C, model.D), 1e-3, method)
+        for found, matrix in zip((sampled.A, sampled.B, sampled.C, sampled.D), wanted):
+            np.testing.assert_allclose(found, matrix, rtol=1e-9, atol=1e-12 * abs(matrix).max())
+        assert sampled.period == 1e-3 and sampled.to_scipy().dt == 1e-3
+    with pytest.raises(machinist.MachinistError, match="did you mean"):
+        gin.linearize("motor.phase_voltag", "twist")

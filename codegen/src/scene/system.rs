@@ -389,6 +389,7 @@ impl LagrangianSystem {
         let unit = match position.unit.as_str() {
             "rad" | "1" => "N m".to_owned(),
             "m" => "N".to_owned(),
+            "C" => "V".to_owned(),
             other => format!("J/({other})"),
         };
         let taken =

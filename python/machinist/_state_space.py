@@ -50,9 +50,9 @@ class StateSpace:
         """The model as `control.StateSpace` of python-control, with the names of its signals."""
         import control
 
-        names = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
+        signals = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
         # python-control reserves dots in names for signals of subsystems.
-        names = {key: [name.replace(".", "_") for name in of] for key, of in names.items()}
+        names = {key: [name.replace(".", "_") for name in of] for key, of in signals.items()}
         dt = 0 if self.period is None else self.period
         return control.ss(self.A, self.B, self.C, self.D, dt, name=self._machine, **names)
 
@@ -92,8 +92,9 @@ _HEADING = ("", "name", "at the point", "unit")
 def _signals(
     told: Sequence[tuple[str, str, float]],
 ) -> tuple[tuple[str, ...], tuple[str, ...], Array]:
-    names, units = (tuple(row[place] for row in told) for place in (0, 1))
-    return names, units, np.array([row[2] for row in told], dtype=float)
+    names = tuple(name for name, _, _ in told)
+    units = tuple(unit for _, unit, _ in told)
+    return names, units, np.array([value for _, _, value in told], dtype=float)
 
 
 def _roots(told: Sequence[tuple[float, float]]) -> NDArray[np.complex128]:

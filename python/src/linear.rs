@@ -216,11 +216,8 @@ pub fn state_space<'py>(
     })?;
     let (poles, zeros, uncontrollable, unobservable, model) = told;
     let answer = PyDict::new(py);
-    let signals = [
-        ("states", &model.states),
-        ("inputs", &model.inputs),
-        ("outputs", &model.outputs),
-    ];
+    let signals =
+        [("states", &model.states), ("inputs", &model.inputs), ("outputs", &model.outputs)];
     for (key, signals) in signals {
         let row = |signal: &machinist::linear_analysis::Signal| {
             (signal.name.clone(), signal.unit.clone(), signal.value)

@@ -97,8 +97,8 @@ impl StateSpace {
             solution.x.map_with_location(|row, column, x| x / (states[row] * states[column]));
         let poles = poles_of(&(a - b * &solution.gain), self)?;
         Ok(Regulator {
-            inputs: design.names(&design.model.inputs),
-            states: design.names(&design.model.states),
+            inputs: names_of(&design.model.inputs),
+            states: names_of(&design.model.states),
             gain: to_rows(&gain),
             cost: to_rows(&cost),
             poles,
@@ -135,8 +135,8 @@ impl StateSpace {
         let covariance =
             solution.x.map_with_location(|row, column, x| x * states[row] * states[column]);
         Ok(Estimator {
-            outputs: design.names(&design.model.outputs),
-            states: design.names(&design.model.states),
+            outputs: names_of(&design.model.outputs),
+            states: names_of(&design.model.states),
             gain: sized(&gain),
             innovation_gain: innovation.as_ref().map(sized),
             covariance: to_rows(&covariance),
@@ -228,10 +228,6 @@ impl Design {
         if self.model.sampling.is_some() { Time::Sampled } else { Time::Continuous }
     }
 
-    fn names(&self, signals: &[Signal]) -> Vec<String> {
-        signals.iter().map(|signal| signal.name.clone()).collect()
-    }
-
     /// Returns the reason why there is no solution: an eigenmode that does not decay by itself and
     /// that inputs cannot move or outputs do not show.
     fn refused(&self, purpose: Purpose) -> RegulatorError {
@@ -277,6 +273,10 @@ impl StateSpace {
         });
         shown.collect::<Vec<_>>().join(", ")
     }
+}
+
+fn names_of(signals: &[Signal]) -> Vec<String> {
+    signals.iter().map(|signal| signal.name.clone()).collect()
 }
 
 /// Checks name and number of a weight.

@@ -120,7 +120,7 @@ fn hidden(
             found.iter().filter(|(other, _)| near(other)).map(|(_, vector)| vector).collect();
         let [vector, _] = iteration.vectors(pole, number, &same);
         let whole = space.map(Complex64::from) * &vector;
-        let total: f64 = whole.iter().map(|entry| entry.norm_sqr()).sum();
+        let total: f64 = whole.iter().map(Complex64::norm_sqr).sum();
         let shares = whole.iter().map(|entry| entry.norm_sqr() / total).collect();
         modes.push(Hidden { pole: [pole.re, pole.im], shares });
         found.push((pole, vector));

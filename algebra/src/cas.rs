@@ -3,6 +3,7 @@
 //! Takes and returns [`Expr`]. Intermediate results are [`Form`]s, opaque expressions of the
 //! [`Algebra`] that a session was opened with.
 
+pub mod arithmetic;
 mod digits;
 #[cfg(feature = "symbolica")]
 mod lock;

@@ -13,6 +13,7 @@ pub mod identity;
 mod matrix;
 mod overflow;
 pub mod rank;
+mod shared;
 mod signs;
 mod terms;
 pub mod trigonometry;
@@ -23,10 +24,12 @@ use std::collections::BTreeSet;
 use machinist_model::{Function as Unary, TableId};
 use num_rational::BigRational;
 use num_traits::Zero as _;
+use rustc_hash::FxHashMap;
 
 pub use cost::{operations, weigh};
 pub use graph::{Graph, PlusExponential};
 pub use matrix::Matrix;
+pub use shared::Shared;
 
 /// Index of a generalized coordinate of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -168,6 +171,8 @@ pub enum Expr {
     Power(Box<Expr>, Box<Expr>),
     /// Function and arguments.
     Call(Function, Vec<Expr>),
+    /// A part that several expressions share, defined once; see [`Shared`].
+    Shared(Shared),
 }
 
 impl Expr {
@@ -183,11 +188,12 @@ impl Expr {
         matches!(self, Expr::Number(number) if number.is_zero())
     }
 
-    /// Calls `see` with this expression and every part of it.
+    /// Calls `see` with this expression and every part of it. Shared parts are leaves: their
+    /// definitions are not visited.
     pub fn visit<'a>(&'a self, see: &mut impl FnMut(&'a Expr)) {
         see(self);
         match self {
-            Expr::Number(_) | Expr::Symbol(_) => {}
+            Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => {}
             Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
                 for part in parts {
                     part.visit(see);
@@ -204,10 +210,10 @@ impl Expr {
     #[must_use]
     pub fn symbols(&self) -> BTreeSet<Symbol> {
         let mut symbols = BTreeSet::new();
-        self.visit(&mut |part| {
-            if let Expr::Symbol(symbol) = part {
-                symbols.insert(*symbol);
-            }
+        self.visit(&mut |part| match part {
+            Expr::Symbol(symbol) => drop(symbols.insert(*symbol)),
+            Expr::Shared(shared) => symbols.extend(shared.symbols()),
+            _ => {}
         });
         symbols
     }
@@ -216,23 +222,20 @@ impl Expr {
     #[must_use]
     pub fn mentions(&self, is: impl Fn(Symbol) -> bool) -> bool {
         let mut found = false;
-        self.visit(&mut |part| found |= matches!(part, Expr::Symbol(symbol) if is(*symbol)));
+        self.visit(&mut |part| {
+            found = found
+                || match part {
+                    Expr::Symbol(symbol) => is(*symbol),
+                    Expr::Shared(shared) => shared.symbols().iter().any(|symbol| is(*symbol)),
+                    _ => false,
+                };
+        });
         found
     }
 
     /// Returns the expression with symbols replaced by other expressions.
     #[must_use]
     pub fn replace(&self, with: &impl Fn(Symbol) -> Option<Expr>) -> Expr {
-        let all = |parts: &[Expr]| parts.iter().map(|part| part.replace(with)).collect();
-        match self {
-            Expr::Number(_) => self.clone(),
-            Expr::Symbol(symbol) => with(*symbol).unwrap_or_else(|| self.clone()),
-            Expr::Sum(terms) => Expr::Sum(all(terms)),
-            Expr::Product(factors) => Expr::Product(all(factors)),
-            Expr::Power(base, exponent) => {
-                Expr::Power(Box::new(base.replace(with)), Box::new(exponent.replace(with)))
-            }
-            Expr::Call(function, arguments) => Expr::Call(*function, all(arguments)),
-        }
+        shared::replaced(self, with, &mut FxHashMap::default())
     }
 }

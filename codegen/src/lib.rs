@@ -10,6 +10,7 @@ pub mod lower;
 pub mod mechanics;
 pub mod pipeline;
 pub mod scene;
+pub mod spatial;
 pub mod spec;
 pub mod write;
 

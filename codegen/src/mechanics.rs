@@ -1,6 +1,7 @@
 //! Mechanics: equations of motion of a Lagrangian system, their reduction, and their partial
 //! derivatives.
 
+mod bodies;
 pub mod constraint;
 pub mod density;
 pub mod dependencies;

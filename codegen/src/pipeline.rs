@@ -62,7 +62,7 @@ fn reduced_by(
     keep: Keep,
 ) -> Result<(EquationsOfMotion, Linear), Diagnostics> {
     let keep = possible(&system, keep);
-    session(&system.name.clone(), algebra, move |cas| {
+    session(&system.name.clone(), suitable(algebra, &system), move |cas| {
         let equations = lagrange::derive(cas, &system);
         decided(&equations)?;
         let needed = reduce(cas, &equations, keep)?;
@@ -94,9 +94,16 @@ fn reduce(
 }
 
 /// Returns how far a system may be reduced: the machine's own equations do not show what its
-/// fields depend on.
+/// fields depend on, and trees of bodies are kept whole.
 fn possible(system: &LagrangianSystem, keep: Keep) -> Keep {
-    if system.fields.is_empty() { keep } else { Keep::All }
+    let is_reducible = system.fields.is_empty() && system.mechanisms.is_empty();
+    if is_reducible { keep } else { Keep::All }
+}
+
+/// Returns the algebra for a system: shared parts, of which equations of bodies consist, belong to
+/// our own.
+fn suitable(algebra: Algebra, system: &LagrangianSystem) -> Algebra {
+    if system.mechanisms.is_empty() { algebra } else { Algebra::Plain }
 }
 
 /// Linearized equations of the machine, and the equations of its fields.
@@ -202,22 +209,23 @@ pub fn derivation_by(
     keep: Keep,
 ) -> Result<Derivation, Diagnostics> {
     let keep = possible(&system, keep);
-    let (equations, whole, steps) = session(&system.name.clone(), algebra, move |cas| {
-        let equations = lagrange::derive(cas, &system);
-        decided(&equations)?;
-        let mut steps: Vec<(Keep, EquationsOfMotion)> = Vec::new();
-        for step in Keep::STEPS.into_iter().filter(|step| *step <= keep) {
-            let reduced = reduce(cas, &equations, step)?;
-            if *steps.last().map_or(&equations, |(_, last)| last) != reduced {
-                steps.push((step, reduced));
+    let (equations, whole, steps) =
+        session(&system.name.clone(), suitable(algebra, &system), move |cas| {
+            let equations = lagrange::derive(cas, &system);
+            decided(&equations)?;
+            let mut steps: Vec<(Keep, EquationsOfMotion)> = Vec::new();
+            for step in Keep::STEPS.into_iter().filter(|step| *step <= keep) {
+                let reduced = reduce(cas, &equations, step)?;
+                if *steps.last().map_or(&equations, |(_, last)| last) != reduced {
+                    steps.push((step, reduced));
+                }
             }
-        }
-        let linear: Vec<_> =
-            steps.iter().map(|(step, reduced)| (*step, Linear::of(cas, reduced))).collect();
-        let whole = Linear::of(cas, &equations);
-        defined(cas)?;
-        Ok::<_, Diagnostics>((equations, whole, linear))
-    })??;
+            let linear: Vec<_> =
+                steps.iter().map(|(step, reduced)| (*step, Linear::of(cas, reduced))).collect();
+            let whole = Linear::of(cas, &equations);
+            defined(cas)?;
+            Ok::<_, Diagnostics>((equations, whole, linear))
+        })??;
     let steps = steps.iter().map(|(step, linear)| Ok((*step, linear.lower()?)));
     let steps = steps.collect::<Result<_, Diagnostics>>()?;
     let stages = Stages { whole: whole.lower()?, steps };
@@ -246,7 +254,7 @@ pub fn check(scene: &Path) -> Result<LagrangianSystem, Diagnostics> {
 pub fn derive(scene: &Path) -> Result<EquationsOfMotion, Diagnostics> {
     let system = check(scene)?;
     let algebra = Algebra::most_simplifying(system.coordinates.len());
-    session(&system.name.clone(), algebra, move |cas| {
+    session(&system.name.clone(), suitable(algebra, &system), move |cas| {
         let equations = lagrange::derive(cas, &system);
         decided(&equations)?;
         defined(cas).map(|()| equations)

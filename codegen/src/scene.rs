@@ -6,6 +6,7 @@
 pub(crate) mod along;
 mod assemble;
 mod attachments;
+mod bodies;
 mod evaluate;
 mod functions;
 mod joints;

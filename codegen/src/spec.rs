@@ -4,6 +4,7 @@
 //! [`crate::scene`].
 
 mod array;
+pub mod body;
 pub mod card;
 mod check;
 mod connect;
@@ -45,6 +46,7 @@ pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources, one_line
 pub use self::symbol::Symbol;
 pub use self::table::{Column, CsvTable};
 
+use self::body::{BodySpec, Components, FrameSpec};
 use self::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
 use self::dimension::Unit;
 use self::expression::{Ast, Literal};
@@ -192,6 +194,12 @@ pub struct UnitSpec {
     pub coordinates: Vec<CoordinateSpec>,
     /// Fields, given by their densities.
     pub fields: Vec<FieldSpec>,
+    /// Frames in space.
+    pub frames: Vec<FrameSpec>,
+    /// Rigid bodies.
+    pub bodies: Vec<BodySpec>,
+    /// Acceleration of free fall, along the axes of the world.
+    pub gravity: Option<Components>,
     /// Ports.
     pub ports: Vec<PortSpec>,
     /// Ports of inner instances that are ports of the unit too.

@@ -15,6 +15,7 @@ use super::Form;
 use crate::expr::{Expr, Symbol};
 
 pub(super) use collect::collect;
+pub(super) use derivative::derivative as derivative_of;
 pub(super) use expand::expand;
 
 /// An expression in normal form; see [`normal`].

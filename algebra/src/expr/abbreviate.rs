@@ -110,7 +110,7 @@ impl Abbreviations {
     pub fn apply(&self, expr: &Expr) -> Expr {
         let all = |parts: &[Expr]| parts.iter().map(|part| self.apply(part)).collect::<Vec<_>>();
         match expr {
-            Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
+            Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => expr.clone(),
             Expr::Sum(terms) => self.sum(all(terms)),
             Expr::Product(factors) => self.product(all(factors)),
             Expr::Power(base, exponent) => {
@@ -280,7 +280,7 @@ fn single(mut parts: Vec<Expr>, many: impl Fn(Vec<Expr>) -> Expr) -> Expr {
 
 fn size(expr: &Expr) -> usize {
     match expr {
-        Expr::Number(_) | Expr::Symbol(_) => 1,
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => 1,
         Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
             1 + parts.iter().map(size).sum::<usize>()
         }
@@ -291,7 +291,8 @@ fn size(expr: &Expr) -> usize {
 fn mentions_acceleration(expr: &Expr) -> bool {
     match expr {
         Expr::Number(_) => false,
-        Expr::Symbol(symbol) => matches!(symbol, Symbol::Acceleration(_) | Symbol::Multiplier(_)),
+        Expr::Symbol(_) | Expr::Shared(_) => expr
+            .mentions(|symbol| matches!(symbol, Symbol::Acceleration(_) | Symbol::Multiplier(_))),
         Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
             parts.iter().any(mentions_acceleration)
         }

@@ -25,7 +25,7 @@ const AGAIN: f64 = 2.0;
 #[must_use]
 pub fn expanded(expr: &Expr) -> Expanded {
     match expr {
-        Expr::Number(_) | Expr::Symbol(_) => Expanded { terms: 1.0, leaves: 1.0 },
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => Expanded { terms: 1.0, leaves: 1.0 },
         Expr::Sum(parts) => {
             parts.iter().map(expanded).fold(Expanded { terms: 0.0, leaves: 0.0 }, |sum, part| {
                 Expanded { terms: sum.terms + part.terms, leaves: sum.leaves + part.leaves }
@@ -97,6 +97,8 @@ pub fn derivatives(expr: &Expr) -> Derivatives {
     match expr {
         Expr::Number(_) => Derivatives { value: 1.0, first: 0.0, second: 0.0 },
         Expr::Symbol(_) => Derivatives { value: 1.0, first: 1.0, second: 0.0 },
+        // Its derivatives are shared parts too.
+        Expr::Shared(_) => Derivatives { value: 1.0, first: 1.0, second: 1.0 },
         Expr::Sum(parts) => {
             let zero = Derivatives { value: 0.0, first: 0.0, second: 0.0 };
             parts.iter().map(derivatives).fold(zero, |sum, part| Derivatives {

@@ -20,6 +20,8 @@ pub struct Graph {
     accelerations: Vec<NodeId>,
     multipliers: Vec<NodeId>,
     helpers: FxHashMap<HelperId, NodeId>,
+    /// Nodes of shared parts, by their digests.
+    pub(super) shared: FxHashMap<u128, NodeId>,
     /// Relations that tapes hold.
     pub(super) held: Held,
 }

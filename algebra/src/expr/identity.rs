@@ -13,6 +13,7 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
+use rustc_hash::FxHashMap;
 
 use super::{Expr, Function, Symbol};
 
@@ -195,35 +196,51 @@ impl Point {
 
     /// Returns the value of an expression; `None` if it divides by zero.
     pub(super) fn value(&self, expr: &Expr) -> Option<Value> {
+        self.value_by(expr, &mut FxHashMap::default())
+    }
+
+    /// Returns the same; `known` holds the values of shared parts at this point.
+    fn value_by(&self, expr: &Expr, known: &mut FxHashMap<u128, Option<Value>>) -> Option<Value> {
         match expr {
             Expr::Number(number) => Value::of(number),
             Expr::Symbol(symbol) => Some(self.symbol(*symbol)),
-            Expr::Sum(terms) => {
-                terms.iter().try_fold(Value::ZERO, |sum, term| Some(sum.plus(self.value(term)?)))
-            }
-            Expr::Product(factors) => factors
+            Expr::Sum(terms) => terms
                 .iter()
-                .try_fold(Value::ONE, |product, factor| Some(product.times(self.value(factor)?))),
-            Expr::Power(base, exponent) => self.power(self.value(base)?, exponent),
+                .try_fold(Value::ZERO, |sum, term| Some(sum.plus(self.value_by(term, known)?))),
+            Expr::Product(factors) => factors.iter().try_fold(Value::ONE, |product, factor| {
+                Some(product.times(self.value_by(factor, known)?))
+            }),
+            Expr::Power(base, exponent) => {
+                let base = self.value_by(base, known)?;
+                if let Expr::Number(number) = &**exponent {
+                    return self.power(base, number);
+                }
+                let exponent = self.value_by(exponent, known)?;
+                Some(self.opaque(100, &[base, exponent]))
+            }
             Expr::Call(function, arguments) => {
                 let arguments: Option<Vec<Value>> =
-                    arguments.iter().map(|argument| self.value(argument)).collect();
+                    arguments.iter().map(|argument| self.value_by(argument, known)).collect();
                 self.call(*function, &arguments?)
+            }
+            Expr::Shared(shared) => {
+                if let Some(value) = known.get(&shared.digest()) {
+                    return *value;
+                }
+                let value = self.value_by(shared.definition(), known);
+                known.insert(shared.digest(), value);
+                value
             }
         }
     }
 
-    fn power(&self, base: Value, exponent: &Expr) -> Option<Value> {
-        let Expr::Number(number) = exponent else {
-            let exponent = self.value(exponent)?;
-            return Some(self.opaque(100, &[base, exponent]));
-        };
-        let root = match number.denom().to_u64() {
+    fn power(&self, base: Value, exponent: &BigRational) -> Option<Value> {
+        let root = match exponent.denom().to_u64() {
             Some(1) => base,
             Some(denominator) if !base.is_zero() => self.root(base, denominator),
             _ => base,
         };
-        root.power(number.numer())
+        root.power(exponent.numer())
     }
 
     fn root(&self, of: Value, degree: u64) -> Value {

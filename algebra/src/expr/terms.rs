@@ -18,6 +18,17 @@ pub(super) fn lower(graph: &mut Graph, expr: &Expr) -> NodeId {
             graph.literal(value)
         }
         Expr::Symbol(symbol) => graph.symbol(*symbol),
+        Expr::Shared(shared) => {
+            if let Some(node) = graph.shared.get(&shared.digest()) {
+                return *node;
+            }
+            let node = lower(graph, shared.definition());
+            if let Some(name) = shared.name() {
+                graph.name(node, name);
+            }
+            graph.shared.insert(shared.digest(), node);
+            node
+        }
         Expr::Sum(terms) => sum(graph, terms),
         Expr::Product(factors) => product(graph, factors),
         Expr::Power(base, exponent) => power(graph, base, exponent),

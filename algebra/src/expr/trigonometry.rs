@@ -23,7 +23,7 @@ const MOST_FACTORS: usize = 16;
 pub fn combine(expr: &Expr) -> Expr {
     let all = |parts: &[Expr]| parts.iter().map(combine).collect::<Vec<_>>();
     match expr {
-        Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => expr.clone(),
         Expr::Sum(terms) => combine_sum(all(terms)),
         Expr::Product(factors) => Expr::Product(all(factors)),
         Expr::Power(base, exponent) => {
@@ -37,7 +37,7 @@ pub fn combine(expr: &Expr) -> Expr {
 #[must_use]
 pub fn has_sine(expr: &Expr) -> bool {
     match expr {
-        Expr::Number(_) | Expr::Symbol(_) => false,
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => false,
         Expr::Call(Function::Sin, _) => true,
         Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
             parts.iter().any(has_sine)

@@ -24,7 +24,7 @@ pub enum Notation {
 }
 
 /// One equation, with its subject and meaning.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Equation {
     /// Name in the spec of the quantity that it governs or defines.
     pub subject: String,
@@ -74,6 +74,7 @@ impl Document {
         for (output, expr) in system.outputs.iter().zip(&equations.outputs) {
             document.outputs.push(definition(&printer, &output.quantity, &printer.print(expr)));
         }
+        shared_parts(&printer, &mut document);
         // Helpers may use other helpers: print until no new one appears.
         let mut shown = BTreeMap::new();
         loop {
@@ -144,6 +145,34 @@ impl Document {
             text.push_str("\n\\end{align*}\n");
         }
         text
+    }
+}
+
+/// Maximum number of shared parts whose definitions are printed.
+const MOST_SHARED: usize = 200;
+
+/// Adds the definitions of shared parts, up to a number that can be read.
+fn shared_parts(printer: &Printer, document: &mut Document) {
+    let mut shown = 0;
+    while let Some(shared) = printer.shared_parts().get(shown).cloned()
+        && shown < MOST_SHARED
+    {
+        let (left, right) = printer.print_shared(&shared);
+        let subject = left.clone();
+        document.helpers.push(Equation { subject, left, right, ..Equation::default() });
+        shown += 1;
+    }
+    if printer.shared_parts().len() > shown {
+        let subject = "...".to_owned();
+        let right = "...".to_owned();
+        let doc = format!("more than {MOST_SHARED} shared parts");
+        document.helpers.push(Equation {
+            left: subject.clone(),
+            subject,
+            right,
+            doc,
+            ..Equation::default()
+        });
     }
 }
 

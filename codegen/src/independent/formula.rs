@@ -3,9 +3,9 @@
 //! Excluded: any change of an expression. A sum is only split into its terms, so that derivatives
 //! are computed only of those that contain a given symbol.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use machinist_algebra::expr::{Expr, Function, Symbol};
+use machinist_algebra::expr::{Expr, Function, Shared, Symbol};
 use machinist_contract::{CubicTable, Real};
 use machinist_model::{Function as Unary, Table, TableId};
 use num_rational::BigRational;
@@ -30,6 +30,8 @@ enum Step<R> {
     Table(TableId, u32),
     /// Selection from `[lhs, rhs, then, otherwise]`.
     Less,
+    /// The value of a shared part, by its place among those of the term.
+    Shared(usize),
     /// An operation that no spec can contain; it has no value.
     Unknown,
 }
@@ -37,6 +39,8 @@ enum Step<R> {
 /// A term of a sum, with its symbols.
 #[derive(Debug, Clone)]
 pub struct Term<R> {
+    /// Definitions of shared parts, each after those that it uses.
+    shared: Vec<Vec<Step<R>>>,
     steps: Vec<Step<R>>,
     symbols: BTreeSet<Symbol>,
 }
@@ -61,9 +65,10 @@ impl<R: Real> Formula<R> {
         if let Expr::Sum(terms) = expr {
             return terms.iter().for_each(|term| self.add(term, factor));
         }
-        let mut steps = steps(expr);
+        let mut shared = SharedParts { places: BTreeMap::new(), definitions: Vec::new() };
+        let mut steps = shared.steps(expr);
         steps.extend([Step::Number(R::literal(factor)), Step::Product(2)]);
-        self.terms.push(Term { steps, symbols: expr.symbols() });
+        self.terms.push(Term { shared: shared.definitions, steps, symbols: expr.symbols() });
     }
 }
 
@@ -77,35 +82,77 @@ impl<R> Term<R> {
 impl<R: Real> Term<R> {
     /// Returns its value.
     pub fn value(&self, tables: &[Table], of: &impl Fn(Symbol) -> Hyper<R>) -> Hyper<R> {
-        let mut values: Vec<Hyper<R>> = Vec::new();
-        for step in &self.steps {
-            let value = step.value(&mut values, tables, of);
-            values.push(value.unwrap_or(Hyper::literal(f64::NAN)));
+        let mut shared: Vec<Hyper<R>> = Vec::with_capacity(self.shared.len());
+        for definition in &self.shared {
+            let value = evaluate(definition, &shared, tables, of);
+            shared.push(value);
         }
-        values.pop().unwrap_or(Hyper::literal(f64::NAN))
+        evaluate(&self.steps, &shared, tables, of)
     }
 }
 
-/// Returns the steps of an expression, operands before their operation.
-fn steps<R: Real>(expr: &Expr) -> Vec<Step<R>> {
-    let mut steps = Vec::new();
-    let mut left = vec![expr];
-    // Operations, then their operands from the last to the first. In reverse, operands are in
-    // order and precede their operation.
-    while let Some(expr) = left.pop() {
-        let step = step(expr);
-        steps.push(step);
-        if let Step::Unknown = step {
-            continue;
-        }
-        match expr {
-            Expr::Number(_) | Expr::Symbol(_) => {}
-            Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => left.extend(parts),
-            Expr::Power(base, _) => left.push(base),
-        }
+/// Returns the value of steps, given those of shared parts.
+fn evaluate<R: Real>(
+    steps: &[Step<R>],
+    shared: &[Hyper<R>],
+    tables: &[Table],
+    of: &impl Fn(Symbol) -> Hyper<R>,
+) -> Hyper<R> {
+    let mut values: Vec<Hyper<R>> = Vec::new();
+    for step in steps {
+        let value = match step {
+            Step::Shared(place) => shared.get(*place).copied(),
+            step => step.value(&mut values, tables, of),
+        };
+        values.push(value.unwrap_or(Hyper::literal(f64::NAN)));
     }
-    steps.reverse();
-    steps
+    values.pop().unwrap_or(Hyper::literal(f64::NAN))
+}
+
+/// The shared parts of a term.
+struct SharedParts<R> {
+    places: BTreeMap<Shared, usize>,
+    definitions: Vec<Vec<Step<R>>>,
+}
+
+impl<R: Real> SharedParts<R> {
+    /// Returns the steps of an expression, operands before their operation.
+    fn steps(&mut self, expr: &Expr) -> Vec<Step<R>> {
+        let mut steps = Vec::new();
+        let mut left = vec![expr];
+        // Operations, then their operands from the last to the first. In reverse, operands are in
+        // order and precede their operation.
+        while let Some(expr) = left.pop() {
+            let step = match expr {
+                Expr::Shared(shared) => Step::Shared(self.place(shared)),
+                expr => step(expr),
+            };
+            steps.push(step);
+            if let Step::Unknown = step {
+                continue;
+            }
+            match expr {
+                Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => {}
+                Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
+                    left.extend(parts);
+                }
+                Expr::Power(base, _) => left.push(base),
+            }
+        }
+        steps.reverse();
+        steps
+    }
+
+    fn place(&mut self, shared: &Shared) -> usize {
+        if let Some(place) = self.places.get(shared) {
+            return *place;
+        }
+        let definition = self.steps(shared.definition());
+        self.definitions.push(definition);
+        let place = self.definitions.len() - 1;
+        self.places.insert(shared.clone(), place);
+        place
+    }
 }
 
 fn step<R: Real>(expr: &Expr) -> Step<R> {
@@ -124,6 +171,7 @@ fn step<R: Real>(expr: &Expr) -> Step<R> {
             (function, 1) => function.unary().map_or(Step::Unknown, Step::Call),
             _ => Step::Unknown,
         },
+        Expr::Shared(_) => Step::Unknown,
     }
 }
 
@@ -188,7 +236,7 @@ impl<R: Real> Step<R> {
                 let (rhs, lhs) = (values.pop()?, values.pop()?);
                 Hyper::select_less([lhs.value, rhs.value], then, otherwise)
             }
-            Step::Unknown => return None,
+            Step::Shared(_) | Step::Unknown => return None,
         })
     }
 }

@@ -92,8 +92,9 @@ enum Direction<'a, R> {
 impl<R: Real> Machine<R> {
     /// Prepares a system without fields; `to_f64` returns the nearest `f64`.
     pub fn new(system: &LagrangianSystem, to_f64: fn(R) -> f64) -> Self {
-        let mut lagrangian = Formula::new(&system.kinetic);
-        lagrangian.add(&system.potential, -1.0);
+        let [kinetic, potential] = system.energies();
+        let mut lagrangian = Formula::new(&kinetic);
+        lagrangian.add(&potential, -1.0);
         let held = system.constraints.iter().map(|constraint| Held {
             formula: Formula::new(&constraint.expr),
             is_of_positions: constraint.is_of_positions,

@@ -367,6 +367,7 @@ impl Recipe {
             handed: Vec::new(),
             kinetic: self.kinetic(),
             potential: sum(self.potential.iter().map(|piece| self.term(piece)).collect()),
+            mechanisms: Vec::new(),
             springs: Vec::new(),
             dissipation: self.dissipation(),
             generalized_force: (0..n)

@@ -185,6 +185,13 @@ impl EquationsOfMotion {
         (matrix, right_side)
     }
 
+    /// Returns the equations for partial derivatives at fixed q'', if they differ.
+    #[must_use]
+    pub fn at_given_accelerations(&self) -> Option<Self> {
+        let (mass_matrix, forcing) = self.at_accelerations.clone()?;
+        Some(EquationsOfMotion { mass_matrix, forcing, ..self.clone() })
+    }
+
     /// Reports whether M alone is singular, so that constraints have to compensate: some motion
     /// of all coordinates has no kinetic energy for any parameter values, except those that the
     /// spec sets to zero.
@@ -204,7 +211,13 @@ impl EquationsOfMotion {
     /// that always holds determines their motion. `None` if the motion is determined.
     #[must_use]
     pub fn undecided(&self) -> Option<Vec<usize>> {
-        if !self.is_singular() {
+        // The mass matrix of bodies may be singular without constraints too; the energies in the
+        // spec have been checked before.
+        let bodies_are_singular = || {
+            !self.system.mechanisms.is_empty()
+                && null_columns(&self.given(&self.mass_matrix)).is_some()
+        };
+        if !self.is_singular() && !bodies_are_singular() {
             return None;
         }
         let always = |row: &usize| self.constraints.holds[*row] == Expr::integer(1);

@@ -93,6 +93,7 @@ fn density(system: &LagrangianSystem, field: &Field) -> LagrangianSystem {
         potential: field.potential.clone(),
         dissipation: field.dissipation.clone(),
         generalized_force: vec![force(field.force.clone()), force(Expr::integer(0))],
+        mechanisms: Vec::new(),
         springs: Vec::new(),
         stored_energy: Expr::integer(0),
         supplied_power: Expr::integer(0),

@@ -9,6 +9,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::mechanics::bodies;
 use crate::mechanics::constraint::Constraints;
 use crate::mechanics::state::Layout;
 use crate::scene::system::{Event, LagrangianSystem};
@@ -31,6 +32,10 @@ pub struct EquationsOfMotion {
     pub mass_matrix: Matrix,
     /// f, n long.
     pub forcing: Vec<Expr>,
+    /// M without rigid bodies and f with all their inertial forces -(M q'')_i, for given q'';
+    /// `None` without bodies. Their derivatives at fixed q'' are those of M q'' = f, and the
+    /// recursion that computes forces from accelerations has fewer operations than the one of M.
+    pub at_accelerations: Option<(Matrix, Vec<Expr>)>,
     /// h, m long.
     pub rates: Vec<Expr>,
     /// T, V and the energy of first-order states, in the form used for the derivation.
@@ -70,16 +75,27 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
     let momenta: Vec<Form> =
         ids.iter().map(|id| kinetic_terms.derivative(cas, Symbol::Velocity(*id))).collect();
     let momenta: Vec<Terms> = momenta.iter().map(|momentum| cas.terms(momentum)).collect();
-    let mass_matrix = mass_matrix(cas, &momenta);
-    let forcing = forcing(cas, system, &lagrangian, &dissipation, &momenta);
+    let own_mass_matrix = mass_matrix(cas, &momenta);
+    let own_forcing = forcing(cas, system, &lagrangian, &dissipation, &momenta);
     let constraints = Constraints::derive(cas, system);
-    let energies = [&kinetic, &lagrangian, &dissipation];
+    let [all_kinetic, all_potential] = system.energies();
+    let [whole_kinetic, whole_lagrangian] = if system.mechanisms.is_empty() {
+        [kinetic, lagrangian]
+    } else {
+        let (kinetic, potential) = (cas.form(&all_kinetic), cas.form(&all_potential));
+        let lagrangian = &kinetic - &potential;
+        [kinetic, lagrangian]
+    };
+    let energies = [&whole_kinetic, &whole_lagrangian, &dissipation];
     let power = power(cas, system, energies, &momenta, &constraints.supplied_power());
+    let bodies::Equations { mass_matrix, forcing, at_accelerations } =
+        bodies::with_bodies(cas, system, own_mass_matrix, own_forcing);
     EquationsOfMotion {
         mass_matrix,
         forcing,
+        at_accelerations,
         rates: normal_forms(cas, system.first_order.iter().map(|z| &z.rate)),
-        energy: [&system.kinetic, &system.potential, &system.stored_energy].map(|energy| {
+        energy: [&all_kinetic, &all_potential, &system.stored_energy].map(|energy| {
             let form = cas.form(energy);
             cas.expr(&form)
         }),

@@ -92,7 +92,8 @@ impl Forms {
             }
         };
         let [kinetic, potential, stored] = equations.energy.each_ref().map(|e| cas.form(e));
-        let (matrix, right_side) = equations.bordered();
+        let given = equations.at_given_accelerations();
+        let (matrix, right_side) = given.as_ref().unwrap_or(equations).bordered();
         let mut mass_matrix = Vec::new();
         for (i, row) in matrix.rows().enumerate() {
             for (j, entry) in row.iter().filter(|(j, entry)| *j >= i && !entry.is_zero()) {

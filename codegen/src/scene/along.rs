@@ -7,6 +7,7 @@
 //! The expression is differentiated as it stands, function by function and branch by branch, so
 //! the result is no larger than necessary. [`machinist_algebra::cas`] simplifies it later.
 
+use machinist_algebra::cas::arithmetic;
 use machinist_algebra::expr::{Expr, Function, Symbol};
 use num_rational::BigRational;
 use num_traits::One as _;
@@ -64,6 +65,18 @@ impl Along<'_> {
         match expr {
             Expr::Number(_) => Ok(integer(0)),
             Expr::Symbol(symbol) => self.of_symbol(*symbol),
+            Expr::Shared(shared) => {
+                // By the chain rule over all symbols, so that each slope is a shared part too.
+                let mut terms = Vec::new();
+                for symbol in shared.symbols() {
+                    let slope = arithmetic::derivative(expr, *symbol);
+                    if !slope.is_zero() {
+                        let rate = self.of_symbol(*symbol)?;
+                        terms.push(product(vec![self.kept(&slope)?, rate]));
+                    }
+                }
+                Ok(sum(terms))
+            }
             Expr::Sum(terms) => {
                 let rates = terms.iter().map(|term| self.rate(term));
                 Ok(sum(rates.collect::<Result<_, _>>()?))

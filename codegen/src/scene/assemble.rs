@@ -19,6 +19,7 @@ use crate::scene::system::{
     Constraint, Coordinate, FirstOrderState, LagrangianSystem, Parameter, Spring, without_zeros,
 };
 use crate::scene::typed::{integer, sum};
+use crate::spatial::mechanism::Mechanism;
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
@@ -46,8 +47,9 @@ pub fn assemble(
         rtol: spec.run.rtol,
         method: spec.run.method.clone(),
     };
-    let mut assembler =
-        Assembler { spec, layout, values, resolver: Resolver::new(spec, layout), run, mistakes };
+    let mut resolver = Resolver::new(spec, layout);
+    resolver.values = values;
+    let mut assembler = Assembler { spec, layout, values, resolver, run, mistakes };
     assembler.span_of_run();
     // A requirement on a ratio made of a parameter is the same as that on the parameter.
     let mut requirements = parameters::check(&mut assembler.resolver, values, assembler.mistakes);
@@ -56,6 +58,7 @@ pub fn assemble(
     let (energies, springs) = assembler.energies();
     let [mut kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
         energies;
+    let mechanisms = assembler.mechanisms();
     let mut generalized_force = assembler.forces();
     let power = [supplied_power, dissipated_power];
     let [supplied_power, dissipated_power] = assembler.friction(&mut generalized_force, power);
@@ -72,8 +75,12 @@ pub fn assemble(
     let helpers = assembler.helpers();
     let mut outputs = assembler.outputs();
     let checks = assembler.checks(&mut outputs, &coordinates, &first_order);
-    assembler.inertia(&kinetic, &constraints);
-    assembler.motions(&kinetic, &constraints);
+    let with_bodies = mechanisms.iter().map(Mechanism::kinetic).chain([kinetic.clone()]);
+    assembler.inertia(&sum(with_bodies.collect()), &constraints);
+    // Motions of bodies without energy are found once the mass matrix is derived.
+    if mechanisms.is_empty() {
+        assembler.motions(&kinetic, &constraints);
+    }
     assembler.clashes();
     let Resolver { tables, discontinuities, warnings, .. } = assembler.resolver;
     LagrangianSystem {
@@ -87,6 +94,7 @@ pub fn assemble(
         handed,
         kinetic,
         potential,
+        mechanisms,
         springs,
         dissipation,
         generalized_force,
@@ -198,6 +206,22 @@ impl<'a> Assembler<'a> {
         let texts = texts_of(&self.spec.energy, &self.spec.power);
         self.energy_terms(&texts, Scope::Scene, &wanted, &mut terms);
         (terms.map(sum), springs)
+    }
+
+    /// Returns the trees of rigid bodies of instances.
+    fn mechanisms(&mut self) -> Vec<Mechanism> {
+        let mut mechanisms = Vec::new();
+        for (index, instance, unit) in self.instances() {
+            if unit.frames.is_empty() && unit.bodies.is_empty() {
+                continue;
+            }
+            match self.resolver.spatial(index, instance.name.span) {
+                Ok(spatial) => mechanisms.push(spatial.mechanism.clone()),
+                Err(mistake) => self.mistakes.push(*mistake),
+            }
+        }
+        mechanisms.retain(|mechanism| mechanism.joints.iter().any(|j| j.inertia.is_some()));
+        mechanisms
     }
 
     /// Adds each given text to the terms of its sum.
@@ -411,17 +435,9 @@ fn per_second(unit: &Declared) -> String {
 }
 
 fn mark_velocities(expr: &Expr, moving: &mut [bool]) {
-    match expr {
-        Expr::Symbol(Symbol::Velocity(id)) => moving[id.0 as usize] = true,
-        Expr::Symbol(_) | Expr::Number(_) => {}
-        Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
-            for part in parts {
-                mark_velocities(part, moving);
-            }
-        }
-        Expr::Power(base, exponent) => {
-            mark_velocities(base, moving);
-            mark_velocities(exponent, moving);
+    for symbol in expr.symbols() {
+        if let Symbol::Velocity(id) = symbol {
+            moving[id.0 as usize] = true;
         }
     }
 }

@@ -13,6 +13,7 @@ pub fn evaluate(expr: &Expr, parameter: &impl Fn(ParameterId) -> f64) -> f64 {
         Expr::Symbol(Symbol::Parameter(id)) => parameter(*id),
         Expr::Symbol(Symbol::Pi) => std::f64::consts::PI,
         Expr::Symbol(_) => f64::NAN,
+        Expr::Shared(shared) => value(shared.definition()),
         Expr::Sum(terms) => terms.iter().map(value).sum(),
         Expr::Product(factors) => factors.iter().map(value).product(),
         Expr::Power(base, exponent) => value(base).powf(value(exponent)),

@@ -62,6 +62,7 @@ fn refuse_idle(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) {
         let slots = (0..unit.coordinates.len()).map(|at| layout.slot(index, at));
         let slots: Vec<usize> = slots.collect();
         let is_of_more = energy.kinetic.is_some()
+            || !unit.bodies.is_empty()
             || !unit.constraints.is_empty()
             || slots.iter().any(|slot| layout.attachment(*slot).is_some());
         let [first, others @ ..] = &slots[..] else { continue };
@@ -88,7 +89,8 @@ fn refuse_idle(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) {
 fn starts(spec: &SceneSpec, layout: &Layout, roots: &mut [usize]) -> Vec<usize> {
     let has_inertia = |slot: usize| {
         let (instance, _) = layout.coordinate(slot);
-        spec.units[spec.instances[instance].unit].energy.kinetic.is_some()
+        let unit = &spec.units[spec.instances[instance].unit];
+        unit.energy.kinetic.is_some() || !unit.bodies.is_empty()
     };
     let mut starts: Vec<Option<usize>> = vec![None; layout.links.len()];
     let rank = |slot: usize| {

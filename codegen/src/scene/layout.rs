@@ -41,6 +41,64 @@ pub enum Local {
     Slope(usize, Side),
     /// x along the fields.
     Place,
+    /// A component of the motion of a frame.
+    Frame(usize, FramePart),
+}
+
+/// A component of the motion of a frame, along the axes of the world.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FramePart {
+    /// Position of the origin.
+    Position(usize),
+    /// Velocity of the origin.
+    Velocity(usize),
+    /// Angular velocity.
+    Omega(usize),
+    /// Component, given first, of an axis of the frame.
+    Rotation(usize, usize),
+}
+
+impl FramePart {
+    /// Returns all parts with the ends of their names.
+    pub fn all() -> Vec<(FramePart, String)> {
+        let axes = ["x", "y", "z"];
+        let mut all = Vec::new();
+        for (i, axis) in axes.iter().enumerate() {
+            all.push((FramePart::Position(i), (*axis).to_owned()));
+            all.push((FramePart::Velocity(i), format!("v_{axis}")));
+            all.push((FramePart::Omega(i), format!("omega_{axis}")));
+            for (j, other) in axes.iter().enumerate() {
+                all.push((FramePart::Rotation(i, j), format!("r_{axis}{other}")));
+            }
+        }
+        all
+    }
+
+    /// Returns its unit of measure.
+    pub fn unit(self) -> Unit {
+        let (dimension, rad) = match self {
+            FramePart::Position(_) => (Dimension::LENGTH, 0),
+            FramePart::Velocity(_) => (Dimension::VELOCITY, 0),
+            FramePart::Omega(_) => (Dimension::FREQUENCY, 1),
+            FramePart::Rotation(..) => (Dimension::ONE, 0),
+        };
+        Unit { dimension, rad }
+    }
+
+    /// Returns the text of its unit, and its meaning.
+    pub fn description(self, frame: &str) -> (&'static str, String) {
+        let axis = |i: usize| ["x", "y", "z"][i];
+        match self {
+            FramePart::Position(i) => ("m", format!("position {} of {frame}", axis(i))),
+            FramePart::Velocity(i) => ("m/s", format!("velocity of {frame} along {}", axis(i))),
+            FramePart::Omega(i) => {
+                ("rad/s", format!("angular velocity of {frame} about {}", axis(i)))
+            }
+            FramePart::Rotation(i, j) => {
+                ("1", format!("component {} of the {} axis of {frame}", axis(i), axis(j)))
+            }
+        }
+    }
 }
 
 /// Part of a field that a name stands for. The numbers are those of the density's symbols.
@@ -446,6 +504,13 @@ fn unit_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) -> Names {
         names.add(&coordinate.name, Local::Coordinate(index), mistakes);
         names.add(&coordinate.velocity, Local::Velocity(index), mistakes);
         names.add(&coordinate.acceleration, Local::Acceleration(index), mistakes);
+    }
+    for (index, frame) in unit.frames.iter().enumerate() {
+        for (part, end) in FramePart::all() {
+            let value = format!("{}_{end}", frame.name.value);
+            let name = Spanned { value, span: frame.name.span };
+            names.add(&name, Local::Frame(index, part), mistakes);
+        }
     }
     for (index, parameter) in unit.parameters.iter().enumerate() {
         names.add(&parameter.name, Local::Parameter(index), mistakes);

@@ -185,6 +185,9 @@ impl Resolver<'_> {
                 let uses = Uses { position: true, ..Uses::default() };
                 self.leaf(symbol, states[index].unit.unit, uses, span)
             }
+            (Scope::Instance(instance), Local::Frame(index, part)) => {
+                self.of_frame(instance, index, part, span)
+            }
             (Scope::Instance(instance), local) => self.motion(instance, local, span),
             _ => Err(Box::new(Mistake::new(span, "this name has no value", "not a value"))),
         }
@@ -408,7 +411,7 @@ fn declared(mut typed: Typed, unit: &Declared) -> Typed {
 /// Counts the leaves of an expression.
 fn leaves(expr: &Expr) -> usize {
     match expr {
-        Expr::Number(_) | Expr::Symbol(_) => 1,
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => 1,
         Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
             parts.iter().map(leaves).sum()
         }

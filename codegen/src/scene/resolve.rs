@@ -9,6 +9,7 @@ use machinist_algebra::expr::identity::{Identity, identity};
 use num_rational::BigRational;
 use num_traits::{One as _, Pow, Signed as _, ToPrimitive as _, Zero as _};
 
+use crate::scene::bodies;
 use crate::scene::layout::{Layout, Scope};
 use crate::scene::lookup::{Definition, State};
 use crate::scene::spline::Course;
@@ -65,7 +66,11 @@ impl Wanted {
 pub struct Resolver<'a> {
     pub(super) spec: &'a SceneSpec,
     pub(super) layout: &'a Layout,
+    /// Values of the parameters in the spec, if they are known yet.
+    pub(super) values: &'a [f64],
     pub(super) definitions: HashMap<Definition, State>,
+    /// Trees of joints of instances with frames.
+    pub(super) trees: HashMap<usize, bodies::Tree>,
     /// Tables in use, with their CSV file, column and kind of curve.
     pub(super) tables: Vec<Table>,
     pub(super) table_columns: Vec<(usize, usize, Course)>,
@@ -84,7 +89,9 @@ impl<'a> Resolver<'a> {
         Resolver {
             spec,
             layout,
+            values: &[],
             definitions: HashMap::new(),
+            trees: HashMap::new(),
             tables: Vec::new(),
             table_columns: Vec::new(),
             discontinuities: Vec::new(),

@@ -5,6 +5,7 @@
 
 use num_rational::BigRational;
 
+use machinist_algebra::cas::arithmetic;
 use machinist_algebra::expr::{
     CoordinateId, Expr, FirstOrderId, Function, HandedId, ParameterId, Symbol,
 };
@@ -13,6 +14,7 @@ use machinist_model::{
 };
 
 use crate::scene::evaluate;
+use crate::spatial::mechanism::Mechanism;
 use crate::spec::SourceFile;
 use crate::spec::diagnostic::Diagnostic;
 
@@ -286,6 +288,8 @@ pub struct LagrangianSystem {
     pub kinetic: Expr,
     /// V.
     pub potential: Expr,
+    /// Rigid bodies in space, whose energies are not in T and V above.
+    pub mechanisms: Vec<Mechanism>,
     /// V of each instance that has a potential energy.
     pub springs: Vec<Spring>,
     /// D.
@@ -347,6 +351,18 @@ impl LagrangianSystem {
     #[must_use]
     pub fn parameter(&self, id: ParameterId) -> &Parameter {
         &self.parameters[id.0 as usize]
+    }
+
+    /// Returns T and V, with the energies of rigid bodies.
+    #[must_use]
+    pub fn energies(&self) -> [Expr; 2] {
+        let with = |own: &Expr, of: fn(&Mechanism) -> Expr| {
+            arithmetic::sum(std::iter::once(own.clone()).chain(self.mechanisms.iter().map(of)))
+        };
+        if self.mechanisms.is_empty() {
+            return [self.kinetic.clone(), self.potential.clone()];
+        }
+        [with(&self.kinetic, Mechanism::kinetic), with(&self.potential, Mechanism::potential)]
     }
 
     /// Evaluates an expression of parameters at their values in the spec. The result is NaN if

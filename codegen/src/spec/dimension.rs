@@ -50,6 +50,16 @@ impl Dimension {
     /// Metre.
     pub const LENGTH: Dimension = Dimension::whole([0, 1, 0, 0, 0, 0, 0]);
     /// Coulomb.
+    pub const MASS: Dimension = Dimension::whole([1, 0, 0, 0, 0, 0, 0]);
+    /// Moment of inertia.
+    pub const INERTIA: Dimension = Dimension::whole([1, 2, 0, 0, 0, 0, 0]);
+    /// Velocity.
+    pub const VELOCITY: Dimension = Dimension::whole([0, 1, -1, 0, 0, 0, 0]);
+    /// Acceleration.
+    pub const ACCELERATION: Dimension = Dimension::whole([0, 1, -2, 0, 0, 0, 0]);
+    /// Inverse time.
+    pub const FREQUENCY: Dimension = Dimension::whole([0, 0, -1, 0, 0, 0, 0]);
+    /// Electric charge.
     pub const CHARGE: Dimension = Dimension::whole([0, 0, 1, 1, 0, 0, 0]);
     /// Weber, volt second.
     pub const FLUX: Dimension = Dimension::whole([1, 2, -2, -1, 0, 0, 0]);

@@ -1,6 +1,7 @@
 //! Reading of a unit's table into a [`UnitSpec`].
 
 use crate::spec::array;
+use crate::spec::body;
 use crate::spec::constraint::constraint;
 use crate::spec::diagnostic::{FileId, Mistake, Spanned};
 use crate::spec::distributed::{self, AttachmentSpec};
@@ -31,6 +32,9 @@ pub fn read(
         header.map(|tree| self::header(tree, fields.found())).unwrap_or_default();
     let mut coordinates = each(&mut fields, "coordinates", coordinate);
     let distributed = each(&mut fields, "fields", distributed::field);
+    let frames = each(&mut fields, "frames", body::frame);
+    let bodies = each(&mut fields, "bodies", body::body);
+    let gravity = body::vector("gravity", &mut fields);
     let (ports, exposed) = ports(&mut fields);
     let connectors = connectors(&mut fields);
     coordinates.extend(ports.iter().filter_map(|port| distributed::coordinate(port, &distributed)));
@@ -71,6 +75,9 @@ pub fn read(
         symbol,
         coordinates,
         fields: distributed,
+        frames,
+        bodies,
+        gravity,
         ports,
         exposed,
         connectors,

@@ -16,7 +16,7 @@ const MOST_TERMS: usize = 400;
 pub(in crate::cas) fn collect(expr: &Expr) -> Expr {
     let all = |parts: &[Expr]| parts.iter().map(collect).collect::<Vec<_>>();
     match expr {
-        Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => expr.clone(),
         Expr::Sum(terms) if terms.len() > MOST_TERMS => expr.clone(),
         Expr::Sum(terms) => collected(all(terms).into_iter().map(Term::of).collect()),
         Expr::Product(factors) => Expr::Product(all(factors)),

@@ -6,7 +6,7 @@ use super::normal::{call, power, product, sum};
 use crate::expr::{Expr, Function, Symbol};
 
 /// Returns the partial derivative by one symbol.
-pub(super) fn derivative(expr: &Expr, by: Symbol) -> Expr {
+pub(in crate::cas) fn derivative(expr: &Expr, by: Symbol) -> Expr {
     match expr {
         Expr::Number(_) => Expr::integer(0),
         Expr::Symbol(symbol) => Expr::integer(i64::from(*symbol == by)),
@@ -23,6 +23,7 @@ pub(super) fn derivative(expr: &Expr, by: Symbol) -> Expr {
         }
         Expr::Power(base, exponent) => of_power(base, exponent, by),
         Expr::Call(function, arguments) => of_call(*function, arguments, by),
+        Expr::Shared(shared) => shared.slope(by, |definition| derivative(definition, by)),
     }
 }
 

@@ -9,7 +9,7 @@ use crate::expr::Expr;
 /// result before: see [`crate::expr::extent`].
 pub(in crate::cas) fn expand(expr: &Expr) -> Expr {
     match expr {
-        Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => expr.clone(),
         Expr::Sum(terms) => sum(terms.iter().map(expand)),
         Expr::Product(factors) => {
             // An expanded base may have become a factor, and its power that of a sum.

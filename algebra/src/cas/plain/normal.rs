@@ -32,7 +32,7 @@ pub(in crate::cas) fn normal(expr: &Expr, undefined: &mut bool) -> Expr {
         parts.iter().map(|part| normal(part, undefined)).collect()
     };
     match expr {
-        Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => expr.clone(),
         Expr::Sum(terms) => sum(all(terms)),
         Expr::Product(factors) => product(all(factors)),
         Expr::Power(base, exponent) => {
@@ -56,7 +56,7 @@ pub(in crate::cas) fn normal(expr: &Expr, undefined: &mut bool) -> Expr {
 }
 
 /// Returns a function of arguments in normal form.
-pub(super) fn call(function: Function, mut arguments: Vec<Expr>) -> Expr {
+pub(in crate::cas) fn call(function: Function, mut arguments: Vec<Expr>) -> Expr {
     let argument = &arguments[0];
     let at_zero = argument.is_zero();
     let at_one = matches!(argument, Expr::Number(value) if value.is_one());
@@ -113,7 +113,7 @@ fn single(mut parts: Vec<Expr>, many: impl Fn(Vec<Expr>) -> Expr) -> Expr {
 }
 
 /// Returns the sum of terms in normal form.
-pub(super) fn sum(terms: impl IntoIterator<Item = Expr>) -> Expr {
+pub(in crate::cas) fn sum(terms: impl IntoIterator<Item = Expr>) -> Expr {
     let mut all = Terms::default();
     terms.into_iter().for_each(|term| all.take(term));
     all.into_expr()
@@ -157,7 +157,7 @@ impl Terms {
 }
 
 /// Returns the product of factors in normal form.
-pub(super) fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
+pub(in crate::cas) fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
     let mut all =
         Factors { number: BigRational::one(), exponents: FxHashMap::default(), powers: Vec::new() };
     factors.into_iter().for_each(|factor| all.take(factor));

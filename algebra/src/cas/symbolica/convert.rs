@@ -14,6 +14,8 @@ pub(super) fn to_atom(vocabulary: &mut Vocabulary, expr: &Expr) -> Atom {
     match expr {
         Expr::Number(value) => number(value),
         Expr::Symbol(symbol) => vocabulary.variable(*symbol).to_atom(),
+        // Symbolica has no shared parts. Scenes with bodies are derived by our own algebra.
+        Expr::Shared(shared) => to_atom(vocabulary, shared.definition()),
         Expr::Sum(terms) => {
             let terms: Vec<Atom> = terms.iter().map(|term| to_atom(vocabulary, term)).collect();
             sum(terms)

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 
 use machinist_algebra::expr::abbreviate::Abbreviations;
-use machinist_algebra::expr::{Expr, Function, HelperId, Symbol};
+use machinist_algebra::expr::{Expr, Function, HelperId, Shared, Symbol};
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
@@ -28,6 +28,7 @@ pub(super) struct Printer<'a> {
     abbreviations: Abbreviations,
     notation: Notation,
     used: RefCell<BTreeSet<usize>>,
+    shared: RefCell<Vec<Shared>>,
 }
 
 impl<'a> Printer<'a> {
@@ -37,6 +38,7 @@ impl<'a> Printer<'a> {
             abbreviations: Abbreviations::new(&equations.helpers),
             notation,
             used: RefCell::default(),
+            shared: RefCell::default(),
         }
     }
 
@@ -93,7 +95,38 @@ impl<'a> Printer<'a> {
             Expr::Product(factors) => self.product(factors),
             Expr::Power(base, exponent) => self.power(base, exponent),
             Expr::Call(function, arguments) => (self.call(*function, arguments), Strength::Atom),
+            Expr::Shared(shared) => (self.shared_name(shared), Strength::Atom),
         }
+    }
+
+    /// Returns the name of a shared part: its own, or a number in order of appearance.
+    fn shared_name(&self, shared: &Shared) -> String {
+        let mut parts = self.shared.borrow_mut();
+        let place = match parts.iter().position(|known| known == shared) {
+            Some(place) => place,
+            None => {
+                parts.push(shared.clone());
+                parts.len() - 1
+            }
+        };
+        match (shared.name(), self.notation) {
+            (Some(name), Notation::Text) => name.to_owned(),
+            (Some(name), Notation::Latex) => {
+                format!("\\mathrm{{{}}}", name.replace('_', "\\_"))
+            }
+            (None, Notation::Text) => format!("part_{}", place + 1),
+            (None, Notation::Latex) => format!("u_{{{}}}", place + 1),
+        }
+    }
+
+    /// Returns the shared parts named so far, in order.
+    pub(super) fn shared_parts(&self) -> Vec<Shared> {
+        self.shared.borrow().clone()
+    }
+
+    /// Prints a shared part's name and its definition.
+    pub(super) fn print_shared(&self, shared: &Shared) -> (String, String) {
+        (self.shared_name(shared), self.print(shared.definition()))
     }
 
     fn within(&self, expr: &Expr, least: Strength) -> String {

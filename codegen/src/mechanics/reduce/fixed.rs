@@ -87,7 +87,7 @@ fn singular(system: &LagrangianSystem, fixed: &BTreeSet<ParameterId>) -> BTreeSe
 
 fn depth(expr: &Expr) -> usize {
     let parts = match expr {
-        Expr::Number(_) | Expr::Symbol(_) => 0,
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => 0,
         Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
             parts.iter().map(depth).max().unwrap_or(0)
         }

@@ -131,6 +131,12 @@ impl Used {
                 Expr::Symbol(Symbol::Parameter(*self.parameters.get(id).unwrap_or(id)))
             }
             Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
+            Expr::Shared(_) => expr.replace(&|symbol| match symbol {
+                Symbol::Parameter(id) => {
+                    self.parameters.get(&id).map(|new| Expr::Symbol(Symbol::Parameter(*new)))
+                }
+                _ => None,
+            }),
             Expr::Sum(terms) => Expr::Sum(all(terms)),
             Expr::Product(factors) => Expr::Product(all(factors)),
             Expr::Power(base, exponent) => {

@@ -1,5 +1,7 @@
 //! Constraints: expressions that are zero, of coordinates, or linear in velocities.
 
+use std::collections::BTreeSet;
+
 use crate::scene::assemble::Assembler;
 use crate::scene::layout::Scope;
 use crate::scene::names::{Flat, name};
@@ -98,13 +100,24 @@ fn has_velocity(expr: &Expr) -> bool {
 /// Reports whether the expression is nonlinear in velocities: within functions or powers, or
 /// multiplied by each other.
 fn is_bent(expr: &Expr) -> bool {
+    is_bent_beyond(expr, &mut BTreeSet::new())
+}
+
+/// Reports the same; `straight` holds the shared parts that are known to be linear.
+fn is_bent_beyond(expr: &Expr, straight: &mut BTreeSet<u128>) -> bool {
     match expr {
         Expr::Number(_) | Expr::Symbol(_) => false,
-        Expr::Sum(terms) => terms.iter().any(is_bent),
+        Expr::Sum(terms) => terms.iter().any(|term| is_bent_beyond(term, straight)),
         Expr::Product(factors) => {
             factors.iter().filter(|factor| has_velocity(factor)).count() > 1
-                || factors.iter().any(is_bent)
+                || factors.iter().any(|factor| is_bent_beyond(factor, straight))
         }
         Expr::Power(..) | Expr::Call(..) => has_velocity(expr),
+        Expr::Shared(shared) => {
+            !straight.contains(&shared.digest())
+                && has_velocity(expr)
+                && (is_bent_beyond(shared.definition(), straight)
+                    || !straight.insert(shared.digest()))
+        }
     }
 }

@@ -150,6 +150,10 @@ impl Assembler<'_> {
                         let unit = field.map_or("1", |field| field.unit.text.trim());
                         Ok((format!("{unit}/m"), "slope of the field".to_owned()))
                     }
+                    Some(Local::Frame(index, part)) => {
+                        let (unit, doc) = part.description(&unit.frames[index].name.value);
+                        Ok((unit.to_owned(), doc))
+                    }
                     None | Some(Local::Place | Local::Field(..)) => {
                         Ok((String::new(), String::new()))
                     }

@@ -285,7 +285,7 @@ fn on_branches(expr: &Expr, sample: i64, seen: &mut i64) -> Expr {
         parts.iter().map(|part| on_branches(part, sample, seen)).collect::<Vec<_>>()
     };
     match expr {
-        Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => expr.clone(),
         Expr::Sum(terms) => Expr::Sum(all(terms)),
         Expr::Product(factors) => Expr::Product(all(factors)),
         Expr::Power(base, exponent) => {
@@ -382,6 +382,7 @@ fn dual(expr: &Expr, sample: i64, seen: &mut i64, at: &impl Fn(Symbol) -> Dual) 
     match expr {
         Expr::Number(number) => Dual::of(number.to_f64().unwrap_or(f64::NAN), None),
         Expr::Symbol(symbol) => at(*symbol),
+        Expr::Shared(shared) => dual(shared.definition(), sample, seen, at),
         Expr::Sum(terms) => {
             let mut sum = Dual::of(0.0, None);
             for term in terms {

@@ -1,0 +1,446 @@
+//! Frames and rigid bodies of an instance, as a tree of elementary joints.
+
+use std::rc::Rc;
+
+use machinist_algebra::cas::arithmetic::{normal_form, product, sum};
+use machinist_algebra::expr::{Expr, Symbol};
+use num_rational::BigRational;
+
+use crate::scene::evaluate;
+use crate::scene::layout::{FramePart, Scope};
+use crate::scene::resolve::{Resolved, Resolver, Wanted};
+use crate::scene::typed::{Typed, Uses};
+use crate::spatial::mechanism::{Body, Frame, Kind, Mechanism, Placed};
+use crate::spatial::vector::{
+    Matrix3, Vector, identity, multiplied, of_quaternion, plus, rotation, times, zero,
+};
+use crate::spec::body::{AxisSpec, BodySpec, Components, FrameSpec, RotationSpec, WORLD};
+use crate::spec::diagnostic::{Mistake, Span, Spanned};
+use crate::spec::dimension::{Angular, Dimension};
+use crate::spec::{Formula, UnitSpec, did_you_mean, quoted};
+
+/// Frames and bodies of an instance.
+#[derive(Debug)]
+pub struct Spatial {
+    /// The tree of joints, with bodies.
+    pub mechanism: Mechanism,
+    /// The world's view of each frame, in the order of the spec.
+    placed: Vec<Placed>,
+}
+
+/// State of the tree of an instance.
+pub(super) enum Tree {
+    Pending,
+    Done(Rc<Spatial>),
+    Failed(Box<Mistake>),
+}
+
+impl Spatial {
+    fn component(&self, frame: usize, part: FramePart) -> Expr {
+        let placed = &self.placed[frame];
+        match part {
+            FramePart::Position(axis) => placed.position[axis].clone(),
+            FramePart::Velocity(axis) => placed.velocity[axis].clone(),
+            FramePart::Omega(axis) => placed.omega[axis].clone(),
+            FramePart::Rotation(row, column) => placed.rotation[row][column].clone(),
+        }
+    }
+}
+
+impl Resolver<'_> {
+    /// Resolves a component of the motion of a frame.
+    pub(super) fn of_frame(
+        &mut self,
+        instance: usize,
+        frame: usize,
+        part: FramePart,
+        span: Span,
+    ) -> Resolved {
+        let spatial = self.spatial(instance, span)?;
+        self.spend(1, span)?;
+        let expr = spatial.component(frame, part);
+        let uses = uses_of(&expr);
+        let unit = part.unit();
+        let angular = Angular::of(unit, uses.moves());
+        Ok(Typed::leaf(expr, unit.dimension, angular, uses))
+    }
+
+    /// Returns the tree of an instance, built once.
+    ///
+    /// # Errors
+    /// The first mistake in its frames and bodies.
+    pub(super) fn spatial(
+        &mut self,
+        instance: usize,
+        span: Span,
+    ) -> Result<Rc<Spatial>, Box<Mistake>> {
+        match self.trees.get(&instance) {
+            Some(Tree::Done(done)) => return Ok(Rc::clone(done)),
+            Some(Tree::Failed(mistake)) => return Err(mistake.clone()),
+            Some(Tree::Pending) => {
+                let message = "the motion of a frame depends on a frame of the same unit";
+                let mistake = Mistake::new(span, message, "back to itself");
+                return Err(Box::new(mistake.help("write it with coordinates")));
+            }
+            None => {}
+        }
+        self.trees.insert(instance, Tree::Pending);
+        let (level, spent) = (self.level, self.spent);
+        let built = self.build(instance);
+        (self.level, self.spent) = (level, spent);
+        let built = built.map(Rc::new);
+        let state = match &built {
+            Ok(done) => Tree::Done(Rc::clone(done)),
+            Err(mistake) => Tree::Failed(mistake.clone()),
+        };
+        self.trees.insert(instance, state);
+        built
+    }
+
+    fn build(&mut self, instance: usize) -> Result<Spatial, Box<Mistake>> {
+        let spec = self.spec;
+        let unit = &spec.units[spec.instances[instance].unit];
+        let scope = Scope::Instance(instance);
+        let gravity = match &unit.gravity {
+            Some(gravity) => {
+                let what = "the acceleration of free fall";
+                self.components(gravity, scope, Dimension::ACCELERATION, what, Uses::PARAMETERS)?
+            }
+            None => zero(),
+        };
+        let mut tree = Mechanism::new(gravity);
+        let prefix = spec.instances[instance].name.value.replace('.', "_");
+        let mut frames: Vec<Option<Frame>> = vec![None; unit.frames.len()];
+        for index in order_of(unit)? {
+            let frame = &unit.frames[index];
+            let at = match parent_of(unit, frame)? {
+                Some(parent) => frames[parent].clone().unwrap_or_else(Mechanism::world),
+                None => Mechanism::world(),
+            };
+            let name = format!("{prefix}_{}", frame.name.value);
+            frames[index] = Some(self.frame(&mut tree, at, frame, &name, scope)?);
+        }
+        let frames: Vec<Frame> =
+            frames.into_iter().map(|frame| frame.unwrap_or_else(Mechanism::world)).collect();
+        for body in &unit.bodies {
+            let frame = match find(unit, &body.frame)? {
+                Some(index) => frames[index].clone(),
+                None => Mechanism::world(),
+            };
+            let body = self.body(body, scope)?;
+            tree.attach(&frame, &body);
+        }
+        let placed = frames.iter().map(|frame| tree.placed(frame)).collect();
+        Ok(Spatial { mechanism: tree, placed })
+    }
+
+    /// Returns a frame, with the joints that move it added to the tree.
+    fn frame(
+        &mut self,
+        tree: &mut Mechanism,
+        mut at: Frame,
+        frame: &FrameSpec,
+        name: &str,
+        scope: Scope,
+    ) -> Result<Frame, Box<Mistake>> {
+        if let Some(displacement) = &frame.displacement {
+            let what = "a displacement";
+            let r = self.components(displacement, scope, Dimension::LENGTH, what, Uses::PLACE)?;
+            for (axis, by) in r.iter().enumerate().filter(|(_, by)| moves(by)) {
+                at = tree.add(name, Kind::Prismatic, &at, &unit_vector(axis), by);
+            }
+            let fixed = r.map(|by| if moves(&by) { Expr::integer(0) } else { by });
+            at.offset = plus(&at.offset, &times(&at.to_joint, &fixed));
+        }
+        for rotation in &frame.rotations {
+            at = self.turned(tree, at, rotation, name, scope)?;
+        }
+        if let Some(joint) = &frame.revolute {
+            let (axis, angle) = self.axis(joint, scope, Dimension::ONE)?;
+            at = turned_about(tree, at, &axis, &angle, name);
+        }
+        if let Some(joint) = &frame.prismatic {
+            let (axis, length) = self.axis(joint, scope, Dimension::LENGTH)?;
+            if moves(&length) {
+                at = tree.add(name, Kind::Prismatic, &at, &axis, &length);
+            } else {
+                let way = axis.map(|entry| product([entry, length.clone()]));
+                at.offset = plus(&at.offset, &times(&at.to_joint, &way));
+            }
+        }
+        Ok(at)
+    }
+
+    fn turned(
+        &mut self,
+        tree: &mut Mechanism,
+        mut at: Frame,
+        rotation: &RotationSpec,
+        name: &str,
+        scope: Scope,
+    ) -> Result<Frame, Box<Mistake>> {
+        match rotation {
+            RotationSpec::Axis(axis) => {
+                let (axis, angle) = self.axis(axis, scope, Dimension::ONE)?;
+                Ok(turned_about(tree, at, &axis, &angle, name))
+            }
+            RotationSpec::Sequence(turns) => {
+                for (axis, angle) in turns {
+                    let angle = self.angle_of(angle, scope)?;
+                    at = turned_about(tree, at, &unit_vector(*axis), &angle, name);
+                }
+                Ok(at)
+            }
+            RotationSpec::Quaternion(parts, span) => {
+                let matrix = self.quaternion(parts, scope, *span)?;
+                at.to_joint = multiplied(&at.to_joint, &matrix);
+                Ok(at)
+            }
+        }
+    }
+
+    /// Returns the matrix of rotations that do not move.
+    fn constant_rotation(
+        &mut self,
+        rotations: &[RotationSpec],
+        scope: Scope,
+    ) -> Result<Matrix3, Box<Mistake>> {
+        let mut tree = Mechanism::new(zero());
+        let mut at = Mechanism::world();
+        for rotation in rotations {
+            at = self.turned(&mut tree, at, rotation, "", scope)?;
+        }
+        if tree.joints.is_empty() {
+            return Ok(at.to_joint);
+        }
+        let span = match rotations.first() {
+            Some(RotationSpec::Axis(axis)) => axis.span,
+            Some(RotationSpec::Sequence(turns)) if !turns.is_empty() => turns[0].1.span(),
+            _ => Span { ..self.spec.name.span },
+        };
+        let message = "the axes of an inertia do not move relative to their frame";
+        let mistake = Mistake::new(span, message, "depends on a coordinate or time");
+        Err(Box::new(mistake.help("fix the body to a frame that moves")))
+    }
+
+    fn quaternion(
+        &mut self,
+        parts: &[Formula; 4],
+        scope: Scope,
+        span: Span,
+    ) -> Result<Matrix3, Box<Mistake>> {
+        let wanted = Wanted::new(Dimension::ONE, "a part of a quaternion").of(Uses::PARAMETERS);
+        let [w, x, y, z] = parts;
+        let mut values = Vec::new();
+        for part in [w, x, y, z] {
+            values.push(normal_form(&self.formula(part, scope, &wanted)?.expr));
+        }
+        let Ok(parts) = <[Expr; 4]>::try_from(values) else { return Ok(identity()) };
+        let norm = sum(parts.iter().map(|part| product([part.clone(), part.clone()])));
+        if norm.is_zero() {
+            let mistake = Mistake::new(span, "a quaternion of magnitude 0 is no rotation", "zero");
+            return Err(Box::new(mistake.help("no rotation is [1, 0, 0, 0]")));
+        }
+        Ok(of_quaternion(&parts))
+    }
+
+    fn angle_of(&mut self, angle: &Formula, scope: Scope) -> Result<Expr, Box<Mistake>> {
+        let wanted = Wanted::new(Dimension::ONE, "an angle").of(Uses::PLACE);
+        Ok(normal_form(&self.formula(angle, scope, &wanted)?.expr))
+    }
+
+    /// Returns the unit vector of an axis, and the angle or length of a motion about or along it.
+    fn axis(
+        &mut self,
+        spec: &AxisSpec,
+        scope: Scope,
+        dimension: Dimension,
+    ) -> Result<(Vector, Expr), Box<Mistake>> {
+        let what = if dimension == Dimension::ONE { "an angle" } else { "a displacement" };
+        let wanted = Wanted::new(dimension, what).of(Uses::PLACE);
+        let by = normal_form(&self.formula(&spec.by, scope, &wanted)?.expr);
+        let what = "a component of an axis";
+        let axis = self.components(&spec.axis, scope, Dimension::ONE, what, Uses::PARAMETERS)?;
+        let norm = sum(axis.iter().map(|entry| product([entry.clone(), entry.clone()])));
+        if norm.is_zero() {
+            let mistake = Mistake::new(spec.span, "an axis of length 0 has no direction", "zero");
+            return Err(Box::new(mistake.help("the axis of z is [0, 0, 1]")));
+        }
+        let half = Expr::Number(BigRational::new((-1).into(), 2.into()));
+        let inverse = normal_form(&Expr::Power(Box::new(norm), Box::new(half)));
+        Ok((axis.map(|entry| product([entry, inverse.clone()]).shared()), by))
+    }
+
+    fn components(
+        &mut self,
+        spec: &Components,
+        scope: Scope,
+        dimension: Dimension,
+        what: &str,
+        allowed: Uses,
+    ) -> Result<Vector, Box<Mistake>> {
+        let wanted = Wanted::new(dimension, what).of(allowed);
+        let mut all = zero();
+        for (entry, formula) in all.iter_mut().zip(spec) {
+            *entry = normal_form(&self.formula(formula, scope, &wanted)?.expr);
+        }
+        Ok(all)
+    }
+
+    fn body(&mut self, spec: &BodySpec, scope: Scope) -> Result<Body, Box<Mistake>> {
+        let wanted = Wanted::new(Dimension::MASS, "a mass").of(Uses::PARAMETERS);
+        let mass = normal_form(&self.formula(&spec.mass, scope, &wanted)?.expr);
+        let centre = match &spec.centre {
+            Some(centre) => {
+                let what = "a centre of mass";
+                self.components(centre, scope, Dimension::LENGTH, what, Uses::PARAMETERS)?
+            }
+            None => zero(),
+        };
+        let wanted = Wanted::new(Dimension::INERTIA, "an inertia").of(Uses::PARAMETERS);
+        let mut entries = [0; 6].map(Expr::integer);
+        for (entry, formula) in entries.iter_mut().zip(&spec.inertia) {
+            if let Some(formula) = formula {
+                *entry = normal_form(&self.formula(formula, scope, &wanted)?.expr).shared();
+            }
+        }
+        self.possible(spec, &mass, &entries)?;
+        let [xx, yy, zz, xy, xz, yz] = entries;
+        let tensor = [[xx, xy.clone(), xz.clone()], [xy, yy, yz.clone()], [xz, yz, zz]];
+        let rotation = self.constant_rotation(&spec.rotations, scope)?;
+        Ok(Body { mass: mass.shared(), centre, tensor, rotation })
+    }
+
+    /// Rejects a mass or an inertia for which some motion would have negative kinetic energy, and
+    /// warns of one that no distribution of mass has.
+    fn possible(
+        &mut self,
+        spec: &BodySpec,
+        mass: &Expr,
+        entries: &[Expr; 6],
+    ) -> Result<(), Box<Mistake>> {
+        let values = self.values;
+        let value = |expr: &Expr| {
+            evaluate(expr, &|id| values.get(id.0 as usize).copied().unwrap_or(f64::NAN))
+        };
+        let refuse = |message: String, label: &str| {
+            let mistake = Mistake::new(spec.name.span, message, label);
+            Err(Box::new(mistake.help(
+                "the inertia is about the centre of mass, as products J_xy = \
+                                       -sum of m x y",
+            )))
+        };
+        let mass = value(mass);
+        if mass < 0.0 {
+            return refuse(
+                format!("the mass of {} is negative", quoted(&spec.name.value)),
+                "below 0",
+            );
+        }
+        let [xx, yy, zz, xy, xz, yz] = entries.each_ref().map(value);
+        let size = xx.abs().max(yy.abs()).max(zz.abs()).max(xy.abs()).max(xz.abs()).max(yz.abs());
+        let rounding = 1e-12 * size;
+        let minors = [xx * yy - xy * xy, xx * zz - xz * xz, yy * zz - yz * yz];
+        let determinant =
+            xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+        let is_negative = [xx, yy, zz].iter().any(|entry| *entry < 0.0)
+            || minors.iter().any(|minor| *minor < -rounding * size)
+            || determinant < -rounding * size * size;
+        if is_negative {
+            let name = quoted(&spec.name.value);
+            return refuse(format!("the inertia of {name} is not positive"), "impossible");
+        }
+        // J_xx + J_yy - J_zz is the second moment of mass along z, times 2.
+        let trace = xx + yy + zz;
+        if [xx, yy, zz].iter().any(|entry| trace - 2.0 * entry < -1e-9 * size) {
+            let message = format!(
+                "no body has the inertia of {}: one diagonal entry exceeds the sum of the others",
+                quoted(&spec.name.value)
+            );
+            let warning = Mistake::new(spec.name.span, message, "impossible");
+            self.warnings.push(warning.help("check its entries and their unit, kg m^2"));
+        }
+        Ok(())
+    }
+}
+
+/// Turns a frame about an axis: by a joint if the angle moves.
+fn turned_about(
+    tree: &mut Mechanism,
+    mut at: Frame,
+    axis: &Vector,
+    angle: &Expr,
+    name: &str,
+) -> Frame {
+    if moves(angle) {
+        return tree.add(name, Kind::Revolute, &at, axis, angle);
+    }
+    at.to_joint = multiplied(&at.to_joint, &rotation(axis, angle));
+    at
+}
+
+fn unit_vector(axis: usize) -> Vector {
+    std::array::from_fn(|i| Expr::integer(i64::from(i == axis)))
+}
+
+/// Reports whether an expression depends on coordinates or time.
+fn moves(expr: &Expr) -> bool {
+    !matches!(expr, Expr::Number(_))
+        && expr.mentions(|symbol| !matches!(symbol, Symbol::Pi | Symbol::Parameter(_)))
+}
+
+fn uses_of(expr: &Expr) -> Uses {
+    let mut uses = Uses::default();
+    for symbol in expr.symbols() {
+        uses.time |= symbol == Symbol::Time;
+        uses.position |= matches!(symbol, Symbol::Coordinate(_) | Symbol::FirstOrder(_));
+        uses.velocity |= matches!(symbol, Symbol::Velocity(_));
+    }
+    uses
+}
+
+/// Returns the index of the frame of a name; `None` for the world.
+fn find(unit: &UnitSpec, name: &Spanned<String>) -> Result<Option<usize>, Box<Mistake>> {
+    if name.value == WORLD {
+        return Ok(None);
+    }
+    let found = unit.frames.iter().position(|frame| frame.name.value == name.value);
+    found.map(Some).ok_or_else(|| {
+        let message = format!("there is no frame {}", quoted(&name.value));
+        let names = unit.frames.iter().map(|frame| frame.name.value.as_str()).chain([WORLD]);
+        Box::new(Mistake::new(name.span, message, "unknown").help(did_you_mean(&name.value, names)))
+    })
+}
+
+fn parent_of(unit: &UnitSpec, frame: &FrameSpec) -> Result<Option<usize>, Box<Mistake>> {
+    frame.parent.as_ref().map_or(Ok(None), |parent| find(unit, parent))
+}
+
+/// Returns the frames, each after its parent, otherwise in the order of the spec.
+fn order_of(unit: &UnitSpec) -> Result<Vec<usize>, Box<Mistake>> {
+    let count = unit.frames.len();
+    let (mut order, mut is_placed) = (Vec::with_capacity(count), vec![false; count]);
+    for start in 0..count {
+        // The frames from this one to the world, or to one that is placed.
+        let mut path = Vec::new();
+        let mut next = Some(start);
+        while let Some(index) = next.filter(|index| !is_placed[*index]) {
+            if path.contains(&index) {
+                let frame = &unit.frames[index];
+                let name = quoted(&frame.name.value);
+                let message = format!("frame {name} is its own parent, through other frames");
+                let help = "frames form a tree; close a loop by constraints between positions of \
+                            two frames";
+                let mistake = Mistake::new(frame.name.span, message, "in a loop");
+                return Err(Box::new(mistake.help(help)));
+            }
+            path.push(index);
+            next = parent_of(unit, &unit.frames[index])?;
+        }
+        for index in path.into_iter().rev() {
+            is_placed[index] = true;
+            order.push(index);
+        }
+    }
+    Ok(order)
+}

@@ -1,0 +1,226 @@
+//! Equations of motion of a mechanism, by recursion along its tree.
+//!
+//! ```text
+//! M q'' + b(q, q', t) = Q        b contains gravity
+//! ```
+//!
+//! The left side follows from given accelerations by the recursive Newton-Euler algorithm, and M by
+//! the composite-rigid-body algorithm: R. Featherstone, Rigid Body Dynamics Algorithms, Springer 2008,
+//! sections 5.3 and 6.2. All components are along the axes of the joint that they belong to.
+
+use std::collections::BTreeMap;
+
+use machinist_algebra::cas::arithmetic::{product, sum};
+use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
+
+use super::mechanism::{Inertia, Joint, Kind, Mechanism};
+use super::vector::{
+    Matrix3, Vector, congruent, cross, dot, of_moment, of_point, plus, scaled, symmetric_sum,
+    times, total, transposed, zero,
+};
+
+/// A force and its torque about the origin of a joint.
+#[derive(Debug, Clone)]
+struct Wrench {
+    force: Vector,
+    torque: Vector,
+}
+
+impl Wrench {
+    fn none() -> Self {
+        Wrench { force: zero(), torque: zero() }
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Wrench { force: plus(&self.force, &other.force), torque: plus(&self.torque, &other.torque) }
+    }
+
+    /// Returns the same wrench about the origin of the joint that carries this one, along its axes.
+    fn on_parent_of(&self, joint: &Joint) -> Self {
+        let back = transposed(&joint.orientation);
+        let force = times(&back, &self.force);
+        let torque = plus(&times(&back, &self.torque), &cross(&joint.displacement, &force));
+        Wrench { force, torque }
+    }
+
+    /// Returns the part along the joint's axis, its generalized force.
+    fn along(&self, joint: &Joint) -> Expr {
+        match joint.kind {
+            Kind::Revolute => dot(&joint.axis, &self.torque),
+            Kind::Prismatic => dot(&joint.axis, &self.force),
+        }
+    }
+}
+
+impl Mechanism {
+    /// Returns the generalized forces M q'' + b for accelerations of the coordinates, `None` for
+    /// zeros.
+    #[must_use]
+    pub fn inverse_dynamics(
+        &self,
+        acceleration: impl Fn(CoordinateId) -> Option<Expr>,
+    ) -> BTreeMap<CoordinateId, Expr> {
+        let mut accelerations: Vec<[Vector; 2]> = Vec::with_capacity(self.joints.len());
+        let mut wrenches: Vec<Wrench> = Vec::with_capacity(self.joints.len());
+        for joint in &self.joints {
+            let own = joint
+                .slopes
+                .iter()
+                .filter_map(|(id, slope)| Some(product([slope.clone(), acceleration(*id)?])));
+            let own = sum(own.chain([joint.bias.clone()])).shared();
+            let parent = joint.parent.map(|parent| &accelerations[parent]);
+            let parent = parent.cloned().unwrap_or_else(|| [zero(), self.lift()]);
+            let moved = self.accelerated(joint, &parent, &own);
+            wrenches.push(match &joint.inertia {
+                Some(inertia) => inertial(inertia, &joint.motion.omega, &moved),
+                None => Wrench::none(),
+            });
+            accelerations.push(moved);
+        }
+        let mut forces: BTreeMap<CoordinateId, Vec<Expr>> = BTreeMap::new();
+        for (index, joint) in self.joints.iter().enumerate().rev() {
+            let wrench = wrenches[index].clone();
+            let along = wrench.along(joint);
+            for (id, slope) in &joint.slopes {
+                forces.entry(*id).or_default().push(product([slope.clone(), along.clone()]));
+            }
+            if let Some(parent) = joint.parent {
+                wrenches[parent] = wrenches[parent].plus(&wrench.on_parent_of(joint));
+            }
+        }
+        forces.into_iter().map(|(id, parts)| (id, sum(parts).shared())).collect()
+    }
+
+    /// Returns angular acceleration, and acceleration of the origin less gravity, of a joint from
+    /// those of its parent and its own s''.
+    fn accelerated(&self, joint: &Joint, parent: &[Vector; 2], own: &Expr) -> [Vector; 2] {
+        let [turning, moving] = parent;
+        let omega = joint.parent.map_or_else(zero, |p| self.joints[p].motion.omega.clone());
+        let r = &joint.displacement;
+        let inward = cross(&omega, &cross(&omega, r));
+        let origin = total(&[moving, &cross(turning, r), &inward]);
+        let [turning, moving] = [turning, &origin].map(|a| times(&joint.orientation, a));
+        let carried = times(&joint.orientation, &omega);
+        let (own, relative) = (scaled(own, &joint.axis), scaled(&joint.rate, &joint.axis));
+        let coriolis = cross(&carried, &relative);
+        match joint.kind {
+            Kind::Revolute => [total(&[&turning, &own, &coriolis]), moving],
+            Kind::Prismatic => [turning, total(&[&moving, &own, &coriolis, &coriolis])],
+        }
+    }
+
+    /// Returns the nonzeros of the lower triangle of M.
+    #[must_use]
+    pub fn mass_matrix(&self) -> BTreeMap<(CoordinateId, CoordinateId), Expr> {
+        let composites = self.composites();
+        let mut entries: BTreeMap<(CoordinateId, CoordinateId), Vec<Expr>> = BTreeMap::new();
+        for (index, joint) in self.joints.iter().enumerate() {
+            let Some(composite) = &composites[index] else { continue };
+            if joint.slopes.is_empty() {
+                continue;
+            }
+            let mut wrench = of_unit_acceleration(composite, joint);
+            let mut place = index;
+            loop {
+                let at = &self.joints[place];
+                let along = wrench.along(at);
+                add_products(&mut entries, joint, at, &along, place == index);
+                let Some(parent) = at.parent else { break };
+                wrench = wrench.on_parent_of(at);
+                place = parent;
+            }
+        }
+        entries.into_iter().map(|(place, parts)| (place, sum(parts).shared())).collect()
+    }
+
+    /// Returns for each joint the inertia of everything that it carries.
+    fn composites(&self) -> Vec<Option<Inertia>> {
+        let mut all: Vec<Option<Inertia>> =
+            self.joints.iter().map(|joint| joint.inertia.clone()).collect();
+        for (index, joint) in self.joints.iter().enumerate().rev() {
+            let (Some(own), Some(parent)) = (&all[index], joint.parent) else { continue };
+            let carried = on_parent(own, joint);
+            all[parent] = Some(match all[parent].take() {
+                None => carried,
+                Some(before) => Inertia {
+                    mass: sum([before.mass, carried.mass]).shared(),
+                    moment: plus(&before.moment, &carried.moment),
+                    tensor: symmetric_sum(&[&before.tensor, &carried.tensor]),
+                },
+            });
+        }
+        all
+    }
+}
+
+/// Returns the wrench that accelerates bodies: force m a + omega' x h + omega x (omega x h), torque
+/// I omega' + omega x (I omega) + h x a.
+fn inertial(inertia: &Inertia, omega: &Vector, moved: &[Vector; 2]) -> Wrench {
+    let [turning, moving] = moved;
+    let Inertia { mass, moment, tensor } = inertia;
+    let force = total(&[
+        &scaled(mass, moving),
+        &cross(turning, moment),
+        &cross(omega, &cross(omega, moment)),
+    ]);
+    let torque = total(&[
+        &times(tensor, turning),
+        &cross(omega, &times(tensor, omega)),
+        &cross(moment, moving),
+    ]);
+    Wrench { force, torque }
+}
+
+/// Returns the wrench that gives a composite body the acceleration s'' = 1 of its joint.
+fn of_unit_acceleration(composite: &Inertia, joint: &Joint) -> Wrench {
+    let Inertia { mass, moment, tensor } = composite;
+    match joint.kind {
+        Kind::Revolute => {
+            Wrench { force: cross(&joint.axis, moment), torque: times(tensor, &joint.axis) }
+        }
+        Kind::Prismatic => {
+            Wrench { force: scaled(mass, &joint.axis), torque: cross(moment, &joint.axis) }
+        }
+    }
+}
+
+/// Returns an inertia about the origin of the parent, along its axes.
+fn on_parent(inertia: &Inertia, joint: &Joint) -> Inertia {
+    let r = &joint.displacement;
+    let back: Matrix3 = transposed(&joint.orientation);
+    let turned = times(&back, &inertia.moment);
+    let tensor = congruent(&back, &inertia.tensor);
+    let tensor = symmetric_sum(&[&tensor, &of_moment(&turned, r), &of_point(&inertia.mass, r)]);
+    let moment = plus(&turned, &scaled(&inertia.mass, r));
+    Inertia { mass: inertia.mass.clone(), moment, tensor }
+}
+
+/// Adds what the entry of M of two joints contributes to those of their coordinates.
+fn add_products(
+    entries: &mut BTreeMap<(CoordinateId, CoordinateId), Vec<Expr>>,
+    one: &Joint,
+    other: &Joint,
+    entry: &Expr,
+    is_same: bool,
+) {
+    for (i, a) in &one.slopes {
+        for (j, b) in &other.slopes {
+            if is_same && j > i {
+                continue;
+            }
+            let part = product([a.clone(), b.clone(), entry.clone()]);
+            // Two joints that follow one coordinate occur in both orders.
+            let count = if i == j && !is_same { 2 } else { 1 };
+            let part = product([Expr::integer(count), part]);
+            if !part.is_zero() {
+                entries.entry(((*i).max(*j), (*i).min(*j))).or_default().push(part);
+            }
+        }
+    }
+}
+
+/// Returns the symbol of an acceleration.
+#[must_use]
+pub fn acceleration(id: CoordinateId) -> Option<Expr> {
+    Some(Expr::Symbol(Symbol::Acceleration(id)))
+}

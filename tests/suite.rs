@@ -62,6 +62,7 @@ mod slides;
 mod slow_beside_fast;
 mod small_states;
 mod sparsity;
+mod spatial;
 mod stages;
 mod state_space;
 mod sweep;

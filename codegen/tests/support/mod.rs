@@ -233,6 +233,7 @@ pub fn pendulum_system() -> LagrangianSystem {
         handed: vec![],
         kinetic: zero(),
         potential: zero(),
+        mechanisms: Vec::new(),
         springs: vec![],
         dissipation: zero(),
         generalized_force: vec![GeneralizedForce { total: zero(), conversion: zero() }],

@@ -24,6 +24,8 @@ mod fmu;
 #[cfg(feature = "derive")]
 mod generate;
 mod gradient;
+#[cfg(feature = "derive")]
+mod import;
 mod improve;
 mod linear;
 mod linearize;
@@ -103,6 +105,9 @@ enum Command {
     /// Print the equations of motion of a scene
     #[cfg(feature = "derive")]
     Derive(derive::Derive),
+    /// Write a scene of a robot that a URDF file describes
+    #[cfg(feature = "derive")]
+    Import(import::Import),
     /// Derive a scene and write it as a portable model file
     #[cfg(feature = "derive")]
     Compile(compile::Compile),
@@ -240,6 +245,8 @@ pub fn main() -> ExitCode {
         Command::List(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Parts(command) => command.execute(),
+        #[cfg(feature = "derive")]
+        Command::Import(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Compile(command) => command.execute(),
         #[cfg(feature = "derive")]

@@ -29,6 +29,8 @@ mod spec_source;
 mod spectrum;
 mod trials;
 #[cfg(feature = "derive")]
+mod urdf;
+#[cfg(feature = "derive")]
 mod watch;
 
 pub use cli::main;

@@ -1,0 +1,85 @@
+//! `machinist import`: a robot description to a scene.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use machinist_codegen::pipeline;
+use machinist_codegen::spec::MAX_FILE_BYTES;
+
+use super::output::{print, require_ending, write_file};
+use crate::failure::Failure;
+use crate::urdf;
+
+#[derive(Debug, Args)]
+pub struct Import {
+    /// Robot description, ending in .urdf or .xml
+    robot: PathBuf,
+    /// Scene to write, ending in .toml
+    #[arg(short, long, value_name = "FILE")]
+    out: PathBuf,
+    /// Let the base move freely, instead of fixing it to the world
+    #[arg(long)]
+    free_base: bool,
+}
+
+impl Import {
+    pub fn execute(&self) -> Result<(), Failure> {
+        require_ending(&self.robot, &["urdf", "xml"], "the robot")?;
+        require_ending(&self.out, &["toml"], "--out")?;
+        let text = self.read()?;
+        let file = self.robot.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let read = urdf::read(&text).and_then(|mut robot| {
+            if self.free_base {
+                robot.release()?;
+            }
+            Ok(robot)
+        });
+        let robot = read.map_err(|error| {
+            let line = if error.line > 0 { format!(":{}", error.line) } else { String::new() };
+            let message = format!("{}{line}: {}", self.robot.display(), error.message);
+            Failure::input(message, error.help)
+        })?;
+        let spec = urdf::Spec::new(&robot, &file).text();
+        let warnings = checked(&spec)?;
+        write_file(&self.out, |out| out.write_all(spec.as_bytes()))?;
+        for warning in warnings {
+            eprintln!("{warning}");
+        }
+        let moving = robot.joints.iter().filter(|joint| joint.motion != urdf::Motion::Fixed);
+        print(&format!(
+            "wrote {}: {} links, {} joints that move\n",
+            self.out.display(),
+            robot.links.len(),
+            moving.count()
+        ))
+    }
+
+    fn read(&self) -> Result<String, Failure> {
+        let file = |error: &std::io::Error| Failure::file(&self.robot, error);
+        let metadata = std::fs::metadata(&self.robot).map_err(|error| file(&error))?;
+        if !metadata.is_file() {
+            let message = format!("{}: not a regular file", self.robot.display());
+            return Err(Failure::input(message, ""));
+        }
+        let size = metadata.len();
+        if size > MAX_FILE_BYTES {
+            let message = format!("{}: {size} bytes are too many", self.robot.display());
+            return Err(Failure::input(message, format!("at most {MAX_FILE_BYTES} are read")));
+        }
+        let bytes = std::fs::read(&self.robot).map_err(|error| file(&error))?;
+        String::from_utf8(bytes).map_err(|_| {
+            let message = format!("{}: not text in UTF-8", self.robot.display());
+            Failure::input(message, "")
+        })
+    }
+}
+
+/// Checks the scene before it is written, and returns its warnings.
+fn checked(spec: &str) -> Result<Vec<String>, Failure> {
+    let folder = tempfile::tempdir().map_err(|error| Failure::unsuccessful(error, ""))?;
+    let path = folder.path().join("imported.toml");
+    std::fs::write(&path, spec).map_err(|error| Failure::file(&path, &error))?;
+    let system = pipeline::check(&path)?;
+    let warnings = system.warnings.iter();
+    Ok(warnings.map(|warning| format!("{:?}", miette::Report::new(warning.clone()))).collect())
+}

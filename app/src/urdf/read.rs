@@ -1,0 +1,245 @@
+//! Reading of URDF.
+
+use nalgebra::Matrix3;
+use roxmltree::{Document, Node, ParsingOptions};
+
+use super::robot::{Inertial, Joint, Limits, Link, Mimic, Motion, Pose, Robot, UrdfError};
+
+/// Maximum number of XML nodes.
+const MOST_NODES: u32 = 1_000_000;
+/// Maximum magnitude of a number, in SI units: no robot comes near it.
+const LARGEST: f64 = 1e9;
+
+/// Reads a robot description, and checks it.
+///
+/// # Errors
+/// The first mistake, with its line.
+pub fn read(text: &str) -> Result<Robot, UrdfError> {
+    // Document types are refused, and with them entities that expand without bound.
+    let options =
+        ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES, ..Default::default() };
+    let document = Document::parse_with_options(text, options).map_err(|error| {
+        let line = error.pos().row as usize;
+        UrdfError::new(line, format!("not valid XML: {error}"), "")
+    })?;
+    let root = document.root_element();
+    let reader = Reader { document: &document };
+    if root.tag_name().name() != "robot" {
+        let found = root.tag_name().name().escape_debug().to_string();
+        let message = format!("this is no robot description: the root is <{found}>, not <robot>");
+        return Err(reader.error(root, message, ""));
+    }
+    let xacro = |node: &Node<'_, '_>| {
+        node.tag_name().namespace().is_some_and(|uri| uri.contains("xacro"))
+            || node.attributes().any(|attribute| attribute.value().contains("${"))
+    };
+    if let Some(node) = root.descendants().filter(Node::is_element).find(xacro) {
+        let help = "expand it first: xacro robot.urdf.xacro > robot.urdf";
+        return Err(reader.error(node, "the file contains macros of xacro", help));
+    }
+    let mut robot = Robot { name: reader.name(root)?, ..Robot::default() };
+    for node in root.children().filter(Node::is_element) {
+        match node.tag_name().name() {
+            "link" => robot.links.push(reader.link(node)?),
+            "joint" => robot.joints.push(reader.joint(node)?),
+            _ => {}
+        }
+    }
+    if robot.links.is_empty() {
+        return Err(reader.error(root, "the robot has no links", ""));
+    }
+    robot.check()?;
+    Ok(robot)
+}
+
+struct Reader<'a, 'input> {
+    document: &'a Document<'input>,
+}
+
+type Read<T> = Result<T, UrdfError>;
+
+impl Reader<'_, '_> {
+    fn line(&self, node: Node<'_, '_>) -> usize {
+        self.document.text_pos_at(node.range().start).row as usize
+    }
+
+    fn error(
+        &self,
+        node: Node<'_, '_>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> UrdfError {
+        UrdfError::new(self.line(node), message, help)
+    }
+
+    fn name(&self, node: Node<'_, '_>) -> Read<String> {
+        let name = self.attribute(node, "name")?.trim().to_owned();
+        if name.is_empty() || name.len() > 200 {
+            let tag = node.tag_name().name();
+            return Err(self.error(
+                node,
+                format!("the name of this <{tag}> is empty or too long"),
+                "",
+            ));
+        }
+        Ok(name)
+    }
+
+    fn attribute<'n>(&self, node: Node<'n, '_>, key: &str) -> Read<&'n str> {
+        node.attribute(key).ok_or_else(|| {
+            let tag = node.tag_name().name();
+            self.error(node, format!("<{tag}> lacks the attribute `{key}`"), "")
+        })
+    }
+
+    fn number_in(&self, node: Node<'_, '_>, key: &str, text: &str) -> Read<f64> {
+        let value: Option<f64> = text.trim().parse().ok();
+        match value {
+            Some(value) if value.is_finite() && value.abs() <= LARGEST => Ok(value),
+            Some(_) => {
+                let message = format!("`{key}` is {}, which no robot has", text.escape_debug());
+                let help = format!("numbers are finite and at most {LARGEST:e}, in SI units");
+                Err(self.error(node, message, help))
+            }
+            None => {
+                let message = format!("`{key}` is `{}`, not a number", text.escape_debug());
+                Err(self.error(node, message, "numbers are in SI units and have no unit"))
+            }
+        }
+    }
+
+    fn number(&self, node: Node<'_, '_>, key: &str) -> Read<f64> {
+        self.number_in(node, key, self.attribute(node, key)?)
+    }
+
+    fn number_or(&self, node: Option<Node<'_, '_>>, key: &str, default: f64) -> Read<f64> {
+        match node.and_then(|node| Some((node, node.attribute(key)?))) {
+            Some((node, text)) => self.number_in(node, key, text),
+            None => Ok(default),
+        }
+    }
+
+    fn vector(&self, node: Option<Node<'_, '_>>, key: &str, default: [f64; 3]) -> Read<[f64; 3]> {
+        let Some((node, text)) = node.and_then(|node| Some((node, node.attribute(key)?))) else {
+            return Ok(default);
+        };
+        let parts: Vec<&str> = text.split_whitespace().collect();
+        let [x, y, z] = parts[..] else {
+            let message = format!("`{key}` has three numbers, not {}", parts.len());
+            return Err(self.error(node, message, ""));
+        };
+        let mut values = [0.0; 3];
+        for (value, part) in values.iter_mut().zip([x, y, z]) {
+            *value = self.number_in(node, key, part)?;
+        }
+        Ok(values)
+    }
+
+    fn pose(&self, of: Node<'_, '_>) -> Read<Pose> {
+        let origin = child(of, "origin");
+        Ok(Pose {
+            xyz: self.vector(origin, "xyz", [0.0; 3])?,
+            rpy: self.vector(origin, "rpy", [0.0; 3])?,
+        })
+    }
+
+    fn link(&self, node: Node<'_, '_>) -> Read<Link> {
+        let name = self.name(node)?;
+        let inertial =
+            child(node, "inertial").map(|inertial| self.inertial(inertial)).transpose()?;
+        Ok(Link { name, line: self.line(node), inertial })
+    }
+
+    fn inertial(&self, node: Node<'_, '_>) -> Read<Inertial> {
+        let part = |tag: &str| {
+            child(node, tag)
+                .ok_or_else(|| self.error(node, format!("<inertial> lacks <{tag}>"), ""))
+        };
+        let mass = self.number(part("mass")?, "value")?;
+        if mass < 0.0 {
+            return Err(self.error(node, format!("the mass {mass} kg is negative"), ""));
+        }
+        let tensor = part("inertia")?;
+        let mut inertia = [0.0; 6];
+        for (entry, key) in inertia.iter_mut().zip(["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]) {
+            *entry = self.number(tensor, key)?;
+        }
+        let [xx, yy, zz, xy, xz, yz] = inertia;
+        let least = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz).symmetric_eigenvalues().min();
+        let size = inertia.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
+        if least < -1e-9 * size {
+            let message = format!("the inertia has the principal value {least:e} kg m^2, below 0");
+            return Err(self.error(tensor, message, "it is about the centre of mass, in kg m^2"));
+        }
+        Ok(Inertial { origin: self.pose(node)?, mass, inertia })
+    }
+
+    fn joint(&self, node: Node<'_, '_>) -> Read<Joint> {
+        let name = self.name(node)?;
+        let motion = match self.attribute(node, "type")? {
+            "fixed" => Motion::Fixed,
+            "revolute" | "continuous" => Motion::Turns,
+            "prismatic" => Motion::Slides,
+            "floating" => Motion::Floats,
+            other => {
+                let message = format!("joint `{name}` is of type `{}`", other.escape_debug());
+                let help = "known are fixed, revolute, continuous, prismatic and floating";
+                return Err(self.error(node, message, help));
+            }
+        };
+        let link = |tag: &str| {
+            let link = child(node, tag)
+                .ok_or_else(|| self.error(node, format!("joint `{name}` lacks <{tag}>"), ""))?;
+            Ok::<_, UrdfError>(self.attribute(link, "link")?.trim().to_owned())
+        };
+        let (parent, carried) = (link("parent")?, link("child")?);
+        let axis = self.vector(child(node, "axis"), "xyz", [1.0, 0.0, 0.0])?;
+        let moves = matches!(motion, Motion::Turns | Motion::Slides);
+        if moves && axis.iter().all(|entry| *entry == 0.0) {
+            return Err(self.error(node, format!("the axis of joint `{name}` is zero"), ""));
+        }
+        let dynamics = child(node, "dynamics");
+        let [damping, friction] =
+            [self.number_or(dynamics, "damping", 0.0)?, self.number_or(dynamics, "friction", 0.0)?];
+        if damping < 0.0 || friction < 0.0 {
+            let message = format!("damping and friction of joint `{name}` must not be negative");
+            return Err(self.error(dynamics.unwrap_or(node), message, ""));
+        }
+        Ok(Joint {
+            line: self.line(node),
+            motion,
+            parent,
+            child: carried,
+            origin: self.pose(node)?,
+            axis,
+            damping,
+            friction,
+            limits: self.limits(node)?,
+            mimic: child(node, "mimic").map(|mimic| self.mimic(mimic)).transpose()?,
+            name,
+        })
+    }
+
+    fn limits(&self, node: Node<'_, '_>) -> Read<Option<Limits>> {
+        let Some(limit) = child(node, "limit") else { return Ok(None) };
+        // They are only mentioned, and some files write huge ones where there are none.
+        let of = |key: &str| match limit.attribute(key).map(|text| text.trim().parse::<f64>()) {
+            Some(Ok(value)) if value.is_finite() => Ok(value),
+            _ => self.number_or(Some(limit), key, 0.0),
+        };
+        let position = [of("lower")?, of("upper")?];
+        Ok(Some(Limits { position, velocity: of("velocity")?, effort: of("effort")? }))
+    }
+
+    fn mimic(&self, node: Node<'_, '_>) -> Read<Mimic> {
+        Ok(Mimic {
+            joint: self.attribute(node, "joint")?.trim().to_owned(),
+            multiplier: self.number_or(Some(node), "multiplier", 1.0)?,
+            offset: self.number_or(Some(node), "offset", 0.0)?,
+        })
+    }
+}
+
+fn child<'a, 'input>(node: Node<'a, 'input>, tag: &str) -> Option<Node<'a, 'input>> {
+    node.children().find(|child| child.is_element() && child.tag_name().name() == tag)
+}

@@ -1,0 +1,300 @@
+//! A robot as a tree of links and joints, with its checks.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A mistake in a robot description.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UrdfError {
+    /// Line in the file, from 1; 0 if it concerns the whole file.
+    pub line: usize,
+    /// The mistake, in one sentence.
+    pub message: String,
+    /// A hint, which may be empty.
+    pub help: String,
+}
+
+impl UrdfError {
+    /// Creates a mistake at a line.
+    pub fn new(line: usize, message: impl Into<String>, help: impl Into<String>) -> Self {
+        UrdfError { line, message: message.into(), help: help.into() }
+    }
+}
+
+/// A robot.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Robot {
+    /// Its name.
+    pub name: String,
+    /// Links in the order of the file.
+    pub links: Vec<Link>,
+    /// Joints in the order of the file.
+    pub joints: Vec<Joint>,
+}
+
+/// A rigid link. Its frame is that of the joint that carries it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Link {
+    /// Its name.
+    pub name: String,
+    /// Its line in the file.
+    pub line: usize,
+    /// Its inertia, if it has one.
+    pub inertial: Option<Inertial>,
+}
+
+/// Inertia of a link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inertial {
+    /// Pose of the centre of mass and of the axes of `inertia` in the link's frame.
+    pub origin: Pose,
+    /// Mass \[kg\].
+    pub mass: f64,
+    /// xx, yy, zz, xy, xz, yz about the centre \[kg m^2\].
+    pub inertia: [f64; 6],
+}
+
+impl Inertial {
+    /// Returns true if mass and inertia are zero.
+    pub fn is_zero(&self) -> bool {
+        self.mass == 0.0 && self.inertia.iter().all(|entry| *entry == 0.0)
+    }
+}
+
+/// Name of a base that does not move.
+pub const WORLD: &str = "world";
+
+/// Position and orientation.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Pose {
+    /// Position \[m\].
+    pub xyz: [f64; 3],
+    /// Roll, pitch and yaw \[rad\].
+    pub rpy: [f64; 3],
+}
+
+/// Motion that a joint allows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    /// None.
+    Fixed,
+    /// Rotation about the axis, limited or not.
+    Turns,
+    /// Displacement along the axis.
+    Slides,
+    /// All six motions.
+    Floats,
+}
+
+/// A joint between two links.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joint {
+    /// Its name.
+    pub name: String,
+    /// Its line in the file.
+    pub line: usize,
+    /// The motion it allows.
+    pub motion: Motion,
+    /// The link that carries it.
+    pub parent: String,
+    /// The link that it carries.
+    pub child: String,
+    /// Pose of the child's frame in the parent's, before it moves.
+    pub origin: Pose,
+    /// Axis of the motion.
+    pub axis: [f64; 3],
+    /// Viscous damping \[N m s/rad or N s/m\].
+    pub damping: f64,
+    /// Dry friction \[N m or N\].
+    pub friction: f64,
+    /// Limits, which the scene mentions in a comment.
+    pub limits: Option<Limits>,
+    /// Another joint that it follows.
+    pub mimic: Option<Mimic>,
+}
+
+/// Limits of a joint, in rad or m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Lower and upper limit of the position.
+    pub position: [f64; 2],
+    /// Limit of the speed.
+    pub velocity: f64,
+    /// Limit of the drive's force or torque.
+    pub effort: f64,
+}
+
+/// A joint follows another: position = multiplier times the other's + offset.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mimic {
+    /// The other joint.
+    pub joint: String,
+    /// Multiplier.
+    pub multiplier: f64,
+    /// Offset.
+    pub offset: f64,
+}
+
+impl Robot {
+    /// Checks that links and joints form a tree, in which everything that moves has inertia.
+    ///
+    /// # Errors
+    /// The first mistake.
+    pub fn check(&self) -> Result<(), UrdfError> {
+        unique("link", self.links.iter().map(|link| (&link.name, link.line)))?;
+        unique("joint", self.joints.iter().map(|joint| (&joint.name, joint.line)))?;
+        let links: BTreeSet<&str> = self.links.iter().map(|link| link.name.as_str()).collect();
+        let mut carriers: BTreeMap<&str, &Joint> = BTreeMap::new();
+        for joint in &self.joints {
+            for link in [&joint.parent, &joint.child] {
+                if !links.contains(link.as_str()) {
+                    let message =
+                        format!("joint `{}` refers to link `{link}`, which is missing", joint.name);
+                    return Err(UrdfError::new(joint.line, message, ""));
+                }
+            }
+            if let Some(other) = carriers.insert(&joint.child, joint) {
+                let (child, a, b) = (&joint.child, &other.name, &joint.name);
+                let message = format!("link `{child}` is carried by two joints, `{a}` and `{b}`");
+                let help = "URDF describes trees; close a loop by constraints in the scene";
+                return Err(UrdfError::new(joint.line, message, help));
+            }
+        }
+        let mut roots = self.links.iter().filter(|link| !carriers.contains_key(&*link.name));
+        let Some(root) = roots.next() else {
+            let message = "every link is carried by another: the joints form a loop";
+            return Err(UrdfError::new(0, message, "one link has to be the base"));
+        };
+        if let Some(other) = roots.next() {
+            let message = format!("there are two bases, `{}` and `{}`", root.name, other.name);
+            return Err(UrdfError::new(other.line, message, "connect them by a joint"));
+        }
+        let order = self.order(root);
+        if order.len() < self.links.len() {
+            let is_reached = |link: &&Link| !order.iter().any(|known| known.name == link.name);
+            let first = self.links.iter().find(is_reached);
+            let (name, line) = first.map_or(("", 0), |link| (&*link.name, link.line));
+            let message = format!("link `{name}` is not connected to the base: it is in a loop");
+            return Err(UrdfError::new(line, message, ""));
+        }
+        self.check_mimics()?;
+        self.check_masses(&order)
+    }
+
+    /// Returns the links, each after the one that carries it.
+    pub fn order<'a>(&'a self, root: &'a Link) -> Vec<&'a Link> {
+        let mut children: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for joint in &self.joints {
+            children.entry(&joint.parent).or_default().push(&joint.child);
+        }
+        let by_name: BTreeMap<&str, &Link> =
+            self.links.iter().map(|link| (&*link.name, link)).collect();
+        let mut order = vec![root];
+        let mut at = 0;
+        while at < order.len() {
+            let below = children.get(&*order[at].name).into_iter().flatten();
+            order.extend(below.filter_map(|name| by_name.get(name)));
+            at += 1;
+        }
+        order
+    }
+
+    /// Returns the link that no joint carries.
+    pub fn root(&self) -> Option<&Link> {
+        self.links.iter().find(|link| self.carrier(link).is_none())
+    }
+
+    /// Reports whether a link is a base that does not move.
+    pub fn is_world(&self, link: &Link) -> bool {
+        link.name == WORLD && self.carrier(link).is_none()
+    }
+
+    /// Lets the base move freely.
+    ///
+    /// # Errors
+    /// If the robot stands in a world of its own.
+    pub fn release(&mut self) -> Result<(), UrdfError> {
+        let base = self.root().map(|root| root.name.clone()).unwrap_or_default();
+        if self.links.iter().any(|link| link.name == WORLD) {
+            let message = "the robot has a link `world`, to which its base is connected";
+            return Err(UrdfError::new(0, message, "make that joint floating instead"));
+        }
+        self.links.insert(0, Link { name: WORLD.to_owned(), line: 0, inertial: None });
+        self.joints.push(Joint {
+            name: "base".to_owned(),
+            line: 0,
+            motion: Motion::Floats,
+            parent: WORLD.to_owned(),
+            child: base,
+            origin: Pose::default(),
+            axis: [1.0, 0.0, 0.0],
+            damping: 0.0,
+            friction: 0.0,
+            limits: None,
+            mimic: None,
+        });
+        self.check()
+    }
+
+    /// Returns the joint that carries a link.
+    pub fn carrier(&self, link: &Link) -> Option<&Joint> {
+        self.joints.iter().find(|joint| joint.child == link.name)
+    }
+
+    /// Returns the joint of a name.
+    pub fn joint(&self, name: &str) -> Option<&Joint> {
+        self.joints.iter().find(|joint| joint.name == name)
+    }
+
+    fn check_mimics(&self) -> Result<(), UrdfError> {
+        for joint in &self.joints {
+            let Some(mimic) = &joint.mimic else { continue };
+            let refuse = |why: &str| {
+                let message = format!("joint `{}` follows `{}`, {why}", joint.name, mimic.joint);
+                Err(UrdfError::new(joint.line, message, "name a joint that moves by itself"))
+            };
+            match self.joint(&mimic.joint) {
+                None => return refuse("which is missing"),
+                Some(other) if other.mimic.is_some() => return refuse("which follows another"),
+                Some(other) if !matches!(other.motion, Motion::Turns | Motion::Slides) => {
+                    return refuse("which has no single coordinate");
+                }
+                Some(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that every joint that moves carries mass.
+    fn check_masses(&self, order: &[&Link]) -> Result<(), UrdfError> {
+        let mut carried: BTreeMap<&str, bool> = BTreeMap::new();
+        for link in order.iter().rev() {
+            let own = link.inertial.as_ref().is_some_and(|inertial| !inertial.is_zero());
+            let has = carried.get(&*link.name).copied().unwrap_or(false) || own;
+            let Some(joint) = self.carrier(link) else { continue };
+            if !has && joint.motion != Motion::Fixed {
+                let message = format!(
+                    "joint `{}` moves link `{}`, but neither it nor what it carries has inertia",
+                    joint.name, link.name
+                );
+                let help = "add <inertial> to the link, or make the joint fixed";
+                return Err(UrdfError::new(joint.line, message, help));
+            }
+            *carried.entry(&joint.parent).or_default() |= has;
+        }
+        Ok(())
+    }
+}
+
+fn unique<'a>(
+    kind: &str,
+    names: impl Iterator<Item = (&'a String, usize)>,
+) -> Result<(), UrdfError> {
+    let mut known = BTreeSet::new();
+    for (name, line) in names {
+        if !known.insert(name) {
+            let message = format!("two {kind}s are called `{}`", name.escape_debug());
+            return Err(UrdfError::new(line, message, ""));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,288 @@
+//! A robot as the text of a scene.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::FRAC_PI_2;
+use std::fmt::Write as _;
+
+use super::robot::{Joint, Link, Motion, Pose, Robot, WORLD};
+
+/// A robot, with names that specs allow.
+pub struct Spec<'a> {
+    robot: &'a Robot,
+    /// Name of the file, for comments.
+    file: &'a str,
+    /// Name of the scene.
+    scene: String,
+    frames: BTreeMap<&'a str, String>,
+    coordinates: BTreeMap<&'a str, String>,
+}
+
+impl<'a> Spec<'a> {
+    /// Chooses names: those of the robot, with `_` in place of other characters.
+    pub fn new(robot: &'a Robot, file: &'a str) -> Self {
+        let mut taken = BTreeSet::from([WORLD.to_owned(), "t".to_owned(), "pi".to_owned()]);
+        let mut frames = BTreeMap::new();
+        for link in &robot.links {
+            let is_world = robot.is_world(link);
+            let name = if is_world { WORLD.to_owned() } else { named(&link.name, &mut taken) };
+            frames.insert(link.name.as_str(), name);
+        }
+        // Components of a frame's motion are called after it: `tool_x`, `tool_v_x`.
+        for frame in frames.values() {
+            for end in ["x", "y", "z", "v_x", "v_y", "v_z", "omega_x", "omega_y", "omega_z"] {
+                taken.insert(format!("{frame}_{end}"));
+            }
+        }
+        let moving = robot.joints.iter().filter(|joint| joint.motion != Motion::Fixed);
+        let coordinates = moving.map(|joint| (&*joint.name, named(&joint.name, &mut taken)));
+        let coordinates = coordinates.collect();
+        let scene = named(&robot.name, &mut BTreeSet::new()).to_lowercase();
+        Spec { robot, file, scene, frames, coordinates }
+    }
+
+    /// Returns the text of the scene.
+    pub fn text(&self) -> String {
+        let mut text = self.head();
+        let Some(root) = self.robot.root() else { return text };
+        for link in self.robot.order(root).into_iter().filter(|link| !self.robot.is_world(link)) {
+            text.push('\n');
+            let carrier = self.robot.carrier(link);
+            if let Some(joint) = carrier {
+                self.coordinate(&mut text, joint);
+            }
+            self.frame(&mut text, link, carrier);
+            self.body(&mut text, link);
+        }
+        self.losses(&mut text);
+        text
+    }
+
+    fn head(&self) -> String {
+        let Spec { scene, file, .. } = self;
+        let title = quoted(&self.robot.name);
+        let file = file.replace(|c: char| c.is_control(), " ");
+        let source = quoted(&file);
+        format!(
+            "# Imported from {file} by `machinist import`.\n\n\
+             [scene]\nname = \"{scene}\"\ntitle = {title}\nsource = {source}\n\n\
+             [units.robot]\nunit = \"{scene}_robot\"\n\n\
+             [run]\nuntil = 1.0\npoints = 201\nrtol = 1e-8\n\n\
+             [define.{scene}_robot]\ngravity = [0, 0, -9.81]\n"
+        )
+    }
+
+    /// Writes the coordinate of a joint, and a port to drive it by.
+    fn coordinate(&self, text: &mut String, joint: &Joint) {
+        let scene = &self.scene;
+        if joint.mimic.is_some() || joint.motion == Motion::Fixed {
+            return;
+        }
+        let name = &self.coordinates[&*joint.name];
+        let (unit, kind) = if joint.motion == Motion::Slides {
+            ("m", "translational")
+        } else {
+            ("rad", "rotational")
+        };
+        if joint.motion == Motion::Floats {
+            for (end, unit) in FLOATING {
+                let _ = writeln!(
+                    text,
+                    "[define.{scene}_robot.coordinates.{name}_{end}]\nunit = \"{unit}\"\n"
+                );
+            }
+            return;
+        }
+        let doc = quoted(&format!("joint {}", joint.name));
+        if let Some(limits) = &joint.limits {
+            let [lower, upper] = limits.position.map(number);
+            let (speed, effort) = (number(limits.velocity), number(limits.effort));
+            let force = if unit == "m" { "N" } else { "N m" };
+            let _ = writeln!(
+                text,
+                "# Limits, which nothing enforces: {lower} to {upper} {unit}, {speed} {unit}/s, \
+                 {effort} {force}"
+            );
+        }
+        let _ = writeln!(
+            text,
+            "[define.{scene}_robot.coordinates.{name}]\nunit = \"{unit}\"\ndoc = {doc}\n\n\
+             [define.{scene}_robot.ports.{name}]\nkind = \"{kind}\"\ncoordinate = \"{name}\"\n"
+        );
+    }
+
+    fn frame(&self, text: &mut String, link: &Link, carrier: Option<&Joint>) {
+        let (scene, name) = (&self.scene, &self.frames[&*link.name]);
+        let head = |text: &mut String, name: &str, parent: &str| {
+            let _ = writeln!(text, "[define.{scene}_robot.frames.{name}]\nparent = \"{parent}\"");
+        };
+        let Some(joint) = carrier else { return head(text, name, "world") };
+        let parent = &self.frames[&*joint.parent];
+        if joint.motion == Motion::Floats {
+            let base = format!("{name}_base");
+            head(text, &base, parent);
+            pose(text, "displacement", &joint.origin);
+            text.push('\n');
+            head(text, name, &base);
+            let coordinate = &self.coordinates[&*joint.name];
+            let [x, y, z, a, b, c] = FLOATING.map(|(end, _)| format!("\"{coordinate}_{end}\""));
+            let _ = writeln!(
+                text,
+                "displacement = [{x}, {y}, {z}]\n\
+                 rotation = {{ sequence = \"zyx\", angles = [{a}, {b}, {c}] }}"
+            );
+            return;
+        }
+        head(text, name, parent);
+        pose(text, "displacement", &joint.origin);
+        let (Some(position), axis) = (self.position(joint), vector(joint.axis)) else { return };
+        let _ = match joint.motion {
+            Motion::Turns => {
+                writeln!(text, "revolute = {{ axis = {axis}, angle = {position} }}")
+            }
+            Motion::Slides => {
+                writeln!(text, "prismatic = {{ axis = {axis}, displacement = {position} }}")
+            }
+            Motion::Fixed | Motion::Floats => Ok(()),
+        };
+    }
+
+    /// Returns the expression of a joint's position, in quotes.
+    fn position(&self, joint: &Joint) -> Option<String> {
+        let Some(mimic) = &joint.mimic else {
+            return self.coordinates.get(&*joint.name).map(|name| quoted(name));
+        };
+        let (other, own) = (self.robot.joint(&mimic.joint)?, joint.motion);
+        let leader = self.coordinates.get(&*other.name)?;
+        let unit = if own == Motion::Slides { "m" } else { "rad" };
+        // A length that follows an angle has a multiplier in m, and the reverse.
+        let of_factor = match (own, other.motion) {
+            (Motion::Slides, Motion::Turns) => " [m]",
+            (Motion::Turns, Motion::Slides) => " [1/m]",
+            _ => "",
+        };
+        let factor = number(mimic.multiplier);
+        let mut expression = format!("{factor}{of_factor}*{leader}");
+        if mimic.offset != 0.0 {
+            let _ = write!(expression, " + {} [{unit}]", number(mimic.offset));
+        }
+        Some(quoted(&expression.replace("+ -", "- ")))
+    }
+
+    fn body(&self, text: &mut String, link: &Link) {
+        let Some(inertial) = link.inertial.as_ref().filter(|inertial| !inertial.is_zero()) else {
+            return;
+        };
+        let (scene, name) = (&self.scene, &self.frames[&*link.name]);
+        let _ = writeln!(text, "\n[define.{scene}_robot.bodies.{name}]\nframe = \"{name}\"");
+        let _ = writeln!(text, "mass = {}", number(inertial.mass));
+        pose(text, "centre", &inertial.origin);
+        let keys = ["xx", "yy", "zz", "xy", "xz", "yz"];
+        let entries = keys.iter().zip(inertial.inertia).filter(|(_, value)| *value != 0.0);
+        let entries: Vec<String> =
+            entries.map(|(key, value)| format!("{key} = {}", number(value))).collect();
+        if !entries.is_empty() {
+            let _ = writeln!(text, "inertia = {{ {} }}", entries.join(", "));
+        }
+    }
+
+    /// Writes damping as dissipation, and dry friction.
+    fn losses(&self, text: &mut String) {
+        let scene = &self.scene;
+        let own = || {
+            let moving = self.robot.joints.iter().filter(|joint| joint.mimic.is_none());
+            moving.filter(|joint| matches!(joint.motion, Motion::Turns | Motion::Slides))
+        };
+        let units = |joint: &Joint| {
+            if joint.motion == Motion::Slides { ["N s/m", "N"] } else { ["N m s/rad", "N m"] }
+        };
+        let damped: Vec<String> = own()
+            .filter(|joint| joint.damping > 0.0)
+            .map(|joint| {
+                let (name, [unit, _]) = (&self.coordinates[&*joint.name], units(joint));
+                format!("{} [{unit}]*{name}_dot^2/2", number(joint.damping))
+            })
+            .collect();
+        if !damped.is_empty() {
+            let terms = damped.join(" + \\\n  ");
+            let _ = write!(
+                text,
+                "\n[define.{scene}_robot.energy]\ndissipation = \"\"\"\\\n  {terms}\"\"\"\n"
+            );
+        }
+        for joint in own().filter(|joint| joint.friction > 0.0) {
+            let (name, [_, unit]) = (&self.coordinates[&*joint.name], units(joint));
+            let friction = number(joint.friction);
+            let _ = write!(
+                text,
+                "\n[define.{scene}_robot.friction.{name}_friction]\nspeed = \"{name}_dot\"\n\
+                 sliding = \"{friction} [{unit}]\"\nunit = \"{unit}\"\n"
+            );
+        }
+    }
+}
+
+/// Coordinates of a floating joint: the ends of their names, and their units.
+const FLOATING: [(&str, &str); 6] =
+    [("px", "m"), ("py", "m"), ("pz", "m"), ("yaw", "rad"), ("pitch", "rad"), ("roll", "rad")];
+
+/// Writes a position under a key, and a rotation, without zeros.
+fn pose(text: &mut String, key: &str, pose: &Pose) {
+    if pose.xyz != [0.0; 3] {
+        let _ = writeln!(text, "{key} = {}", vector(pose.xyz));
+    }
+    if pose.rpy != [0.0; 3] {
+        let angles = pose.rpy.map(angle).join(", ");
+        let _ = writeln!(text, "rotation = {{ roll_pitch_yaw = [{angles}] }}");
+    }
+}
+
+/// Writes an angle; quarter turns as such, so that their sines are exact.
+fn angle(value: f64) -> String {
+    let quarters = (value / FRAC_PI_2).round();
+    let is_quarter = (value - quarters * FRAC_PI_2).abs() <= f64::EPSILON * value.abs();
+    if value != 0.0 && is_quarter { format!("\"{}*pi/2\"", quarters) } else { number(value) }
+}
+
+fn vector(values: [f64; 3]) -> String {
+    format!("[{}]", values.map(number).join(", "))
+}
+
+fn number(value: f64) -> String {
+    // Minus zero is zero.
+    format!("{:?}", if value == 0.0 { 0.0 } else { value })
+}
+
+/// Returns a TOML string.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => quoted.extend(['\\', c]),
+            c if c.is_control() => quoted.push(' '),
+            c => quoted.push(c),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+/// Returns a name of letters, digits and `_` that is not taken, and takes it.
+fn named(name: &str, taken: &mut BTreeSet<String>) -> String {
+    let is_allowed = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut own: String = name.chars().map(|c| if is_allowed(c) { c } else { '_' }).collect();
+    let own_start = own.trim_start_matches('_').to_owned();
+    own = own_start.trim_end_matches('_').to_owned();
+    while own.contains("__") {
+        own = own.replace("__", "_");
+    }
+    if !own.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        own.insert_str(0, "n_");
+    }
+    let mut candidate = own.clone();
+    let mut count = 2;
+    while !taken.insert(candidate.clone()) {
+        candidate = format!("{own}_{count}");
+        count += 1;
+    }
+    candidate
+}

@@ -13,6 +13,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_contract::{Describe, Simulator};
 use machinist_studies::double_double::DoubleDouble;
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
 
 use crate::own_scene::{of_text, refusal};
@@ -57,6 +58,11 @@ fn scene_of(robot: &Value) -> String {
     );
     for (index, joint) in robot["joints"].as_array().expect("joints").iter().enumerate() {
         let (n, kind) = (index + 1, joint["type"].as_str().expect("a type"));
+        if kind == "JointModelFreeFlyer" {
+            text += FREE;
+            text += &body_of(n, joint);
+            continue;
+        }
         let is_prismatic = kind.starts_with("JointModelP");
         let unit = if is_prismatic { ["m", "N"] } else { ["rad", "N m"] };
         let axis = match kind.chars().last() {
@@ -71,33 +77,49 @@ fn scene_of(robot: &Value) -> String {
             Some(parent) => format!("f{parent}"),
         };
         let turned = quaternion(&rows(&joint["R"]));
-        let inertia = rows(&joint["inertia_at_com"]);
         write!(
             text,
             "[define.robot.coordinates.q{n}]\nunit = \"{0}\"\n\
              [define.robot.parameters.tau{n}]\nvalue = 0\nunit = \"{1}\"\n\
              [[define.robot.forces]]\ncoordinate = \"q{n}\"\nexpression = \"tau{n}\"\n\
              [define.robot.frames.f{n}]\nparent = \"{parent}\"\ndisplacement = {2}\n\
-             rotation = {{ quaternion = {turned:?} }}\n{3} = {{ axis = {axis}, {4} = \"q{n}\" }}\n\
-             [define.robot.bodies.b{n}]\nframe = \"f{n}\"\nmass = {5}\ncentre = {6}\n\
-             inertia = {{ xx = {7}, yy = {8}, zz = {9}, xy = {10}, xz = {11}, yz = {12} }}\n",
-            unit[0],
-            unit[1],
-            joint["p"],
-            by[0],
-            by[1],
-            joint["mass"],
-            joint["com"],
-            inertia[0][0],
-            inertia[1][1],
-            inertia[2][2],
-            inertia[0][1],
-            inertia[0][2],
-            inertia[1][2],
+             rotation = {{ quaternion = {turned:?} }}\n{3} = {{ axis = {axis}, {4} = \"q{n}\" }}\n",
+            unit[0], unit[1], joint["p"], by[0], by[1],
         )
         .expect("text");
+        text += &body_of(n, joint);
     }
     text
+}
+
+/// A base that moves freely.
+const FREE: &str = r#"
+[define.robot.coordinates]
+x = { unit = "m" }
+y = { unit = "m" }
+z = { unit = "m" }
+yaw = { unit = "rad" }
+pitch = { unit = "rad" }
+roll = { unit = "rad" }
+[define.robot.frames.f1]
+displacement = ["x", "y", "z"]
+rotation = { sequence = "zyx", angles = ["yaw", "pitch", "roll"] }
+"#;
+
+fn body_of(n: usize, joint: &Value) -> String {
+    let inertia = rows(&joint["inertia_at_com"]);
+    format!(
+        "[define.robot.bodies.b{n}]\nframe = \"f{n}\"\nmass = {0}\ncentre = {1}\n\
+         inertia = {{ xx = {2}, yy = {3}, zz = {4}, xy = {5}, xz = {6}, yz = {7} }}\n",
+        joint["mass"],
+        joint["com"],
+        inertia[0][0],
+        inertia[1][1],
+        inertia[2][2],
+        inertia[0][1],
+        inertia[0][2],
+        inertia[1][2],
+    )
 }
 
 /// Returns the largest difference of two matrices, relative to the largest entry.
@@ -148,6 +170,62 @@ fn robots_move_as_pinocchio_says() {
     for name in ["ur5", "panda", "double_pendulum", "two_dofs"] {
         compared_with_pinocchio(name, 1e-12);
     }
+}
+
+/// Pinocchio's velocities of a free base are those of its frame, along its own axes; ours are rates
+/// of position and of angles about z, y and x.
+#[test]
+fn a_quadruped_moves_as_pinocchio_says() {
+    let robot = &robots()["robots"]["hyq"];
+    let scene = of_text(&scene_of(robot), Keep::All);
+    let p = vec![0.0; scene.shape().parameters];
+    let mut compared = 0;
+    for state in robot["states"].as_array().expect("states") {
+        let (q, v) = (numbers(&state["q"]), numbers(&state["v"]));
+        let turned = UnitQuaternion::new_normalize(Quaternion::new(q[6], q[3], q[4], q[5]));
+        let (roll, pitch, yaw) = turned.euler_angles();
+        let (linear, omega) = (Vector3::new(v[0], v[1], v[2]), Vector3::new(v[3], v[4], v[5]));
+        let angles = [yaw, pitch, roll];
+        let to_omega = omega_by_rates(angles);
+        let rates = to_omega.try_inverse().expect("regular") * omega;
+        let velocity = turned * linear;
+        let positions = [&q[..3], &angles, &q[7..]].concat();
+        let y = [&positions[..], velocity.as_slice(), rates.as_slice(), &v[6..]].concat();
+        let energy = Simulator::<f64>::energy(&scene, 0.0, &y, &p);
+        let [kinetic, potential] = ["T", "V"].map(|key| state[key].as_f64().expect("a number"));
+        let size = kinetic.abs() + potential.abs();
+        assert!((energy.kinetic - kinetic).abs() <= 1e-12 * size, "T");
+        assert!((energy.potential - potential).abs() <= 1e-12 * size, "V");
+        let Some(wanted) = state.get("ddq").map(numbers) else { continue };
+        let mut rate = vec![0.0; 36];
+        scene.rate(0.0, &y, &p, &mut rate);
+        let bends = Vector3::from_column_slice(&rate[21..24]);
+        // d(R^T p')/dt = R^T p'' - omega x (R^T p'), and d(W e')/dt = W e'' + W' e'.
+        let moving = turned.inverse() * Vector3::from_column_slice(&rate[18..21]);
+        let linear = moving - omega.cross(&linear);
+        let turning = to_omega * bends + rate_of_omega(angles, rates.into());
+        let found = [linear.as_slice(), turning.as_slice(), &rate[24..]].concat();
+        let error = off(|_, j| found[j], &[wanted]);
+        assert!(error <= 1e-12, "q'' is off by {error:e}");
+        compared += 1;
+    }
+    assert_eq!(compared, 1);
+}
+
+/// Returns W of omega = W \[yaw', pitch', roll'\] along the axes of the frame.
+fn omega_by_rates([_, pitch, roll]: [f64; 3]) -> Matrix3<f64> {
+    let ((sp, cp), (sr, cr)) = (pitch.sin_cos(), roll.sin_cos());
+    Matrix3::new(-sp, 0.0, 1.0, cp * sr, cr, 0.0, cp * cr, -sr, 0.0)
+}
+
+/// Returns W' \[yaw', pitch', roll'\].
+fn rate_of_omega([_, pitch, roll]: [f64; 3], [yaw_rate, dp, dr]: [f64; 3]) -> Vector3<f64> {
+    let ((sp, cp), (sr, cr)) = (pitch.sin_cos(), roll.sin_cos());
+    Vector3::new(
+        -cp * dp * yaw_rate,
+        (-sp * dp * sr + cp * cr * dr) * yaw_rate - sr * dr * dp,
+        (-sp * dp * cr - cp * sr * dr) * yaw_rate - cr * dr * dp,
+    )
 }
 
 fn run(text: &str) -> Trajectory {
@@ -262,6 +340,20 @@ fn a_tree_moves_as_its_energies_say() {
     let found = comparison.at_random(10, &parameters, 0x5eed);
     assert!(found.error <= 1e-11, "{found:?}");
     assert!(found.compared > 10, "{found:?}");
+}
+
+/// Joints are driven and forces act, so power flows in and out.
+#[test]
+fn the_power_of_bodies_balances() {
+    let scene = of_text(TREE, Keep::All);
+    let p: Vec<f64> = (0..scene.shape().parameters).map(|k| scene.parameter_default(k)).collect();
+    for sample in 0..5 {
+        let y: Vec<f64> = (0..12).map(|k| f64::from(7 * sample + 3 * k).sin()).collect();
+        let power = scene.power_balance(0.3 * f64::from(sample), &y, &p);
+        let size = power.stored_rate.abs() + power.supplied.abs() + power.dissipated.abs();
+        assert!(power.residual().abs() <= 1e-12 * size, "{power:?}");
+        assert!(power.supplied.abs() > 1e-3 && power.dissipated.abs() > 1e-3, "{power:?}");
+    }
 }
 
 #[test]

@@ -24,7 +24,6 @@ use std::collections::BTreeSet;
 use machinist_model::{Function as Unary, TableId};
 use num_rational::BigRational;
 use num_traits::Zero as _;
-use rustc_hash::FxHashMap;
 
 pub use cost::{operations, weigh};
 pub use graph::{Graph, PlusExponential};
@@ -236,6 +235,6 @@ impl Expr {
     /// Returns the expression with symbols replaced by other expressions.
     #[must_use]
     pub fn replace(&self, with: &impl Fn(Symbol) -> Option<Expr>) -> Expr {
-        shared::replaced(self, with, &mut FxHashMap::default())
+        shared::replaced(self, with)
     }
 }

@@ -13,6 +13,7 @@ mod deriving;
 mod fit;
 mod fmu;
 mod fuzz;
+mod import;
 mod improve;
 mod linearize;
 mod lists;

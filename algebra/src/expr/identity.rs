@@ -15,7 +15,7 @@ use num_rational::BigRational;
 use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
 use rustc_hash::FxHashMap;
 
-use super::{Expr, Function, Symbol};
+use super::{Expr, Function, Shared, Symbol};
 
 /// A prime of 62 bits, 4 Q + 1.
 pub(super) const P: u64 = 4_611_686_018_427_386_309;
@@ -196,11 +196,16 @@ impl Point {
 
     /// Returns the value of an expression; `None` if it divides by zero.
     pub(super) fn value(&self, expr: &Expr) -> Option<Value> {
-        self.value_by(expr, &mut FxHashMap::default())
+        let mut known = FxHashMap::default();
+        for part in Shared::within(expr, |_| false) {
+            let value = self.value_by(part.definition(), &known);
+            known.insert(part.digest(), value);
+        }
+        self.value_by(expr, &known)
     }
 
     /// Returns the same; `known` holds the values of shared parts at this point.
-    fn value_by(&self, expr: &Expr, known: &mut FxHashMap<u128, Option<Value>>) -> Option<Value> {
+    fn value_by(&self, expr: &Expr, known: &FxHashMap<u128, Option<Value>>) -> Option<Value> {
         match expr {
             Expr::Number(number) => Value::of(number),
             Expr::Symbol(symbol) => Some(self.symbol(*symbol)),
@@ -223,14 +228,7 @@ impl Point {
                     arguments.iter().map(|argument| self.value_by(argument, known)).collect();
                 self.call(*function, &arguments?)
             }
-            Expr::Shared(shared) => {
-                if let Some(value) = known.get(&shared.digest()) {
-                    return *value;
-                }
-                let value = self.value_by(shared.definition(), known);
-                known.insert(shared.digest(), value);
-                value
-            }
+            Expr::Shared(shared) => known.get(&shared.digest()).copied().flatten(),
         }
     }
 

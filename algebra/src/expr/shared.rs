@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::hash::{Hash, Hasher};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use rustc_hash::FxHashMap;
 
@@ -79,18 +79,83 @@ impl Shared {
         self.0.digest
     }
 
+    /// Returns the shared parts of an expression and of their definitions, each after those that it
+    /// uses, except those for which `is_known` returns true and what only they use.
+    ///
+    /// Work on them in this order does not recurse: parts may nest thousands of levels deep.
+    #[must_use]
+    pub fn within(expr: &Expr, is_known: impl Fn(&Shared) -> bool) -> Vec<Shared> {
+        let mut found: FxHashMap<u128, Shared> = FxHashMap::default();
+        let mut left = direct(expr);
+        while let Some(part) = left.pop() {
+            if !found.contains_key(&part.digest()) && !is_known(&part) {
+                left.extend(direct(part.definition()));
+                found.insert(part.digest(), part);
+            }
+        }
+        let mut parts: Vec<Shared> = found.into_values().collect();
+        parts.sort_unstable();
+        parts
+    }
+
     /// Returns the derivative by a symbol, formed by `derive` at the first call.
-    pub(crate) fn slope(&self, by: Symbol, derive: impl FnOnce(&Expr) -> Expr) -> Expr {
+    pub(crate) fn slope(&self, by: Symbol, derive: impl Fn(&Expr) -> Expr) -> Expr {
+        if let Some(slope) = self.known_slope(by) {
+            return slope;
+        }
+        let whole = Expr::Shared(self.clone());
+        for part in Shared::within(&whole, |part| part.known_slope(by).is_some()) {
+            let slope = Expr::shared(derive(&part.0.definition));
+            part.slopes().insert(by, slope);
+        }
+        self.known_slope(by).unwrap_or_else(|| Expr::integer(0))
+    }
+
+    fn known_slope(&self, by: Symbol) -> Option<Expr> {
         if !self.0.symbols.contains(&by) {
-            return Expr::integer(0);
+            return Some(Expr::integer(0));
         }
-        let slopes = || self.0.slopes.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(slope) = slopes().get(&by) {
-            return slope.clone();
+        self.slopes().get(&by).cloned()
+    }
+
+    fn slopes(&self) -> MutexGuard<'_, FxHashMap<Symbol, Expr>> {
+        self.0.slopes.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Returns the shared parts that an expression uses itself.
+fn direct(expr: &Expr) -> Vec<Shared> {
+    let mut parts = Vec::new();
+    expr.visit(&mut |part| {
+        if let Expr::Shared(shared) = part {
+            parts.push(shared.clone());
         }
-        let slope = Expr::shared(derive(&self.0.definition));
-        slopes().insert(by, slope.clone());
-        slope
+    });
+    parts
+}
+
+impl Drop for Inner {
+    /// Drops the parts within one after the other: nested drops would exhaust the stack.
+    fn drop(&mut self) {
+        let mut left = self.release();
+        while let Some(Shared(part)) = left.pop() {
+            if let Some(mut inner) = Arc::into_inner(part) {
+                left.extend(inner.release());
+            }
+        }
+    }
+}
+
+impl Inner {
+    /// Gives away the parts that it uses.
+    fn release(&mut self) -> Vec<Shared> {
+        let mut parts = direct(&self.definition);
+        self.definition = Expr::integer(0);
+        let slopes = self.slopes.get_mut().unwrap_or_else(PoisonError::into_inner);
+        for slope in std::mem::take(slopes).into_values() {
+            parts.extend(direct(&slope));
+        }
+        parts
     }
 }
 
@@ -132,36 +197,39 @@ fn joined(a: &Arc<BTreeSet<Symbol>>, b: &Arc<BTreeSet<Symbol>>) -> Arc<BTreeSet<
     }
 }
 
-/// Returns an expression with symbols replaced; `known` holds the shared parts replaced before.
-pub(super) fn replaced(
+/// Returns an expression with symbols replaced.
+pub(super) fn replaced(expr: &Expr, with: &impl Fn(Symbol) -> Option<Expr>) -> Expr {
+    let mut known = FxHashMap::default();
+    for part in Shared::within(expr, |_| false) {
+        let result = if part.symbols().iter().any(|symbol| with(*symbol).is_some()) {
+            let name = part.name().map(str::to_owned);
+            replaced_by(part.definition(), with, &known).shared_as(name)
+        } else {
+            Expr::Shared(part.clone())
+        };
+        known.insert(part.digest(), result);
+    }
+    replaced_by(expr, with, &known)
+}
+
+/// Returns the same; `known` holds the shared parts replaced before.
+fn replaced_by(
     expr: &Expr,
     with: &impl Fn(Symbol) -> Option<Expr>,
-    known: &mut FxHashMap<u128, Expr>,
+    known: &FxHashMap<u128, Expr>,
 ) -> Expr {
-    let mut all = |parts: &[Expr]| parts.iter().map(|part| replaced(part, with, known)).collect();
+    let all = |parts: &[Expr]| parts.iter().map(|part| replaced_by(part, with, known)).collect();
     match expr {
         Expr::Number(_) => expr.clone(),
         Expr::Symbol(symbol) => with(*symbol).unwrap_or_else(|| expr.clone()),
         Expr::Sum(terms) => Expr::Sum(all(terms)),
         Expr::Product(factors) => Expr::Product(all(factors)),
         Expr::Power(base, exponent) => {
-            let base = replaced(base, with, known);
-            Expr::Power(Box::new(base), Box::new(replaced(exponent, with, known)))
+            let base = replaced_by(base, with, known);
+            Expr::Power(Box::new(base), Box::new(replaced_by(exponent, with, known)))
         }
         Expr::Call(function, arguments) => Expr::Call(*function, all(arguments)),
-        Expr::Shared(shared) => {
-            if let Some(known) = known.get(&shared.digest()) {
-                return known.clone();
-            }
-            let result = if shared.symbols().iter().any(|symbol| with(*symbol).is_some()) {
-                let name = shared.name().map(str::to_owned);
-                replaced(shared.definition(), with, known).shared_as(name)
-            } else {
-                expr.clone()
-            };
-            known.insert(shared.digest(), result.clone());
-            result
-        }
+        Expr::Shared(shared) => known.get(&shared.digest()).unwrap_or(expr).clone(),
     }
 }
 

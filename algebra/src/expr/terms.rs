@@ -9,39 +9,42 @@ use super::graph::Graph;
 use super::overflow;
 use machinist_model::{Function as Unary, NodeId};
 
-use super::{Expr, Function};
+use super::{Expr, Function, Shared};
 
+/// Adds an expression, after the shared parts within it.
 pub(super) fn lower(graph: &mut Graph, expr: &Expr) -> NodeId {
+    for part in Shared::within(expr, |part| graph.shared.contains_key(&part.digest())) {
+        let node = lower_part(graph, part.definition());
+        if let Some(name) = part.name() {
+            graph.name(node, name);
+        }
+        graph.shared.insert(part.digest(), node);
+    }
+    lower_part(graph, expr)
+}
+
+/// Adds an expression whose shared parts are on the graph.
+fn lower_part(graph: &mut Graph, expr: &Expr) -> NodeId {
     match expr {
         Expr::Number(value) => {
             let value = to_f64(value);
             graph.literal(value)
         }
         Expr::Symbol(symbol) => graph.symbol(*symbol),
-        Expr::Shared(shared) => {
-            if let Some(node) = graph.shared.get(&shared.digest()) {
-                return *node;
-            }
-            let node = lower(graph, shared.definition());
-            if let Some(name) = shared.name() {
-                graph.name(node, name);
-            }
-            graph.shared.insert(shared.digest(), node);
-            node
-        }
+        Expr::Shared(shared) => graph.shared[&shared.digest()],
         Expr::Sum(terms) => sum(graph, terms),
         Expr::Product(factors) => product(graph, factors),
         Expr::Power(base, exponent) => power(graph, base, exponent),
         Expr::Call(Function::SelectLess, arguments) => {
-            let sides: Vec<NodeId> = arguments.iter().map(|a| lower(graph, a)).collect();
+            let sides: Vec<NodeId> = arguments.iter().map(|a| lower_part(graph, a)).collect();
             graph.select_less(sides[0], sides[1], sides[2], sides[3])
         }
         Expr::Call(Function::Table { table, order }, arguments) => {
-            let argument = lower(graph, &arguments[0]);
+            let argument = lower_part(graph, &arguments[0]);
             graph.table(*table, *order, argument)
         }
         Expr::Call(function, arguments) => {
-            let argument = lower(graph, &arguments[0]);
+            let argument = lower_part(graph, &arguments[0]);
             match function.unary() {
                 Some(function) => graph.call(function, argument),
                 None => unreachable!("selections and tables are lowered above"),
@@ -61,9 +64,9 @@ fn to_f64(value: &BigRational) -> f64 {
 }
 
 fn power(graph: &mut Graph, base: &Expr, exponent: &Expr) -> NodeId {
-    let node = lower(graph, base);
+    let node = lower_part(graph, base);
     let Expr::Number(value) = exponent else {
-        let exponent = lower(graph, exponent);
+        let exponent = lower_part(graph, exponent);
         return graph.powf(node, exponent);
     };
     let half = *value.denom() == 2.into();
@@ -96,9 +99,9 @@ fn product(graph: &mut Graph, factors: &[Expr]) -> NodeId {
                     let positive = Expr::Number(-value.clone());
                     (power(graph, base, &positive), true)
                 }
-                _ => (lower(graph, factor), false),
+                _ => (lower_part(graph, factor), false),
             },
-            _ => (lower(graph, factor), false),
+            _ => (lower_part(graph, factor), false),
         };
         let varying = !graph.is_constant(node);
         parts[usize::from(below) + 2 * usize::from(varying)].push(node);
@@ -133,7 +136,7 @@ fn sum(graph: &mut Graph, terms: &[Expr]) -> NodeId {
     let mut nodes: Vec<(NodeId, bool)> = Vec::new();
     for term in terms {
         let (positive, negative) = without_sign(term);
-        nodes.push((lower(graph, &positive), negative));
+        nodes.push((lower_part(graph, &positive), negative));
     }
     nodes.sort_by_key(|(node, negative)| (!graph.is_constant(*node), *negative));
     // A sum that starts with a subtraction would cost a negation.

@@ -66,6 +66,9 @@ impl<R: Real> Formula<R> {
             return terms.iter().for_each(|term| self.add(term, factor));
         }
         let mut shared = SharedParts { places: BTreeMap::new(), definitions: Vec::new() };
+        for part in Shared::within(expr, |_| false) {
+            shared.place(&part);
+        }
         let mut steps = shared.steps(expr);
         steps.extend([Step::Number(R::literal(factor)), Step::Product(2)]);
         self.terms.push(Term { shared: shared.definitions, steps, symbols: expr.symbols() });

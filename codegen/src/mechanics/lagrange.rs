@@ -79,15 +79,18 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
     let own_forcing = forcing(cas, system, &lagrangian, &dissipation, &momenta);
     let constraints = Constraints::derive(cas, system);
     let [all_kinetic, all_potential] = system.energies();
-    let [whole_kinetic, whole_lagrangian] = if system.mechanisms.is_empty() {
-        [kinetic, lagrangian]
+    let whole_lagrangian = if system.mechanisms.is_empty() {
+        lagrangian
     } else {
         let (kinetic, potential) = (cas.form(&all_kinetic), cas.form(&all_potential));
-        let lagrangian = &kinetic - &potential;
-        [kinetic, lagrangian]
+        &kinetic - &potential
     };
-    let energies = [&whole_kinetic, &whole_lagrangian, &dissipation];
-    let power = power(cas, system, energies, &momenta, &constraints.supplied_power());
+    let energies = Energies {
+        time_momentum: time_momentum_of(cas, system, &kinetic, &momenta),
+        lagrangian: &whole_lagrangian,
+        dissipation: &dissipation,
+    };
+    let power = power(cas, system, energies, &constraints.supplied_power());
     let bodies::Equations { mass_matrix, forcing, at_accelerations } =
         bodies::with_bodies(cas, system, own_mass_matrix, own_forcing);
     EquationsOfMotion {
@@ -237,31 +240,63 @@ struct Power {
     time_momentum: Expr,
 }
 
-/// Returns the power supplied and dissipated, and the momentum term, given T, L, D and the
-/// momenta. Along a motion
+/// T - V and D of the whole system, and 2 T - q' dT/dq'.
+struct Energies<'a> {
+    time_momentum: Vec<Form>,
+    lagrangian: &'a Form,
+    dissipation: &'a Form,
+}
+
+/// Returns the terms of 2 T - q' dT/dq', given T and the momenta without rigid bodies. For bodies
+/// it is zero unless joints are driven.
+fn time_momentum_of(
+    cas: &mut Cas,
+    system: &LagrangianSystem,
+    kinetic: &Form,
+    momenta: &[Terms],
+) -> Vec<Form> {
+    let mut terms = vec![kinetic + kinetic];
+    for (id, momentum) in (0..).map(CoordinateId).zip(momenta) {
+        let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(id)));
+        terms.push(-&(&momentum.form(cas) * &velocity));
+    }
+    for mechanism in system.mechanisms.iter().filter(|mechanism| mechanism.is_driven()) {
+        let kinetic = cas.form(&mechanism.kinetic());
+        let parts = cas.terms(&kinetic);
+        terms.push(&kinetic + &kinetic);
+        let velocities = parts.symbols(|symbol| match symbol {
+            Symbol::Velocity(id) => Some(id),
+            _ => None,
+        });
+        for id in velocities {
+            let momentum = parts.derivative(cas, Symbol::Velocity(id));
+            let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(id)));
+            terms.push(-&(&momentum * &velocity));
+        }
+    }
+    terms
+}
+
+/// Returns the power supplied and dissipated, and the momentum term, given L, D and
+/// 2 T - q' dT/dq'. Along a motion
 /// d(T + V)/dt = Q q' - q' dD/dq' - (dL/dz) h - dL/dt + d(2 T - q' dT/dq')/dt,
 /// plus the power of moving constraints.
 fn power(
     cas: &mut Cas,
     system: &LagrangianSystem,
-    [kinetic, lagrangian, dissipation]: [&Form; 3],
-    momenta: &[Terms],
+    Energies { time_momentum, lagrangian, dissipation }: Energies<'_>,
     by_constraints: &[Expr],
 ) -> Power {
     let (lagrangian, dissipation) = (cas.terms(lagrangian), cas.terms(dissipation));
     let mut supplied = vec![cas.form(&system.supplied_power)];
     supplied.extend(by_constraints.iter().map(|power| cas.form(power)));
     let mut dissipated = vec![cas.form(&system.dissipated_power)];
-    let mut time_momentum = vec![kinetic + kinetic];
-    for ((id, momentum), force) in
-        (0..).map(CoordinateId).zip(momenta).zip(&system.generalized_force)
-    {
+    for (id, force) in (0..).map(CoordinateId).zip(&system.generalized_force) {
         let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(id)));
         let external = &cas.form(&force.total) - &cas.form(&force.conversion);
         supplied.push(&external * &velocity);
         let friction = dissipation.derivative(cas, Symbol::Velocity(id));
         dissipated.push(&friction * &velocity);
-        time_momentum.push(-&(&momentum.form(cas) * &velocity));
     }
     supplied.extend(by_first_order(cas, system, &lagrangian).iter().map(|part| -part));
     supplied.push(-&lagrangian.derivative(cas, Symbol::Time));

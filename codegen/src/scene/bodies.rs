@@ -246,7 +246,8 @@ impl Resolver<'_> {
 
     fn angle_of(&mut self, angle: &Formula, scope: Scope) -> Result<Expr, Box<Mistake>> {
         let wanted = Wanted::new(Dimension::ONE, "an angle").of(Uses::PLACE);
-        Ok(normal_form(&self.formula(angle, scope, &wanted)?.expr))
+        let by = normal_form(&self.formula(angle, scope, &wanted)?.expr);
+        without_states(by, angle.span())
     }
 
     /// Returns the unit vector of an axis, and the angle or length of a motion about or along it.
@@ -259,6 +260,7 @@ impl Resolver<'_> {
         let what = if dimension == Dimension::ONE { "an angle" } else { "a displacement" };
         let wanted = Wanted::new(dimension, what).of(Uses::PLACE);
         let by = normal_form(&self.formula(&spec.by, scope, &wanted)?.expr);
+        let by = without_states(by, spec.by.span())?;
         let what = "a component of an axis";
         let axis = self.components(&spec.axis, scope, Dimension::ONE, what, Uses::PARAMETERS)?;
         let norm = sum(axis.iter().map(|entry| product([entry.clone(), entry.clone()])));
@@ -282,7 +284,8 @@ impl Resolver<'_> {
         let wanted = Wanted::new(dimension, what).of(allowed);
         let mut all = zero();
         for (entry, formula) in all.iter_mut().zip(spec) {
-            *entry = normal_form(&self.formula(formula, scope, &wanted)?.expr);
+            let expr = normal_form(&self.formula(formula, scope, &wanted)?.expr);
+            *entry = without_states(expr, formula.span())?;
         }
         Ok(all)
     }
@@ -362,6 +365,16 @@ impl Resolver<'_> {
         }
         Ok(())
     }
+}
+
+/// Rejects a motion that follows a first-order state, whose rate may depend on forces.
+fn without_states(expr: Expr, span: Span) -> Result<Expr, Box<Mistake>> {
+    if !expr.mentions(|symbol| matches!(symbol, Symbol::FirstOrder(_))) {
+        return Ok(expr);
+    }
+    let message = "the motion of a frame depends on a first-order state or mode";
+    let mistake = Mistake::new(span, message, "of a state");
+    Err(Box::new(mistake.help("write it with coordinates, time and parameters")))
 }
 
 /// Turns a frame about an axis: by a joint if the angle moves.

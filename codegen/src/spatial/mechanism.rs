@@ -43,6 +43,8 @@ pub struct Joint {
     pub slopes: Vec<(CoordinateId, Expr)>,
     /// The part of s'' that does not depend on accelerations.
     pub bias: Expr,
+    /// True if s depends on time explicitly.
+    pub is_driven: bool,
     /// Inertia of everything fixed to it.
     pub inertia: Option<Inertia>,
     /// Kinematics.
@@ -194,6 +196,7 @@ impl Mechanism {
             rate,
             slopes,
             bias,
+            is_driven: s.mentions(|symbol| symbol == Symbol::Time),
             inertia: None,
             motion,
         });
@@ -246,6 +249,12 @@ impl Mechanism {
             negative(&dot(&self.gravity, &moment))
         });
         sum(terms.collect::<Vec<_>>())
+    }
+
+    /// Reports whether T is not quadratic in the velocities, because joints are driven.
+    #[must_use]
+    pub fn is_driven(&self) -> bool {
+        self.joints.iter().any(|joint| joint.is_driven)
     }
 
     fn inertias(&self) -> impl Iterator<Item = (&Joint, &Inertia)> {

@@ -20,7 +20,7 @@ pub struct Spec<'a> {
 impl<'a> Spec<'a> {
     /// Chooses names: those of the robot, with `_` in place of other characters.
     pub fn new(robot: &'a Robot, file: &'a str) -> Self {
-        let mut taken = BTreeSet::from([WORLD.to_owned(), "t".to_owned(), "pi".to_owned()]);
+        let mut taken = BTreeSet::from([WORLD.to_owned()]);
         let mut frames = BTreeMap::new();
         for link in &robot.links {
             let is_world = robot.is_world(link);
@@ -28,6 +28,7 @@ impl<'a> Spec<'a> {
             frames.insert(link.name.as_str(), name);
         }
         // Components of a frame's motion are called after it: `tool_x`, `tool_v_x`.
+        let mut taken = BTreeSet::from(["t".to_owned(), "pi".to_owned()]);
         for frame in frames.values() {
             for end in ["x", "y", "z", "v_x", "v_y", "v_z", "omega_x", "omega_y", "omega_z"] {
                 taken.insert(format!("{frame}_{end}"));

@@ -228,10 +228,10 @@ const FLOATING: [(&str, &str); 6] =
 
 /// Writes a position under a key, and a rotation, without zeros.
 fn pose(text: &mut String, key: &str, pose: &Pose) {
-    if pose.xyz != [0.0; 3] {
+    if pose.xyz.iter().any(|entry| *entry != 0.0) {
         let _ = writeln!(text, "{key} = {}", vector(pose.xyz));
     }
-    if pose.rpy != [0.0; 3] {
+    if pose.rpy.iter().any(|entry| *entry != 0.0) {
         let angles = pose.rpy.map(angle).join(", ");
         let _ = writeln!(text, "rotation = {{ roll_pitch_yaw = [{angles}] }}");
     }
@@ -241,7 +241,7 @@ fn pose(text: &mut String, key: &str, pose: &Pose) {
 fn angle(value: f64) -> String {
     let quarters = (value / FRAC_PI_2).round();
     let is_quarter = (value - quarters * FRAC_PI_2).abs() <= f64::EPSILON * value.abs();
-    if value != 0.0 && is_quarter { format!("\"{}*pi/2\"", quarters) } else { number(value) }
+    if value != 0.0 && is_quarter { format!("\"{quarters}*pi/2\"") } else { number(value) }
 }
 
 fn vector(values: [f64; 3]) -> String {
@@ -270,9 +270,8 @@ fn quoted(text: &str) -> String {
 /// Returns a name of letters, digits and `_` that is not taken, and takes it.
 fn named(name: &str, taken: &mut BTreeSet<String>) -> String {
     let is_allowed = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let mut own: String = name.chars().map(|c| if is_allowed(c) { c } else { '_' }).collect();
-    let own_start = own.trim_start_matches('_').to_owned();
-    own = own_start.trim_end_matches('_').to_owned();
+    let allowed: String = name.chars().map(|c| if is_allowed(c) { c } else { '_' }).collect();
+    let mut own = allowed.trim_matches('_').to_owned();
     while own.contains("__") {
         own = own.replace("__", "_");
     }

@@ -102,13 +102,11 @@ impl<'a> Printer<'a> {
     /// Returns the name of a shared part: its own, or a number in order of appearance.
     fn shared_name(&self, shared: &Shared) -> String {
         let mut parts = self.shared.borrow_mut();
-        let place = match parts.iter().position(|known| known == shared) {
-            Some(place) => place,
-            None => {
-                parts.push(shared.clone());
-                parts.len() - 1
-            }
-        };
+        let known = parts.iter().position(|known| known == shared);
+        let place = known.unwrap_or(parts.len());
+        if known.is_none() {
+            parts.push(shared.clone());
+        }
         match (shared.name(), self.notation) {
             (Some(name), Notation::Text) => name.to_owned(),
             (Some(name), Notation::Latex) => {

@@ -110,6 +110,7 @@ pub fn show(expr: &Expr, system: &LagrangianSystem) -> String {
             )
         }
         Expr::Call(function, arguments) => format!("{function:?}({})", each(arguments).join(", ")),
+        Expr::Shared(shared) => show(shared.definition(), system),
     }
 }
 

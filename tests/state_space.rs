@@ -93,7 +93,7 @@ fn sampled_models_are_those_of_scipy() {
         for (hold, wanted) in holds {
             let found = reference.model().sampled(step, hold).expect("it exists");
             let [a, b, c, d] = wanted.as_ref().expect("SciPy's");
-            for (found, wanted) in [(&found.a, a), (&found.b, b), (&found.c, c)].into_iter() {
+            for (found, wanted) in [(&found.a, a), (&found.b, b), (&found.c, c)] {
                 let error = distance(found, wanted);
                 assert!(error < 1e-12, "{} {hold:?}: {error:e}", reference.name);
             }

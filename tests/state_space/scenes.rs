@@ -400,16 +400,20 @@ fn a_crane_by_a_constraint_has_the_model_of_two_coordinates() {
     }
     let b: Vec<f64> = model.b.iter().map(|row| row[0]).collect();
     let d: Vec<f64> = model.d.iter().map(|row| row[0]).collect();
-    [(b, [0.0, 0.0, 1.0 / MASS, 0.0]), (d, [0.0, 0.0, 1.0 / MASS, 0.0])]
-        .into_iter()
-        .for_each(|(found, wanted)| found.into_iter().zip(wanted).for_each(|(f, w)| close(f, w)));
+    for found in [b, d] {
+        for (found, wanted) in found.into_iter().zip([0.0, 0.0, 1.0 / MASS, 0.0]) {
+            close(found, wanted);
+        }
+    }
     close(model.outputs[3].value.abs(), BALL * GRAVITY);
 
     // From the force to the trolley: zeros where the ball swings alone. The tension shows nothing.
     let way = linearization.state_space(&["pull"], &["way"]).expect("a model");
     let zeros = way.zeros().expect("zeros");
     assert_eq!(zeros.len(), 2);
-    zeros.iter().for_each(|zero| close(zero.im.abs(), swing.sqrt()));
+    for zero in &zeros {
+        close(zero.im.abs(), swing.sqrt());
+    }
     let poles = way.poles().expect("poles");
     assert_eq!(poles[..2], [Complex64::ZERO; 2]);
     close(poles[2].im.abs(), (swing * (1.0 + BALL / MASS)).sqrt());

@@ -102,7 +102,7 @@ impl Linearize {
         };
         let answer = Answer::new(scene.simulator(), place, &model, &designs)?;
         if let Some(file) = &self.out {
-            self.write(file, &answer)?;
+            write_answer(file, &answer)?;
         }
         if self.json {
             return Ok(answer.json()? + "\n");
@@ -113,17 +113,18 @@ impl Linearize {
         }
         Ok(text)
     }
+}
 
-    fn write(&self, file: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
-        let failed = |error: std::io::Error| Failure::file(file, &error);
-        let bytes = match ending(file).as_str() {
-            "mat" => mat_file(&answer.entries()).map_err(failed)?,
-            #[cfg(feature = "derive")]
-            "npz" => crate::matrices::npz_file(&answer.entries()).map_err(failed)?,
-            _ => (answer.json()? + "\n").into_bytes(),
-        };
-        write_file(file, |out| out.write_all(&bytes))
-    }
+/// Writes the answer in the format of the ending.
+fn write_answer(file: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
+    let failed = |error: std::io::Error| Failure::file(file, &error);
+    let bytes = match ending(file).as_str() {
+        "mat" => mat_file(&answer.entries()).map_err(failed)?,
+        #[cfg(feature = "derive")]
+        "npz" => crate::matrices::npz_file(&answer.entries()).map_err(failed)?,
+        _ => (answer.json()? + "\n").into_bytes(),
+    };
+    write_file(file, |out| out.write_all(&bytes))
 }
 
 /// Refuses files of other formats before anything is computed.

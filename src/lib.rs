@@ -25,6 +25,8 @@ pub mod lanes;
 #[cfg(feature = "linear")]
 pub mod linear_analysis;
 pub mod method;
+#[cfg(feature = "linear")]
+pub mod periodic;
 mod scales;
 pub mod simulate;
 #[cfg(any(feature = "fit", feature = "linear"))]

@@ -4,6 +4,8 @@ mod differentiate;
 #[cfg(all(feature = "fit", feature = "sweep"))]
 mod elsewhere;
 mod gradient;
+#[cfg(feature = "linear")]
+mod shooting;
 mod start;
 
 use std::sync::atomic::AtomicBool;

@@ -18,6 +18,7 @@ mod complex_step;
 mod conserves;
 mod constraints;
 mod contacts;
+mod cycles;
 mod equilibrium;
 mod error_estimates;
 mod events;

@@ -14,6 +14,7 @@ pub mod check;
 #[cfg(feature = "derive")]
 mod compile;
 mod completions;
+mod cycle;
 #[cfg(feature = "derive")]
 mod derive;
 #[cfg(feature = "derive")]
@@ -143,6 +144,8 @@ enum Command {
     Response(response::FrequencyResponse),
     /// Compute the state-space model of a scene, with poles, zeros, regulators and Kalman filters
     Linearize(linearize::Linearize),
+    /// Find periodic motions of a scene and their stability
+    Cycle(cycle::CycleCommand),
     /// Select a sufficient model of a winder, and find where winding is stable
     Walk(walk::WalkCommand),
     /// Compare the simulators with closed forms and references
@@ -237,6 +240,7 @@ pub fn main() -> ExitCode {
         Command::Campbell(command) => command.execute(),
         Command::Response(command) => command.execute(),
         Command::Linearize(command) => command.execute(),
+        Command::Cycle(command) => command.execute(),
         Command::Walk(command) => command.execute(),
         Command::Verify(command) => command.execute(),
         #[cfg(feature = "derive")]

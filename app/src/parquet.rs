@@ -34,7 +34,6 @@ pub enum Values {
 }
 
 /// Column of a table.
-#[cfg_attr(not(feature = "parquet"), expect(dead_code, reason = "written by none"))]
 pub struct Column {
     pub name: String,
     /// SI unit of numbers.

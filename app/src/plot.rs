@@ -15,7 +15,9 @@ use plotters::prelude::*;
 use plotters::style::register_font;
 use thiserror::Error;
 
-pub use linear::{plot_campbell, plot_modes, plot_profiles, plot_response, plot_spectrum};
+pub use linear::{
+    plot_branch, plot_campbell, plot_modes, plot_profiles, plot_response, plot_spectrum,
+};
 use machinist::error::did_you_mean;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 pub use map::plot_map;

@@ -9,6 +9,7 @@ mod campbell;
 mod cli;
 mod cli_sweep;
 mod csv;
+mod cycle;
 mod deriving;
 mod fit;
 mod fmu;

@@ -81,6 +81,29 @@ pub fn plot_campbell(
     Picture { title, subtitle, panels: vec![panel] }.write(path)
 }
 
+/// Draws curves over a parameter that may turn back, each in a panel, with marks at (place, value,
+/// label) in the first panel, into an `.svg` or `.png` file; `texts` are title and subtitle.
+///
+/// # Errors
+/// As [`plot_response`].
+pub fn plot_branch(
+    (parameter, places): (String, &[f64]),
+    panels: &[Vec<Column>],
+    marks: Vec<(f64, f64, String)>,
+    texts: [&str; 2],
+    path: &Path,
+) -> Result<(), PlotError> {
+    let axes = [Axis::Linear(parameter.into()), Axis::Linear("".into())];
+    let all = panels.iter();
+    let all = all.map(|columns| over(places, columns.iter().collect(), [&axes[0], &axes[1]]));
+    let mut panels: Vec<Panel<'_>> = all.collect();
+    if let Some(first) = panels.first_mut() {
+        let mark = |(place, value, label)| Mark { place, value, label, is_circled: true };
+        first.marks = marks.into_iter().map(mark).collect();
+    }
+    Picture { title: texts[0], subtitle: texts[1].to_owned(), panels }.write(path)
+}
+
 /// Draws amplitudes over frequency, columns of one unit in one panel, into an `.svg` or `.png`
 /// file; `texts` are title and subtitle.
 ///

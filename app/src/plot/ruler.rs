@@ -41,13 +41,14 @@ impl Axis {
         }
     }
 
-    /// Creates a ruler from the first to the last place.
+    /// Creates a ruler from the least to the greatest place.
     pub fn along(&self, places: &[f64]) -> Ruler {
         if let Self::Names(names) = self {
             return Ruler::of_names(names);
         }
-        let first = places.first().copied().unwrap_or(0.0);
-        let last = places.last().copied().unwrap_or(1.0);
+        let finite = || places.iter().copied().filter(|place| place.is_finite());
+        let first = finite().reduce(f64::min).unwrap_or(0.0);
+        let last = finite().reduce(f64::max).unwrap_or(1.0);
         let range = if first < last { first..last } else { widened(first..last) };
         self.ruler(range, TICKS_ACROSS)
     }

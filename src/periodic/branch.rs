@@ -1,0 +1,421 @@
+//! Branches of periodic motions over a parameter, by pseudo-arclength continuation.
+//!
+//! A step predicts along the tangent of the branch and corrects at right angles to it, so that the
+//! parameter may turn back at folds. Lengths are measured with the ranges of the states over the
+//! first motion, the logarithm of the period, and the range of the parameter.
+//!
+//! H. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977; R. Seydel,
+//! Practical Bifurcation and Stability Analysis, chapters 4 and 7.
+
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+
+use super::equations::{Guess, Problem};
+use super::error::CycleError;
+use super::locate::{Test, Watched, locate};
+use super::newton::{Side, Solution, shortest, solve, solve_beside};
+use super::{Cycle, CycleSettings, Stability, finished, guess, problem};
+use crate::simulate::Simulation;
+
+/// Maximum number of points of a branch.
+pub const MAX_POINTS: usize = 100_000;
+
+/// First step, as a share of the longest one.
+const FIRST: f64 = 0.2;
+/// Factor by which a step grows after few of Newton's steps.
+const GROWTH: f64 = 1.5;
+/// Number of Newton's steps up to which the next step grows, and above which it shrinks.
+const FEW: usize = 4;
+const MANY: usize = 7;
+/// Share of the longest step below which the continuation gives up.
+const SHORTEST: f64 = 1e-5;
+/// Cosine of the angle between tangents below which a step is repeated with half its length.
+const STRAIGHT: f64 = 0.9;
+/// Share of the scale of a state that its range counts at least.
+const LEAST_RANGE: f64 = 1e-3;
+
+/// Settings of a continuation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BranchSettings {
+    /// Search for the first motion, at `from`.
+    pub cycle: CycleSettings,
+    /// Name of the parameter.
+    pub parameter: String,
+    /// Value at which the branch begins.
+    pub from: f64,
+    /// Value up to which it is followed; it also ends where it returns to `from`.
+    pub to: f64,
+    /// Longest step, as a share of the range from `from` to `to`.
+    pub longest_step: f64,
+    /// Maximum number of points.
+    pub max_points: usize,
+}
+
+/// A branch of periodic motions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Branch {
+    /// Name of the parameter.
+    pub parameter: String,
+    /// Its unit.
+    pub unit: String,
+    /// Motions in the order of the branch, with the bifurcations among them.
+    pub points: Vec<BranchPoint>,
+    /// Reason why the branch ends.
+    pub end: String,
+    /// True if the branch reached an end of the range, or its own start.
+    pub is_complete: bool,
+}
+
+/// A motion of a branch.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BranchPoint {
+    /// Value of the parameter.
+    pub value: f64,
+    /// Bifurcation that was located here.
+    pub bifurcation: Option<Bifurcation>,
+    /// The motion.
+    pub cycle: Cycle,
+}
+
+/// Bifurcation of periodic motions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Bifurcation {
+    /// The branch turns back: a multiplier passes +1.
+    Fold,
+    /// A multiplier passes +1 and the branch does not turn: it meets another one, such as where a
+    /// symmetry breaks.
+    BranchPoint,
+    /// The period doubles: a multiplier passes -1.
+    Flip,
+    /// A second frequency arises: a complex pair of multipliers passes the unit circle.
+    NeimarkSacker,
+    /// Multipliers jump, as where an event begins to happen or a guard is grazed.
+    Jump,
+}
+
+impl Bifurcation {
+    /// Returns the usual name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fold => "fold",
+            Self::BranchPoint => "branch point",
+            Self::Flip => "flip",
+            Self::NeimarkSacker => "Neimark-Sacker",
+            Self::Jump => "jump",
+        }
+    }
+}
+
+impl Branch {
+    /// Returns the points at which bifurcations were located.
+    pub fn bifurcations(&self) -> impl Iterator<Item = (Bifurcation, &BranchPoint)> {
+        self.points.iter().filter_map(|point| Some((point.bifurcation?, point)))
+    }
+}
+
+/// Point of the branch with its tangent.
+pub(super) struct Place {
+    pub(super) guess: Guess,
+    pub(super) cycle: Cycle,
+    pub(super) tangent: Tangent,
+    iterations: usize,
+}
+
+impl Place {
+    /// Returns the functions whose signs change at bifurcations.
+    pub(super) fn watched(&self) -> Watched {
+        Watched::of(&self.cycle, self.tangent.value)
+    }
+}
+
+/// Direction of the branch: states over their scales, logarithm of the period, parameter over its
+/// range.
+#[derive(Clone)]
+pub(super) struct Tangent {
+    states: DVector<f64>,
+    period: f64,
+    value: f64,
+}
+
+/// A continuation under way.
+pub(super) struct Walk<'a> {
+    problem: Problem<'a>,
+    points: usize,
+    /// Weights of squares of the states over their scales.
+    weights: DVector<f64>,
+    /// Range of the parameter.
+    range: f64,
+    most: usize,
+}
+
+/// Follows a branch of periodic motions over a parameter.
+///
+/// A run that is interrupted ends the branch, with the points until then.
+///
+/// # Errors
+/// [`CycleError`] if a setting is invalid or no motion is found at `from`.
+pub fn branch(run: &Simulation<'_>, settings: &BranchSettings) -> Result<Branch, CycleError> {
+    check(settings)?;
+    let index = run.parameter_index(&settings.parameter)?;
+    let BranchSettings { from, to, .. } = *settings;
+    let run = run.clone().parameter_at(index, from);
+    let unit = run.simulator().parameter(index).unit.to_owned();
+    let mut problem = problem(&run, &settings.cycle)?;
+    problem.varied = Some(index);
+    let most = settings.cycle.max_iterations;
+    let first = guess::settled(&problem, &settings.cycle)?;
+    let solution = solve(&problem, first, most)?;
+    let weights = DVector::from_element(solution.guess.nodes.len() * problem.free.len(), 1.0);
+    let points = settings.cycle.points;
+    let mut walk = Walk { problem, points, weights, range: (to - from).abs(), most };
+    let start = walk.start(solution, (to - from).signum())?;
+    let found = Branch {
+        parameter: settings.parameter.clone(),
+        unit,
+        points: Vec::new(),
+        end: String::new(),
+        is_complete: false,
+    };
+    walk.follow(start, settings, found)
+}
+
+fn check(settings: &BranchSettings) -> Result<(), CycleError> {
+    let BranchSettings { from, to, longest_step, max_points, .. } = settings;
+    let bad = |what: String| Err(CycleError::BadSetting(what));
+    if !(from.is_finite() && to.is_finite()) || from.to_bits() == to.to_bits() {
+        return bad(format!("a branch from {from} to {to} has no length"));
+    }
+    if !(*longest_step > 0.0 && *longest_step <= 1.0) {
+        return bad(format!("the longest step is {longest_step}, but must be above 0, at most 1"));
+    }
+    if !(2..=MAX_POINTS).contains(max_points) {
+        return bad(format!("{max_points} points: a branch has 2 to {MAX_POINTS} of them"));
+    }
+    Ok(())
+}
+
+impl Walk<'_> {
+    /// Returns the first place, with a tangent towards the end of the range.
+    fn start(&mut self, solution: Solution, sign: f64) -> Result<Place, CycleError> {
+        let cycle = self.cycle(&solution)?;
+        let (n, m) = (self.problem.free.len(), solution.shots.len());
+        let ranges = super::rows(&cycle.motion);
+        for (at, (state, scale)) in self.problem.free.iter().zip(&self.problem.scales).enumerate() {
+            let values = ranges.iter().map(|row| row[*state]);
+            let (least, greatest) = values
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), value| {
+                    (a.min(value), b.max(value))
+                });
+            let weight = scale / (greatest - least).max(LEAST_RANGE * scale);
+            for segment in 0..m {
+                self.weights[segment * n + at] = weight * weight / (n * m) as f64;
+            }
+        }
+        let along = Tangent { states: DVector::zeros(n * m), period: 0.0, value: sign };
+        let tangent = self.tangent(&solution, &along);
+        let Solution { guess, iterations, .. } = solution;
+        Ok(Place { guess, cycle, tangent, iterations })
+    }
+
+    fn cycle(&self, solution: &Solution) -> Result<Cycle, CycleError> {
+        finished(&self.problem, solution, self.points)
+    }
+
+    /// Returns the scalar product of two directions.
+    fn product(&self, a: &Tangent, b: &Tangent) -> f64 {
+        let states = a.states.iter().zip(&b.states).zip(&self.weights);
+        let states: f64 = states.map(|((a, b), weight)| a * b * weight).sum();
+        states + a.period * b.period + a.value * b.value
+    }
+
+    /// Returns the tangent of the branch that forms an acute angle with another direction.
+    fn tangent(&self, solution: &Solution, along: &Tangent) -> Tangent {
+        let linear = self.problem.linear(&solution.guess, &solution.shots);
+        let n = linear.residual.len();
+        let has_period = linear.by_period.is_some();
+        let size = n + usize::from(has_period) + 1;
+        let mut matrix = DMatrix::zeros(size, size);
+        matrix.view_mut((0, 0), (n, n)).copy_from(&linear.matrix);
+        if let Some((column, phase)) = &linear.by_period {
+            matrix.view_mut((0, n), (n, 1)).copy_from(column);
+            matrix.view_mut((n, 0), (1, n)).copy_from(&phase.transpose());
+        }
+        if let Some(column) = &linear.by_parameter {
+            matrix.view_mut((0, size - 1), (n, 1)).copy_from(&(column * self.range));
+        }
+        let weighted = along.states.component_mul(&self.weights);
+        matrix.view_mut((size - 1, 0), (1, n)).copy_from(&weighted.transpose());
+        if has_period {
+            matrix[(size - 1, n)] = along.period;
+        }
+        matrix[(size - 1, size - 1)] = along.value;
+        let mut right = DVector::zeros(size);
+        right[size - 1] = 1.0;
+        let solved = shortest(matrix, &right, self.problem.run.relative_tolerance());
+        let mut tangent = Tangent {
+            states: solved.rows(0, n).into_owned(),
+            period: if has_period { solved[n] } else { 0.0 },
+            value: solved[size - 1],
+        };
+        let length = self.product(&tangent, &tangent).sqrt();
+        if !(length.is_finite() && length > 0.0) {
+            return along.clone();
+        }
+        tangent.states /= length;
+        tangent.period /= length;
+        tangent.value /= length;
+        tangent
+    }
+
+    /// Returns the guess at some length along the tangent.
+    fn predicted(&self, place: &Place, length: f64) -> Guess {
+        let Place { guess, tangent, .. } = place;
+        let n = self.problem.free.len();
+        let mut nodes = guess.nodes.clone();
+        for (segment, node) in nodes.iter_mut().enumerate() {
+            for (at, (state, scale)) in
+                self.problem.free.iter().zip(&self.problem.scales).enumerate()
+            {
+                node[*state] += length * scale * tangent.states[segment * n + at];
+            }
+        }
+        Guess {
+            nodes,
+            period: guess.period * (length * tangent.period).exp(),
+            skipped: guess.skipped,
+            value: guess.value + length * tangent.value * self.range,
+        }
+    }
+
+    /// Returns the place on the branch at right angles to the tangent, at some length along it.
+    pub(super) fn at(&self, place: &Place, length: f64) -> Result<Place, CycleError> {
+        let predicted = self.predicted(place, length);
+        let side = |guess: &Guess| Some(self.across(&place.tangent, &predicted, guess));
+        self.corrected(place, predicted.clone(), &side)
+    }
+
+    /// Returns the place on the branch at a value of the parameter.
+    fn at_value(&self, place: &Place, length: f64, value: f64) -> Result<Place, CycleError> {
+        let mut predicted = self.predicted(place, length);
+        predicted.value = value;
+        let n = self.weights.len();
+        let side = |guess: &Guess| {
+            Some(Side {
+                residual: (guess.value - value) / self.range,
+                states: DVector::zeros(n),
+                period: 0.0,
+                value: 1.0,
+                range: self.range,
+            })
+        };
+        self.corrected(place, predicted, &side)
+    }
+
+    fn corrected(
+        &self,
+        place: &Place,
+        predicted: Guess,
+        side: &dyn Fn(&Guess) -> Option<Side>,
+    ) -> Result<Place, CycleError> {
+        let solution = solve_beside(&self.problem, predicted, self.most, side)?;
+        let tangent = self.tangent(&solution, &place.tangent);
+        let cycle = self.cycle(&solution)?;
+        let Solution { guess, iterations, .. } = solution;
+        Ok(Place { guess, cycle, tangent, iterations })
+    }
+
+    /// Returns the equation of the plane across a tangent through a point.
+    fn across(&self, tangent: &Tangent, through: &Guess, guess: &Guess) -> Side {
+        let n = self.problem.free.len();
+        let slopes = tangent.states.component_mul(&self.weights);
+        let mut residual = tangent.period * (guess.period / through.period).ln();
+        residual += tangent.value * (guess.value - through.value) / self.range;
+        for (segment, (node, other)) in guess.nodes.iter().zip(&through.nodes).enumerate() {
+            for (at, (state, scale)) in
+                self.problem.free.iter().zip(&self.problem.scales).enumerate()
+            {
+                residual += slopes[segment * n + at] * (node[*state] - other[*state]) / scale;
+            }
+        }
+        let Tangent { period, value, .. } = *tangent;
+        Side { residual, states: slopes, period, value, range: self.range }
+    }
+
+    fn follow(
+        &self,
+        mut place: Place,
+        settings: &BranchSettings,
+        mut found: Branch,
+    ) -> Result<Branch, CycleError> {
+        let BranchSettings { from, to, longest_step: longest, max_points, .. } = *settings;
+        let (low, high) = (from.min(to), from.max(to));
+        let mut length = FIRST * longest;
+        found.points.push(point(&place, None));
+        while found.points.len() < max_points {
+            let next = match self.at(&place, length) {
+                Ok(next) => next,
+                Err(error) if error.is_final() => {
+                    found.end = error.to_string();
+                    return Ok(found);
+                }
+                Err(error) if length < SHORTEST * longest => {
+                    found.end = error.to_string();
+                    return Ok(found);
+                }
+                Err(_) => {
+                    length *= 0.5;
+                    continue;
+                }
+            };
+            let is_straight = self.product(&place.tangent, &next.tangent) > STRAIGHT;
+            if !is_straight && length > SHORTEST * longest {
+                length *= 0.5;
+                continue;
+            }
+            let is_outside = !(low..=high).contains(&next.guess.value);
+            let next = if is_outside {
+                let end = next.guess.value.clamp(low, high);
+                let share = (end - place.guess.value) / (next.guess.value - place.guess.value);
+                match self.at_value(&place, length * share, end) {
+                    Ok(last) => last,
+                    Err(error) => {
+                        found.end = error.to_string();
+                        return Ok(found);
+                    }
+                }
+            } else {
+                next
+            };
+            for test in Test::between(&place.watched(), &next.watched()) {
+                let located = locate(self, &place, length, test);
+                if let Some((located, kind)) = located {
+                    found.points.push(point(&located, Some(kind)));
+                }
+            }
+            found.points.push(point(&next, None));
+            if is_outside {
+                found.end = format!("{} = {}", settings.parameter, next.guess.value);
+                found.is_complete = true;
+                return Ok(found);
+            }
+            if next.iterations <= FEW {
+                length = (length * GROWTH).min(longest);
+            } else if next.iterations > MANY {
+                length /= GROWTH;
+            }
+            place = next;
+        }
+        found.end = format!("the limit of {max_points} points is reached");
+        Ok(found)
+    }
+}
+
+fn point(place: &Place, bifurcation: Option<Bifurcation>) -> BranchPoint {
+    let mut cycle = place.cycle.clone();
+    if bifurcation.is_some() {
+        cycle.stability = Stability::Neutral;
+    }
+    BranchPoint { value: place.guess.value, bifurcation, cycle }
+}

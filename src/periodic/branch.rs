@@ -178,7 +178,7 @@ pub fn branch(run: &Simulation<'_>, settings: &BranchSettings) -> Result<Branch,
         end: String::new(),
         is_complete: false,
     };
-    walk.follow(start, settings, found)
+    Ok(walk.follow(start, settings, found))
 }
 
 fn check(settings: &BranchSettings) -> Result<(), CycleError> {
@@ -343,62 +343,28 @@ impl Walk<'_> {
         Side { residual, states: slopes, period, value, range: self.range }
     }
 
-    fn follow(
-        &self,
-        mut place: Place,
-        settings: &BranchSettings,
-        mut found: Branch,
-    ) -> Result<Branch, CycleError> {
-        let BranchSettings { from, to, longest_step: longest, max_points, .. } = *settings;
-        let (low, high) = (from.min(to), from.max(to));
+    /// Takes steps until the branch leaves the range, or a step fails at any length.
+    fn follow(&self, mut place: Place, settings: &BranchSettings, mut found: Branch) -> Branch {
+        let BranchSettings { longest_step: longest, max_points, .. } = *settings;
         let mut length = FIRST * longest;
         found.points.push(point(&place, None));
         while found.points.len() < max_points {
-            let next = match self.at(&place, length) {
+            let (next, is_last) = match self.step(&place, &mut length, settings) {
                 Ok(next) => next,
-                Err(error) if error.is_final() => {
+                Err(error) => {
                     found.end = error.to_string();
-                    return Ok(found);
+                    return found;
                 }
-                Err(error) if length < SHORTEST * longest => {
-                    found.end = error.to_string();
-                    return Ok(found);
-                }
-                Err(_) => {
-                    length *= 0.5;
-                    continue;
-                }
-            };
-            let is_straight = self.product(&place.tangent, &next.tangent) > STRAIGHT;
-            if !is_straight && length > SHORTEST * longest {
-                length *= 0.5;
-                continue;
-            }
-            let is_outside = !(low..=high).contains(&next.guess.value);
-            let next = if is_outside {
-                let end = next.guess.value.clamp(low, high);
-                let share = (end - place.guess.value) / (next.guess.value - place.guess.value);
-                match self.at_value(&place, length * share, end) {
-                    Ok(last) => last,
-                    Err(error) => {
-                        found.end = error.to_string();
-                        return Ok(found);
-                    }
-                }
-            } else {
-                next
             };
             for test in Test::between(&place.watched(), &next.watched()) {
                 let located = locate(self, &place, length, test);
-                if let Some((located, kind)) = located {
-                    found.points.push(point(&located, Some(kind)));
-                }
+                found.points.extend(located.map(|(located, kind)| point(&located, Some(kind))));
             }
             found.points.push(point(&next, None));
-            if is_outside {
+            if is_last {
                 found.end = format!("{} = {}", settings.parameter, next.guess.value);
                 found.is_complete = true;
-                return Ok(found);
+                return found;
             }
             if next.iterations <= FEW {
                 length = (length * GROWTH).min(longest);
@@ -408,7 +374,39 @@ impl Walk<'_> {
             place = next;
         }
         found.end = format!("the limit of {max_points} points is reached");
-        Ok(found)
+        found
+    }
+
+    /// Takes one step, halved until Newton's method converges and the branch bends little. Returns
+    /// the next place, and whether it is at an end of the range.
+    fn step(
+        &self,
+        place: &Place,
+        length: &mut f64,
+        settings: &BranchSettings,
+    ) -> Result<(Place, bool), CycleError> {
+        let BranchSettings { from, to, longest_step: longest, .. } = *settings;
+        let shortest = SHORTEST * longest;
+        let next = loop {
+            match self.at(place, *length) {
+                Ok(next) => {
+                    let cosine = self.product(&place.tangent, &next.tangent);
+                    if cosine > STRAIGHT || *length <= shortest {
+                        break next;
+                    }
+                }
+                Err(error) if error.is_final() || *length <= shortest => return Err(error),
+                Err(_) => {}
+            }
+            *length *= 0.5;
+        };
+        if (from.min(to)..=from.max(to)).contains(&next.guess.value) {
+            return Ok((next, false));
+        }
+        let end = next.guess.value.clamp(from.min(to), from.max(to));
+        let share = (end - place.guess.value) / (next.guess.value - place.guess.value);
+        *length *= share;
+        Ok((self.at_value(place, *length, end)?, true))
     }
 }
 

@@ -138,7 +138,7 @@ impl CycleCommand {
             return self.follow(&scene, &run, settings, to_standard_output);
         }
         let found = during("searching for a periodic motion", || cycle(&run, &settings))?;
-        self.write(&scene, found, to_standard_output)
+        self.write(&scene, &found, to_standard_output)
     }
 
     /// Prepares the runs of the search.
@@ -199,7 +199,7 @@ impl CycleCommand {
         if outputs.is_empty() { motion.of_kind(ColumnKind::State).collect() } else { outputs }
     }
 
-    fn write(&self, scene: &Scene, found: Cycle, to_standard_output: bool) -> Result<(), Failure> {
+    fn write(&self, scene: &Scene, found: &Cycle, to_standard_output: bool) -> Result<(), Failure> {
         let names: Vec<String> =
             self.chosen(&found.motion).iter().map(|column| column.name.clone()).collect();
         if let Some(file) = &self.plot {
@@ -222,11 +222,11 @@ impl CycleCommand {
             None => {}
         }
         if self.json {
-            let text = serde_json::to_string_pretty(&found);
+            let text = serde_json::to_string_pretty(found);
             let text = text.map_err(|error| Failure::unsuccessful(error, ""))?;
             return print(&format!("{text}\n"));
         }
-        print(&self.summary(scene, &found))
+        print(&self.summary(scene, found))
     }
 
     fn summary(&self, scene: &Scene, found: &Cycle) -> String {
@@ -261,7 +261,7 @@ impl CycleCommand {
         }
         text.push_str(&columns(&rows, 1));
         text.push_str(&events(&found.motion));
-        text.push_str(&format!("\n{}\n\n", told(found)));
+        text.extend(["\n", &told(found), "\n\n"]);
         text.push_str(&multipliers(simulator, found));
         text.push_str(&notes_told(&found.notes, "--json"));
         for file in [&self.out, &self.plot].into_iter().flatten() {
@@ -353,7 +353,7 @@ fn multipliers(simulator: &dyn Simulator<f64>, found: &Cycle) -> String {
     let mut text = columns(&rows, 3);
     let more = once.count().saturating_sub(SHOWN);
     if more > 0 {
-        text.push_str(&format!("and {more} smaller ones; --json has all of them\n"));
+        text.extend(["and ", &more.to_string(), " smaller ones; --json has all of them\n"]);
     }
     text
 }

@@ -108,7 +108,7 @@ impl CycleCommand {
         );
         let shown = ranges.columns.len().min(SHOWN);
         let mut head = vec![
-            "".to_owned(),
+            String::new(),
             "stability".to_owned(),
             format!("{parameter} [{unit}]"),
             "period [s]".to_owned(),
@@ -133,7 +133,7 @@ impl CycleCommand {
             rows.push(row);
         }
         text.push_str(&columns(&rows, 2));
-        text.push_str(&format!("\nThe branch ends at {end}.\n"));
+        text.extend(["\nThe branch ends at ", end, ".\n"]);
         for file in [&self.out, &self.plot].into_iter().flatten() {
             text.extend(["\nwrote ", &file.display().to_string()]);
         }
@@ -231,14 +231,15 @@ impl Ranges<'_> {
             parquet::Column::numbers("modulus", "1", numbers(&modulus)),
         ];
         for (at, (name, unit)) in self.columns.iter().enumerate() {
-            let parts: [(&str, fn(&Extent) -> f64); 3] = [
+            type Part = fn(&Extent) -> f64;
+            let parts: [(&str, Part); 3] = [
                 ("mean", |extent| extent.mean),
                 ("least", |extent| extent.least),
                 ("greatest", |extent| extent.greatest),
             ];
             for (part, of) in parts {
                 let values = self.extents.iter().map(|extents| of(&extents[at])).collect();
-                all.push(parquet::Column::numbers(&format!("{name}.{part}"), unit, values));
+                all.push(parquet::Column::numbers(format!("{name}.{part}"), unit, values));
             }
         }
         let texts = |name: &str, of: &dyn Fn(&BranchPoint) -> Option<String>| parquet::Column {

@@ -8,6 +8,15 @@ pub struct Matrix {
     rows: Vec<Vec<(usize, Expr)>>,
 }
 
+impl<Row: IntoIterator<Item = (usize, Expr)>> FromIterator<Row> for Matrix {
+    /// Returns the matrix of rows as [`Matrix::push`] adds them.
+    fn from_iter<Rows: IntoIterator<Item = Row>>(rows: Rows) -> Self {
+        let mut matrix = Self::default();
+        rows.into_iter().for_each(|row| matrix.push(row));
+        matrix
+    }
+}
+
 impl Matrix {
     /// Adds a row with ascending columns; zero entries are left out.
     pub fn push(&mut self, row: impl IntoIterator<Item = (usize, Expr)>) {

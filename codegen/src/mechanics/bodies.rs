@@ -65,9 +65,5 @@ fn summed(
         lines[column].insert(row, entry.clone());
         lines[row].insert(column, entry);
     }
-    let mut matrix = Matrix::default();
-    for line in lines {
-        matrix.push(line);
-    }
-    matrix
+    lines.into_iter().collect()
 }

@@ -227,11 +227,7 @@ fn mass_matrix(cas: &mut Cas, momenta: &[Terms]) -> Matrix {
             lines[row].insert(column, entry);
         }
     }
-    let mut matrix = Matrix::default();
-    for line in lines {
-        matrix.push(line);
-    }
-    matrix
+    lines.into_iter().collect()
 }
 
 struct Power {

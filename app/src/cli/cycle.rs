@@ -14,8 +14,8 @@ use serde_json::json;
 
 use super::amount::{Amount, assignment};
 use super::output::{
-    columns, draw_file, is_standard_output, notes_told, print, print_with, require_picture,
-    write_file,
+    columns, counted_events, draw_file, is_standard_output, notes_told, print, print_with,
+    require_picture, write_file,
 };
 use super::range::{Range, range};
 use super::scene::Scene;
@@ -301,18 +301,10 @@ impl Extent {
 
 /// Returns a line on the events in a period.
 fn events(motion: &Trajectory) -> String {
-    let mut names: Vec<(&str, usize)> = Vec::new();
-    for switch in &motion.switches {
-        match names.iter_mut().find(|(name, _)| *name == switch.event) {
-            Some((_, count)) => *count += 1,
-            None => names.push((&switch.event, 1)),
-        }
-    }
-    if names.is_empty() {
+    if motion.switches.is_empty() {
         return String::new();
     }
-    let each = names.iter().map(|(name, count)| format!("{name} {count}"));
-    format!("\nEvents in a period: {}.\n", each.collect::<Vec<_>>().join(", "))
+    format!("\nEvents in a period: {}.\n", counted_events(motion))
 }
 
 /// Describes the stability.

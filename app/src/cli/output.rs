@@ -163,3 +163,16 @@ fn lines(first: impl IntoIterator<Item = String>, notes: &[String], whole: &str)
     let lines = first.into_iter().chain(notes.iter().take(MOST).cloned()).chain(more);
     lines.flat_map(|line| ["\n".to_owned(), line]).collect()
 }
+
+/// Lists how often each event happened, in the order of their first times.
+pub fn counted_events(trajectory: &Trajectory) -> String {
+    let mut counts: Vec<(&str, usize)> = Vec::new();
+    for switch in &trajectory.switches {
+        match counts.iter_mut().find(|(event, _)| *event == switch.event) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((&switch.event, 1)),
+        }
+    }
+    let counts = counts.iter().map(|(event, count)| format!("{event} {count}"));
+    counts.collect::<Vec<_>>().join(", ")
+}

@@ -17,8 +17,8 @@ use machinist_contract::Simulator;
 
 use super::amount::{Amount, as_json, assignment};
 use super::output::{
-    columns, draw_file, print, print_with, remark_beside, remarks, require_picture, require_table,
-    write_file,
+    columns, counted_events, draw_file, print, print_with, remark_beside, remarks, require_picture,
+    require_table, write_file,
 };
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
@@ -457,19 +457,10 @@ impl Run {
 
 /// Formats how often each event happened, on a line of its own; empty without events.
 fn switches(trajectory: &Trajectory) -> String {
-    let mut counts: Vec<(&str, usize)> = Vec::new();
-    for switch in &trajectory.switches {
-        match counts.iter_mut().find(|(event, _)| *event == switch.event) {
-            Some((_, count)) => *count += 1,
-            None => counts.push((&switch.event, 1)),
-        }
-    }
-    if counts.is_empty() {
+    if trajectory.switches.is_empty() {
         return String::new();
     }
-    let counts = counts.iter().map(|(event, count)| format!("{event} {count}"));
-    let counts = counts.collect::<Vec<_>>().join(", ");
-    format!("\n{} switches: {counts}", trajectory.work.switches)
+    format!("\n{} switches: {}", trajectory.work.switches, counted_events(trajectory))
 }
 
 /// Formats the largest violation of the constraints, on a line of its own.

@@ -1,6 +1,6 @@
 //! [`FieldSimulator`] as an implementation of `Simulator`.
 
-use machinist_contract::field::FieldPlace;
+use machinist_contract::field::{FieldPlace, FieldScene};
 use machinist_contract::linear::LinearEquations;
 use machinist_contract::{
     Constraint, Derivatives, Describe, Dual, Energy, Event, PowerBalance, Quantity, Real, Refusal,
@@ -185,6 +185,17 @@ impl<R: Real> FieldSimulator<'_, R> {
     /// Does the same as [`FieldSimulator::load_anew`] where constants are not needed afterwards.
     fn load_once(&self, time: R, state: &[R], parameters: &[R], work: &mut Work<R>) {
         work.constants = self.load_anew(time, state, parameters, work);
+    }
+
+    /// Evaluates a function that is that of the machine without its fields.
+    fn of_scene(
+        &self,
+        (time, state, parameters): (R, &[R], &[R]),
+        call: impl FnOnce(&dyn FieldScene<R>, &[R], &[R]),
+    ) {
+        let work = &mut *self.work();
+        self.load_once(time, state, parameters, work);
+        call(self.scene(), &work.state, &work.p);
     }
 
     /// Returns the length of the state.
@@ -437,51 +448,51 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
     }
 
     fn guards(&self, time: R, state: &[R], parameters: &[R], guards: &mut [R]) {
-        let work = &mut *self.work();
-        self.load_once(time, state, parameters, work);
-        self.scene().guards(time, &work.state, &work.p, guards);
+        self.of_scene((time, state, parameters), |scene, state, p| {
+            scene.guards(time, state, p, guards);
+        });
     }
 
     fn guard_rates(&self, time: R, state: &[R], parameters: &[R], rates: &mut [R]) {
-        let work = &mut *self.work();
-        self.load_once(time, state, parameters, work);
-        self.scene().guard_rates(time, &work.state, &work.p, rates);
+        self.of_scene((time, state, parameters), |scene, state, p| {
+            scene.guard_rates(time, state, p, rates);
+        });
     }
 
     fn resets(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let work = &mut *self.work();
-        self.load_once(time, state, parameters, work);
-        self.scene().resets(time, &work.state, &work.p, values);
+        self.of_scene((time, state, parameters), |scene, state, p| {
+            scene.resets(time, state, p, values);
+        });
     }
 
     fn kink_guards(&self, time: R, state: &[R], parameters: &[R], guards: &mut [R]) {
-        let work = &mut *self.work();
-        self.load_once(time, state, parameters, work);
-        self.scene().kink_guards(time, &work.state, &work.p, guards);
+        self.of_scene((time, state, parameters), |scene, state, p| {
+            scene.kink_guards(time, state, p, guards);
+        });
     }
 
     fn kink_rates(&self, time: R, state: &[R], parameters: &[R], rates: &mut [R]) {
-        let work = &mut *self.work();
-        self.load_once(time, state, parameters, work);
-        self.scene().kink_rates(time, &work.state, &work.p, rates);
+        self.of_scene((time, state, parameters), |scene, state, p| {
+            scene.kink_rates(time, state, p, rates);
+        });
     }
 
     fn constraint_values(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let work = &mut *self.work();
-        self.load_once(time, state, parameters, work);
-        self.scene().constraint_values(time, &work.state, &work.p, values);
+        self.of_scene((time, state, parameters), |scene, state, p| {
+            scene.constraint_values(time, state, p, values);
+        });
     }
 
     fn constraint_rates(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let work = &mut *self.work();
-        self.load_once(time, state, parameters, work);
-        self.scene().constraint_rates(time, &work.state, &work.p, values);
+        self.of_scene((time, state, parameters), |scene, state, p| {
+            scene.constraint_rates(time, state, p, values);
+        });
     }
 
     fn constraint_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let work = &mut *self.work();
-        self.load_once(time, state, parameters, work);
-        self.scene().constraint_matrix(time, &work.state, &work.p, values);
+        self.of_scene((time, state, parameters), |scene, state, p| {
+            scene.constraint_matrix(time, state, p, values);
+        });
     }
 
     fn outputs(&self, time: R, state: &[R], parameters: &[R], outputs: &mut [R]) {

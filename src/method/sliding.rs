@@ -88,41 +88,31 @@ impl System<'_> {
 
     /// Returns the rates of the energy quadratures along the surfaces, combined likewise.
     pub(super) fn sliding_flows(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
-        let alphas = self.alphas(time, state);
-        let power = |held: &dyn Fn()| {
-            held();
+        let mut total = [0.0; 2];
+        self.for_each_side(&self.alphas(time, state), |share| {
             let all = self.held().all();
             let power = self.simulator().power_balance(time, &state[..self.states()], &all);
-            [power.supplied, power.dissipated]
-        };
-        let slides = self.slides();
-        let below = power(&|| ());
-        let mut total = below;
-        for (slide, alpha) in slides.iter().zip(&alphas) {
-            let above = power(&|| self.held().set(slide.relation, ABOVE));
-            self.held().set(slide.relation, BELOW);
-            for (total, (above, below)) in total.iter_mut().zip(above.iter().zip(&below)) {
-                *total += alpha * (above - below);
-            }
-        }
+            total[0] += share * power.supplied;
+            total[1] += share * power.dissipated;
+        });
         [total[0], total[1], total[0].abs() + total[1].abs()]
     }
 
     /// Calls a function once for every side of the surfaces, with relations held there and its share
     /// in the combination.
-    pub(super) fn for_each_side(&self, time: f64, state: &[f64], mut call: impl FnMut(f64)) {
-        let alphas = self.alphas(time, state);
+    pub(super) fn for_each_side(&self, alphas: &[f64], mut call: impl FnMut(f64)) {
         call(1.0 - alphas.iter().sum::<f64>());
         for (slide, alpha) in self.slides().iter().zip(alphas) {
             self.held().set(slide.relation, ABOVE);
-            call(alpha);
+            call(*alpha);
             self.held().set(slide.relation, BELOW);
         }
     }
 
-    /// Returns the difference of the rates on both sides of each surface.
-    pub(super) fn differences_across_surfaces(&self, time: f64, state: &[f64]) -> Vec<Vec<f64>> {
-        differences(&self.combination(time, state).rates)
+    /// Returns the alphas, and the difference of the rates on both sides of each surface.
+    pub(super) fn across_surfaces(&self, time: f64, state: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
+        let Combination { rates, alphas, .. } = self.combination(time, state);
+        (alphas.as_slice().to_vec(), differences(&rates))
     }
 
     /// Returns these differences, and the shares of them that change the rates of guards by the

@@ -77,7 +77,8 @@ impl Tangents<'_> {
         let mut sparse = vec![0.0; nonzeros + by_parameters.entries.len()];
         values.fill(0.0);
         let (of_states, of_parameters) = values.split_at_mut(n * n);
-        system.for_each_side(time, state, |share| {
+        let (alphas, differences) = system.across_surfaces(time, state);
+        system.for_each_side(&alphas, |share| {
             system.jacobians(time, state, &mut sparse);
             for ((row, column), value) in jacobian.entries.iter().zip(&sparse) {
                 of_states[*row as usize * n + *column as usize] += share * value;
@@ -89,7 +90,6 @@ impl Tangents<'_> {
                 }
             }
         });
-        let differences = system.differences_across_surfaces(time, state);
         let add = |into: &mut [f64], width: usize, column: usize, slopes: &[f64]| {
             for (difference, slope) in differences.iter().zip(slopes) {
                 for (row, difference) in difference.iter().enumerate() {

@@ -169,7 +169,7 @@ impl Sources {
         let values = &mut self.values;
         values.fill(0.0);
         let mut side = vec![0.0; values.len()];
-        system.for_each_side(time, state, |share| {
+        system.for_each_side(&system.alphas(time, state), |share| {
             take(&mut side);
             for (value, side) in values.iter_mut().zip(&side) {
                 *value += share * side;

@@ -103,7 +103,7 @@ impl System<'_> {
             return Ok(impulses);
         }
         if happened.applied.is_empty() {
-            self.pass_kinks(watch, front, state, &mut impulses)?;
+            self.pass_kinks((watch, &happened.passed), front, state, &mut impulses)?;
         } else {
             self.pass_at_events(front, &happened.applied, state, &mut impulses)?;
         }
@@ -116,12 +116,11 @@ impl System<'_> {
     /// Passes the surfaces of kinks, one after another.
     fn pass_kinks(
         &self,
-        watch: &Watch<'_>,
+        (watch, passed): (&Watch<'_>, &[usize]),
         front: &Moment,
         state: &mut [f64],
         impulses: &mut Impulses,
     ) -> Result<(), Stopped> {
-        let passed = watch.happened().passed;
         let slots = self.held().slots();
         let kinks = passed.iter().filter_map(|index| Some((*index, watch.kink_of(*index)?.0)));
         let kinks: Vec<(usize, usize)> = kinks.collect();
@@ -187,13 +186,9 @@ impl System<'_> {
         state: &mut [f64],
         impulses: &mut Impulses,
     ) -> Result<(), Stopped> {
-        let (simulator, states) = (self.simulator(), self.states());
+        let simulator = self.simulator();
         let velocities = self.velocities();
-        let behind = Moment {
-            time: front.time,
-            state: state[..states].to_vec(),
-            slots: self.held().slots(),
-        };
+        let behind = self.moment(front.time, state);
         // The jump of T alone: at the same positions and velocities.
         let mut front = front.clone();
         for (entry, value) in front.state.iter_mut().enumerate() {

@@ -6,33 +6,11 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::process::{answer, assert_refused, machinist};
+use crate::shaken::{DAMPING, MASS, STIFFNESS, scene};
 
-const MASS: f64 = 2.0;
-const STIFFNESS: f64 = 800.0;
-const DAMPING: f64 = 8.0;
-
-const SHAKEN: &str = r#"
-    [scene]
-    name = "shaken"
-    [units.body]
-    unit = "translational/mass"
-    parameters = { mass = 2 }
-    [units.spring]
-    unit = "translational/spring_damper"
-    parameters = { stiffness = 800, damping = 8 }
-    [units.ground]
-    unit = "translational/fixed"
-    [units.shaker]
-    unit = "sources/force"
-    inputs = { force = "push" }
+const MORE: &str = r#"
     [parameters]
     push = { value = 0, unit = "N" }
-    [[joints]]
-    connect = ["body.b", "spring.a"]
-    [[joints]]
-    connect = ["spring.b", "ground.a"]
-    [[joints]]
-    connect = ["shaker.a", "body.a"]
     [outputs]
     way = { expression = "body.x", unit = "mm" }
     rate = "body.acceleration"
@@ -43,7 +21,7 @@ const SHAKEN: &str = r#"
 
 fn shaken() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("shaken.toml"), SHAKEN).expect("written");
+    fs::write(folder.path().join("shaken.toml"), scene("push", MORE)).expect("written");
     folder
 }
 

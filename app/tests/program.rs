@@ -25,6 +25,7 @@ mod redundant;
 mod refusals;
 mod report;
 mod schema;
+mod shaken;
 mod spectrum;
 mod symbolica;
 mod tables;

@@ -7,33 +7,13 @@ use serde_json::Value;
 
 use crate::cli::{answer, assert_refused, machinist, text};
 use crate::process::{output, said};
+use crate::shaken::{self, DAMPING, MASS, STIFFNESS};
 
-const MASS: f64 = 2.0;
-const STIFFNESS: f64 = 800.0;
-const DAMPING: f64 = 8.0;
 /// Frequencies and forces of the shaker.
 const WAVES: [(f64, f64); 2] = [(5.0, 10.0), (12.0, 3.0)];
 
-const SHAKEN: &str = r#"
-    [scene]
-    name = "shaken"
-    [units.body]
-    unit = "translational/mass"
-    parameters = { mass = 2 }
-    [units.spring]
-    unit = "translational/spring_damper"
-    parameters = { stiffness = 800, damping = 8 }
-    [units.ground]
-    unit = "translational/fixed"
-    [units.shaker]
-    unit = "sources/force"
-    inputs = { force = "16 [N] + 10 [N]*sin(2*pi*5 [Hz]*t) + 3 [N]*cos(2*pi*12 [Hz]*t)" }
-    [[joints]]
-    connect = ["body.b", "spring.a"]
-    [[joints]]
-    connect = ["spring.b", "ground.a"]
-    [[joints]]
-    connect = ["shaker.a", "body.a"]
+const FORCE: &str = "16 [N] + 10 [N]*sin(2*pi*5 [Hz]*t) + 3 [N]*cos(2*pi*12 [Hz]*t)";
+const MORE: &str = r#"
     [outputs]
     way = { expression = "body.x", unit = "mm" }
     speed = "body.v"
@@ -54,7 +34,7 @@ fn answers(hertz: f64) -> f64 {
 fn lines_of_a_shaken_mass_are_those_of_its_closed_form() {
     let folder = tempfile::tempdir().expect("a folder");
     let [scene, json, plot] = ["a.toml", "a.json", "a.svg"].map(|name| folder.path().join(name));
-    fs::write(&scene, SHAKEN).expect("written");
+    fs::write(&scene, shaken::scene(FORCE, MORE)).expect("written");
     // By 20 s the transient has decayed to e^-40.
     let stretch = ["spectrum", text(&scene), "--from", "20", "--samples", "900"];
     for window in ["rectangle", "hann", "flat_top"] {

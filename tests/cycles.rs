@@ -363,7 +363,8 @@ const BY_SIGN: &str = r#"
 
 #[test]
 fn dry_friction_without_stops_has_the_amplitude_of_den_hartog() {
-    for scene in [rubbing(BY_MODES), rubbing(BY_SIGN)] {
+    for text in [BY_MODES, BY_SIGN] {
+        let scene = rubbing(text);
         for frequency in [0.7_f64, 0.9, 1.3] {
             let run = Simulation::new(scene.single());
             let run = run.parameter("block.frequency", frequency).expect("a parameter");

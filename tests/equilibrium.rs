@@ -178,11 +178,9 @@ fn tilted(by_angle: bool, initial: &str) -> String {
 
 #[test]
 fn a_pendulum_tilts_as_its_torque_has_it_by_angle_and_by_constraint() {
-    let machines = [
-        of_text(&tilted(true, ""), Keep::Needed),
-        of_text(&tilted(false, "\"bob.x\" = 0\n[guess]\n\"bob.y\" = -0.5"), Keep::Needed),
-    ];
-    for machine in &machines {
+    let by_constraint = tilted(false, "\"bob.x\" = 0\n[guess]\n\"bob.y\" = -0.5");
+    for text in [tilted(true, ""), by_constraint] {
+        let machine = &of_text(&text, Keep::Needed);
         for torque in [0.0, 1e-7, 3.0, -6.0, 8.0] {
             let simulation = Simulation::new(machine).parameter("bob.torque", torque);
             let run = simulation.and_then(|run| run.run()).expect("it hangs");

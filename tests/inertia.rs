@@ -110,10 +110,10 @@ fn a_jump_at_a_place_is_the_limit_of_steep_changes() {
     };
     let sharp = plane(&kinetic("piecewise(x + y/3 < 0, 0, 1)"), "");
     let width = |w: &str| plane(&kinetic(&format!("(1 + tanh((x + y/3)/({w})))/2")), "");
-    let steep = [width("2e-3 [m]"), width("1e-3 [m]")];
+    let (steep, steeper) = (width("2e-3 [m]"), width("1e-3 [m]"));
     for along in [-0.6, 0.0, 1.5] {
         let of = |machine| run(machine, Method::Dop853, &[("u.more", 1.5)], along);
-        let runs = [of(&sharp), of(&steep[0]), of(&steep[1])];
+        let runs = [of(&sharp), of(&steep), of(&steeper)];
         for name in ["u.vx", "u.vy"] {
             let [sharp, wide, narrow] = [0, 1, 2].map(|index| last(&runs[index], name));
             let what = format!("{name}, {along} m/s: {wide} {narrow}");

@@ -92,6 +92,9 @@ pub struct Event<'a> {
     pub when: &'a [(u32, f64)],
     /// Entries of the state that the event resets, in the order of [`Simulator::resets`].
     pub sets: &'a [u32],
+    /// True if the event only counts: nothing that determines the motion or an event reads these
+    /// entries, and their rates are zero. Such an event does not end a step.
+    pub counts: bool,
 }
 
 /// The way in which a step holds a relation.

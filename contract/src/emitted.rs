@@ -313,9 +313,11 @@ macro_rules! coordinates {
 /// ```text
 /// "spec.name": Rising, when [(mode, value), ..], sets [entry, ..], "meaning";
 /// ```
+///
+/// with `Rising counts` for an event that only counts.
 #[macro_export]
 macro_rules! events {
-    ($($path:literal: $direction:ident, when [$($when:tt)*], sets [$($set:tt)*], $doc:literal;)*) => {
+    ($($path:literal: $direction:ident $($counts:ident)?, when [$($when:tt)*], sets [$($set:tt)*], $doc:literal;)*) => {
         /// Number of events.
         pub const EVENTS: usize = EVENT_SHAPES.len();
         /// Number of values that all events reset.
@@ -327,6 +329,7 @@ macro_rules! events {
             direction: $crate::Direction::$direction,
             when: &[$($when)*],
             sets: &[$($set)*],
+            counts: !<[&str]>::is_empty(&[$(stringify!($counts))?]),
         }),*];
     };
 }

@@ -1,7 +1,7 @@
 //! Facts that the tapes of a model imply for every state: values that depend on parameters only.
 
 use crate::evaluate::{Evaluator, Inputs, call};
-use crate::{Model, Op, Requirement, Tape, What};
+use crate::{Model, Op, Requirement, Tape, What, needed_nodes};
 
 impl Model {
     /// Returns the first requirement that the given parameters do not fulfil, with its value.
@@ -42,6 +42,35 @@ impl Model {
         let known = known(tape, parameters);
         let is_zero = |node: crate::NodeId| known[node.0 as usize] == Some(0.0);
         Some(is_zero(supplied) && is_zero(dissipated))
+    }
+
+    /// Returns for each event whether it only counts: between events the entries that it sets are
+    /// constant, and neither the motion, its energy, a guard nor the `when` of an event reads them.
+    #[must_use]
+    pub fn counters(&self) -> Vec<bool> {
+        let motion = self.motion.iter().map(|motion| &motion.tape);
+        let of_events = [&self.guards, &self.guard_rates, &self.kink_guards, &self.kink_rates];
+        let of_constraints =
+            [&self.constraint_values, &self.constraint_rates, &self.constraint_matrix.tape];
+        let of_motion = [&self.rate, &self.mass_matrix.tape, &self.forcing];
+        let of_energy = [&self.energy, &self.power_balance];
+        let tapes = motion.chain(of_events).chain(of_constraints).chain(of_motion).chain(of_energy);
+        let mut is_read = vec![false; self.states.len()];
+        for tape in tapes {
+            let nodes = tape.nodes.iter().zip(needed_nodes(tape));
+            for (node, _) in nodes.filter(|(_, is_needed)| *is_needed) {
+                if let Op::State(entry) = node.op {
+                    is_read[entry as usize] = true;
+                }
+            }
+        }
+        for (entry, _) in self.events.iter().flat_map(|event| &event.when) {
+            is_read[*entry as usize] = true;
+        }
+        let rate = |entry: u32| self.rate.nodes[self.rate.results[entry as usize].0 as usize].op;
+        let is_constant = |entry: &u32| matches!(rate(*entry), Op::Literal(0.0));
+        let counts = |entry: &u32| !is_read[*entry as usize] && is_constant(entry);
+        self.events.iter().map(|event| event.sets.iter().all(counts)).collect()
     }
 }
 

@@ -46,6 +46,8 @@ pub struct ModelSimulator {
     /// Excitation and its switching times.
     linear: [TapeFunction; 2],
     fields: Vec<field::PointFunctions>,
+    /// For each event, whether it only counts.
+    counters: Vec<bool>,
 }
 
 impl ModelSimulator {
@@ -85,6 +87,7 @@ impl ModelSimulator {
                 .iter()
                 .map(|field| field::PointFunctions::new(&model, field))
                 .collect(),
+            counters: model.counters(),
             model,
         }
     }
@@ -413,6 +416,7 @@ impl Describe for ModelSimulator {
             },
             when: &event.when,
             sets: &event.sets,
+            counts: self.counters[index],
         }
     }
     fn is_mode(&self, index: usize) -> bool {

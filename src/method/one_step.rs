@@ -27,11 +27,6 @@ pub(crate) trait OneStep {
     /// method is asked only for their ends and the states before them, or to try another step.
     fn is_last(&mut self, _is_last: bool) {}
 
-    /// Sets a tighter relative tolerance for the errors of steps from now on, if the method
-    /// supports this and it is tighter than its own. Absolute tolerances follow in proportion.
-    #[cfg(feature = "implicit")]
-    fn hold_to(&mut self, _rtol: f64) {}
-
     /// Returns the state at the end of the current step.
     fn end(&self) -> &[f64];
 
@@ -213,6 +208,7 @@ pub(super) fn drive<M: OneStep>(
                 }
                 continue;
             }
+            stretch.watch.map_or(Ok(()), |watch| watch.pass(method, now))?;
             stretch.system.count_step();
             let moves = kept.end.iter().copied().zip(method.end().iter().copied());
             let stood_still = rests(moves.take(stretch.system.states()), stretch.atol);
@@ -239,9 +235,12 @@ pub(super) fn drive<M: OneStep>(
             }
             if arrives || is_enough {
                 state.copy_from_slice(&kept.end);
+                enter_counts(stretch, time, state);
                 return Ok((!arrives).then_some(Left { time, step }));
             }
-            stretch.require_wanted(time, &kept.end)?;
+            state.copy_from_slice(&kept.end);
+            enter_counts(stretch, time, state);
+            stretch.require_wanted(time, state)?;
             if let Some(cause) = stretch.leads_nowhere(step, time, &kept.end) {
                 return Err(Stopped { time, cause });
             }
@@ -268,6 +267,7 @@ fn leaps(
     samples: &mut Samples<'_>,
 ) -> bool {
     state.copy_from_slice(&kept.end);
+    enter_counts(stretch, time, state);
     stretch.leaps_to_end(time, state, samples)
 }
 
@@ -393,7 +393,7 @@ fn sample(
         let tangents = stretch.system.tangents();
         if time >= now {
             tangents.inspect(|tangents| tangents.sample_end());
-            samples.push(end);
+            scratch.copy_from_slice(end);
         } else {
             method.interpolate(time, scratch);
             if let Some(index) = scratch.iter().position(|value| !value.is_finite()) {
@@ -401,10 +401,16 @@ fn sample(
             }
             stretch.constrain(time, scratch)?;
             tangents.inspect(|tangents| tangents.sample(method, stretch, time, scratch));
-            samples.push(scratch);
         }
+        enter_counts(stretch, time, scratch);
+        samples.push(scratch);
     }
     Ok(())
+}
+
+/// Enters the values of counters at a time within the current step into a state.
+fn enter_counts(stretch: &Stretch<'_>, time: f64, state: &mut [f64]) {
+    stretch.watch.inspect(|watch| watch.enter_counts(time, state));
 }
 
 /// Returns whether time would hardly advance, or the step is meaninglessly small at time zero.

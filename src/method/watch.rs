@@ -15,6 +15,7 @@
 //!   only modes; it may also happen after events. See `settle`.
 //! - Infinitely many events in a finite time (Zeno) stop the run.
 
+mod counters;
 mod crossing;
 mod hosted;
 mod led;
@@ -37,6 +38,7 @@ use super::sliding::{ABOVE, BELOW};
 use super::{Problem, Stopped, Stretch, System};
 use crate::error::StopCause;
 use crate::trajectory::Switch;
+use counters::Counters;
 pub(crate) use hosted::Memory;
 use led::Turn;
 use passing::{Guard, Outcome, Parts, Step, Zero, is_wanted};
@@ -78,6 +80,7 @@ struct Inner {
     start: Vec<f64>,
     parts: Parts,
     outcomes: Vec<Outcome>,
+    counters: Counters,
     /// Guards whose relations change within the step without ending it, with these changes.
     silent: Vec<(usize, Change)>,
     /// First time within the step at which a prescribed part comes to rest or starts to move.
@@ -196,6 +199,7 @@ impl<'a> Watch<'a> {
             start: state.to_vec(),
             parts: Parts::new(system, watched.clone(), state.len(), scales),
             outcomes: Vec::new(),
+            counters: Counters::new(system),
             silent: Vec::new(),
             turn: None,
             longest: f64::INFINITY,
@@ -231,6 +235,7 @@ impl<'a> Watch<'a> {
         let inner = &mut *self.inner.borrow_mut();
         inner.time = time;
         inner.start.copy_from_slice(state);
+        inner.counters.clear();
         inner.parts.restart();
     }
 
@@ -246,8 +251,7 @@ impl<'a> Watch<'a> {
         state.copy_from_slice(&self.inner.borrow().start);
     }
 
-    /// Returns the first zero crossing within the current step, which ends at `until`. Without a
-    /// crossing the end of the step becomes the start of the next one.
+    /// Returns the first zero crossing within the current step, which ends at `until`.
     pub(super) fn first_passing(&self, method: &mut dyn OneStep, until: f64) -> Option<f64> {
         let inner = &mut *self.inner.borrow_mut();
         self.look_into(inner, method, until);
@@ -258,18 +262,25 @@ impl<'a> Watch<'a> {
             inner.outcomes[index] = Outcome::Stays(inner.sides[index]);
         }
         inner.turn = self.turn_within(inner, method, until);
-        let first = inner.first_time();
-        if first.is_none() {
-            for (side, outcome) in inner.sides.iter_mut().zip(&inner.outcomes) {
-                if let Outcome::Stays(on) = outcome {
-                    *side = *on;
-                }
+        inner.first_time()
+    }
+
+    /// Makes the end of the current step the start of the next one, where no guard crossed zero.
+    ///
+    /// # Errors
+    /// As [`Watch::tally`].
+    pub(super) fn pass(&self, method: &mut dyn OneStep, until: f64) -> Result<(), Stopped> {
+        self.tally(method, until)?;
+        let inner = &mut *self.inner.borrow_mut();
+        for (side, outcome) in inner.sides.iter_mut().zip(&inner.outcomes) {
+            if let Outcome::Stays(on) = outcome {
+                *side = *on;
             }
-            self.change_silently(inner);
-            inner.time = until;
-            inner.start.copy_from_slice(method.end());
         }
-        first
+        self.change_silently(inner);
+        inner.time = until;
+        inner.start.copy_from_slice(method.end());
+        Ok(())
     }
 
     /// Returns the longest step allowed now \[s\].
@@ -304,6 +315,9 @@ impl<'a> Watch<'a> {
         // Borders first: other guards are evaluated only up to the first border.
         let mut limit = until;
         for index in (0..self.watched.len()).rev() {
+            if inner.counters.has(index) {
+                continue;
+            }
             let (direction, is_kink) = (self.direction(index), self.is_kink(index));
             let guard = Guard { index, direction, is_kink, zero: inner.zeros[index] };
             let outcome = inner.parts.outcome(&mut step, (guard, limit), inner.sides[index]);

@@ -31,6 +31,7 @@ pub(super) fn end_at(
     let is_short = until - from <= 1e3 * f64::EPSILON * until.abs();
     if passing - from <= 4.0 * f64::EPSILON * passing.abs() {
         watch.copy_start(state);
+        watch.enter_counts(from, state);
         if !is_short && watch.is_of_error(from, state) {
             return Ok(Ending::OfError);
         }
@@ -56,9 +57,11 @@ pub(super) fn end_at(
     let mut kept = Kept::new(state);
     kept.put_back(method, stretch, time)?;
     constrain_tangents(stretch, time, &kept.end);
+    watch.tally(method, time)?;
     sample(method, stretch, (time, &kept.end), state, samples)?;
     stretch.system.tangents().inspect(|tangents| tangents.accept());
     state.copy_from_slice(&kept.end);
+    watch.enter_counts(time, state);
     watch.happens(time, passing, state);
     change(stretch, watch, time, state)
 }

@@ -27,6 +27,10 @@ pub(super) const AT_REST: f64 = 1e-9;
 /// period, enough for 200 periods of an oscillation within a step.
 const PIECES: usize = 1000;
 
+/// Factor by which a span grows in which a guard was resolved and had no root. Polynomials resolve
+/// up to 10 rad of an oscillation surely; three times as much could look resolved by chance.
+const GROWTH: f64 = 1.25;
+
 /// All watched functions at one time.
 #[derive(Debug, Clone, Default)]
 struct Look {
@@ -57,6 +61,8 @@ pub(super) struct Parts {
     turns: Vec<Turns>,
     /// Largest value of each guard since the start of the segment.
     excursions: Vec<f64>,
+    /// Span in which each counter is evaluated at once \[s\].
+    spans: Vec<f64>,
     noise: Noise,
 }
 
@@ -151,6 +157,7 @@ impl Parts {
             sizes: zeros(),
             turns: vec![Turns::default(); count],
             excursions: zeros(),
+            spans: vec![f64::INFINITY; count],
             noise: Noise::new(events, count - events, scales),
             watched,
         }
@@ -352,6 +359,78 @@ impl Parts {
             (from, zero) = (time, Some(Zero { time, residual, rate }));
         }
         Outcome::Stays(Side::Known(side))
+    }
+
+    /// Returns all times at which a guard that is on `side` at the start of the step crosses zero
+    /// in its direction, until a time within the step, and its side then.
+    pub(super) fn passings(
+        &mut self,
+        step: &mut Step<'_, '_>,
+        (guard, until): (Guard, f64),
+        side: Side,
+    ) -> (Vec<f64>, Side) {
+        let Guard { index, direction, zero, .. } = guard;
+        let mut passings = Vec::new();
+        self.samples.clear();
+        let (mut side, mut zero) = match side {
+            Side::Idle => return (passings, side),
+            Side::Known(side) => {
+                if until >= self.end.time && self.is_clear(index, side) {
+                    return (passings, Side::Known(side));
+                }
+                (side, zero)
+            }
+            Side::Fresh { passed, residual } => {
+                match self.first_seen(step, (index, direction), (passed, residual), until) {
+                    Start::On(side, zero) => (side, zero),
+                    Start::Leaves { from, zero } => {
+                        if is_wanted(direction, from) {
+                            passings.push(self.start.time);
+                        }
+                        (-from, zero)
+                    }
+                    Start::Unseen => return (passings, side),
+                }
+            }
+        };
+        let mut from = self.start.time;
+        let (mut since, mut span) = (from, self.spans[index].min(until - from));
+        while from < until {
+            self.samples.clear();
+            let to = if from + span < until { from + span } else { until };
+            let mut pieces = PIECES;
+            let found = self.first_root(step, (index, side, zero), [from, to], &mut pieces);
+            if pieces == 0 && middle(from, 0.5 * (from + to)).is_some() {
+                span = 0.5 * (to - from);
+                continue;
+            }
+            // The root at which it was zero does not count again.
+            let is_other = |time: &f64| zero.is_none_or(|zero| *time > zero.time);
+            let Some(time) = found.filter(is_other) else {
+                span *= if to < until { GROWTH } else { 1.0 };
+                from = to;
+                continue;
+            };
+            if is_wanted(direction, side) {
+                passings.push(time);
+            }
+            step.method.interpolate(time, &mut self.state);
+            self.follow(step.system, time);
+            let there = self.state.clone();
+            let (residual, rate) = self.at(step.system, time, &there, index);
+            // The next root is about as far from this one as the last one.
+            span = if middle(since, time).is_some() { time - since } else { span };
+            (from, since) = (time, time);
+            let at = Zero { time, residual, rate };
+            side = match self.first_sign(step, index, at, until) {
+                Some((seen, _)) if rate * side > 0.0 => seen,
+                _ => -side,
+            };
+            zero = Some(at);
+        }
+        self.samples.clear();
+        self.spans[index] = span;
+        (passings, Side::Known(side))
     }
 
     /// Returns the largest distance of a guard beyond zero within the step, if it is back on its

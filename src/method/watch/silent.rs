@@ -54,6 +54,8 @@ impl Watch<'_> {
             let event = event as usize;
             match (inner.sides[event], inner.outcomes[event]) {
                 (Side::Idle, _) => {}
+                // It is seen only on the branches that the step holds.
+                _ if inner.counters.has(event) => return None,
                 (Side::Known(side), Outcome::Stays(Side::Known(end))) if side * end > 0.0 => {
                     events.push((event, side));
                 }

@@ -182,7 +182,7 @@ fn events(scene: &Scene<'_>) -> Result<String, EmitError> {
     if events.is_empty() {
         return Ok(String::new());
     }
-    let rows = events.iter().map(|event| {
+    let rows = events.iter().zip(scene.model.counters()).map(|(event, counts)| {
         let direction = match event.direction {
             Direction::Rising => "Rising",
             Direction::Falling => "Falling",
@@ -195,7 +195,8 @@ fn events(scene: &Scene<'_>) -> Result<String, EmitError> {
         let when = when.collect::<Result<Vec<_>, EmitError>>()?.join(", ");
         let sets = event.sets.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
         let (name, doc) = (string(&event.name.path), string(&event.doc));
-        Ok(format!("{name}: {direction}, when [{when}], sets [{sets}], {doc};"))
+        let counts = if counts { " counts" } else { "" };
+        Ok(format!("{name}: {direction}{counts}, when [{when}], sets [{sets}], {doc};"))
     });
     Ok(call("events", &rows.collect::<Result<Vec<_>, EmitError>>()?))
 }

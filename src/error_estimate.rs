@@ -15,8 +15,8 @@
 use serde::Serialize;
 
 use crate::error::SimulateError;
-use crate::method::faithful::takes_tightest_steps;
 use crate::method::loose::LOOSEST_OF_MANY;
+use crate::method::taylor::LEAST_RTOL;
 use crate::simulate::Simulation;
 use crate::trajectory::{Column, Switch, Trajectory};
 
@@ -91,7 +91,7 @@ impl ErrorEstimate {
         // A closed form evaluates the rate once per segment, a stepping method more often; only the
         // latter has errors of steps.
         let has_steps = run.work.rate_evaluations > run.work.steps;
-        let may_be_alike = has_steps && takes_tightest_steps(refined.rtol) && moves(run);
+        let may_be_alike = has_steps && refined.rtol < LEAST_RTOL && moves(run);
         if may_be_alike && run.columns == refined.columns {
             let reason = "steps are as tight as possible at both tolerances";
             return unknown(reason.to_owned());

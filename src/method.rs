@@ -8,13 +8,11 @@ pub(crate) mod auto;
 #[cfg(feature = "implicit")]
 mod bordered;
 #[cfg(feature = "implicit")]
-mod caution;
 #[cfg(feature = "diffsol")]
 mod diffsol;
 #[cfg(feature = "implicit")]
 mod exact;
 mod explicit;
-pub(crate) mod faithful;
 #[cfg(feature = "implicit")]
 pub mod fixed;
 mod held;
@@ -60,7 +58,6 @@ use serde::{Serialize, Serializer};
 use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
 use crate::method::sensitivity::Passing;
 use crate::trajectory::Switch;
-use faithful::faithful_tolerances;
 pub(crate) use held::Held;
 use inertia::Moment;
 pub(crate) use jump::just_behind;
@@ -230,6 +227,7 @@ impl Problem<'_> {
         halts: bool,
     ) -> Result<Option<f64>, Stopped> {
         let mut samples = Samples::new(&[], state.len());
+        watch.filter(|_| halts).inspect(|watch| watch.halt_at_counters());
         self.go_on((method, self.integrator(method)?), watch, state, &mut samples, halts)
     }
 
@@ -269,8 +267,6 @@ impl Problem<'_> {
                 if let Some(watch) = stretch.watch.filter(|_| stretch.from <= ends[0]) {
                     watch.jump_in_time(&stretch, state)?;
                 }
-                let tighter = faithful_tolerances(method, &stretch, state);
-                let stretch = stretch.at_tolerances(tighter.as_ref());
                 let Some(watch) = stretch.watch else {
                     integrator.integrate(&stretch, state, samples)?;
                     continue;

@@ -228,8 +228,8 @@ impl<'a> Sweep<'a> {
         machine: &dyn SideBySide<R>,
     ) -> Option<Vec<Result<VariantRun, SimulateError>>> {
         let series = machine.taylor()?;
-        // The same is done by `auto` in a single run.
-        let looks_within = method == Method::Auto && series.bends() == Bends::Saturates;
+        // The same is done in a single run.
+        let looks_within = series.bends() == Bends::Saturates;
         let mut results: Vec<Option<Result<VariantRun, SimulateError>>> = vec![None; chunk.len()];
         // Variants that are still to be run, and the work that each has spent in vain.
         let mut left: Vec<(usize, Spent)> =

@@ -144,10 +144,10 @@ fn a_pulse_in_every_turn_is_seen_from_rest() {
             let expected = 100.0 * 0.1 * std::f64::consts::PI.sqrt();
             for method in OWN {
                 let v = run(&block, method, 1e-6, [0.3, width]).last("block.v").expect("a state");
-                // The first one is a bell only to order width squared; `radau` errs by up to its
-                // tolerance in each of the hundred.
+                // The first one is a bell only to order width squared; each of the hundred errs by
+                // one or two tolerances, by `radau` several.
                 let error = (v / expected - 1.0).abs();
-                let allowed = if method == Method::Radau { 1e-3 } else { 1e-4 };
+                let allowed = if method == Method::Radau { 1e-3 } else { 2e-4 };
                 assert!(
                     error < allowed + 20.0 * width * width,
                     "{method}, {width:e}: {pulse}: {v}"

@@ -9,10 +9,8 @@ mod stiffness;
 use machinist_contract::Simulator;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 
-use super::caution::Caution;
 use super::exact::Exact;
 use super::explicit::ExplicitSteps;
-use super::faithful::{has_kinks, tolerances_at_kinks};
 use super::one_step::{Left, OneStep, drive};
 use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
@@ -79,7 +77,7 @@ impl Integrator for Auto {
                 let look = |method: &TaylorSteps<'_>, step: f64| {
                     strain.look(stretch, method.start(), step)
                 };
-                let mut method = TaylorSteps::new(stretch, series).looking_within();
+                let mut method = TaylorSteps::new(stretch, series);
                 if !choice.is_stiff_from_the_start {
                     method.begin(stretch.from, state);
                     if method.has_no_series() {
@@ -153,9 +151,7 @@ impl<'a> Choice<'a> {
         let has_tangents = stretch.system.tangents().is_some();
         // Of the implicit methods only Radau's carry sensitivities.
         let has_many = stretch.system.states() >= MANY_STATES;
-        // Errors of the others do not stay small at kinks.
-        let has_kinks = has_kinks(stretch.system.simulator());
-        let by_radau = rtol <= TIGHT || has_many && rtol <= LOOSE || has_tangents || has_kinks;
+        let by_radau = rtol <= TIGHT || has_many && rtol <= LOOSE || has_tangents;
         let implicit_name = if by_radau { "radau" } else { "rodas5p" };
         let of_pair = |name, pair: &'static Pair| Self {
             explicit: Explicit::Pair(pair),
@@ -216,9 +212,7 @@ impl<'a> Choice<'a> {
             let looked_at = strain.look(stretch, method.start(), step);
             Some(looked_at.map_or(shown, |strain| shown.max(strain)))
         };
-        let tighter = tolerances_at_kinks(Method::Dop853, stretch);
-        let tighter = stretch.at_tolerances(tighter.as_ref());
-        let mut method = ExplicitSteps::new(pair, &tighter);
+        let mut method = ExplicitSteps::new(pair, stretch);
         if !choice.is_stiff_from_the_start {
             method.begin(stretch.from, state);
         }
@@ -240,7 +234,6 @@ impl<'a> Choice<'a> {
         let mut patience = STIFF_STEPS;
         // Doubt about leaving the implicit method, and whether this is why it is tried.
         let (mut doubt, mut is_doubted) = (None::<Doubt>, false);
-        let mut caution = Caution::default();
         let mut left = Left { time: stretch.from, step: 0.0 };
         let mut is_explicit = !self.is_stiff_from_the_start;
         if is_explicit {
@@ -281,16 +274,10 @@ impl<'a> Choice<'a> {
             changes += if is_doubted { 0 } else { 2 };
             let may_return = changes < MOST_CHANGES;
             let mut steps = 0;
-            let at = self.implicit_stretch(
-                stretch,
-                left,
-                (state, samples),
-                &mut caution,
-                &mut |easy| {
-                    steps += 1;
-                    may_return && easy
-                },
-            )?;
+            let at = self.implicit_stretch(stretch, left, (state, samples), &mut |easy| {
+                steps += 1;
+                may_return && easy
+            })?;
             let Some(at) = at else { return Ok(None) };
             stretch.system.note(format!(
                 "{} instead of {} from t = {:.6} s on: no longer stiff",
@@ -305,7 +292,6 @@ impl<'a> Choice<'a> {
             let was_right = step > worth(states) * left.step;
             doubt.get_or_insert_with(|| Doubt::new(states)).begin(is_doubted && !was_right);
             is_explicit = true;
-            explicit.hold_to(stretch.rtol / caution.strictness(stretch.rtol));
             explicit.begin(at.time, state);
             left = Left { step: explicit.own_step().unwrap_or(at.step), ..at };
             if explicit.is_cut_short() {
@@ -315,14 +301,12 @@ impl<'a> Choice<'a> {
     }
 
     /// Integrates implicitly until `leave` says so; it is asked after each step whether few enough
-    /// explicit steps would do. A step of zero length is to be chosen. Caution is kept from one
-    /// such stretch to the next.
+    /// explicit steps would do. A step of zero length is to be chosen.
     fn implicit_stretch(
         &self,
         stretch: &Stretch<'_>,
         from: Left,
         (state, samples): (&mut [f64], &mut Samples<'_>),
-        caution: &mut Caution,
         leave: &mut dyn FnMut(bool) -> bool,
     ) -> Result<Option<Left>, Stopped> {
         let simulator = stretch.system.simulator();
@@ -339,17 +323,11 @@ impl<'a> Choice<'a> {
         if self.by_radau {
             let (mut method, from) = begun(RadauSteps::new(stretch), from, state);
             let is_over = |method: &RadauSteps<'_>, step| is_over(method.jacobian(), step);
-            method.caution = *caution;
-            let left = drive(&mut method, stretch, from, state, samples, is_over);
-            *caution = method.caution;
-            left
+            drive(&mut method, stretch, from, state, samples, is_over)
         } else {
             let (mut method, from) = begun(RosenbrockSteps::new(&RODAS5P, stretch), from, state);
             let is_over = |method: &RosenbrockSteps<'_>, step| is_over(method.jacobian(), step);
-            method.caution = *caution;
-            let left = drive(&mut method, stretch, from, state, samples, is_over);
-            *caution = method.caution;
-            left
+            drive(&mut method, stretch, from, state, samples, is_over)
         }
     }
 }

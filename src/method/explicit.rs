@@ -77,8 +77,6 @@ pub(super) struct ExplicitSteps<'a> {
     has_extra_stages: bool,
     /// Data for the middle of a step, made on demand.
     middle: Option<Middle>,
-    /// Factor by which errors are controlled more tightly than the tolerances require.
-    strictness: f64,
     carried: Option<Carried>,
 }
 
@@ -106,7 +104,6 @@ impl<'a> ExplicitSteps<'a> {
             weights: vec![0.0; count],
             has_extra_stages: false,
             middle: None,
-            strictness: 1.0,
             carried: stretch.system.tangents().map(|t| Carried::new(pair, t, width)),
         }
     }
@@ -192,11 +189,10 @@ impl<'a> ExplicitSteps<'a> {
             )
         };
         let error = norm(&self.estimates[0]);
-        let error = match self.estimates.get(1) {
+        match self.estimates.get(1) {
             Some(lower) if error > 0.0 => blended(error, norm(lower)),
             _ => error,
-        };
-        self.strictness * error
+        }
     }
 
     /// Returns which quantity of a refused attempt is not finite.
@@ -332,11 +328,6 @@ impl OneStep for ExplicitSteps<'_> {
         } else {
             self.trouble()
         }
-    }
-
-    #[cfg(feature = "implicit")]
-    fn hold_to(&mut self, rtol: f64) {
-        self.strictness = (self.stretch.rtol / rtol).max(1.0);
     }
 
     fn end(&self) -> &[f64] {

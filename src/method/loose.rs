@@ -8,7 +8,6 @@
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{Real, Simulator};
 
-use super::faithful::is_conservative;
 use super::{Method, Problem, Run, Stopped};
 use crate::error::StopCause;
 
@@ -69,6 +68,35 @@ pub(crate) fn few(
     let switches = simulator.events() > 0 || simulator.kinks() > 0 || bends == Some(Bends::Corners);
     let forgets = || !is_conservative(simulator, parameters, span, state);
     if simulator.constraints() == 0 && !switches && forgets() { FEW } else { 0.0 }
+}
+
+/// Returns whether no power is supplied or dissipated: by the structure of the machine, or else,
+/// where it tells nothing, at a state and at some nearby.
+fn is_conservative(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+    span: (f64, f64),
+    state: &[f64],
+) -> bool {
+    let near = || is_conservative_near(simulator, parameters, span, state);
+    simulator.conserves_energy(parameters).unwrap_or_else(near)
+}
+
+/// Powers that are exactly zero at several states have no terms.
+fn is_conservative_near(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+    (from, until): (f64, f64),
+    state: &[f64],
+) -> bool {
+    let states = simulator.shape().states();
+    [0.0, 0.37, -0.61].into_iter().all(|shift| {
+        let beside = |index: usize| state[index] + shift * simulator.state_scale(index);
+        let beside: Vec<f64> = (0..states).map(beside).collect();
+        let time = from + f64::abs(shift) * (until - from);
+        let power = simulator.power_balance(time, &beside, parameters);
+        power.supplied == 0.0 && power.dissipated == 0.0
+    })
 }
 
 impl Method {

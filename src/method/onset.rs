@@ -9,7 +9,6 @@ use super::step_matrix::StepMatrix;
 pub(super) struct Onset<'a> {
     jacobian: Vec<f64>,
     is_known: bool,
-    has_changed: bool,
     matrix: StepMatrix<'a, f64>,
 }
 
@@ -17,18 +16,12 @@ impl<'a> Onset<'a> {
     pub(super) fn new(stretch: &'a Stretch<'a>) -> Self {
         let system = stretch.system;
         let jacobian = vec![0.0; system.jacobian_pattern().entries.len()];
-        Self { jacobian, is_known: false, has_changed: false, matrix: StepMatrix::new(system) }
+        Self { jacobian, is_known: false, matrix: StepMatrix::new(system) }
     }
 
     /// Forgets the Jacobian: another step is tried, or another run begins.
     pub(super) fn forget(&mut self) {
         self.is_known = false;
-    }
-
-    /// Returns whether the Jacobian differs between the end of a step and its start; if not, errors
-    /// grow no more than the solution does.
-    pub(super) fn has_changed(&self) -> bool {
-        self.has_changed
     }
 
     /// Hands over the Jacobian, if there is one: the step was taken, and its end is the start of
@@ -58,7 +51,6 @@ impl<'a> Onset<'a> {
         }
         finite_jacobian(stretch, now, end, &mut self.jacobian)?;
         if self.jacobian != jacobian {
-            self.has_changed = true;
             let outcome = self.matrix.factor(shift, &self.jacobian);
             if outcome.is_err() || self.matrix.is_outgrown() {
                 return Err(Trial::Unsolved { shrink: 0.5 });

@@ -10,7 +10,6 @@ mod tangents;
 
 use self::collocation::Collocation;
 use self::newton::{Newton, Outcome};
-use super::caution::Caution;
 use super::one_step::{
     BETWEEN, OneStep, Pace, Trial, drive_all, first_step, sum_of_squares, weighted_norm,
 };
@@ -66,7 +65,6 @@ pub(super) struct RadauSteps<'a> {
     was_rejected: bool,
     last_error: f64,
     accepted: Option<Accepted>,
-    pub(super) caution: Caution,
     order_choice: OrderChoice,
     carried: tangents::Carried,
 }
@@ -128,7 +126,6 @@ impl<'a> RadauSteps<'a> {
             was_rejected: false,
             last_error: 1.0,
             accepted: None,
-            caution: Caution::default(),
             order_choice: OrderChoice::default(),
             carried: tangents::Carried::default(),
         }
@@ -167,7 +164,7 @@ impl<'a> RadauSteps<'a> {
     /// Sets the allowed errors for a method's estimate.
     fn set_scale(&mut self) {
         let rtol = self.stretch.rtol;
-        let looser = self.looser() / self.caution.strictness(rtol);
+        let looser = self.looser();
         for ((scale, state), atol) in self.scale.iter_mut().zip(&self.start).zip(self.stretch.atol)
         {
             *scale = looser * (atol + rtol * state.abs());
@@ -366,7 +363,6 @@ impl OneStep for RadauSteps<'_> {
         self.previous.is_known = false;
         self.accepted = None;
         self.newton.forget();
-        self.caution.begin();
     }
 
     fn first_step(&mut self) -> f64 {
@@ -385,9 +381,6 @@ impl OneStep for RadauSteps<'_> {
             Ok(error)
         });
         self.was_rejected |= !matches!(tried, Ok(error) if error <= 1.0);
-        if self.newton.jacobian_has_changed() {
-            self.caution.look(step, &tried);
-        }
         match tried {
             Ok(error) => {
                 self.last_error = error;
@@ -460,7 +453,6 @@ impl OneStep for RadauSteps<'_> {
         self.accepted = Some(Accepted { step: self.step, error: self.last_error.max(1e-2) });
         self.was_rejected = false;
         self.newton.start_anew();
-        self.caution.accept(self.step);
     }
 
     fn pace(&self) -> Pace {

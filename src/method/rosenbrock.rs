@@ -1,7 +1,6 @@
 //! Rosenbrock methods: implicit methods without iteration, in which each stage solves one linear
 //! system with the emitted Jacobian.
 
-use super::caution::Caution;
 use super::lanes::{Sum, combine, padded, sum};
 use super::one_step::{
     BETWEEN, OneStep, Pace, Trial, drive_all, finite_jacobian, first_step, require_finite,
@@ -61,7 +60,6 @@ pub(super) struct RosenbrockSteps<'a> {
     /// D_1, D_2, D_3 of the dense output.
     dense: Vec<f64>,
     has_dense: bool,
-    pub(super) caution: Caution,
 }
 
 impl<'a> RosenbrockSteps<'a> {
@@ -95,7 +93,6 @@ impl<'a> RosenbrockSteps<'a> {
             stage_sums: method.stages.iter().map(|row| sum(row, width)).collect(),
             dense: vec![0.0; 3 * width],
             has_dense: false,
-            caution: Caution::default(),
         }
     }
 
@@ -186,7 +183,7 @@ impl<'a> RosenbrockSteps<'a> {
         self.sum_up_flows();
         let len = self.stretch.system.len();
         let error = weighted_norm(self.stretch, &self.error[..len], &self.start, &self.end);
-        Ok(self.caution.strictness(self.stretch.rtol) * error)
+        Ok(error)
     }
 
     fn sum_up_flows(&mut self) {
@@ -242,7 +239,6 @@ impl OneStep for RosenbrockSteps<'_> {
         self.end[..state.len()].copy_from_slice(state);
         self.is_linearized = false;
         self.onset.forget();
-        self.caution.begin();
         if let Some(quadrature) = &mut self.quadrature {
             quadrature.at_start = self.stretch.flow_rates(time, &self.start[..self.size]);
         }
@@ -266,9 +262,6 @@ impl OneStep for RosenbrockSteps<'_> {
             }
             Ok(error)
         });
-        if self.onset.has_changed() {
-            self.caution.look(step, &tried);
-        }
         tried.map_or_else(|trial| trial, Trial::Error)
     }
 
@@ -314,7 +307,6 @@ impl OneStep for RosenbrockSteps<'_> {
         self.time += self.step;
         self.start.copy_from_slice(&self.end);
         self.is_linearized = false;
-        self.caution.accept(self.step);
         if let Some(quadrature) = &mut self.quadrature {
             quadrature.advance();
         }

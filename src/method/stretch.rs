@@ -5,9 +5,6 @@ use super::system::FLOWS;
 use super::{Method, Problem, Stopped, System, Watch};
 use crate::error::StopCause;
 
-/// Relative and absolute tolerances.
-pub(super) type Tolerances = (f64, Vec<f64>);
-
 /// A stretch of a run on which the right-hand side is smooth.
 pub struct Stretch<'a> {
     /// The equations; [`Stretch::rate`] evaluates rates within the stretch.
@@ -52,16 +49,6 @@ impl<'a> Stretch<'a> {
         atol: &'a [f64],
     ) -> Self {
         Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX, watch: None }
-    }
-
-    /// Returns the stretch with other tolerances, if there are any.
-    pub(super) fn at_tolerances<'b>(&self, tolerances: Option<&'b Tolerances>) -> Stretch<'b>
-    where
-        'a: 'b,
-    {
-        let (rtol, atol) =
-            tolerances.map_or((self.rtol, self.atol), |(rtol, atol)| (*rtol, &atol[..]));
-        Stretch { rtol, atol, ..*self }
     }
 
     /// Returns the relative tolerance of the steps of a method.

@@ -120,20 +120,15 @@ impl<'a> TaylorSteps<'a> {
             end: vec![0.0; len],
             slope: vec![0.0; states],
             flows: (len > states).then(|| Gauss::new(order / 2 + 2)),
-            probes: if series.bends() == Bends::Corners { &PROBES } else { &[] },
+            probes: match series.bends() {
+                Bends::Corners => &PROBES,
+                // A step over the place at which a function saturates is not noticed otherwise.
+                Bends::Saturates => &[MIDDLE],
+                Bends::Nowhere => &[],
+            },
             between: vec![0.0; states],
             rate: vec![0.0; states],
         }
-    }
-
-    /// Checks the middle of each step if a function saturates: a motion that oscillates within a
-    /// step would not be noticed otherwise.
-    #[cfg(feature = "implicit")]
-    pub(super) fn looking_within(mut self) -> Self {
-        if self.series.bends() == Bends::Saturates {
-            self.probes = &[MIDDLE];
-        }
-        self
     }
 
     /// Returns the order of series for a relative tolerance.

@@ -134,11 +134,6 @@ impl<'a> Newton<'a> {
         self.onset.refuse(self.stretch, (now, &end[..self.size]), (shift, &self.jacobian))
     }
 
-    /// Returns whether the Jacobian has changed; see [`Onset::has_changed`].
-    pub(super) fn jacobian_has_changed(&self) -> bool {
-        self.onset.has_changed()
-    }
-
     /// Returns whether the Jacobian and the factors are worth keeping for the next step.
     pub(super) fn is_reusable(&self) -> bool {
         self.contraction < 1e-3

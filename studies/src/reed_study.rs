@@ -75,7 +75,7 @@ pub fn beat(fell: Fell, share: f64) -> Result<Beat, CheckFailure> {
     let wanted = Discretisation { elements: Some(14), order: Some(4) };
     let simulator = FieldSimulator::new(scene, wanted)?;
     let stiffness = machine.value("reed.stiffness")?;
-    let run = Simulation::new(&simulator)
+    let run = Simulation::new(simulator.single())
         .parameters(&machine.parameters(&[("fell.stiffness", share * stiffness)])?)
         .rtol(1e-6)
         .method(Method::Dop853)

@@ -51,7 +51,7 @@ pub struct FieldRun {
 pub fn run(scene: &dyn FieldScene<f64>, time_limit: Duration) -> Result<FieldRun, Failure> {
     let refused = |error: FieldError| Failure::input(error, "");
     let simulator = FieldSimulator::new(scene, Discretisation::default()).map_err(refused)?;
-    let limited = Simulation::new(&simulator).time_limit(time_limit);
+    let limited = Simulation::new(simulator.single()).time_limit(time_limit);
     let trajectory = limited.with_energy_balance(true).run();
     let coarse = FieldSimulator::new(scene, FEW).map_err(refused)?;
     let along = match &trajectory {
@@ -63,7 +63,7 @@ pub fn run(scene: &dyn FieldScene<f64>, time_limit: Duration) -> Result<FieldRun
     };
     Ok(FieldRun {
         trajectory,
-        modes: modes::modes(&Simulation::new(&coarse).time_limit(time_limit)),
+        modes: modes::modes(&Simulation::new(coarse.single()).time_limit(time_limit)),
         along,
     })
 }
@@ -218,7 +218,7 @@ fn errors() -> Result<Vec<Named>, LinearError> {
             if let Ok(simulator) = FieldSimulator::new(&ShaftStepTorque, wanted) {
                 let state = vec![0.0; simulator.shape().states()];
                 let point = Point { time: 0.0, state, parameters: defaults(&simulator) };
-                let linearization = Linearization::at(&simulator, point)?;
+                let linearization = Linearization::at(simulator.single(), point)?;
                 let found = linearization.second_order()?.undamped_frequencies()?;
                 x.push(elements as f64);
                 y.push(found.get(4).map_or(f64::NAN, |found| (found / exact - 1.0).abs()));

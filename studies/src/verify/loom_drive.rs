@@ -18,7 +18,7 @@ pub(super) const CHECKS: &[Check] = &[Check {
 fn amplitude(machine: &Machine) -> Result<Measured, CheckFailure> {
     let wanted = Discretisation { elements: Some(5), order: Some(4) };
     let simulator = FieldSimulator::new(&LoomDrive, wanted)?;
-    let run = Simulation::new(&simulator)
+    let run = Simulation::new(simulator.single())
         .parameters(&machine.parameters(&[("shaft.damping_time", 1e-5)])?)
         .until(2.0)
         .points(4001)

@@ -98,7 +98,7 @@ fn at_rest<'a>(
 ) -> Result<Linearization<'a>, CheckFailure> {
     let state = vec![0.0; simulator.shape().states()];
     let point = Point { time: 0.0, state, parameters: machine.parameters(settings)? };
-    Ok(Linearization::at(simulator, point)?)
+    Ok(Linearization::at(simulator.single(), point)?)
 }
 
 /// Returns the largest error of the frequencies, except the first few.
@@ -178,7 +178,7 @@ fn from_rest(machine: &Machine) -> Result<[f64; 2], CheckFailure> {
     let drive = [shaft.drive_amplitude(), shaft.drive_frequency()];
     let series = ReedTransient::new(&shaft, drive, Reed::Free, 3000);
     let simulator = cut(24, 4)?;
-    let run = Simulation::new(&simulator)
+    let run = Simulation::new(simulator.single())
         .parameters(&machine.parameters(&[("fell.stiffness", shaft.contact_stiffness)])?)
         .until(0.004)
         .points(101)
@@ -209,7 +209,7 @@ fn dimensionless(machine: &Machine) -> Result<Measured, CheckFailure> {
     let shaft = touching(0.5);
     let simulator = cut(6, 4)?;
     let run = |settings: &[(&str, f64)], until: f64| -> Result<_, CheckFailure> {
-        let simulation = Simulation::new(&simulator)
+        let simulation = Simulation::new(simulator.single())
             .parameters(&machine.parameters(settings)?)
             .until(until)
             .points(201)
@@ -246,11 +246,11 @@ fn dimensionless(machine: &Machine) -> Result<Measured, CheckFailure> {
 /// Returns the largest differences of angles and of stresses, relative to the largest of each.
 fn by_modes(machine: &Machine) -> Result<[f64; 2], CheckFailure> {
     let simulator = cut(8, 8)?;
-    let modal = ModalSimulator::new(&simulator, &machine.parameters(&[])?, 57)?;
+    let modal = ModalSimulator::new(simulator.single(), &machine.parameters(&[])?, 57)?;
     let run = |simulation: Simulation<'_>| {
         simulation.until(0.003).points(31).rtol(1e-9).method(Method::Dop853).run()
     };
-    let (known, ours) = (run(Simulation::new(&simulator))?, run(Simulation::new(&modal))?);
+    let (known, ours) = (run(Simulation::new(simulator.single()))?, run(Simulation::new(&modal))?);
     let error = |name: &str| -> Result<f64, CheckFailure> {
         Ok(relative_distance(machine.column(&ours, name)?, machine.column(&known, name)?))
     };

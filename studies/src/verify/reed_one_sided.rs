@@ -56,7 +56,7 @@ fn run(
 ) -> Result<Trajectory, CheckFailure> {
     let wanted = Discretisation { elements: Some(elements), order: Some(order) };
     let simulator = FieldSimulator::new(&ReedBeatUpOneSided, wanted)?;
-    let simulation = Simulation::new(&simulator)
+    let simulation = Simulation::new(simulator.single())
         .parameters(&machine.parameters(&[("fell.stiffness", stiffness)])?)
         .until(UNTIL)
         .points(POINTS)

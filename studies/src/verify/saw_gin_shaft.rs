@@ -70,7 +70,7 @@ fn steady_twist(machine: &Machine) -> Result<Measured, CheckFailure> {
     for (growing, density) in [(0.0, LoadDensity::Uniform), (1.0, LoadDensity::Linear)] {
         let settings =
             [("saws.growing", growing), ("saws.amplitude", 0.0), ("saws.damping_time", 1e-4)];
-        let run = Simulation::new(&simulator)
+        let run = Simulation::new(simulator.single())
             .parameters(&machine.parameters(&settings)?)
             .until(2.5)
             .points(3)
@@ -89,7 +89,8 @@ fn stiff_limit(machine: &Machine) -> Result<Measured, CheckFailure> {
     let run = |simulation: Simulation<'_>| {
         simulation.until(1.0).points(101).rtol(1e-8).method(Method::Radau).run()
     };
-    let ours = run(Simulation::new(&simulator).parameters(&machine.parameters(&settings)?))?;
+    let ours =
+        run(Simulation::new(simulator.single()).parameters(&machine.parameters(&settings)?))?;
     let lumped = machine::saw_gin();
     let known = run(lumped.simulation(&[])?)?;
     let mut worst = 0.0;

@@ -62,7 +62,7 @@ fn at_rest<'a>(
     use machinist_contract::Describe as _;
     let state = vec![0.0; simulator.shape().states()];
     let point = Point { time: 0.0, state, parameters: machine.parameters(&[])? };
-    Ok(Linearization::at(simulator, point)?)
+    Ok(Linearization::at(simulator.single(), point)?)
 }
 
 fn natural(machine: &Machine, elements: usize, order: usize) -> Result<Vec<f64>, CheckFailure> {
@@ -131,7 +131,7 @@ fn order_of_step(machine: &Machine) -> Result<Measured, CheckFailure> {
 fn step_error(machine: &Machine, elements: usize) -> Result<f64, CheckFailure> {
     let simulator = cut(elements, 4)?;
     let period = 4.0 * SAW_GIN_SHAFT.length / SAW_GIN_SHAFT.wave_speed();
-    let run = Simulation::new(&simulator)
+    let run = Simulation::new(simulator.single())
         .parameters(&machine.parameters(&[])?)
         .until(period)
         .points(201)

@@ -75,7 +75,7 @@ fn at_rest<'a>(
 ) -> Result<Linearization<'a>, CheckFailure> {
     let state = vec![0.0; simulator.shape().states()];
     let point = Point { time: 0.0, state, parameters: parameters(machine, rotors)? };
-    Ok(Linearization::at(simulator, point)?)
+    Ok(Linearization::at(simulator.single(), point)?)
 }
 
 /// Returns natural frequencies without damping, except the free rotation.
@@ -127,7 +127,7 @@ fn damping(machine: &Machine) -> Result<Measured, CheckFailure> {
 
 fn decay(machine: &Machine) -> Result<Measured, CheckFailure> {
     let simulator = cut(5, 8)?;
-    let run = Simulation::new(&simulator)
+    let run = Simulation::new(simulator.single())
         .parameters(&parameters(machine, [0.0; 2])?)
         .rtol(1e-9)
         .method(Method::Radau)

@@ -95,7 +95,7 @@ impl Spec {
                 Ok(simulator) => simulator,
                 Err(error) => return failed(error.to_string()),
             };
-            match Comparison::new(&self.system, &simulator, DoubleDouble::to_f64) {
+            match Comparison::new(&self.system, simulator.single(), DoubleDouble::to_f64) {
                 Ok(comparison) => difference(comparison.at_random(PLACES, &parameters, SEED)),
                 Err(error) => failed(error.to_string()),
             }

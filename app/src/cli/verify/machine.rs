@@ -61,8 +61,8 @@ fn verify_model(
     let interpreted = ModelSimulator::interpreted(model.clone());
     let is_compiled = own.running() != Running::Interpreted;
     if model.fields.is_empty() {
-        let independent = |parameters: &[f64]| spec.clone()?.against(&own, parameters);
-        let ways = Ways { simulator: &own, twin: &interpreted, is_compiled };
+        let independent = |parameters: &[f64]| spec.clone()?.against(own.single(), parameters);
+        let ways = Ways { simulator: own.single(), twin: interpreted.single(), is_compiled };
         return verify_both(model, &ways, &independent, changes);
     }
     let independent = |parameters: &[f64]| spec.clone()?.against_fields(&own, parameters);
@@ -70,7 +70,8 @@ fn verify_model(
     let [simulator, twin] = [cut(&own), cut(&interpreted)];
     let simulator = simulator.map_err(|error| refused(&error))?;
     let twin = twin.map_err(|error| refused(&error))?;
-    let ways = Ways { simulator: &simulator, twin: &twin, is_compiled };
+    // Trait objects made here would be of code that is not optimized.
+    let ways = Ways { simulator: simulator.single(), twin: twin.single(), is_compiled };
     verify_both(model, &ways, &independent, changes)
 }
 

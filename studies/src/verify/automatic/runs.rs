@@ -54,6 +54,9 @@ const CANDIDATES: [(Method, f64, usize); 5] = [
     (Method::Taylor, 1e-12, 20_000),
     (Method::Bdf, 1e-9, 100_000),
 ];
+/// Number of states above which explicit steps follow fast waves of fields rather than stiffness, and
+/// the factor on the maximum numbers of steps there.
+const MANY: (usize, usize) = (100, 3);
 /// Tolerance below which references are no better than the run.
 const FINEST: f64 = 1e-10;
 /// Part of the run around an event within which times are not compared, because states jump there.
@@ -70,10 +73,13 @@ impl References {
     pub(super) fn of(visit: &Visit<'_>) -> Self {
         let mut found = Self { runs: Vec::new(), failures: Vec::new(), is_too_slow: false };
         let candidates = CANDIDATES.into_iter().filter(|(method, ..)| method.is_compiled_in());
+        let is_large = visit.simulator.shape().states() > MANY.0;
+        let factor = if is_large { MANY.1 } else { 1 };
         for (method, rtol, steps) in candidates {
             if found.runs.len() == 2 {
                 break;
             }
+            let steps = factor * steps;
             let atol: Vec<f64> = visit.sizes.iter().map(|size| rtol * size).collect();
             let run = visit.subject.simulation.clone().times(&visit.run.times).method(method);
             let run = run.rtol(rtol).atol(&atol).max_steps(steps);

@@ -9,9 +9,10 @@
 //!
 //! The reference is a closed form or, where there is none, two unrelated methods that agree at
 //! tight tolerances; a conservative machine is judged by its energy. To add a case, add one line to
-//! `src/stability/cases.rs`.
+//! `src/stability/cases.rs`, or to `contacts.rs` beside it for contact, winders and fields.
 
 mod cases;
+mod contacts;
 mod drift;
 pub mod machines;
 mod order;

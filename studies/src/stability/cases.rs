@@ -7,7 +7,7 @@ use machinist_scenes::scenes;
 
 use super::machines::{DAHLQUIST, PROTHERO_ROBINSON, PULSE, PULSE_START, ROBERTSON, VAN_DER_POL};
 use super::truth::Truth;
-use super::{Case, POWERS};
+use super::{Case, POWERS, contacts};
 use crate::closed_form::two_mass::{Motion, SAW_GIN, Torques, Twist, TwoMass};
 
 /// Returns all cases, without those of absent scenes.
@@ -20,6 +20,7 @@ pub(super) fn all() -> Vec<Case> {
         many_periods(),
         pulses(),
         saw_gins(),
+        contacts::all(),
         conservative(),
     ];
     parts.into_iter().flatten().collect()

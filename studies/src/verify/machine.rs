@@ -258,6 +258,11 @@ impl Machine {
         self.name
     }
 
+    /// Returns the simulator of the scene; that of a scene with fields has few elements.
+    pub(crate) fn simulator(&self) -> &'static dyn Simulator<f64> {
+        self.real
+    }
+
     pub(crate) fn override_parameter(
         &mut self,
         name: &str,

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use crate::object::{ObjectError, object};
-use machinist::{SimulateError, Simulation, Trajectory};
+use machinist::{Discretisation, FieldSimulator, Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::emit::EmitOptions;
 use machinist_codegen::emit::rust::emit;
 use machinist_codegen::lower::structure::Structure;
@@ -24,6 +24,8 @@ use crate::spec_source::SpecSource;
 const RUNS: usize = 5;
 /// Relative tolerance at which outputs are compared.
 const FINE: f64 = 1e-12;
+/// Limit on the computing time of a run.
+const LONGEST: Duration = Duration::from_secs(60);
 
 /// Comparison of a scene, whole and reduced.
 pub struct Explanation {
@@ -39,8 +41,8 @@ pub struct Explanation {
     pub states: Vec<String>,
     /// Structure of the remaining equations.
     pub structure: Structure,
-    /// True if the scene has fields, which the structure does not include.
-    pub has_fields: bool,
+    /// The machine with its fields divided into elements, which the structure does not include.
+    pub divided: Option<Result<Divided, String>>,
     /// Reason why there are no object files, if they were wanted.
     pub no_object: Option<ObjectError>,
     /// Parts that could be taken as rigid, with the error of doing so, if runs were wanted.
@@ -96,6 +98,81 @@ pub struct Times {
     pub difference: f64,
 }
 
+/// A machine whose fields are divided into elements, as a run divides them.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Divided {
+    /// Each field with its elements.
+    pub fields: Vec<DividedField>,
+    /// Entries of the state.
+    pub states: usize,
+    /// Nonzeros of dy'/dy.
+    pub jacobian_nonzeros: usize,
+    /// True if the equations are linear with constant coefficients, so that a run can take its
+    /// eigenmodes instead of steps.
+    pub is_linear: bool,
+    /// Relations and events, which runs locate.
+    pub switches: usize,
+    /// The scene's own run, if measured.
+    pub run: Option<DividedRun>,
+}
+
+/// Run of a machine with fields.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DividedRun {
+    /// Time \[ms\].
+    pub milliseconds: f64,
+    /// Number of steps.
+    pub steps: u64,
+    /// Reason why it stopped early, if it did.
+    pub stopped: Option<String>,
+}
+
+/// A field with its elements.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DividedField {
+    /// Name.
+    pub name: String,
+    /// Number of elements.
+    pub elements: usize,
+    /// Order of the elements.
+    pub order: usize,
+    /// Number of nodes, including those at ports.
+    pub nodes: usize,
+}
+
+impl Divided {
+    fn new(model: &Model, is_timed: bool) -> Result<Self, String> {
+        let machine = ModelSimulator::new(model.clone());
+        let cut = FieldSimulator::new(machine.with_fields(), Discretisation::default());
+        let cut = cut.map_err(|error| error.to_string())?;
+        let simulator = cut.single();
+        let simulation = Simulation::new(simulator).time_limit(LONGEST);
+        let parameters = simulation.parameter_values();
+        let fields = model.fields.iter().enumerate().map(|(index, field)| {
+            let nodes = cut.places(index, parameters).len();
+            let name = field.quantities[0].name.path.clone();
+            DividedField { name, elements: (nodes - 1) / field.order, order: field.order, nodes }
+        });
+        let run = is_timed.then(|| {
+            let start = Instant::now();
+            let run = simulation.run();
+            DividedRun {
+                milliseconds: start.elapsed().as_secs_f64() * 1e3,
+                steps: run.as_ref().map_or(0, |run| run.work.steps),
+                stopped: run.err().map(|error| error.to_string()),
+            }
+        });
+        Ok(Self {
+            fields: fields.collect(),
+            states: simulator.shape().states(),
+            jacobian_nonzeros: simulator.rate_jacobian_pattern().entries.len(),
+            is_linear: Method::Exact.suits(simulator),
+            switches: simulator.events() + simulator.relations(),
+            run,
+        })
+    }
+}
+
 impl Explanation {
     /// Compares the models of a scene, and times them on request. With the spec, candidates for
     /// freezing are found too.
@@ -104,8 +181,8 @@ impl Explanation {
         models: Stages,
         with_times: bool,
     ) -> Result<Self, Failure> {
-        // A scene with fields is kept whole, and cannot run before it is discretized.
-        let with_times = with_times && models.whole.fields.is_empty();
+        // A scene with fields is kept whole, so that there is nothing to compare its run with.
+        let (is_timed, with_times) = (with_times, with_times && models.whole.fields.is_empty());
         let mut stages = vec![(Stage::of(Keep::All, &models.whole), &models.whole)];
         stages.extend(models.steps.iter().map(|(step, model)| (Stage::of(*step, model), model)));
         // Steps that only renamed or noted something are not shown.
@@ -125,7 +202,7 @@ impl Explanation {
                 .map(|q| q.name.path.clone())
                 .collect(),
             structure: Structure::of(&needed),
-            has_fields: !needed.fields.is_empty(),
+            divided: (!needed.fields.is_empty()).then(|| Divided::new(&needed, is_timed)),
             no_object,
             candidates: match scene {
                 Some(scene) if with_times => freeze::candidates(scene)?,
@@ -231,7 +308,6 @@ pub fn timed(simulator: &ModelSimulator) -> Result<(f64, Trajectory), SimulateEr
 
 /// Prepares a run with a time limit.
 pub fn limited(simulator: &ModelSimulator) -> Simulation<'_> {
-    const LONGEST: Duration = Duration::from_secs(60);
     Simulation::new(simulator).time_limit(LONGEST)
 }
 

@@ -668,6 +668,26 @@ fn explain_works_for_every_scene_file_and_its_sums_are_those_of_the_emitted_code
 }
 
 #[test]
+fn explain_divides_the_fields_of_a_scene_into_the_elements_of_its_run() {
+    for (scene, nodes, states, is_linear) in [
+        // Two states for each node, the reed's angle and its speed.
+        ("reed_beat_up", 97, 2 * 97 + 2, true),
+        ("reed_beat_up_one_sided", 97, 2 * 97 + 2, false),
+        ("shaft_with_rotors", 65, 2 * 65, true),
+    ] {
+        let json = explain_as_json(scene, "plain");
+        let divided = &json["divided"];
+        assert_eq!(divided["fields"][0]["nodes"], nodes, "{divided}");
+        assert_eq!(divided["states"], states, "{divided}");
+        assert_eq!(divided["is_linear"], is_linear, "{divided}");
+        assert_eq!(divided["switches"], u64::from(!is_linear), "{divided}");
+    }
+    let told = answer(&["explain", "shaft_step_torque"]);
+    assert!(told.contains("nodes") && told.contains("run of the scene with these elements"));
+    assert!(explain_as_json("two_mass", "plain")["divided"].is_null());
+}
+
+#[test]
 fn explain_measures_what_freezing_the_coupling_would_do() {
     let json = answer(&["explain", "two_mass", "--json"]);
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");

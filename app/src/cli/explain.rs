@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::output::{columns, print};
 use super::scene::Given;
 use crate::deriving::{self, Purpose};
-use crate::explain::{Explanation, Times};
+use crate::explain::{Divided, DividedField, DividedRun, Explanation, Times};
 use crate::failure::Failure;
 use crate::freeze::{Candidate, admit};
 use crate::number::number;
@@ -141,14 +141,54 @@ pub fn price(candidate: &Candidate) -> String {
     }
 }
 
+/// Returns sentences on a machine with fields.
+fn with_fields(divided: &Result<Divided, String>) -> Vec<String> {
+    let mut lines = vec![
+        "the scene has fields, so nothing is left out; the numbers above are those of the machine \
+         at its ports, without the elements"
+            .to_owned(),
+    ];
+    let divided = match divided {
+        Ok(divided) => divided,
+        Err(error) => {
+            lines.push(format!("its fields are not divided: {error}"));
+            return lines;
+        }
+    };
+    lines.extend(divided.fields.iter().map(|field| {
+        let DividedField { name, elements, order, nodes } = field;
+        format!("field {name}: {elements} elements of order {order}, {nodes} nodes")
+    }));
+    lines.push(format!(
+        "with these elements {} states and {} Jacobian nonzeros",
+        divided.states, divided.jacobian_nonzeros
+    ));
+    lines.push(match (divided.is_linear, divided.switches) {
+        (true, _) => "the equations are linear with constant coefficients: a run needs no steps, \
+                      and `run --modes` can leave out fast eigenmodes"
+            .to_owned(),
+        (false, 0) => "the equations are not linear with constant coefficients".to_owned(),
+        (false, switches) => format!(
+            "the equations are not linear with constant coefficients; relations and events, which \
+             runs locate: {switches}"
+        ),
+    });
+    if let Some(DividedRun { milliseconds, steps, stopped }) = &divided.run {
+        lines.push(match stopped {
+            None => format!(
+                "run of the scene with these elements: {} ms ({steps} steps)",
+                number(*milliseconds, 3)
+            ),
+            Some(why) => format!("its run stops: {why}"),
+        });
+    }
+    lines
+}
+
 /// Returns sentences on the structure of the equations.
 pub fn structure(explanation: &Explanation) -> Vec<String> {
-    if explanation.has_fields {
-        return vec![
-            "the scene has fields, so nothing is left out; the numbers above are those of the \
-             machine at its ports, without the elements"
-                .to_owned(),
-        ];
+    if let Some(divided) = &explanation.divided {
+        return with_fields(divided);
     }
     let (structure, states) = (&explanation.structure, &explanation.states);
     let named = |entries: &[u32]| {
@@ -231,6 +271,10 @@ fn as_json(explanation: &Explanation) -> Value {
         Ok(times) => json!({ "milliseconds": times, "ratio": times.ratio() }),
         Err(error) => json!({ "failure": error.to_string() }),
     });
+    let divided = explanation.divided.as_ref().map(|divided| match divided {
+        Ok(divided) => json!(divided),
+        Err(error) => json!({ "failure": error }),
+    });
     json!({
         "scene": explanation.scene,
         "title": explanation.title,
@@ -251,6 +295,7 @@ fn as_json(explanation: &Explanation) -> Value {
             "rate_operations": frequency(structure.rate),
             "jacobian_operations": frequency(structure.jacobian),
         },
+        "divided": divided,
         "no_object_files": explanation.no_object.as_ref().map(ToString::to_string),
         "freeze_candidates": explanation.candidates,
         "run": times,

@@ -161,6 +161,38 @@ fn orders_are_of_a_speed_and_names_are_known() {
     assert_eq!(by_state.speeds.as_deref(), Some(&[0.0, 0.0][..]));
 }
 
+/// The bench winder is shaken once and twice a turn of its drum, whose speed is an output: twice a
+/// turn meets the damped frequency at half of it.
+#[test]
+fn orders_may_be_of_a_speed_that_is_an_output() {
+    let scene = include_str!("../specs/scenes/winder_linear.toml").replace(
+        "[outputs]",
+        "[outputs]\nturning = { expression = \"drum_speed\", unit = \"rad/s\", doc = \"turning\" }",
+    );
+    let scene = of_text(&scene, Keep::Needed);
+    let run = Simulation::new(&scene);
+    let values: Vec<f64> = (1..=20).map(|k| 0.5 * f64::from(k)).collect();
+    let orders = &[1.0, 2.0];
+    let variation = Variation {
+        parameter: "winding_speed",
+        values: &values,
+        place: Place::Initial,
+        speed: Some("turning"),
+        orders,
+    };
+    let found = campbell(&run, &variation).expect("it is in rad/s");
+    let damped = (45_800.0 / 1.9 - (95.0_f64 / 3.8).powi(2)).sqrt();
+    let expected = [(2.0, 0.5 * damped * 0.05), (1.0, damped * 0.05)];
+    assert_eq!(found.critical.len(), 2, "{:?}", found.critical);
+    for (meeting, (order, value)) in found.critical.iter().zip(expected) {
+        assert_eq!(meeting.order, order);
+        assert!((meeting.value / value - 1.0).abs() < 1e-9, "{meeting:?} {value}");
+    }
+    let refused = Variation { speed: Some("turing"), ..variation };
+    let said = campbell(&run, &refused).expect_err("refused").to_string();
+    assert!(said.contains("is no parameter, state or output (did you mean `turning`?)"), "{said}");
+}
+
 /// Ziegler's column, M = mu \[3, 1; 1, 1\], K = \[2 k - P l, P l - k; -k, k\]: 2 mu^2 s^4 +
 /// mu (7 k - 2 P l) s^2 + k^2 = 0, which flutters from P l = (7/2 - sqrt 2) k on.
 #[test]

@@ -200,6 +200,7 @@ pub fn campbell_over_speeds(
 enum Speed {
     Parameter(usize),
     State(usize),
+    Output(usize),
 }
 
 fn speed(
@@ -214,10 +215,17 @@ fn speed(
         let own = own.filter(|index| simulator.parameter(*index).unit == UNIT);
         return Ok(own.map(Speed::Parameter));
     };
-    let of_state = || position(name, shape.states(), |index| simulator.state(index));
+    let of_state = || {
+        let index = position(name, shape.states(), |index| simulator.state(index))?;
+        Some((Speed::State(index), simulator.state(index).unit))
+    };
+    let of_output = || {
+        let index = position(name, shape.outputs, |index| simulator.output(index))?;
+        Some((Speed::Output(index), simulator.output(index).unit))
+    };
     let found = match of_parameter(name) {
         Some(index) => Some((Speed::Parameter(index), simulator.parameter(index).unit)),
-        None => of_state().map(|index| (Speed::State(index), simulator.state(index).unit)),
+        None => of_state().or_else(of_output),
     };
     match found {
         Some((speed, UNIT)) => Ok(Some(speed)),
@@ -226,9 +234,10 @@ fn speed(
         }
         None => {
             let parameters = (0..shape.parameters).map(|i| simulator.parameter(i).name);
-            let known = parameters.chain((0..shape.states()).map(|i| simulator.state(i).name));
-            let hint = did_you_mean(name, known);
-            let why = format!("is neither a parameter nor a state{hint}");
+            let states = (0..shape.states()).map(|i| simulator.state(i).name);
+            let outputs = (0..shape.outputs).map(|i| simulator.output(i).name);
+            let hint = did_you_mean(name, parameters.chain(states).chain(outputs));
+            let why = format!("is no parameter, state or output{hint}");
             Err(LinearError::NoSpeed { name: name.to_owned(), why })
         }
     }
@@ -282,8 +291,16 @@ impl Machine<'_> {
         let speed = self.speed.map(|speed| match speed {
             Speed::Parameter(index) => point.parameters[index],
             Speed::State(index) => point.state[index],
+            Speed::Output(index) => self.output(index, &point),
         });
         Found::at(self.run.simulator(), point, speed)
+    }
+
+    fn output(&self, index: usize, point: &Point) -> f64 {
+        let simulator = self.run.simulator();
+        let mut outputs = vec![0.0; simulator.shape().outputs];
+        simulator.outputs(point.time, &point.state, &point.parameters, &mut outputs);
+        outputs[index]
     }
 
     /// Returns the intervals of neighbouring values at each of which motions grow.

@@ -48,7 +48,7 @@ pub enum LinearError {
         constraint: String,
     },
     /// Orders refer to a quantity that is not a speed.
-    #[error("orders refer to a parameter or a state in rad/s, but `{name}` {why}")]
+    #[error("orders refer to a parameter, a state or an output in rad/s, but `{name}` {why}")]
     NoSpeed {
         /// Name given.
         name: String,

@@ -49,8 +49,8 @@ pub struct CampbellDiagram {
     /// Number of values, including both ends
     #[arg(long, value_name = "NUMBER", default_value_t = 101)]
     count: usize,
-    /// Speed that the orders multiply: a parameter or a state in rad/s. Default: the varied
-    /// parameter, if it is in rad/s
+    /// Speed that the orders multiply: a parameter, a state or an output in rad/s. Default: the
+    /// varied parameter, if it is in rad/s
     #[arg(long, value_name = "NAME")]
     speed: Option<String>,
     /// Orders of the speed that excite the machine

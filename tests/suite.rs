@@ -73,4 +73,5 @@ mod turning;
 mod unrolled;
 mod variable_mass;
 mod wasm;
+mod winders;
 mod work;

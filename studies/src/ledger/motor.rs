@@ -53,6 +53,38 @@ fn derived_rows() -> Vec<LedgerRow> {
         ("alpha_r", "1", 0.0077, 0.032 / rotor, "r2/xr", 5e-5),
         ("alpha_s' from resistance", "1", 0.115, 0.043 / (stator * sigma), "r1/(sigma xs)", 5e-4),
         ("alpha_r' from resistance", "1", 0.0858, 0.032 / (rotor * sigma), "r2/(sigma xr)", 5e-5),
+        (
+            "stator resistance r1",
+            "ohm",
+            0.043,
+            MOTOR_4A280M8.alpha_s * sigma * MOTOR_4A280M8.x_s,
+            "alpha_s' sigma xs",
+            5e-4,
+        ),
+        (
+            "rotor resistance r2",
+            "ohm",
+            0.032,
+            MOTOR_4A280M8.alpha_r * sigma * rotor,
+            "alpha_r' sigma xr",
+            5e-4,
+        ),
+        (
+            "stator leakage reactance x1",
+            "ohm",
+            0.1826,
+            (1.0 - MOTOR_4A280M8.k_s) * MOTOR_4A280M8.x_s,
+            "(1 - Ks) xs",
+            5e-5,
+        ),
+        (
+            "rotor leakage reactance x2",
+            "ohm",
+            0.1979,
+            (1.0 - MOTOR_4A280M8.k_r) * rotor,
+            "(1 - Kr) xr",
+            5e-5,
+        ),
     ]
     .map(|(figure, unit, printed, ours, from, half_digit)| LedgerRow {
         figure,

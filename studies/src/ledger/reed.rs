@@ -121,15 +121,18 @@ fn drive() -> Vec<LedgerRow> {
             "not printed; tau0 is dimensionless, so the amplitude needs the factor T",
             SCALES,
         ),
-        row(
-            "shear modulus from E = 2e11 Pa and nu = 0.3",
-            "Pa",
-            None,
-            None,
-            shaft.shear_modulus(),
-            "not printed; E/(2 (1 + nu))",
-            SCALES,
-        ),
+        LedgerRow {
+            place: "unit `loom_shaft`",
+            ..row(
+                "shear modulus from E = 2e11 Pa and nu = 0.3",
+                "Pa",
+                None,
+                Some(2e11 / 2.6),
+                shaft.shear_modulus(),
+                "not printed; E/(2 (1 + nu))",
+                SCALES,
+            )
+        },
     ]
 }
 

@@ -46,8 +46,9 @@ const TOLD: &[Told] = &[
     Told {
         at: "(1), (2)",
         figure: "shaft and reed",
-        verdict: "printed: rotational stiffnesses times R, whose dimensions disagree, and no C2; \
-                  consistent: no R, and the fell's torque acts on the reed",
+        verdict: "printed: rotational stiffnesses times R, whose dimensions disagree, Cp and b \
+                  instead of C0 and l0, and no C2; consistent: no R, and the fell's torque acts on \
+                  the reed",
         place: "`reed_beat_up`; units `loom_shaft`, `reed`",
         held: STEADY,
     },

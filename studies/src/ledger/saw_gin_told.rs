@@ -132,6 +132,14 @@ const TOLD: &[Told] = &[
         held: Held::Verify("saw_gin_shaft: twist of the shaft under both steady loads"),
     },
     Told {
+        at: "(9)",
+        figure: "load distributed over the shaft's length",
+        verdict: "printed: it grows with x, and its integral is the load times l/(2 R dphi2); \
+                  consistent: even or growing with x, and its integral is the load; numbers below",
+        place: "unit `saw_shaft`; `closed_form::printed_laws`",
+        held: Held::Verify("saw_gin_shaft: integrals of the even and the growing load density"),
+    },
+    Told {
         at: "figures 5, 6",
         figure: "slope over time for several x; angle along x at 1.8 s",
         verdict: "the report plots (14), (15) as printed beside the consistent twist; largest \
@@ -248,8 +256,19 @@ const AGGREGATE: &[Parameter] = &[
     ),
 ];
 
+const fn of_shaft(
+    at: &'static str,
+    figure: &'static str,
+    unit: &'static str,
+    printed: f64,
+    name: &'static str,
+) -> Parameter {
+    let held = Held::Verify("saw_gin_shaft: twist of the shaft under both steady loads");
+    Parameter { at, figure, unit, printed, name, place: "unit `saw_shaft`", held }
+}
+
 const CYLINDER: &[Parameter] = &[
-    number("(9)", "length of the shaft l", "m", 2.322, "saws.length", "unit `saw_shaft`"),
-    number("(5)", "shear modulus G", "Pa", 8e10, "saws.shear_modulus", "unit `saw_shaft`"),
-    number("(8)", "polar moment I", "m^4", 9.817e-6, "saws.polar_moment", "unit `saw_shaft`"),
+    of_shaft("(9)", "length of the shaft l", "m", 2.322, "saws.length"),
+    of_shaft("(5)", "shear modulus G", "Pa", 8e10, "saws.shear_modulus"),
+    of_shaft("(8)", "polar moment I", "m^4", 9.817e-6, "saws.polar_moment"),
 ];

@@ -254,9 +254,12 @@ fn mobility() -> impl Iterator<Item = LedgerRow> {
                 as_printed: None,
                 consistent: Some(ours),
                 verdict: format!(
-                    "{} by 3 n - 2 p5 - p4; the printed formula has minus signs instead of \
-                     multiplications",
-                    reproduced(printed, ours, 0.0)
+                    "{} by 3 n - 2 p5 - p4 with n = {}, p5 = {}, p4 = {}; the printed formula has \
+                     minus signs instead of multiplications",
+                    reproduced(printed, ours, 0.0),
+                    position.links,
+                    position.lower_pairs,
+                    position.higher_pairs
                 ),
                 ..of(
                     "table, (9)",

@@ -26,6 +26,7 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
     let mut rows: Vec<LedgerRow> = TOLD.iter().map(|told| told.row(Study::Winder)).collect();
     rows.extend(ranges()?);
     rows.push(tenth()?);
+    rows.extend(stated()?);
     for (figure, printed, ours, test) in [
         ("factor to resonances that is enough for stage 1", 2.0, spectrum::ENOUGH, SLOW),
         ("factor to resonances that is enough for stage 2", 1.4, layer::ENOUGH, FASTER),
@@ -95,6 +96,52 @@ fn tenth() -> Result<LedgerRow, CheckFailure> {
     })
 }
 
+/// Returns the other numbers that the study states about the winding pair.
+fn stated() -> Result<Vec<LedgerRow>, CheckFailure> {
+    let tension = winder_full().value("pair.tension")?;
+    let of = |at, figure, unit, printed: f64, as_printed, verdict, place, held| LedgerRow {
+        figure,
+        unit,
+        printed: Some(printed),
+        as_printed,
+        verdict,
+        ..LedgerRow::of(Study::Winder, at, place, held)
+    };
+    let arms = "the ends of both ranges give the printed range of fA r, 0.2 to 0.6 mm".to_owned();
+    let arm = |figure, friction: f64, radius: f64| {
+        let place = "unit `winding_pair`";
+        of("before (7)", figure, "m", 6e-4, Some(friction * radius), arms.clone(), place, LEAST)
+    };
+    let slip = of(
+        "after (3)",
+        "greatest elastic slip nu",
+        "1",
+        0.04,
+        Some(0.04),
+        "as printed; a package lags behind where its resistance exceeds f N".to_owned(),
+        "`drives/winder_elastic_slip`",
+        Held::Test("elastic_slip_is_the_share_of_friction_in_use"),
+    );
+    Ok(vec![
+        LedgerRow { consistent: Some(0.04), ..slip },
+        of(
+            "before (7)",
+            "greatest tension over the breaking load of the thread",
+            "1",
+            0.4,
+            None,
+            format!(
+                "not reproduced: the study gives no breaking load; a tension of {} N is ours",
+                digits(tension)
+            ),
+            "unit `winding_pair`",
+            LEAST,
+        ),
+        arm("greatest fA r of trunnions, fA = 0.1 to 0.15, r = 2 to 4 mm", 0.15, 4e-3),
+        arm("greatest fA r of rolling bearings, fA = 0.02 to 0.03, r = 10 to 20 mm", 0.03, 0.02),
+    ])
+}
+
 const TOLD: &[Told] = &[
     Told {
         at: "(1), (2)",
@@ -113,16 +160,17 @@ const TOLD: &[Told] = &[
     Told {
         at: "(3)",
         figure: "speed of the package, w0 (R0/R) (1 - nu)",
-        verdict: "same in both readings; the study gives no law for the elastic slip nu up to \
-                  0.04: a package of stage 3 sticks (nu = 0) or slides",
-        place: "`winder_full`, output `slip`; `closed_form::winding_pair`",
+        verdict: "same in both readings; the study gives no law for the elastic slip nu; in stage \
+                  3 a package sticks (nu = 0) or slides; in `winder_elastic_slip`, nu is \
+                  proportional to the share of f N in use, which is ours",
+        place: "`winder_full`, `drives/winder_elastic_slip`, outputs `slip`",
         held: GROWTH,
     },
     Told {
         at: "(4), (5), (6)",
         figure: "adhesion while the drum accelerates and brakes",
         verdict: "same in both readings; the magnitude of Pn R + MA + Mk + JA e replaces the two \
-                  signs of (6)",
+                  signs of (6); the list of symbols has Jk instead of JA",
         place: "`winder_full`, parameter `acceleration`; `closed_form::winding_pair`",
         held: SPEEDING,
     },
@@ -236,9 +284,9 @@ const TOLD: &[Told] = &[
     Told {
         at: "(15)",
         figure: "pressure N from the spring, the thread and the weights",
-        verdict: "same in both readings; N grows with R as the package lifts the lever, numbers \
-                  below; `walk` keeps N constant without `--growth`",
-        place: "`closed_form::winding_pair`; `machinist walk --growth`; `winder_linkage`",
+        verdict: "the arm of F is printed hp, that of P; N grows with R as the package lifts the \
+                  lever, numbers below; `walk` keeps N constant without `--growth`",
+        place: "`machinist walk --growth`; `drives/winder_elastic_slip`, `winder_linkage`",
         held: Held::Verify(
             "winder_linkage: forces at contact and stop while the package grows from 30 to 60 mm",
         ),

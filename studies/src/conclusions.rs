@@ -4,12 +4,13 @@
 use crate::closed_form::winder::Harmonic;
 use crate::reed_cells::Fell;
 use crate::reed_study::{Beat, beat};
-use crate::verify::machine::{saw_gin, winder_linear};
+use crate::verify::machine::{Machine, saw_gin, winder_linear};
 use crate::verify::{CheckFailure, largest};
 use crate::winder_walk::Winder;
 use crate::winder_walk::map::{Condition, FASTEST, StabilityMap};
 use crate::winder_walk::spectrum::{bobbin, disturbances, package};
 use machinist::Method;
+use machinist::linear_analysis::{Mode, ModeKind, Place};
 
 /// Largest acceleration of the saw cylinder and torque of its coupling, over the coupling.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,7 +33,7 @@ pub struct DampedCouplings {
 }
 
 /// Number of stiffnesses per factor of ten, from 3 to 300 kN m/rad.
-const TO_A_DECADE: i32 = 6;
+const TO_A_DECADE: i32 = 12;
 
 impl Couplings {
     /// Runs the gin up and loads it, with half the study's dissipation, with all of it and with
@@ -69,6 +70,45 @@ pub fn peaks(stiffness: f64, damping: f64) -> Result<(f64, f64), CheckFailure> {
     let run = run.method(Method::Dop853).run()?;
     let peak = |name| Ok::<_, CheckFailure>(largest(machine.column(&run, name)?));
     Ok((peak("cylinder_acceleration")?, peak("coupling_torque")?))
+}
+
+/// Stiffness of the coupling \[N m/rad\] at which the load excites its eigenmode: the damped
+/// frequency of the loaded machine, with the motor's fluxes, is that of the load.
+///
+/// # Errors
+/// [`CheckFailure`] if there is no operating point.
+pub fn load_resonance(damping: f64) -> Result<f64, CheckFailure> {
+    let machine = saw_gin();
+    let load = std::f64::consts::PI * machine.value("load.speed")? * std::f64::consts::PI / 30.0;
+    let (mut low, mut high) = (3e4, 9e4);
+    // To a part in a million.
+    for _ in 0..20 {
+        let middle = f64::midpoint(low, high);
+        if coupling_frequency(&machine, middle, damping)? < load {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Ok(f64::midpoint(low, high))
+}
+
+/// Damped frequency \[rad/s\] of the eigenmode in which fluxes have the least share.
+fn coupling_frequency(
+    machine: &Machine,
+    stiffness: f64,
+    damping: f64,
+) -> Result<f64, CheckFailure> {
+    let settings = [("coupling.stiffness", stiffness), ("coupling.damping", damping)];
+    let linearization = machine.linearization(&settings, Place::Equilibrium)?;
+    let modes = linearization.modes()?;
+    // Motions are [q, q', z], shares those of [q, z].
+    let motions = linearization.motion_names().len();
+    let fluxes =
+        |mode: &Mode| -> f64 { mode.shares.iter().skip(motions - mode.shares.len()).sum() };
+    let oscillations = modes.iter().filter(|mode| mode.kind == ModeKind::Oscillation);
+    let coupling = oscillations.min_by(|a, b| fluxes(a).total_cmp(&fluxes(b)));
+    Ok(coupling.map_or(f64::NAN, |mode| mode.imaginary))
 }
 
 /// Speed limits of stable winding on the bench winder, over its pressure at rest.
@@ -220,6 +260,16 @@ mod tests {
         assert!((soft - 277.0).abs() < 10.0, "{soft}");
         assert!((near - 841.0).abs() < 10.0 && (stiff - 595.0).abs() < 10.0, "{near} {stiff}");
         assert!(given > soft && given < near);
+    }
+
+    #[test]
+    fn the_load_excites_the_coupling_at_the_stiffness_where_their_frequencies_meet() {
+        let stiffness = load_resonance(128.5346).expect("it has an operating point");
+        assert!((stiffness / 59.7e3 - 1.0).abs() < 0.01, "{stiffness}");
+        // A motor without fluxes would leave Jr ((pi w2)^2 + (b/(2 Jr))^2).
+        let (reduced, load) = (4.2 * 1.244 / 5.444_f64, 241.805_f64);
+        let alone = reduced * (load * load + (128.5346 / (2.0 * reduced)).powi(2));
+        assert!((stiffness / alone - 1.0).abs() < 0.02, "{stiffness} {alone}");
     }
 
     #[test]

@@ -2,7 +2,8 @@
 
 use machinist_studies::closed_form::two_mass::{SAW_GIN, TwoMass};
 use machinist_studies::conclusions::{
-    Couplings, DampedCouplings, Limit, PressureWindow, StableSpeeds, fells, limit, peaks,
+    Couplings, DampedCouplings, Limit, PressureWindow, StableSpeeds, fells, limit, load_resonance,
+    peaks,
 };
 use machinist_studies::reed_study::Beat;
 use machinist_studies::verify::CheckFailure;
@@ -17,6 +18,8 @@ pub struct Study {
     couplings: Couplings,
     /// Largest acceleration and torque with the study's own coupling.
     own: (f64, f64),
+    /// Stiffness at which the load excites the coupling \[N m/rad\].
+    excited: f64,
     speeds: StableSpeeds,
     /// Limit of the bench winder.
     bench: (Winder, Limit),
@@ -46,6 +49,7 @@ impl Study {
         Ok(Self {
             couplings: Couplings::new()?,
             own: peaks(OWN.0, OWN.1)?,
+            excited: load_resonance(OWN.1)?,
             speeds: StableSpeeds::new()?,
             window: PressureWindow::of(&bench.winding_at(ends.speed))?,
             bench: (bench, ends),
@@ -90,6 +94,10 @@ fn coupling(study: &Study) -> Markup {
     html! {
         @if let [_, own, more] = rows.as_slice() {
             (judged(stiffnesses, [&own.accelerations, &more.accelerations], study.own))
+            p {
+                "The load, at 241.8 rad/s, excites the coupling's own oscillation at "
+                (number(1e-3 * study.excited, 3)) " kN m/rad."
+            }
         }
         (figure::curves("conclusions-acceleration", [axis, "acceleration [rad/s\u{b2}]"], &of(|row| &row.accelerations), true, &caption))
         (figure::curves("conclusions-torque", [axis, "torque [N m]"], &of(|row| &row.torques), true, &torque))
@@ -114,8 +122,10 @@ fn judged(stiffnesses: &[f64], [accelerations, of_more]: [&[f64]; 2], own: (f64,
             (kilo(OWN.0)) " kN m/rad, lets through " (number(own.0, 3)) " rad/s\u{b2} and "
             (number(own.1, 3)) " N m. It grows to " (number(peak, 3)) " rad/s\u{b2} near " (kilo(at))
             " kN m/rad, whose natural frequency of " (number(natural, 3)) " rad/s is near that of the
-             motor's switching transient, the supply's " (number(SUPPLY, 3)) " rad/s; twice the
-             dissipation makes that " (number(most(of_more), 3)) " rad/s\u{b2} at most."
+             motor's switching transient, the supply's " (number(SUPPLY, 3)) " rad/s, and falls to "
+            (number(accelerations.last().copied().unwrap_or(f64::NAN), 3)) " rad/s\u{b2} at "
+            (kilo(stiffnesses.last().copied().unwrap_or(f64::NAN))) " kN m/rad; twice the
+             dissipation makes the peak " (number(most(of_more), 3)) " rad/s\u{b2}."
         }
     }
 }
@@ -151,7 +161,15 @@ fn winding(study: &Study) -> Markup {
                  worst phases."
             },
         ))
-        (window(&study.window))
+        @let window = &study.window;
+        @let least = window.least.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        @let most = window.most.iter().copied().fold(f64::INFINITY, f64::min);
+        p {
+            "At " (number(window.speed, 3)) " m/s, at every radius of the growing package, a pressure
+             from " (number(least, 3)) " N to " (number(most, 3)) " N winds stably: below, contact or
+             adhesion is lost, above, the yarn is pressed too hard."
+        }
+        (self::window(window))
     }
 }
 
@@ -186,6 +204,20 @@ fn verdict(change: &[f64; 5]) -> &'static str {
     }
 }
 
+/// Stress before the reed \[Pa\] that serves as an example of a limit.
+const EXAMPLE: f64 = 60e6;
+
+/// Returns C2/C1 at which the stress before the reed, which grows with it, reaches a limit \[Pa\],
+/// interpolated between the runs.
+fn stiffest(beats: &[Beat], limit: f64) -> f64 {
+    let stress = |beat: &Beat| beat.largest()[2];
+    let pair = beats.windows(2).find(|pair| stress(&pair[1]) > limit);
+    pair.map_or(f64::INFINITY, |pair| {
+        let part = (limit - stress(&pair[0])) / (stress(&pair[1]) - stress(&pair[0]));
+        pair[0].share + part * (pair[1].share - pair[0].share)
+    })
+}
+
 fn fell(beats: &[Beat]) -> Markup {
     let shares: Vec<f64> = beats.iter().map(|beat| beat.share).collect();
     let Some(none) = beats.first() else { return html! {} };
@@ -213,7 +245,8 @@ fn fell(beats: &[Beat]) -> Markup {
                 " % meanwhile, and the stress goes from "
                 (number(1e-6 * none.largest()[2], 3)) " MPa without a fell to "
                 (number(1e-6 * last.largest()[2], 3)) " MPa at C2 = " (number(last.share, 2))
-                " C1; the study states no limit of it."
+                " C1. The study states no limit: one of " (number(1e-6 * EXAMPLE, 3))
+                " MPa, for example, allows C2 up to " (number(stiffest(beats, EXAMPLE), 2)) " C1."
             }
         }
         (figure::curves(

@@ -135,6 +135,16 @@ impl Ruler {
         if chosen.len() >= 2 {
             return Self { range, labels: chosen };
         }
+        if range.end - range.start < 1.0 {
+            // Within a factor of ten, evenly spaced numbers are rounder than evenly spaced powers.
+            let values = 10f64.powf(range.start)..10f64.powf(range.end);
+            let ticks = Self::of_numbers(values, count).labels.into_iter();
+            let placed = ticks.map(|(value, label)| (value.log10(), label));
+            let labels: Vec<_> = placed.filter(|(place, _)| range.contains(place)).collect();
+            if labels.len() >= 2 {
+                return Self { range, labels };
+            }
+        }
         let mut ruler = Self::of_numbers(range, count);
         for (place, label) in &mut ruler.labels {
             *label = format!("{:.3e}", 10f64.powf(*place)).replace('-', "\u{2212}");
@@ -247,6 +257,8 @@ mod tests {
         assert_eq!(labels(0.0..5.0, 6), ["1", "10", "100", "1000", "1e4", "1e5"]);
         assert_eq!(labels(-9.5..-2.0, 5), ["1e\u{2212}8", "1e\u{2212}6", "1e\u{2212}4", "0.01"]);
         assert!(labels(2.01..2.02, 6).len() >= 2);
+        let plain = labels(2.95..3.25, 6);
+        assert!(plain.len() >= 2 && plain.contains(&"1000".to_owned()), "{plain:?}");
         assert!(labels(-300.0..300.0, 6).len() >= 2);
     }
 

@@ -1,6 +1,6 @@
 //! Reproduction ledger: printed figures and the result of reproducing each.
 
-use machinist_studies::ledger::LedgerRow;
+use machinist_studies::ledger::{LedgerRow, Study};
 use maud::{Markup, html};
 
 use crate::number::number;
@@ -23,29 +23,35 @@ pub fn section(ledger: &Result<Vec<LedgerRow>, String>) -> Markup {
 
 fn table(rows: &[LedgerRow]) -> Markup {
     html! {
-        div.scroll {
-            table.ledger {
-                thead {
-                    tr {
-                        th { "Study" } th { "In the study" } th { "Subject" } th { "Unit" } th.number { "Printed" }
-                        th.number { "Result as printed" } th.number { "Consistent" } th { "Reading" }
-                        th { "In Machinist" } th { "Checked by" }
-                    }
+        @for study in Study::ALL {
+            h3 { (study.name()) }
+            div.scroll { (table_of(rows.iter().filter(|row| row.study == study))) }
+        }
+    }
+}
+
+/// Renders the rows of one study. Place and check share a column, so that the reading has room.
+fn table_of<'a>(rows: impl Iterator<Item = &'a LedgerRow>) -> Markup {
+    html! {
+        table.ledger {
+            thead {
+                tr {
+                    th { "In the study" } th { "Subject" } th.number { "Printed" }
+                    th.number { "Result as printed" } th.number { "Consistent" } th { "Unit" }
+                    th { "Reading" } th { "In Machinist; checked by" }
                 }
-                tbody {
-                    @for row in rows {
-                        tr {
-                            td { (row.study.name()) }
-                            td { (row.at) }
-                            td { (row.figure) }
-                            td.unit { (row.unit) }
-                            td.number { (optional(row.printed)) }
-                            td.number { (optional(row.as_printed)) }
-                            td.number { (optional(row.consistent)) }
-                            td { (row.verdict) }
-                            td { (coded(row.place)) }
-                            td { (coded(&row.held.told())) }
-                        }
+            }
+            tbody {
+                @for row in rows {
+                    tr {
+                        td { (row.at) }
+                        td { (row.figure) }
+                        td.number { (optional(row.printed)) }
+                        td.number { (optional(row.as_printed)) }
+                        td.number { (optional(row.consistent)) }
+                        td.unit { (row.unit) }
+                        td { (row.verdict) }
+                        td { (coded(row.place)) br; (coded(&row.held.told())) }
                     }
                 }
             }

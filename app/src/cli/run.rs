@@ -76,8 +76,8 @@ pub struct Run {
     /// Maximum number of steps. Default: ten million
     #[arg(long, value_name = "NUMBER")]
     max_steps: Option<NonZeroUsize>,
-    /// Integration method: auto, exact, taylor, tsit5, dop853, rodas5p or radau; with the feature
-    /// `diffsol` also bdf, tr_bdf2, esdirk34 or tsit45
+    /// Integration method: auto, exact, taylor, tsit5, dop853, rodas5p or radau, or of diffsol: bdf,
+    /// tr_bdf2, esdirk34 or tsit45
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
     /// Add derivatives of all states and outputs by these parameters, or by initial values of these

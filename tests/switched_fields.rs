@@ -12,7 +12,7 @@ use crate::own_scene::of_text;
 
 const METHODS: [Method; 5] =
     [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Auto];
-const ELEMENTS: usize = 12;
+const ELEMENTS: usize = 6;
 const LENGTH: f64 = 2.0;
 const DENSITY: f64 = 0.5;
 const STIFFNESS: f64 = 40.0;
@@ -38,7 +38,7 @@ fn with_names(text: &str, shafts: &[&str], name: &dyn Fn(&str, bool, bool) -> St
     text
 }
 
-const RUN: &str = "[run]\nuntil = 3.0\npoints = 61\nrtol = 1e-8\n";
+const RUN: &str = "[run]\nuntil = 3.0\npoints = 61\nrtol = 1e-9\n";
 
 fn scene_of_fields(case: &Case) -> String {
     let mut text = format!("[scene]\nname = \"fields\"\n{RUN}");

@@ -282,6 +282,19 @@ impl Improvement<'_> {
     }
 }
 
+/// Returns the value of an expression over a run.
+#[cfg(feature = "sweep")]
+pub(crate) fn value_of_run(
+    expression: &Expression,
+    simulation: &Simulation<'_>,
+    run: &Trajectory,
+) -> f64 {
+    let parameter = |name: &str| parameter_of(simulation, name);
+    let stretches = stretches(simulation, run);
+    let slopes = |_: &str, _: usize| -> &[f64] { &[] };
+    Shown { run, stretches, by: &[], slopes: &slopes, parameter: &parameter }.value(expression).0
+}
+
 /// Returns the value of a parameter in a run.
 fn parameter_of(simulation: &Simulation<'_>, name: &str) -> Option<f64> {
     let (values, simulator) = (simulation.parameter_values(), simulation.simulator());

@@ -28,6 +28,8 @@ pub mod method;
 #[cfg(feature = "linear")]
 pub mod periodic;
 mod scales;
+#[cfg(all(feature = "fit", feature = "sweep"))]
+pub mod scatter;
 pub mod simulate;
 #[cfg(any(feature = "fit", feature = "linear"))]
 mod sorting;

@@ -79,6 +79,10 @@ pub struct Sweep<'a> {
 /// Results of one variant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VariantRun {
+    /// Output times \[s\].
+    pub times: Vec<f64>,
+    /// Times of events \[s\].
+    pub events: Vec<f64>,
     /// State at every output time.
     pub states: Vec<Vec<f64>>,
     /// Outputs at every output time.
@@ -322,7 +326,14 @@ impl<'a> Sweep<'a> {
             machine.outputs(*time, state, parameters, &mut outputs);
             outputs
         });
-        VariantRun { outputs: outputs.collect(), states, steps: outcome.work.steps }
+        VariantRun {
+            outputs: outputs.collect(),
+            states,
+            steps: outcome.work.steps,
+            times: times.to_vec(),
+            // Machines with events do not run in lanes.
+            events: Vec::new(),
+        }
     }
 }
 
@@ -341,6 +352,8 @@ pub fn one(simulation: &Simulation<'_>) -> Result<VariantRun, SimulateError> {
         states: rows(ColumnKind::State),
         outputs: rows(ColumnKind::Output),
         steps: run.work.steps,
+        events: run.switches.iter().map(|switch| switch.time).collect(),
+        times: run.times,
     })
 }
 

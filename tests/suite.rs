@@ -55,6 +55,7 @@ mod profiles;
 mod refused_parameters;
 mod remainders;
 mod rolling;
+mod scatter;
 mod scene_states;
 mod sensitivities;
 mod series;

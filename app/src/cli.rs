@@ -43,6 +43,8 @@ mod report;
 mod response;
 mod rewrite;
 mod run;
+#[cfg(feature = "derive")]
+mod scatter;
 pub mod scene;
 #[cfg(feature = "derive")]
 mod schema;
@@ -132,6 +134,10 @@ enum Command {
     Spectrum(spectrum::Spectrum),
     /// Simulate variants of a scene over ranges of parameters
     Sweep(sweep::Sweep),
+    /// Compute the scatter of results for parameters with distributions: mean, quantiles,
+    /// probability of failure, sensitivity indices
+    #[cfg(feature = "derive")]
+    Scatter(scatter::ScatterCommand),
     /// Measure error and run time of all methods on a scene
     Bench(bench::Bench),
     /// Test all methods on extreme cases: right, refused or wrong
@@ -234,6 +240,8 @@ pub fn main() -> ExitCode {
         Command::Improve(command) => command.execute(),
         Command::Spectrum(command) => command.execute(),
         Command::Sweep(command) => command.execute(),
+        #[cfg(feature = "derive")]
+        Command::Scatter(command) => command.execute(),
         Command::Bench(command) => command.execute(),
         Command::Stability(command) => command.execute(),
         Command::Modes(command) => command.execute(),

@@ -21,7 +21,10 @@ use machinist_model::fingerprint::{of_behaviour, of_bytes};
 pub const ENDING: &str = "parquet";
 
 /// Values of a column.
-#[cfg_attr(not(feature = "parquet"), expect(dead_code, reason = "written by none"))]
+#[cfg_attr(
+    not(any(feature = "derive", feature = "parquet")),
+    expect(dead_code, reason = "written by none")
+)]
 pub enum Values {
     /// Numbers.
     Numbers(Vec<f64>),

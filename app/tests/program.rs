@@ -24,6 +24,7 @@ mod reduced;
 mod redundant;
 mod refusals;
 mod report;
+mod scatter;
 mod schema;
 mod shaken;
 mod spectrum;

@@ -16,6 +16,7 @@ mod names;
 mod parameters;
 mod ports;
 mod resolve;
+pub mod scatter;
 mod spline;
 pub mod system;
 mod typed;

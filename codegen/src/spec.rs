@@ -23,6 +23,7 @@ mod loader;
 pub mod measure;
 mod names;
 pub mod rewrite;
+pub mod scatter;
 mod scene;
 pub mod schema;
 mod source;
@@ -52,6 +53,7 @@ use self::dimension::Unit;
 use self::expression::{Ast, Literal};
 use self::library::LibraryScene;
 use self::measure::Factor;
+use self::scatter::{CorrelationSpec, Spread};
 use machinist_model::Direction;
 
 /// Reads a scene, the units it names, and the tables they name.
@@ -95,6 +97,10 @@ pub struct SceneSpec {
     pub joints: Vec<JointSpec>,
     /// The scene's own parameters.
     pub parameters: Vec<ParameterSpec>,
+    /// Distributions of parameters, by `instance.parameter`.
+    pub scatter: Vec<(Spanned<String>, Spanned<Spread>)>,
+    /// Correlations of parameters.
+    pub correlations: Vec<CorrelationSpec>,
     /// The scene's own helpers.
     pub helpers: Vec<DefinitionSpec>,
     /// The scene's own first-order states and modes.
@@ -329,6 +335,8 @@ pub struct ParameterSpec {
     pub unit: Declared,
     /// Meaning.
     pub doc: String,
+    /// Its distribution, if it has one.
+    pub spread: Option<Spanned<Spread>>,
 }
 
 /// A signal that the scene binds.
@@ -474,6 +482,8 @@ pub struct InstanceSpec {
     pub unit: usize,
     /// Values that replace the unit's, also for inner instances: `gear.ratio`.
     pub parameters: Vec<(Spanned<String>, Value)>,
+    /// Tolerances of these values.
+    pub tolerances: Vec<(Spanned<String>, Spanned<Spread>)>,
     /// Expressions for the inputs.
     pub inputs: Vec<(Spanned<String>, Formula)>,
     /// Division of its fields into elements.

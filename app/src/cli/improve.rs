@@ -320,7 +320,7 @@ pub(super) fn expression(
 }
 
 /// Creates the error for an expression of the command line, with its position.
-fn wrong(option: &str, text: &str, error: &ExpressionError) -> Failure {
+pub(super) fn wrong(option: &str, text: &str, error: &ExpressionError) -> Failure {
     let range = error.range.clone();
     let length = range.end.max(range.start + 1) - range.start;
     let mut diagnostic = MietteDiagnostic::new(format!("{option}: {}", error.message))

@@ -263,7 +263,7 @@ impl Sweep {
 }
 
 /// Model that threads share.
-struct OfModel<'a>(&'a ModelSimulator);
+pub(super) struct OfModel<'a>(pub(super) &'a ModelSimulator);
 
 impl Sweepable for OfModel<'_> {
     fn single(&self) -> &dyn Simulator<f64> {
@@ -275,8 +275,8 @@ impl Sweepable for OfModel<'_> {
 }
 
 /// Built-in scene by its known name, which threads share.
-struct BuiltIn {
-    name: String,
+pub(super) struct BuiltIn {
+    pub(super) name: String,
 }
 
 impl Sweepable for BuiltIn {

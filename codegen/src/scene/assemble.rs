@@ -15,6 +15,7 @@ use crate::scene::layout::{Layout, Scope, coordinate_spec};
 use crate::scene::names::{Flat, name};
 use crate::scene::parameters;
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
+use crate::scene::scatter;
 use crate::scene::system::{
     Constraint, Coordinate, FirstOrderState, LagrangianSystem, Parameter, Spring, without_zeros,
 };
@@ -54,6 +55,8 @@ pub fn assemble(
     // A requirement on a ratio made of a parameter is the same as that on the parameter.
     let mut requirements = parameters::check(&mut assembler.resolver, values, assembler.mistakes);
     requirements.extend(layout.required.iter().cloned());
+    // Distributions are checked with the scene; the model does not contain them.
+    scatter::find(spec, assembler.mistakes);
     assembler.inputs();
     let (energies, springs) = assembler.energies();
     let [mut kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =

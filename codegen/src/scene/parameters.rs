@@ -96,7 +96,7 @@ fn given_by<'p>(
 }
 
 /// Iterates over the parameters of the scene, then over those of its instances.
-fn all(spec: &SceneSpec) -> impl Iterator<Item = (Scope, usize)> {
+pub(super) fn all(spec: &SceneSpec) -> impl Iterator<Item = (Scope, usize)> {
     let own = (0..spec.parameters.len()).map(|index| (Scope::Scene, index));
     let of_instances = spec.instances.iter().enumerate().flat_map(|(instance, one)| {
         let count = spec.units[one.unit].parameters.len();
@@ -171,7 +171,7 @@ pub fn check(
 }
 
 /// Returns the name of a parameter with that of its instance.
-fn path(spec: &SceneSpec, scope: Scope, name: &str) -> String {
+pub(super) fn path(spec: &SceneSpec, scope: Scope, name: &str) -> String {
     match scope {
         Scope::Instance(instance) => format!("{}.{name}", spec.instances[instance].name.value),
         _ => name.to_owned(),

@@ -200,6 +200,7 @@ impl InstanceText {
             unit: self.unit.clone(),
             count: None,
             parameters: parameters.collect(),
+            tolerances: self.tolerances.clone(),
             inputs: inputs.collect(),
             fields: self.fields.clone(),
         }

@@ -7,6 +7,7 @@ use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::distributed;
 use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::{self, quoted};
+use crate::spec::scatter::{self, Spread};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::each;
 use crate::spec::{DiscretisationSpec, Formula, JointSpec, Value};
@@ -35,6 +36,8 @@ pub struct InstanceText {
     pub count: Option<Spanned<i64>>,
     /// Values that replace the unit's, also for inner instances: `gear.ratio`.
     pub parameters: Vec<(Spanned<String>, Value)>,
+    /// Tolerances of these values.
+    pub tolerances: Vec<(Spanned<String>, Spanned<Spread>)>,
     /// Expressions for the inputs.
     pub inputs: Vec<(Spanned<String>, Formula)>,
     /// Division of its fields into elements.
@@ -69,10 +72,11 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
         }
     });
     let overrides = fields.entries("parameters");
-    let mut parameters = Vec::new();
+    let (mut parameters, mut tolerances) = (Vec::new(), Vec::new());
     for (name, tree) in by_path(overrides) {
-        let value = fields.as_value(tree, &name.value);
-        parameters.extend(value.map(|value| (name, value)));
+        let Some(read) = scatter::value(&mut fields, tree, &name.value) else { continue };
+        tolerances.extend(read.tolerance.map(|tolerance| (name.clone(), tolerance)));
+        parameters.push((name, read.value));
     }
     let bindings = fields.entries("inputs");
     let inputs = bindings.iter().filter_map(|entry| {
@@ -83,7 +87,8 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
     let choices = each(&mut fields, "fields", distributed::discretisation);
     fields.close();
     let name = entry.key.clone();
-    Some(InstanceText { name, unit: unit?, count, parameters, inputs, fields: choices })
+    let unit = unit?;
+    Some(InstanceText { name, unit, count, parameters, tolerances, inputs, fields: choices })
 }
 
 /// Checks the name of a unit: `inertia`, or `rotational/inertia` in a folder, with names between

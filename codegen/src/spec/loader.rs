@@ -64,6 +64,8 @@ fn read(sources: Sources, file: FileId, folder: Option<&Path>) -> Result<SceneSp
             instances,
             joints,
             parameters: scene.parameters,
+            scatter: scene.scatter,
+            correlations: scene.correlations,
             helpers: scene.helpers,
             states: scene.states,
             energy: scene.energy,
@@ -134,6 +136,7 @@ impl Loader<'_> {
                 parent: within,
                 unit,
                 parameters: text.parameters.clone(),
+                tolerances: text.tolerances.clone(),
                 inputs: text.inputs.clone(),
                 fields: text.fields.clone(),
             });

@@ -10,6 +10,7 @@ use crate::spec::fields::{Fields, Findings};
 use crate::spec::friction;
 use crate::spec::inside::{self, Inside, values_by_name};
 use crate::spec::names::{self, did_you_mean};
+use crate::spec::scatter::{self, CorrelationSpec, Spread};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
@@ -43,6 +44,8 @@ pub struct SceneText {
     pub define: Vec<UnitSpec>,
     pub inside: Inside,
     pub parameters: Vec<ParameterSpec>,
+    pub scatter: Vec<(Spanned<String>, Spanned<Spread>)>,
+    pub correlations: Vec<CorrelationSpec>,
     pub helpers: Vec<DefinitionSpec>,
     pub states: Vec<StateSpec>,
     pub energy: EnergySpec,
@@ -81,6 +84,8 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     fields.require("units");
     let (instances, joints) = inside::parts(&mut fields);
     let parameters = each(&mut fields, "parameters", unit::parameter_of_scene);
+    let scatter = scatter::overlay(&mut fields);
+    let correlations = scatter::correlations(&mut fields);
     let mut helpers = each(&mut fields, "helpers", unit::definition);
     let mut states = unit::states(&mut fields);
     let energy = fields.take("energy").map(|tree| unit::energy(tree, fields.found()));
@@ -112,6 +117,8 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         define,
         inside: Inside { instances, joints, initial, guess },
         parameters,
+        scatter,
+        correlations,
         helpers,
         states,
         energy: energy.unwrap_or_default(),

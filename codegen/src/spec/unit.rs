@@ -11,6 +11,7 @@ use crate::spec::friction;
 use crate::spec::inside::{self, Inside};
 use crate::spec::measure::{Measure, UnitError};
 use crate::spec::names::{self, did_you_mean, quoted};
+use crate::spec::scatter;
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{
     Acts, ConnectorSpec, CoordinateSpec, DefinitionSpec, EnergySpec, ExposedSpec, ForceSpec,
@@ -242,11 +243,14 @@ fn parameter_in(
     read: fn(&str) -> Result<Measure, UnitError>,
 ) -> Option<ParameterSpec> {
     let mut fields = open(entry, "parameter", found);
-    let value = fields.require("value").and_then(|tree| fields.as_value(tree, "value"));
+    let tree = fields.require("value");
+    let read_value = tree.and_then(|tree| scatter::value(&mut fields, tree, "value"));
     let unit = fields.unit_by(read);
     let doc = fields.text("doc");
+    let (value, tolerance) = read_value.map(|read| (read.value, read.tolerance)).unzip();
+    let spread = scatter::spread(&mut fields, tolerance.flatten());
     fields.close();
-    Some(ParameterSpec { name: entry.key.clone(), value: value?, unit: unit?, doc })
+    Some(ParameterSpec { name: entry.key.clone(), value: value?, unit: unit?, doc, spread })
 }
 
 fn input(entry: &Entry, found: &mut Findings) -> Option<InputSpec> {

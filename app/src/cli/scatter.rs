@@ -1,0 +1,341 @@
+//! `machinist scatter`: results for parameters with probability distributions.
+
+mod analyses;
+mod answer;
+mod inputs;
+mod runs;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use machinist::Simulation;
+use machinist::improve::{Expression, Inequality, Node, Reduction, check};
+use machinist::scatter::{Design, Sampler};
+use machinist_contract::Simulator;
+
+use super::amount::{Amount, assignment};
+use super::improve::{expression, units, wrong};
+use super::output::{draw_file, print, require_picture, require_table, write_file};
+use super::scene::Scene;
+use super::settings::{with_method, with_parameters};
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::parquet;
+use answer::Answer;
+use inputs::{Inputs, Varied, varied};
+use runs::{Plan, Ran, Runner};
+
+/// Default number of samples.
+const SAMPLES: usize = 1024;
+/// Maximum number of runs.
+const MAX_RUNS: usize = 100_000_000;
+
+#[derive(Debug, Args)]
+pub struct ScatterCommand {
+    /// Name of a built-in scene, or a scene file
+    scene: String,
+    /// Distribution of a parameter: normal(MEAN, DEVIATION), normal(5 %), uniform(LOW, HIGH),
+    /// triangular(LOW, MODE, HIGH), lognormal(MEAN, DEVIATION) or 10 +- 0.5; repeatable
+    #[arg(long, value_name = "NAME=DISTRIBUTION", value_parser = varied)]
+    vary: Vec<Varied>,
+    /// Results: expressions of extremes, means and final values of outputs, such as
+    /// max(abs(twist)); repeatable. Default: the final value of each output
+    #[arg(long, value_name = "EXPRESSION", allow_hyphen_values = true)]
+    of: Vec<String>,
+    /// Requirement, such as max(abs(coupling_torque)) < 900, whose probability of failure is
+    /// computed; repeatable
+    #[arg(long, value_name = "EXPRESSION<EXPRESSION", allow_hyphen_values = true)]
+    limit: Vec<String>,
+    /// Number of samples. Sobol points are rounded up to 16 times a power of two
+    #[arg(long, value_name = "NUMBER", default_value_t = SAMPLES)]
+    samples: usize,
+    /// Sampler: sobol, random or latin
+    #[arg(long, value_name = "NAME", default_value = "sobol")]
+    sampler: String,
+    /// Seed of the random numbers
+    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    seed: u64,
+    /// Confidence of intervals
+    #[arg(long, value_name = "PROBABILITY", default_value_t = 0.95)]
+    confidence: f64,
+    /// Probabilities of the quantiles
+    #[arg(long, value_name = "PROBABILITIES", value_delimiter = ',',
+        default_values_t = [0.05, 0.5, 0.95])]
+    quantiles: Vec<f64>,
+    /// Compute Sobol indices of first and total order; takes runs for every parameter
+    #[arg(long)]
+    indices: bool,
+    /// Screen parameters by elementary effects (Morris), with this number of paths
+    #[arg(long, value_name = "PATHS")]
+    morris: Option<usize>,
+    /// Propagate deviations by the sensitivities of one run
+    #[arg(long)]
+    linear: bool,
+    #[command(flatten)]
+    run: RunOptions,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    /// Write all runs to a .csv or .parquet file
+    #[arg(long, short, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Plot the quantiles of outputs over time to a .svg or .png file
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// Outputs and states to plot. Default: all outputs
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', requires = "plot")]
+    columns: Vec<String>,
+}
+
+/// Settings of the runs.
+#[derive(Debug, Args)]
+struct RunOptions {
+    /// Set another parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
+    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
+    set: Vec<(String, Amount)>,
+    /// End time, s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    until: Option<f64>,
+    /// Number of output times, including both ends
+    #[arg(long, value_name = "NUMBER")]
+    points: Option<usize>,
+    /// Relative tolerance
+    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
+    rtol: Option<f64>,
+    /// Integration method
+    #[arg(long, value_name = "NAME")]
+    method: Option<String>,
+    /// Number of threads. Default: the number of cores
+    #[arg(long, value_name = "NUMBER")]
+    threads: Option<usize>,
+}
+
+impl RunOptions {
+    /// Prepares a run; `points` is the number of output times unless `--points` is given.
+    fn of<'a>(
+        &self,
+        simulation: Simulation<'a>,
+        points: Option<usize>,
+    ) -> Result<Simulation<'a>, Failure> {
+        let simulation = self.points.or(points).into_iter().fold(simulation, Simulation::points);
+        let simulation = self.until.into_iter().fold(simulation, Simulation::until);
+        let simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
+        with_method(simulation, self.method.as_deref())
+    }
+}
+
+/// Results that are computed of each run.
+struct Results {
+    /// Texts of `--of`, and their expressions.
+    of: Vec<(String, Expression)>,
+    /// Texts of `--limit`, and their inequalities.
+    limits: Vec<(String, Inequality)>,
+}
+
+impl Results {
+    /// Returns the expressions of `--of`, then both sides of each limit.
+    fn expressions(&self) -> Vec<&Expression> {
+        let of = self.of.iter().map(|(_, expression)| expression);
+        let sides = self.limits.iter().flat_map(|(_, limit)| [&limit.left, &limit.right]);
+        of.chain(sides).collect()
+    }
+}
+
+impl ScatterCommand {
+    pub fn execute(&self) -> Result<(), Failure> {
+        self.check_options()?;
+        let sampler = Sampler::from_name(&self.sampler).map_err(|error| {
+            Failure::input(format!("--sampler: {error}"), "known are sobol, random and latin")
+        })?;
+        let scene = Scene::load(&self.scene, false)?;
+        let simulator = scene.simulator();
+        let base = with_parameters(Simulation::new(simulator), &self.run.set)?;
+        let inputs = Inputs::new(&self.scene, &self.vary, &self.run.set, &base)?;
+        let results = self.results(simulator)?;
+        // Settings are checked before the first run.
+        let simulation = self.run.of(base, self.points(&results))?;
+        if !inputs.correlation.is_none() && (self.indices || self.morris.is_some()) {
+            let option = if self.indices { "--indices" } else { "--morris" };
+            let message = format!("{option}: the parameters are correlated");
+            let help =
+                "these measures hold for independent parameters; --linear takes correlations";
+            return Err(Failure::input(message, help));
+        }
+        let dimensions = inputs.names.len();
+        let design = Design { sampler, dimensions, samples: self.samples, seed: self.seed };
+        let plan = Plan::new(design, self.indices, &inputs)?;
+        let others = self.morris.unwrap_or_default().saturating_mul(dimensions + 1);
+        if plan.len().saturating_add(others) > MAX_RUNS {
+            let message = format!("{} runs are too many", plan.len().saturating_add(others));
+            return Err(Failure::input(
+                message,
+                format!("at most {MAX_RUNS}; give fewer --samples"),
+            ));
+        }
+        let flag = interrupt::flag();
+        let runner = Runner::new(self, &scene, &inputs, &results, &flag)?;
+        let ran = runner.run(&plan)?;
+        let mut answer = Answer::new(self, &scene, &inputs, &results, &plan, &ran)?;
+        if let Some(paths) = self.morris {
+            answer.screening = analyses::morris(paths, &runner, &results)?;
+        }
+        if self.linear {
+            let simulation = simulation.until_flagged(&flag);
+            answer.linear = analyses::linear(&simulation, &inputs, &results)?;
+        }
+        self.write(&scene, &inputs, &results, &plan, &ran)?;
+        self.tell(&answer)?;
+        self.verdict(&plan, &ran)
+    }
+
+    fn check_options(&self) -> Result<(), Failure> {
+        require_picture(self.plot.as_deref(), "--plot")?;
+        if let Some(file) = &self.out {
+            require_table(file, &["csv"])?;
+        }
+        if self.run.threads == Some(0) {
+            return Err(Failure::input("--threads 0: at least one is needed", ""));
+        }
+        if !(2..=MAX_RUNS).contains(&self.samples) {
+            let message = format!("--samples {}: there must be 2 to {MAX_RUNS}", self.samples);
+            return Err(Failure::input(message, ""));
+        }
+        if self.morris.is_some_and(|paths| !(2..=MAX_RUNS).contains(&paths)) {
+            return Err(Failure::input("--morris takes at least 2 paths", "10 to 50 are usual"));
+        }
+        if self.run.points.is_some_and(|points| points < 2) {
+            return Err(Failure::input("--points must be at least 2", ""));
+        }
+        let is_inside = |p: &f64| *p > 0.0 && *p < 1.0;
+        if !is_inside(&self.confidence) {
+            let message = format!("--confidence {} is not between 0 and 1", self.confidence);
+            return Err(Failure::input(message, "0.95 is usual"));
+        }
+        match self.quantiles.iter().find(|p| !is_inside(p)) {
+            Some(p) => {
+                let message = format!("--quantiles: {p} is not between 0 and 1");
+                Err(Failure::input(message, "such as --quantiles 0.05,0.5,0.95"))
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn results(&self, simulator: &dyn Simulator<f64>) -> Result<Results, Failure> {
+        let shape = simulator.shape();
+        let given = if self.of.is_empty() && self.limit.is_empty() {
+            let outputs = (0..shape.outputs).map(|index| simulator.output(index).name);
+            let states = (0..shape.states()).map(|index| simulator.state(index).name);
+            let all: Vec<&str> =
+                if shape.outputs > 0 { outputs.collect() } else { states.collect() };
+            all.into_iter().map(|name| format!("final({name})")).collect()
+        } else {
+            self.of.clone()
+        };
+        let of = given.into_iter().map(|text| {
+            let expression = expression("--of", &text, simulator)?;
+            Ok((text, expression))
+        });
+        let of = of.collect::<Result<_, Failure>>()?;
+        let limit = |text: &String| {
+            let read = Inequality::parse(text).and_then(|limit| {
+                check(&limit.left, simulator)?;
+                check(&limit.right, simulator)?;
+                units::check_sides(&limit, simulator)?;
+                Ok(units::sides_in_one_unit(limit, simulator))
+            });
+            let limit = read.map_err(|error| wrong("--limit", text, &error))?;
+            Ok((text.clone(), limit))
+        };
+        let limits = self.limit.iter().map(limit).collect::<Result<_, Failure>>()?;
+        Ok(Results { of, limits })
+    }
+
+    /// Returns the number of output times if both ends suffice.
+    fn points(&self, results: &Results) -> Option<usize> {
+        let ends = results.expressions().into_iter().all(takes_ends_only);
+        (ends && self.plot.is_none()).then_some(2)
+    }
+
+    fn write(
+        &self,
+        scene: &Scene,
+        inputs: &Inputs,
+        results: &Results,
+        plan: &Plan,
+        ran: &Ran,
+    ) -> Result<(), Failure> {
+        if let Some(file) = &self.out {
+            let columns = ran.columns(scene.simulator(), inputs, results, plan);
+            if parquet::is_named(file) {
+                let of = ("scatter", self.scene.as_str(), scene);
+                parquet::write_table(file, &columns, of, self.told(inputs))?;
+            } else {
+                write_file(file, |out| runs::write_csv(&columns, out))?;
+            }
+        }
+        if let Some(file) = &self.plot {
+            let bands = ran.bands(scene.simulator(), &self.quantiles)?;
+            draw_file(file, |path| crate::plot::plot(&bands, &[], path))?;
+        }
+        Ok(())
+    }
+
+    /// Returns the settings that determine the numbers besides the machine.
+    fn told(&self, inputs: &Inputs) -> serde_json::Value {
+        serde_json::json!({
+            "parameters": inputs.told(),
+            "sampler": self.sampler,
+            "samples": self.samples,
+            "seed": self.seed,
+            "indices": self.indices,
+            "set": super::amount::as_json(&self.run.set),
+            "until": self.run.until,
+            "points": self.run.points,
+            "rtol": self.run.rtol,
+            "method": self.run.method,
+        })
+    }
+
+    fn tell(&self, answer: &Answer) -> Result<(), Failure> {
+        if self.json {
+            let text = serde_json::to_string_pretty(answer)
+                .map_err(|error| Failure::unsuccessful(error, ""))?;
+            return print(&format!("{text}\n"));
+        }
+        let mut text = answer.told();
+        for file in [&self.out, &self.plot].into_iter().flatten() {
+            text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
+        }
+        print(&text)
+    }
+
+    fn verdict(&self, plan: &Plan, ran: &Ran) -> Result<(), Failure> {
+        if ran.is_interrupted {
+            let (done, all) = (ran.count(), plan.len());
+            let message = format!("interrupted after {done} of {all} runs");
+            return Err(Failure::unsuccessful(message, "the results above are of these runs"));
+        }
+        match ran.stopped().count() {
+            0 => Ok(()),
+            stopped => {
+                let message = format!("{stopped} of {} runs have no result", ran.count());
+                let help = if self.out.is_some() {
+                    "the last column of the table says why; statistics leave them out"
+                } else {
+                    "statistics leave them out; --out lists all of them with reasons"
+                };
+                Err(Failure::unsuccessful(message, help))
+            }
+        }
+    }
+}
+
+/// Returns whether an expression only needs the first and the last output time.
+fn takes_ends_only(expression: &Expression) -> bool {
+    match &expression.node {
+        Node::Number(..) | Node::Name(_) => true,
+        Node::Negative(a) | Node::Call(_, a) => takes_ends_only(a),
+        Node::Binary(_, a, b) => takes_ends_only(a) && takes_ends_only(b),
+        Node::Reduce(reduction, _) => matches!(reduction, Reduction::Initial | Reduction::Final),
+    }
+}

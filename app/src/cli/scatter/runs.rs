@@ -1,0 +1,509 @@
+//! Runs of all samples, in lanes and on threads, and the tables made of them.
+
+use std::io;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use machinist::error::StopCause;
+use machinist::improve::Expression;
+use machinist::scatter::{Design, Groups, Points, Saltelli, ScatterError, Summary, value_over};
+use machinist::sweep::{Sweepable, VariantRun, each_on_its_own, one};
+use machinist::trajectory::{self, ColumnKind, Trajectory};
+use machinist::{FieldSimulator, Method, SimulateError, Simulation, Sweep};
+use machinist_contract::Simulator;
+
+use super::inputs::Inputs;
+use super::{Results, ScatterCommand};
+use crate::cli::improve::units;
+use crate::cli::scene::{Scene, refused};
+use crate::cli::sweep::{BuiltIn, OfModel};
+use crate::failure::{Failure, did_you_mean};
+use crate::parquet::{Column, Values};
+use crate::progress::spinner;
+
+/// Number of runs between looks at the interrupt.
+const BATCH: usize = 4096;
+/// Maximum number of stored values of outputs over time, 512 MB.
+const MAX_STORED: usize = 1 << 26;
+
+/// Points to be run.
+pub struct Plan {
+    kind: Kind,
+    names: Vec<String>,
+}
+
+enum Kind {
+    Plain(Points),
+    Saltelli(Saltelli),
+}
+
+impl Plan {
+    pub fn new(design: Design, with_indices: bool, inputs: &Inputs) -> Result<Self, Failure> {
+        let wrong = |error: ScatterError| {
+            let help = "--sampler random and --sampler latin have no limit of dimensions";
+            let help = if matches!(error, ScatterError::Dimensions(_)) { help } else { "" };
+            Failure::input(error, help)
+        };
+        let kind = if with_indices {
+            Kind::Saltelli(Saltelli::new(design).map_err(wrong)?)
+        } else {
+            Kind::Plain(design.points().map_err(wrong)?)
+        };
+        Ok(Self { kind, names: inputs.names.clone() })
+    }
+
+    /// Returns the number of runs.
+    pub fn len(&self) -> usize {
+        match &self.kind {
+            Kind::Plain(points) => points.len(),
+            Kind::Saltelli(design) => design.rows().saturating_mul(design.row_length()),
+        }
+    }
+
+    /// Returns which samples are independent of each other.
+    pub fn groups(&self) -> Groups {
+        match &self.kind {
+            Kind::Plain(points) => points.groups(),
+            Kind::Saltelli(design) => design.groups(),
+        }
+    }
+
+    /// Returns the number of runs of a row of a Saltelli design.
+    pub fn row_length(&self) -> Option<usize> {
+        match &self.kind {
+            Kind::Plain(_) => None,
+            Kind::Saltelli(design) => Some(design.row_length()),
+        }
+    }
+
+    /// Returns points in the order of runs, about [`BATCH`] of them.
+    fn batch(&self, from: usize) -> Vec<Vec<f64>> {
+        match &self.kind {
+            Kind::Plain(points) => {
+                (from..points.len().min(from + BATCH)).map(|index| points.get(index)).collect()
+            }
+            Kind::Saltelli(design) => {
+                let length = design.row_length();
+                let rows = BATCH.div_ceil(length);
+                let first = from / length;
+                (first..design.rows().min(first + rows)).flat_map(|row| design.row(row)).collect()
+            }
+        }
+    }
+
+    /// Returns the values of a quantity as samples for statistics: those of all runs, or, of a
+    /// Saltelli design, those at its points A, then B. Their places keep the order of groups.
+    pub fn samples<T: Copy>(&self, values: &[T]) -> Vec<T> {
+        let Some(length) = self.row_length() else { return values.to_vec() };
+        let rows = values.len() / length;
+        let of = |point: usize| (0..rows).map(move |row| values[row * length + point]);
+        of(0).chain(of(1)).collect()
+    }
+
+    /// Names the kind of each point of a Saltelli design.
+    fn point_name(&self, index: usize) -> Option<String> {
+        let place = index % self.row_length()?;
+        Some(match place {
+            0 => "A".to_owned(),
+            1 => "B".to_owned(),
+            place => format!("A with {} of B", self.names[place - 2]),
+        })
+    }
+}
+
+/// Outcome of one run.
+pub struct Outcome {
+    /// Values of the parameters that vary.
+    pub parameters: Vec<f64>,
+    /// Values of the expressions, or the reason why there are none.
+    pub values: Result<Vec<f64>, String>,
+    /// Number of steps.
+    pub steps: u64,
+}
+
+/// All runs that were done.
+pub struct Ran {
+    outcomes: Vec<Outcome>,
+    stored: Stored,
+    /// True if Ctrl-C ended the runs.
+    pub is_interrupted: bool,
+}
+
+/// Values of columns over time.
+#[derive(Default)]
+struct Stored {
+    times: Vec<f64>,
+    /// Names of columns.
+    columns: Vec<String>,
+    /// Values of each column at each time, one for each stored run.
+    values: Vec<Vec<Vec<f64>>>,
+    count: usize,
+    /// Reason why no more runs are stored.
+    full: bool,
+    /// True if runs have different output times.
+    differ: bool,
+}
+
+/// Runs points of one machine.
+pub struct Runner<'a> {
+    command: &'a ScatterCommand,
+    scene: &'a Scene,
+    inputs: &'a Inputs,
+    expressions: Vec<&'a Expression>,
+    points: Option<usize>,
+    method: Option<Method>,
+    flag: &'a AtomicBool,
+    /// Names of columns that are stored over time.
+    columns: Vec<String>,
+}
+
+impl<'a> Runner<'a> {
+    pub fn new(
+        command: &'a ScatterCommand,
+        scene: &'a Scene,
+        inputs: &'a Inputs,
+        results: &'a Results,
+        flag: &'a AtomicBool,
+    ) -> Result<Self, Failure> {
+        let method = command.run.method.as_deref().map(Method::from_name).transpose();
+        let method = method.map_err(|error| Failure::input(error, ""))?;
+        let points = command.points(results);
+        let expressions = results.expressions();
+        let columns = wanted(command, scene.simulator())?;
+        Ok(Self { command, scene, inputs, expressions, points, method, flag, columns })
+    }
+
+    /// Returns the parameters that vary.
+    pub fn inputs(&self) -> &Inputs {
+        self.inputs
+    }
+
+    /// Returns the seed and the confidence asked for.
+    pub fn settings(&self) -> &ScatterCommand {
+        self.command
+    }
+
+    fn settings_of_runs(&self) -> Settings<'a> {
+        let run = &self.command.run;
+        let points = run.points.or(self.points);
+        let (until, rtol, method, flag) = (run.until, run.rtol, self.method, self.flag);
+        Settings { points, until, rtol, method, flag }
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.flag.load(Ordering::Relaxed)
+    }
+
+    /// Runs the whole plan, or until Ctrl-C.
+    pub fn run(&self, plan: &Plan) -> Result<Ran, Failure> {
+        let spinner = spinner("simulating");
+        let mut stored = Stored { columns: self.columns.clone(), ..Stored::default() };
+        let mut outcomes: Vec<Outcome> = Vec::with_capacity(plan.len());
+        while outcomes.len() < plan.len() && !self.is_interrupted() {
+            let points = plan.batch(outcomes.len());
+            let keep = |run: &VariantRun| stored.add(self.scene.simulator(), run);
+            let batch = self.outcomes(&points, keep)?;
+            let whole = batch.len() == points.len();
+            outcomes.extend(batch);
+            if !whole {
+                break;
+            }
+            spinner.set_message(format!("simulating: {} of {} runs", outcomes.len(), plan.len()));
+        }
+        spinner.finish_and_clear();
+        let is_interrupted = self.is_interrupted() && outcomes.len() < plan.len();
+        if let Some(Outcome { values: Err(first), .. }) = outcomes.first()
+            && outcomes.iter().all(|outcome| outcome.values.as_ref().err() == Some(first))
+        {
+            return Err(Failure::unsuccessful(format!("every run has no result: {first}"), ""));
+        }
+        if outcomes.is_empty() {
+            return Err(Failure::unsuccessful("interrupted before the first run ended", ""));
+        }
+        Ok(Ran { outcomes, stored, is_interrupted })
+    }
+
+    /// Runs points. After Ctrl-C, only the outcomes before the first interrupted run are returned.
+    pub fn outcomes(
+        &self,
+        points: &[Vec<f64>],
+        mut keep: impl FnMut(&VariantRun),
+    ) -> Result<Vec<Outcome>, Failure> {
+        let values: Vec<Vec<f64>> = points.iter().map(|point| self.inputs.values(point)).collect();
+        let variants: Vec<Vec<f64>> =
+            values.iter().map(|values| self.inputs.variant(values)).collect();
+        let runs = self.runs(&variants)?;
+        let mut outcomes = Vec::with_capacity(runs.len());
+        for ((parameters, variant), run) in values.into_iter().zip(&variants).zip(runs) {
+            let outcome = match run {
+                Err(SimulateError::Stopped { cause: StopCause::Interrupted, .. }) => break,
+                Err(error) => Outcome { parameters, values: Err(error.to_string()), steps: 0 },
+                Ok(run) => {
+                    keep(&run);
+                    let (values, steps) = (self.values(variant, &run), run.steps);
+                    Outcome { parameters, values, steps }
+                }
+            };
+            outcomes.push(outcome);
+        }
+        Ok(outcomes)
+    }
+
+    fn values(&self, variant: &[f64], run: &VariantRun) -> Result<Vec<f64>, String> {
+        let simulation = Simulation::new(self.scene.simulator()).parameters(variant);
+        let value = |expression: &&Expression| value_over(expression, &simulation, run);
+        let values: Vec<f64> = self.expressions.iter().map(value).collect();
+        match values.iter().find(|value| !value.is_finite()) {
+            Some(value) => Err(format!("a result is {value}")),
+            None => Ok(values),
+        }
+    }
+
+    fn runs(
+        &self,
+        variants: &[Vec<f64>],
+    ) -> Result<Vec<Result<VariantRun, SimulateError>>, Failure> {
+        let threads = self.command.run.threads.unwrap_or_default();
+        let settings = self.settings_of_runs();
+        let machine: &dyn Sweepable = match self.scene {
+            Scene::Emitted(_) => &BuiltIn { name: self.command.scene.clone() },
+            Scene::Model(simulator) => &OfModel(simulator),
+            Scene::Fields(cut) => {
+                let run = |simulator: &FieldSimulator<'_, f64>, parameters: &[f64]| {
+                    let run = Simulation::new(simulator.single()).parameters(parameters);
+                    one(&settings.adjust(run))
+                };
+                let runs = each_on_its_own(variants, threads, cut.again(), run);
+                return runs.map_err(|error| refused(&error));
+            }
+        };
+        let sweep = Sweep::new(machine)
+            .each(|run| settings.adjust(run))
+            .variants(variants.to_vec())
+            .threads(threads);
+        Ok(sweep.run())
+    }
+}
+
+/// Settings of every run, which threads share.
+#[derive(Clone, Copy)]
+struct Settings<'a> {
+    points: Option<usize>,
+    until: Option<f64>,
+    rtol: Option<f64>,
+    method: Option<Method>,
+    flag: &'a AtomicBool,
+}
+
+impl<'a> Settings<'a> {
+    fn adjust<'s>(&self, simulation: Simulation<'s>) -> Simulation<'s>
+    where
+        'a: 's,
+    {
+        let simulation = self.points.into_iter().fold(simulation, Simulation::points);
+        let simulation = self.until.into_iter().fold(simulation, Simulation::until);
+        let simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
+        let simulation = self.method.into_iter().fold(simulation, Simulation::method);
+        simulation.until_flagged(self.flag)
+    }
+}
+
+/// Returns the names of columns that are plotted.
+fn wanted(
+    command: &ScatterCommand,
+    simulator: &dyn Simulator<f64>,
+) -> Result<Vec<String>, Failure> {
+    if command.plot.is_none() {
+        return Ok(Vec::new());
+    }
+    let shape = simulator.shape();
+    let outputs: Vec<&str> = (0..shape.outputs).map(|index| simulator.output(index).name).collect();
+    let states: Vec<&str> = (0..shape.states()).map(|index| simulator.state(index).name).collect();
+    if command.columns.is_empty() {
+        let all = if outputs.is_empty() { states } else { outputs };
+        return Ok(all.into_iter().map(str::to_owned).collect());
+    }
+    let known = || outputs.iter().chain(&states).copied();
+    match command.columns.iter().find(|name| known().all(|known| known != *name)) {
+        None => Ok(command.columns.clone()),
+        Some(name) => Err(Failure::input(
+            format!("--columns: there is no output or state `{}`", name.escape_debug()),
+            did_you_mean(name, known()),
+        )),
+    }
+}
+
+impl Stored {
+    fn add(&mut self, simulator: &dyn Simulator<f64>, run: &VariantRun) {
+        if self.columns.is_empty() || self.full {
+            return;
+        }
+        if self.count == 0 {
+            self.times.clone_from(&run.times);
+            self.values = vec![vec![Vec::new(); run.times.len()]; self.columns.len()];
+        }
+        if self.times != run.times {
+            self.differ = true;
+            return;
+        }
+        if (self.count + 1) * self.columns.len() * self.times.len() > MAX_STORED {
+            self.full = true;
+            return;
+        }
+        let shape = simulator.shape();
+        for (name, values) in self.columns.iter().zip(&mut self.values) {
+            let output = (0..shape.outputs).find(|index| simulator.output(*index).name == name);
+            let state = (0..shape.states()).find(|index| simulator.state(*index).name == name);
+            let rows = if output.is_some() { &run.outputs } else { &run.states };
+            let Some(place) = output.or(state) else { continue };
+            for (values, row) in values.iter_mut().zip(rows) {
+                values.push(row[place]);
+            }
+        }
+        self.count += 1;
+    }
+}
+
+impl Ran {
+    /// Returns the number of runs.
+    pub fn count(&self) -> usize {
+        self.outcomes.len()
+    }
+
+    /// Iterates over the numbers of runs without results, and the reasons.
+    pub fn stopped(&self) -> impl Iterator<Item = (usize, &str)> {
+        let outcomes = self.outcomes.iter().enumerate();
+        outcomes
+            .filter_map(|(number, outcome)| Some((number, outcome.values.as_ref().err()?.as_str())))
+    }
+
+    /// Returns the values of an expression in all runs; NaN for those without results.
+    pub fn values(&self, expression: usize) -> Vec<f64> {
+        let value = |outcome: &Outcome| {
+            outcome.values.as_ref().map_or(f64::NAN, |values| values[expression])
+        };
+        self.outcomes.iter().map(value).collect()
+    }
+
+    /// Returns a note if not all runs are in the plot.
+    pub fn note_on_bands(&self) -> Option<String> {
+        let done = self.outcomes.len() - self.stopped().count();
+        (!self.stored.columns.is_empty() && self.stored.count < done).then(|| {
+            format!("the plot shows {} of {done} runs, which memory holds", self.stored.count)
+        })
+    }
+
+    /// Returns the table of all runs.
+    pub fn columns(
+        &self,
+        simulator: &dyn Simulator<f64>,
+        inputs: &Inputs,
+        results: &Results,
+        plan: &Plan,
+    ) -> Vec<Column> {
+        let mut columns = vec![Column {
+            name: "run".to_owned(),
+            unit: None,
+            values: Values::Counts((0..self.count() as i64).collect()),
+        }];
+        if plan.row_length().is_some() {
+            let names = (0..self.count()).map(|index| plan.point_name(index));
+            let values = Values::Texts(names.collect());
+            columns.push(Column { name: "point".to_owned(), unit: None, values });
+        }
+        for (index, (name, unit)) in inputs.names.iter().zip(&inputs.units).enumerate() {
+            let values = self.outcomes.iter().map(|outcome| outcome.parameters[index]).collect();
+            columns.push(Column::numbers(name, unit, values));
+        }
+        let of = results.of.iter().map(|(text, of)| (text.clone(), of));
+        let limits = results.limits.iter().flat_map(|(text, limit)| {
+            [(format!("{text}: left"), &limit.left), (format!("{text}: right"), &limit.right)]
+        });
+        for (index, (name, expression)) in of.chain(limits).enumerate() {
+            let values = self
+                .outcomes
+                .iter()
+                .map(|outcome| outcome.values.as_ref().ok().map(|values| values[index]));
+            let unit = Some(units::of(expression, simulator));
+            columns.push(Column { name, unit, values: Values::Some(values.collect()) });
+        }
+        let steps = self.outcomes.iter().map(|outcome| outcome.steps as i64).collect();
+        let errors = self.outcomes.iter().map(|outcome| outcome.values.as_ref().err().cloned());
+        for (name, values) in
+            [("steps", Values::Counts(steps)), ("error", Values::Texts(errors.collect()))]
+        {
+            columns.push(Column { name: name.to_owned(), unit: None, values });
+        }
+        columns
+    }
+
+    /// Returns quantiles of the stored columns over time.
+    pub fn bands(
+        &self,
+        simulator: &dyn Simulator<f64>,
+        quantiles: &[f64],
+    ) -> Result<Trajectory, Failure> {
+        let Stored { times, columns, values, differ, .. } = &self.stored;
+        if *differ {
+            let message = "--plot: the runs have different output times";
+            return Err(Failure::input(message, "give them one end with --until"));
+        }
+        let shape = simulator.shape();
+        let unit = |name: &str| {
+            let outputs = (0..shape.outputs).map(|index| simulator.output(index));
+            let states = (0..shape.states()).map(|index| simulator.state(index));
+            let mut all = outputs.chain(states);
+            all.find(|quantity| quantity.name == name).map_or("1", |quantity| quantity.unit)
+        };
+        let mut bands = Vec::new();
+        for (name, at_times) in columns.iter().zip(values) {
+            let all = at_times.iter().map(|values| Summary::of(values, &Groups::Independent, 0.95));
+            let all: Vec<Summary> = all
+                .collect::<Result<_, _>>()
+                .map_err(|error| Failure::unsuccessful(format!("--plot: {error}"), ""))?;
+            for p in quantiles {
+                bands.push(trajectory::Column {
+                    name: format!("{name}, {} %", crate::number::number(100.0 * p, 4)),
+                    unit: unit(name).to_owned(),
+                    kind: ColumnKind::Output,
+                    doc: format!("quantile of `{name}`"),
+                    values: all.iter().map(|summary| summary.quantile(*p).value).collect(),
+                });
+            }
+        }
+        let run = Simulation::new(simulator);
+        Ok(Trajectory {
+            scene: simulator.name().to_owned(),
+            title: format!("{}: quantiles of {} runs", simulator.title(), self.stored.count),
+            method: Method::Auto,
+            rtol: run.relative_tolerance(),
+            work: machinist::method::Work::default(),
+            notes: Vec::new(),
+            stopped: None,
+            switches: Vec::new(),
+            drift: None,
+            times: times.clone(),
+            columns: bands,
+            energy_balance: None,
+            error: None,
+        })
+    }
+}
+
+/// Writes columns as CSV.
+pub fn write_csv(columns: &[Column], out: &mut dyn io::Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(columns.iter().map(|column| column.name.as_str()))?;
+    let rows = columns.first().map_or(0, |column| match &column.values {
+        Values::Counts(values) => values.len(),
+        _ => 0,
+    });
+    for row in 0..rows {
+        writer.write_record(columns.iter().map(|column| match &column.values {
+            Values::Numbers(values) => values[row].to_string(),
+            Values::Some(values) => values[row].map_or_else(String::new, |value| value.to_string()),
+            Values::Counts(values) => values[row].to_string(),
+            Values::Texts(values) => values[row].clone().unwrap_or_default(),
+        }))?;
+    }
+    writer.flush()
+}

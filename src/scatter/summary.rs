@@ -1,0 +1,245 @@
+//! Estimates from samples, with confidence intervals.
+
+use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, StudentsT};
+
+use super::ScatterError;
+use super::normal::normal_quantile;
+use super::points::Groups;
+
+/// Estimate with its confidence interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// Estimate.
+    pub value: f64,
+    /// Lower end of the interval; minus infinity if the samples do not bound it.
+    pub low: f64,
+    /// Upper end of the interval; infinity if the samples do not bound it.
+    pub high: f64,
+}
+
+/// Statistics of the values of one quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// Number of values.
+    pub count: usize,
+    /// Mean.
+    ///
+    /// The interval is mean +- t s/sqrt(n): of independent values, or of the means of replicates.
+    pub mean: Estimate,
+    /// Standard deviation.
+    ///
+    /// The interval is that of the mean of (y - mean)^2, of independent values or of replicates, in
+    /// square roots.
+    pub deviation: Estimate,
+    /// Least value.
+    pub least: f64,
+    /// Greatest value.
+    pub greatest: f64,
+    sorted: Vec<f64>,
+    replicates: Vec<Vec<f64>>,
+    confidence: f64,
+}
+
+impl Summary {
+    /// Computes statistics of values, of which those that are not finite count as missing.
+    ///
+    /// # Errors
+    /// [`ScatterError::Samples`] for fewer than 2 values, or a confidence that is not between 0 and
+    /// 1.
+    pub fn of(values: &[f64], groups: &Groups, confidence: f64) -> Result<Self, ScatterError> {
+        if !(confidence > 0.0 && confidence < 1.0) {
+            let message = format!("a confidence must be between 0 and 1, not {confidence}");
+            return Err(ScatterError::Samples(message));
+        }
+        let mut sorted: Vec<f64> = values.iter().copied().filter(|y| y.is_finite()).collect();
+        sorted.sort_unstable_by(f64::total_cmp);
+        let count = sorted.len();
+        if count < 2 {
+            let message = format!("{count} values: statistics need at least 2");
+            return Err(ScatterError::Samples(message));
+        }
+        let mut replicates = grouped(values, *groups);
+        let mean = mean(&sorted);
+        let squares = |values: &[f64]| -> Vec<f64> {
+            values.iter().map(|y| (y - mean) * (y - mean)).collect()
+        };
+        let (half, half_of_square) = if replicates.is_empty() {
+            (half_width(&sorted, confidence), half_width(&squares(&sorted), confidence))
+        } else {
+            let means: Vec<f64> = replicates.iter().map(|values| self::mean(values)).collect();
+            let of_squares = replicates.iter().map(|values| self::mean(&squares(values)));
+            let of_squares: Vec<f64> = of_squares.collect();
+            (half_width(&means, confidence), half_width(&of_squares, confidence))
+        };
+        for values in &mut replicates {
+            values.sort_unstable_by(f64::total_cmp);
+        }
+        let variance = squares(&sorted).iter().sum::<f64>() / (count - 1) as f64;
+        Ok(Self {
+            count,
+            mean: Estimate { value: mean, low: mean - half, high: mean + half },
+            deviation: Estimate {
+                value: variance.sqrt(),
+                low: (variance - half_of_square).max(0.0).sqrt(),
+                high: (variance + half_of_square).sqrt(),
+            },
+            least: sorted[0],
+            greatest: sorted[count - 1],
+            sorted,
+            replicates,
+            confidence,
+        })
+    }
+
+    /// Returns the values in ascending order.
+    #[must_use]
+    pub fn sorted(&self) -> &[f64] {
+        &self.sorted
+    }
+
+    /// Returns the quantile at probability p, interpolated linearly between order statistics.
+    ///
+    /// The interval of independent values is that between the order statistics whose ranks are
+    /// quantiles of the binomial distribution. Of replicates, it is where the mean of their
+    /// distribution functions differs from p by less than its t interval (Woodruff: Confidence
+    /// intervals for medians and other position measures, J. Am. Stat. Assoc. 47, 1952), rounded
+    /// outwards to the next values.
+    #[must_use]
+    pub fn quantile(&self, p: f64) -> Estimate {
+        let p = p.clamp(0.0, 1.0);
+        let last = self.count - 1;
+        let place = p * last as f64;
+        let below = place.floor() as usize;
+        let above = (below + 1).min(last);
+        let share = place - below as f64;
+        let value = self.sorted[below] * (1.0 - share) + self.sorted[above] * share;
+        // Ranks of the ends, from 1; 0 and count + 1 are beyond the values.
+        let (low, high) = if self.replicates.is_empty() {
+            let tail = 0.5 * (1.0 - self.confidence);
+            match Binomial::new(p, self.count as u64) {
+                Ok(ranks) if p > 0.0 && p < 1.0 => {
+                    (ranks.inverse_cdf(tail) as f64, ranks.inverse_cdf(1.0 - tail) as f64 + 1.0)
+                }
+                _ => (0.0, self.count as f64 + 1.0),
+            }
+        } else {
+            let shares = self
+                .replicates
+                .iter()
+                .map(|values| values.partition_point(|y| *y <= value) as f64 / values.len() as f64);
+            let half = half_width(&shares.collect::<Vec<_>>(), self.confidence);
+            let count = self.count as f64;
+            (((p - half) * count).floor(), ((p + half) * count).ceil() + 1.0)
+        };
+        let low = if low >= 1.0 { self.sorted[low as usize - 1] } else { f64::NEG_INFINITY };
+        let is_bounded = high <= self.count as f64;
+        let high = if is_bounded { self.sorted[high as usize - 1] } else { f64::INFINITY };
+        Estimate { value, low, high }
+    }
+}
+
+/// Number of samples that fulfil a condition.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tally {
+    /// Number of samples.
+    pub count: usize,
+    /// Number of those that fulfil it.
+    pub hits: usize,
+    /// Probability, with Wilson's score interval.
+    ///
+    /// Of replicates, the interval uses the effective number of samples p(1 - p)/v with the
+    /// variance v of the mean over replicates, times (z/t)^2 for the few degrees of freedom of v
+    /// (Korn, Graubard: Confidence intervals for proportions with small expected number of positive
+    /// counts estimated from survey data, Surv. Methodol. 24, 1998). If all replicates agree, it is
+    /// that of independent samples.
+    pub probability: Estimate,
+}
+
+impl Tally {
+    /// Counts samples; `None` stands for a missing one.
+    ///
+    /// # Errors
+    /// [`ScatterError::Samples`] if there are none, or for a confidence that is not between 0 and 1.
+    pub fn of(
+        hits: &[Option<bool>],
+        groups: &Groups,
+        confidence: f64,
+    ) -> Result<Self, ScatterError> {
+        let numbers: Vec<f64> =
+            hits.iter().map(|hit| hit.map_or(f64::NAN, |hit| f64::from(u8::from(hit)))).collect();
+        let known: Vec<f64> = numbers.iter().copied().filter(|hit| hit.is_finite()).collect();
+        if known.is_empty() || !(confidence > 0.0 && confidence < 1.0) {
+            let message = "a probability needs samples, and a confidence between 0 and 1";
+            return Err(ScatterError::Samples(message.to_owned()));
+        }
+        let (count, p) = (known.len(), mean(&known));
+        let z = normal_quantile(0.5 * (1.0 + confidence));
+        let means: Vec<f64> = grouped(&numbers, *groups).iter().map(|hits| mean(hits)).collect();
+        let variance = variance_of_mean(&means);
+        let effective = if variance > 0.0 {
+            let t = student(0.5 * (1.0 + confidence), means.len() - 1);
+            p * (1.0 - p) / variance * (z / t).powi(2)
+        } else {
+            count as f64
+        };
+        let hits = known.iter().filter(|hit| **hit > 0.5).count();
+        Ok(Self { count, hits, probability: wilson(p, effective, z) })
+    }
+}
+
+/// Returns Wilson's score interval of a proportion p of n samples.
+///
+/// Source: E. B. Wilson: Probable inference, the law of succession, and statistical inference.
+/// J. Am. Stat. Assoc. 22 (1927).
+fn wilson(p: f64, n: f64, z: f64) -> Estimate {
+    let square = z * z / n;
+    let centre = p + square / 2.0;
+    let half = z * (p * (1.0 - p) / n + square / (4.0 * n)).sqrt();
+    let (low, high) = ((centre - half) / (1.0 + square), (centre + half) / (1.0 + square));
+    // Rounding must not leave 0 and 1.
+    let low = if p <= 0.0 { 0.0 } else { low.max(0.0) };
+    let high = if p >= 1.0 { 1.0 } else { high.min(1.0) };
+    Estimate { value: p, low, high }
+}
+
+/// Splits values by replicate, without those that are not finite. Returns nothing unless at least
+/// two replicates have values.
+fn grouped(values: &[f64], groups: Groups) -> Vec<Vec<f64>> {
+    let Groups::Replicates(count) = groups else { return Vec::new() };
+    let mut all = vec![Vec::with_capacity(values.len() / count.max(1) + 1); count];
+    for (index, value) in values.iter().enumerate().filter(|(_, value)| value.is_finite()) {
+        all[index % count].push(*value);
+    }
+    all.retain(|values| !values.is_empty());
+    if all.len() < 2 { Vec::new() } else { all }
+}
+
+pub(super) fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// Returns s^2/n; 0 for fewer than two values.
+fn variance_of_mean(values: &[f64]) -> f64 {
+    if values.len() < 2 {
+        return 0.0;
+    }
+    let mean = mean(values);
+    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+    squares / ((values.len() - 1) as f64 * values.len() as f64)
+}
+
+/// Returns half the width of the t interval of a mean.
+pub(super) fn half_width(values: &[f64], confidence: f64) -> f64 {
+    let t = student(0.5 * (1.0 + confidence), values.len().saturating_sub(1));
+    t * variance_of_mean(values).sqrt()
+}
+
+/// Returns the quantile of Student's t distribution; normal for many degrees of freedom.
+pub(super) fn student(p: f64, freedom: usize) -> f64 {
+    /// Degrees of freedom at which t differs from z by less than 1e-6 of it: (z^2 + 1)/(4 n).
+    const MANY: usize = 2_000_000;
+    if freedom >= MANY {
+        return normal_quantile(p);
+    }
+    StudentsT::new(0.0, 1.0, freedom as f64).map_or(f64::INFINITY, |t| t.inverse_cdf(p))
+}

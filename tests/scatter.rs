@@ -191,6 +191,10 @@ fn quantiles_are_those_of_scipy_and_mpmath() {
     close(Law::Uniform { low: -1.0, high: 3.0 }, p.map(|p| -1.0 + 4.0 * p));
     for (z, expected) in [
         (-10.0, 7.619_853_024_160_525e-24),
+        (-30.0, 4.906_713_927_148_187e-198),
+        (-20.0, 2.753_624_118_606_233_7e-89),
+        (-4.49, 3.561_158_679_597_560_2e-6),
+        (-1.25, 0.105_649_773_666_855_26),
         (-3.0, 0.001_349_898_031_630_094_6),
         (-0.5, 0.308_537_538_725_986_9),
         (0.7, 0.758_036_347_776_927),
@@ -305,7 +309,7 @@ fn indices_of_ishigami_are_those_of_its_closed_form() {
         x[0].sin() + a * x[1].sin().powi(2) + b * x[2].powi(4) * x[0].sin()
     };
     for (sampler, limit) in
-        [(Sampler::Sobol, 0.01), (Sampler::Random, 0.06), (Sampler::Latin, 0.06)]
+        [(Sampler::Sobol, 0.03), (Sampler::Random, 0.06), (Sampler::Latin, 0.06)]
     {
         let found = indices_of(sampler, (3, 4096), ishigami);
         compare(&found, &first, &total, limit);
@@ -331,8 +335,8 @@ fn indices_of_the_g_function_are_those_of_its_closed_form() {
 
 #[test]
 fn a_linear_function_has_the_variance_and_the_shares_of_its_closed_form() {
-    let slopes = [3.0, -1.0, 0.5];
-    let deviations = [0.2, 0.5, 2.0];
+    let slopes = [3.0_f64, -1.0, 0.5];
+    let deviations = [0.2_f64, 0.5, 2.0];
     let parts: [f64; 3] = std::array::from_fn(|k| (slopes[k] * deviations[k]).powi(2));
     let variance: f64 = parts.iter().sum();
     let linear = |u: &[f64]| -> f64 {

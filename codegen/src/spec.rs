@@ -23,10 +23,11 @@ mod loader;
 pub mod measure;
 mod names;
 pub mod rewrite;
-pub mod scatter;
+mod scatter;
 mod scene;
 pub mod schema;
 mod source;
+pub mod spread;
 pub(crate) mod stack;
 mod symbol;
 mod table;
@@ -42,6 +43,7 @@ pub use self::distributed::{
 };
 pub use self::inside::{Inside, InstanceText};
 pub use self::names::{FUNCTIONS, did_you_mean, quoted, scene_name_mistake};
+pub use self::scatter::CorrelationSpec;
 pub use self::scene::METHODS;
 pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources, one_line};
 pub use self::symbol::Symbol;
@@ -53,7 +55,7 @@ use self::dimension::Unit;
 use self::expression::{Ast, Literal};
 use self::library::LibraryScene;
 use self::measure::Factor;
-use self::scatter::{CorrelationSpec, Spread};
+use self::spread::Spread;
 use machinist_model::Direction;
 
 /// Reads a scene, the units it names, and the tables they name.

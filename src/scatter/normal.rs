@@ -2,10 +2,20 @@
 
 use statrs::function::erf::erfc;
 
-/// Returns Phi(z), the probability of a standard normal variable below z, as erfc(-z/sqrt 2)/2.
+/// Returns Phi(z), the probability of a standard normal variable below z. Relative error below
+/// 1e-13 for z > -37.
 #[must_use]
 pub fn normal_cdf(z: f64) -> f64 {
-    0.5 * erfc(-z * std::f64::consts::FRAC_1_SQRT_2)
+    if z > 0.0 {
+        return 1.0 - normal_cdf(-z);
+    }
+    let p = 0.5 * erfc(-z * std::f64::consts::FRAC_1_SQRT_2);
+    if p < f64::MIN_POSITIVE || p.is_nan() {
+        return p;
+    }
+    // This `erfc` has ten digits in the tail. A Newton step with the quantile gives the others.
+    let density = (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
+    p + density * (z - normal_quantile(p))
 }
 
 /// Returns z with Phi(z) = p; infinite for 0 and 1, NaN outside. Relative error about 1e-16.

@@ -74,6 +74,8 @@ impl Summary {
         for values in &mut replicates {
             values.sort_unstable_by(f64::total_cmp);
         }
+        // Two squares are always equal and tell nothing of their spread.
+        let half_of_square = if count < 3 { f64::INFINITY } else { half_of_square };
         let variance = squares(&sorted).iter().sum::<f64>() / (count - 1) as f64;
         Ok(Self {
             count,

@@ -2,8 +2,9 @@
 
 use crate::scene::layout::Scope;
 use crate::scene::parameters::{self, Given};
+use crate::spec::CorrelationSpec;
 use crate::spec::diagnostic::{Diagnostics, Mistake, Span, Spanned};
-use crate::spec::scatter::{CorrelationSpec, Law, Spread};
+use crate::spec::spread::{Law, Spread};
 use crate::spec::{Declared, SceneSpec, did_you_mean, quoted};
 
 /// Distributions of a scene's parameters.

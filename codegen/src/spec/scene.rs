@@ -10,7 +10,8 @@ use crate::spec::fields::{Fields, Findings};
 use crate::spec::friction;
 use crate::spec::inside::{self, Inside, values_by_name};
 use crate::spec::names::{self, did_you_mean};
-use crate::spec::scatter::{self, CorrelationSpec, Spread};
+use crate::spec::scatter::{self, CorrelationSpec};
+use crate::spec::spread::Spread;
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{

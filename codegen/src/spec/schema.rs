@@ -10,7 +10,7 @@
 use crate::spec::diagnostic::{FileId, Span, Spanned};
 use crate::spec::fields::{Findings, TableRead};
 use crate::spec::toml::{Entry, Tree};
-use crate::spec::{PortKind, Symbol, distributed, scatter, scene, unit};
+use crate::spec::{PortKind, Symbol, distributed, scene, spread, unit};
 use machinist_model::Direction;
 
 /// Shape of the values allowed at a place of a spec.
@@ -145,7 +145,7 @@ impl Asking {
             Direction::ALL.into_iter().map(Direction::name).collect(),
             Symbol::ALL.into_iter().map(|(name, _)| name).collect(),
             distributed::BOUNDARIES.iter().map(|(name, _)| *name).collect(),
-            scatter::KINDS.to_vec(),
+            spread::KINDS.to_vec(),
         ];
         let known = |words: &Vec<&'static str>| {
             let all_known = words.iter().all(|word| {

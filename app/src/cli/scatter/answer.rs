@@ -32,9 +32,10 @@ impl From<Estimate> for Told {
 }
 
 impl Told {
-    fn row(&self, name: String) -> [String; 4] {
-        let shown = |end: Option<f64>| end.map_or_else(|| "?".to_owned(), |end| number(end, 6));
-        [name, number(self.value, 6), shown(self.low), shown(self.high)]
+    fn row(&self, name: String, digits: usize) -> [String; 4] {
+        let shown =
+            |end: Option<f64>| end.map_or_else(|| "?".to_owned(), |end| number(end, digits));
+        [name, number(self.value, digits), shown(self.low), shown(self.high)]
     }
 }
 
@@ -231,7 +232,7 @@ impl Answer {
             let header =
                 ["requirement", "failures", "probability", &interval, ""].map(str::to_owned);
             let row = |limit: &LimitOf| {
-                let [_, value, low, high] = limit.probability.row(String::new());
+                let [_, value, low, high] = limit.probability.row(String::new(), 4);
                 let failures = format!("{} of {}", limit.failures, limit.count);
                 [limit.limit.clone(), failures, value, low, high]
             };
@@ -285,18 +286,33 @@ impl Answer {
 }
 
 impl ResultOf {
+    /// Returns the number of digits that show the interval of the mean with two of its own.
+    fn digits(&self) -> usize {
+        const LEAST: usize = 6;
+        const MOST: usize = 15;
+        let size = self.least.abs().max(self.greatest.abs());
+        let half = self.mean.high.map_or(0.0, |high| high - self.mean.value);
+        let digits = (size / half).log10() + 2.0;
+        if digits.is_finite() {
+            (digits.ceil().max(0.0) as usize).clamp(LEAST, MOST)
+        } else {
+            LEAST
+        }
+    }
+
     fn told(&self, interval: &str) -> String {
         let header = ["", "estimate", interval, ""].map(str::to_owned);
+        let digits = self.digits();
         let exact = |name: &str, value: f64| {
-            [name.to_owned(), number(value, 6), String::new(), String::new()]
+            [name.to_owned(), number(value, digits), String::new(), String::new()]
         };
         let quantile = |of: &Quantile| {
-            of.estimate.row(format!("{} % quantile", number(100.0 * of.probability, 4)))
+            of.estimate.row(format!("{} % quantile", number(100.0 * of.probability, 4)), digits)
         };
         let rows = [
             header,
-            self.mean.row("mean".to_owned()),
-            self.deviation.row("deviation".to_owned()),
+            self.mean.row("mean".to_owned(), digits),
+            self.deviation.row("deviation".to_owned(), 5),
             exact("least", self.least),
         ]
         .into_iter()
@@ -307,14 +323,13 @@ impl ResultOf {
             let header =
                 ["Sobol index", "first", interval, "", "total", interval, ""].map(str::to_owned);
             let row = |index: &IndexOf| {
-                let [name, first, low, high] = index.first.row(index.parameter.clone());
-                let [_, total, total_low, total_high] = index.total.row(String::new());
+                let [name, first, low, high] = index.first.row(index.parameter.clone(), 3);
+                let [_, total, total_low, total_high] = index.total.row(String::new(), 3);
                 [name, first, low, high, total, total_low, total_high]
             };
-            let short = |cell: String| cell.parse().map_or(cell, |value: f64| number(value, 3));
             let rows = std::iter::once(header).chain(indices.iter().map(row));
-            let rows: Vec<_> = rows.map(|row| row.map(short)).collect();
-            text.push_str(&columns(&rows, 1));
+            text.push('\n');
+            text.push_str(&columns(&rows.collect::<Vec<_>>(), 1));
         }
         if let Some(why) = &self.without_indices {
             text.extend([format!("no indices: {why}\n")]);

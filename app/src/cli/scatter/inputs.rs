@@ -6,7 +6,7 @@ use machinist_codegen::scene::scatter::{Scatter, distributions};
 use machinist_codegen::spec::Declared;
 use machinist_codegen::spec::diagnostic::{FileId, Span};
 use machinist_codegen::spec::measure::Measure;
-use machinist_codegen::spec::scatter::{self as spec, Spread};
+use machinist_codegen::spec::spread::{self, Spread};
 use nalgebra::DMatrix;
 use serde_json::{Map, Value, json};
 
@@ -110,17 +110,17 @@ impl Inputs {
         Ok(inputs)
     }
 
-    fn add(&mut self, name: &str, law: spec::Law, run: &Simulation<'_>) -> Result<(), Failure> {
+    fn add(&mut self, name: &str, law: spread::Law, run: &Simulation<'_>) -> Result<(), Failure> {
         // Parameters that no output needs, and those that are not tunable, are not in the model.
         let Some(place) = place_of(run, name) else {
             self.left_out.push(name.to_owned());
             return Ok(());
         };
         let law = match law {
-            spec::Law::Normal(mean, deviation) => Law::Normal { mean, deviation },
-            spec::Law::Uniform(low, high) => Law::Uniform { low, high },
-            spec::Law::Triangular(low, mode, high) => Law::Triangular { low, mode, high },
-            spec::Law::Lognormal(mean, deviation) => Law::Lognormal { mean, deviation },
+            spread::Law::Normal(mean, deviation) => Law::Normal { mean, deviation },
+            spread::Law::Uniform(low, high) => Law::Uniform { low, high },
+            spread::Law::Triangular(low, mode, high) => Law::Triangular { low, mode, high },
+            spread::Law::Lognormal(mean, deviation) => Law::Lognormal { mean, deviation },
         };
         let distribution = Distribution::new(law)
             .map_err(|error| Failure::input(format!("distribution of {name}: {error}"), ""))?;

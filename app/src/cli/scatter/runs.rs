@@ -195,6 +195,7 @@ impl<'a> Runner<'a> {
 
     /// Runs the whole plan, or until Ctrl-C.
     pub fn run(&self, plan: &Plan) -> Result<Ran, Failure> {
+        self.check_first_run()?;
         let spinner = spinner("simulating");
         let mut stored = Stored { columns: self.columns.clone(), ..Stored::default() };
         let mut outcomes: Vec<Outcome> = Vec::with_capacity(plan.len());
@@ -220,6 +221,15 @@ impl<'a> Runner<'a> {
             return Err(Failure::unsuccessful("interrupted before the first run ended", ""));
         }
         Ok(Ran { outcomes, stored, is_interrupted })
+    }
+
+    /// Takes one step with the values of the scene, to find errors that all runs share.
+    fn check_first_run(&self) -> Result<(), Failure> {
+        let run = self.settings_of_runs().adjust(Simulation::new(self.scene.simulator()));
+        match run.max_steps(1).run() {
+            Err(SimulateError::Stopped { .. }) | Ok(_) => Ok(()),
+            Err(error) => Err(error.into()),
+        }
     }
 
     /// Runs points. After Ctrl-C, only the outcomes before the first interrupted run are returned.

@@ -164,8 +164,7 @@ fn correlations(
                 Some(place) => places.push(place),
                 None => {
                     let message = format!("{} has no distribution", quoted(&name.value));
-                    let known = parameters.iter().map(|known| known.name.as_str());
-                    let help = did_you_mean(&name.value, known);
+                    let help = "give it one, in [scatter] or where it is declared";
                     mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
                 }
             }

@@ -70,7 +70,8 @@ pub fn spread(
     fields: &mut Fields<'_>,
     tolerance: Option<Spanned<Spread>>,
 ) -> Option<Spanned<Spread>> {
-    let kind = fields.take("distribution").and_then(|tree| kind(tree, fields));
+    let named = fields.take("distribution");
+    let kind = named.and_then(|tree| kind(tree, fields));
     let mut amount =
         |key: &'static str| fields.take(key).and_then(|tree| self::amount(tree, key, fields));
     let [deviation, relative, low, mode, high] =
@@ -92,7 +93,7 @@ pub fn spread(
         fields.found().mistakes.push(mistake);
     };
     let Some(kind) = kind else {
-        if let Some((key, span)) = given.first() {
+        if let (None, Some((key, span))) = (named, given.first()) {
             let help =
                 "write distribution = \"normal\", \"uniform\", \"triangular\" or \"lognormal\"";
             refuse(*span, format!("`{key}` needs a `distribution`"), help);

@@ -49,10 +49,10 @@ fn check(sampler: Sampler, samples: usize) {
 
 #[test]
 fn intervals_of_random_points_hold_the_exact_value_in_95_of_100_cases() {
-    check(Sampler::Random, 1024);
+    check(Sampler::Random, 2048);
 }
 
 #[test]
 fn intervals_of_sobol_points_hold_the_exact_value_in_95_of_100_cases() {
-    check(Sampler::Sobol, 1024);
+    check(Sampler::Sobol, 2048);
 }

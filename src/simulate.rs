@@ -289,7 +289,7 @@ impl<'a> Simulation<'a> {
 
     /// Returns the same run at another relative tolerance; absolute tolerances are scaled by the
     /// same factor.
-    pub(crate) fn at_tolerance(mut self, rtol: f64) -> Self {
+    pub fn at_tolerance(mut self, rtol: f64) -> Self {
         let factor = rtol / self.rtol;
         self.atol.iter_mut().flatten().for_each(|atol| *atol *= factor);
         self.rtol = rtol;

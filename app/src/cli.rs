@@ -5,6 +5,7 @@
 //! leaves no file behind.
 
 mod amount;
+pub mod arguments;
 mod bench;
 #[cfg(feature = "derive")]
 mod cache;
@@ -25,6 +26,7 @@ mod fmu;
 #[cfg(feature = "derive")]
 mod generate;
 mod gradient;
+pub mod groups;
 #[cfg(feature = "derive")]
 mod import;
 mod improve;
@@ -55,7 +57,9 @@ mod show;
 pub mod specs;
 mod spectrum;
 mod stability;
+mod studies;
 mod sweep;
+mod table;
 mod threads;
 mod times;
 pub mod verify;
@@ -65,10 +69,17 @@ mod watch;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
 #[cfg(feature = "derive")]
-use machinist_algebra::cas::Algebra;
+use arguments::DeriveArgs;
+#[cfg(feature = "derive")]
+use clap::ArgMatches;
+#[cfg(feature = "derive")]
+use clap::parser::ValueSource;
+use clap::{
+    ColorChoice, CommandFactory as _, FromArgMatches as _, Parser, Subcommand, ValueEnum as _,
+};
 
+use crate::config::{self, Colours};
 #[cfg(feature = "derive")]
 use crate::deriving;
 #[cfg(feature = "derive")]
@@ -80,16 +91,12 @@ use crate::watch::worker;
 #[derive(Debug, Parser)]
 #[command(name = "machinist", version, propagate_version = true)]
 struct Cli {
-    /// Derive without reading or writing the cache
     #[cfg(feature = "derive")]
-    #[arg(long, global = true)]
-    no_cache: bool,
-    /// Algebra used for derivation: plain or symbolica. Symbolica simplifies further, but only one
-    /// process on a computer can run it. Default: symbolica for gen, derive and the report of all
-    /// scenes, otherwise plain
-    #[cfg(feature = "derive")]
-    #[arg(long, global = true, value_name = "NAME", value_parser = algebra)]
-    algebra: Option<Algebra>,
+    #[command(flatten)]
+    derivation: DeriveArgs,
+    /// Colour messages: auto (on terminals), always or never
+    #[arg(long, global = true, value_name = "WHEN", alias = "color", hide_possible_values = true)]
+    colours: Option<Colours>,
     #[command(subcommand)]
     command: Command,
 }
@@ -121,7 +128,7 @@ enum Command {
     #[cfg(feature = "derive")]
     Explain(explain::Explain),
     /// Simulate a scene
-    Run(run::Run),
+    Run(run::RunCommand),
     /// Rank parameters by their effect on the outputs of a run
     Sensitivity(sensitivity::Sensitivity),
     /// Differentiate one result of a run by all parameters and initial values
@@ -152,7 +159,10 @@ enum Command {
     Linearize(linearize::Linearize),
     /// Find periodic motions of a scene and their stability
     Cycle(cycle::CycleCommand),
-    /// Select a sufficient model of a winder, and find where winding is stable
+    /// Compute studies of the literature again
+    Studies(studies::Studies),
+    /// Old name of `studies walk`
+    #[command(hide = true)]
     Walk(walk::WalkCommand),
     /// Compare the simulators with closed forms and references
     Verify(verify::Verify),
@@ -187,40 +197,71 @@ enum Command {
     RunForWatch(worker::Ask),
 }
 
-/// Returns the algebra of a name.
-#[cfg(feature = "derive")]
-fn algebra(name: &str) -> Result<Algebra, String> {
-    let known = Algebra::ALL.iter().find(|algebra| algebra.name() == name);
-    known.copied().ok_or_else(|| {
-        let names: Vec<&str> = Algebra::ALL.iter().map(|algebra| algebra.name()).collect();
-        format!("this build supports {}", names.join(" and "))
+/// Returns the command line of the program.
+#[must_use]
+pub fn command() -> clap::Command {
+    let command = groups::grouped(Cli::command());
+    // Without a scene, no single run takes these options.
+    command.mut_subcommand("verify", |verify| {
+        verify.mut_args(|arg| match arg.get_help_heading() {
+            Some("Run" | "Machine") if arg.get_id() != "set" => arg.requires("scene"),
+            _ => arg,
+        })
     })
 }
 
-/// Returns the algebra that the environment names, if any.
+/// Returns an error for options before a command that does not have them.
 #[cfg(feature = "derive")]
-fn algebra_of_environment() -> Result<Option<Algebra>, Failure> {
-    const VARIABLE: &str = "MACHINIST_ALGEBRA";
-    let Some(name) = std::env::var_os(VARIABLE).filter(|name| !name.is_empty()) else {
-        return Ok(None);
+fn check_place(command: &clap::Command, matches: &ArgMatches) -> Result<(), Failure> {
+    let given = ["algebra", "no_cache"].into_iter().find(|option| {
+        let is_given = matches.value_source(option) == Some(ValueSource::CommandLine);
+        let inner = matches.subcommand_name().and_then(|name| command.find_subcommand(name));
+        is_given
+            && !inner.is_some_and(|inner| inner.get_arguments().any(|arg| arg.get_id() == option))
+    });
+    given.map_or(Ok(()), |option| {
+        let (option, name) = (option.replace('_', "-"), matches.subcommand_name());
+        let message =
+            format!("`{}` derives nothing, so it takes no `--{option}`", name.unwrap_or_default());
+        Err(Failure::input(message, "leave the option out"))
+    })
+}
+
+/// Returns the colours asked for, before the command line is parsed.
+fn asked_colours() -> Option<Colours> {
+    let arguments: Vec<String> =
+        std::env::args_os().map(|argument| argument.to_string_lossy().into_owned()).collect();
+    let value = |(at, argument): (usize, &String)| {
+        let rest = ["--colours", "--color"].iter().find_map(|name| argument.strip_prefix(name))?;
+        let next = || arguments.get(at + 1).cloned();
+        let value =
+            if rest.is_empty() { next() } else { rest.strip_prefix('=').map(str::to_owned) };
+        Colours::from_str(&value?, false).ok()
     };
-    let name = name.to_string_lossy();
-    let refuse = |known| Failure::input(format!("{VARIABLE} is `{}`", name.escape_debug()), known);
-    algebra(&name).map(Some).map_err(refuse)
+    arguments.iter().enumerate().find_map(value)
 }
 
 /// Runs the command that the arguments of this process ask for.
 #[must_use]
 pub fn main() -> ExitCode {
-    let cli = Cli::parse();
-    #[cfg(feature = "derive")]
-    if cli.no_cache {
-        deriving::turn_off_cache();
+    if let Err(failure) = config::load() {
+        return failure.tell();
     }
+    let choice = match asked_colours().or_else(config::colours) {
+        None | Some(Colours::Auto) => ColorChoice::Auto,
+        Some(Colours::Always) => ColorChoice::Always,
+        Some(Colours::Never) => ColorChoice::Never,
+    };
+    let mut command = command().color(choice);
+    let matches = command.get_matches_mut();
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    cli.colours.or_else(config::colours).into_iter().for_each(config::colour_messages);
     #[cfg(feature = "derive")]
-    match cli.algebra.map_or_else(algebra_of_environment, |named| Ok(Some(named))) {
-        Ok(named) => named.into_iter().for_each(deriving::derive_by),
-        Err(failure) => return failure.tell(),
+    {
+        if let Err(failure) = check_place(&command, &matches) {
+            return failure.tell();
+        }
+        cli.derivation.apply();
     }
     let done = match cli.command {
         #[cfg(feature = "derive")]
@@ -249,7 +290,11 @@ pub fn main() -> ExitCode {
         Command::Response(command) => command.execute(),
         Command::Linearize(command) => command.execute(),
         Command::Cycle(command) => command.execute(),
-        Command::Walk(command) => command.execute(),
+        Command::Studies(command) => command.execute(),
+        Command::Walk(command) => {
+            eprintln!("machinist: `walk` is now `studies walk`");
+            command.execute()
+        }
         Command::Verify(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Report(command) => command.execute(),
@@ -284,10 +329,9 @@ pub fn main() -> ExitCode {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory as _;
 
     #[test]
     fn the_command_line_is_consistent() {
-        Cli::command().debug_assert();
+        command().debug_assert();
     }
 }

@@ -25,6 +25,7 @@ use machinist_model::{Model, ModelSimulator, SourceFile};
 use miette::Report;
 use serde::{Deserialize, Serialize};
 
+use crate::config;
 use crate::failure::{Failure, all};
 use crate::progress::during;
 use crate::spec_source::SpecSource;
@@ -55,6 +56,11 @@ pub struct Request {
 /// Algebra for all further derivations in this process, if the user names one.
 static ALGEBRA: OnceLock<Algebra> = OnceLock::new();
 
+/// Returns the algebra that the user named, if any.
+fn named_algebra() -> Option<Algebra> {
+    ALGEBRA.get().copied().or_else(config::algebra_for_derivation)
+}
+
 /// Sets the algebra for all further derivations. Only the first call has an effect.
 pub fn derive_by(algebra: Algebra) {
     let _ = ALGEBRA.set(algebra);
@@ -62,7 +68,7 @@ pub fn derive_by(algebra: Algebra) {
 
 /// True if the user named the algebra. Emitted code is that of the default one.
 pub fn is_algebra_named() -> bool {
-    ALGEBRA.get().is_some()
+    named_algebra().is_some()
 }
 
 /// Purpose of a derivation, which decides the algebra unless the user names it.
@@ -77,7 +83,7 @@ pub enum Purpose {
 impl Purpose {
     /// Returns the algebra that derives a system.
     fn algebra(self, system: &LagrangianSystem) -> Algebra {
-        ALGEBRA.get().copied().unwrap_or_else(|| match self {
+        named_algebra().unwrap_or_else(|| match self {
             Self::Running => Algebra::default(),
             Self::Reading => Algebra::most_simplifying(system.coordinates.len()),
         })

@@ -6,6 +6,7 @@
 //! This is a library only for its tests. Other programs should depend on `machinist`.
 
 mod cli;
+mod config;
 #[cfg(feature = "derive")]
 mod deriving;
 #[cfg(feature = "derive")]
@@ -33,4 +34,5 @@ mod urdf;
 #[cfg(feature = "derive")]
 mod watch;
 
-pub use cli::main;
+pub use cli::{command, main};
+pub use config::KEYS as CONFIGURATION_KEYS;

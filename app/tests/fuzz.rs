@@ -96,10 +96,18 @@ fn names(scene: &str) -> Vec<String> {
 /// Commands that answer soon, whether they take a scene, and their options.
 const COMMANDS: &[(&str, bool, &[&str])] = &[
     ("run", true, &["set", "set", "rtol", "method", "points", "elements", "order", "modes"]),
-    ("run", true, &["set", "rtol", "method", "from", "columns", "out", "points"]),
+    ("run", true, &["set", "rtol", "atol", "method", "from", "columns", "out", "points"]),
+    ("run", true, &["initial", "code", "start", "max-steps", "time-limit", "fixed"]),
     ("run", true, &["set", "set", "method"]),
-    ("sweep", true, &["set", "rtol", "method", "points", "threads", "outputs", "extremes"]),
-    ("modes", true, &["set", "at", "json"]),
+    (
+        "sweep",
+        true,
+        &[
+            "set", "initial", "from", "atol", "rtol", "method", "points", "threads", "outputs",
+            "extremes",
+        ],
+    ),
+    ("modes", true, &["set", "at", "json", "until", "max-steps"]),
     ("response", true, &["set", "at", "range", "points"]),
     ("campbell", true, &["set", "at", "json", "orders"]),
     ("sensitivity", true, &["set", "rtol", "method", "points", "outputs", "parameters", "json"]),
@@ -117,7 +125,10 @@ const COMMANDS: &[(&str, bool, &[&str])] = &[
 const COUNTS: &[&str] =
     &["0", "1", "2", "3", "11", "64", "-1", "4294967296", "18446744073709551616", "nan", "1e3"];
 /// Times so close that runs end soon.
-const TIMES: &[&str] = &["0.01", "0", "-0.0", "0.009", "0.02", "-0.001", "nan", "inf", "1e-320"];
+const TIMES: &[&str] = &[
+    "0.01", "0", "-0.0", "0.009", "0.02", "-0.001", "nan", "inf", "1e-320", "10ms", "5 um",
+    "1e300 d",
+];
 const PLACES: &[&str] = &["equilibrium", "initial", "t=0.01", "t=nan", "t=-1", "t=", "nowhere"];
 
 /// Returns an option with its value, mostly one that the command takes.
@@ -131,18 +142,19 @@ fn option(rng: &mut Rng, taken: &[&str], names: &[String]) -> Vec<String> {
     let flag = one(rng, taken);
     let value = match flag.as_str() {
         "json" | "extremes" => None,
-        "set" => Some(format!("{}={}", name(rng), one(rng, EXTREMES))),
+        "set" | "initial" => Some(format!("{}={}", name(rng), one(rng, EXTREMES))),
         "method" => Some(one(rng, METHODS)),
-        "from" => Some(one(rng, TIMES)),
+        "from" | "until" | "time-limit" | "fixed" => Some(one(rng, TIMES)),
+        "code" => Some(one(rng, &["compiled", "interpreted", "fast"])),
+        "start" => Some(one(rng, &["given", "equilibrium", "here"])),
         "at" => Some(one(rng, PLACES)),
         "columns" | "outputs" | "parameters" => Some(format!("{},{}", name(rng), name(rng))),
         "orders" => Some(format!("{},{}", one(rng, EXTREMES), one(rng, EXTREMES))),
         "window" => Some(one(rng, &["rectangle", "hann", "flat_top", "round"])),
         "out" => Some(one(rng, &["-", "-", "", "/nowhere/a.csv", "a.xls"])),
         "range" => Some(format!("{}:{}", one(rng, EXTREMES), one(rng, EXTREMES))),
-        "points" | "elements" | "order" | "modes" | "threads" | "samples" | "peaks" | "top" => {
-            Some(one(rng, COUNTS))
-        }
+        "points" | "max-steps" | "elements" | "order" | "modes" | "threads" | "samples"
+        | "peaks" | "top" => Some(one(rng, COUNTS)),
         _ => Some(one(rng, EXTREMES)),
     };
     let flag = format!("--{flag}");
@@ -181,7 +193,9 @@ fn command_line(rng: &mut Rng) -> Vec<String> {
                 [format!("{of}({a})"), format!("{of}(abs({a} - {b}))"), format!("{a}*{of}({b})")];
             line.extend([format!("--of={}", of[rng.usize(0..3)]), "--until=0.01".to_owned()]);
         }
-        "response" => line.extend(["--from".to_owned(), name(rng), "--to".to_owned(), name(rng)]),
+        "response" => {
+            line.extend(["--input".to_owned(), name(rng), "--output".to_owned(), name(rng)]);
+        }
         _ => {}
     }
     for _ in 0..[0, 1, 1, 1, 2, 4][rng.usize(0..6)] {

@@ -53,7 +53,8 @@ fn a_force_on_a_coordinate_has_the_feedthrough_of_a_parameter() {
         assert_eq!(found["inputs"][0]["unit"], "N");
     }
     // Far above the resonance the mass is free: its acceleration is the force over it.
-    let response = ["response", "shaken.toml", "--from", "body.x", "--to", "rate", "--out", "-"];
+    let response =
+        ["response", "shaken.toml", "--input", "body.x", "--output", "rate", "--out", "-"];
     let range = ["--range", "1e6:1e7", "--points", "2"];
     let table = answer(machinist(folder.path(), &[&response[..], &range].concat()));
     let last = table.lines().last().expect("a row").split(',').nth(1).expect("an amplitude");

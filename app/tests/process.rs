@@ -14,7 +14,11 @@ pub fn machinist(folder: impl AsRef<Path>, arguments: &[&str]) -> Command {
         .current_dir(folder)
         .env("MACHINIST_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/cache"))
         .env("NO_COLOR", "1")
-        .env_remove("MACHINIST_ALGEBRA");
+        .env("XDG_CONFIG_HOME", concat!(env!("CARGO_TARGET_TMPDIR"), "/config"));
+    for key in machinist_app::CONFIGURATION_KEYS {
+        command.env_remove(format!("MACHINIST_{}", key.to_uppercase()));
+    }
+    command.env_remove("COLUMNS");
     command
 }
 

@@ -36,7 +36,7 @@ fn lines_of_a_shaken_mass_are_those_of_its_closed_form() {
     let [scene, json, plot] = ["a.toml", "a.json", "a.svg"].map(|name| folder.path().join(name));
     fs::write(&scene, shaken::scene(FORCE, MORE)).expect("written");
     // By 20 s the transient has decayed to e^-40.
-    let stretch = ["spectrum", text(&scene), "--from", "20", "--samples", "900"];
+    let stretch = ["spectrum", text(&scene), "--settle", "20", "--samples", "900"];
     for window in ["rectangle", "hann", "flat_top"] {
         let out = ["--window", window, "--out", text(&json), "--plot", text(&plot)];
         let told = answer(&[&stretch[..], &out].concat());
@@ -87,8 +87,8 @@ fn spectra_of_nothing_are_refused() {
     let of = |more: &[&'static str]| [&["spectrum", "two_mass"], more].concat();
     assert_refused(&of(&["--outputs", "twits"]), &["twits", "did you mean `twist`?"]);
     assert_refused(&of(&["--samples", "1"]), &["--samples 1", "2 to 10000000"]);
-    assert_refused(&of(&["--from", "0.5"]), &["the interval from 0.5 s to 0.5 s is empty"]);
-    assert_refused(&of(&["--from", "-1"]), &["begins at 0 s"]);
+    assert_refused(&of(&["--settle", "0.5"]), &["the interval from 0.5 s to 0.5 s is empty"]);
+    assert_refused(&of(&["--settle", "-1"]), &["begins at 0 s"]);
     assert_refused(&of(&["--window", "square"]), &["square", "rectangle"]);
     assert_refused(&of(&["--out", "lines.xls"]), &[".csv or .json"]);
     let heavy =

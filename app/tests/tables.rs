@@ -107,7 +107,8 @@ fn a_variant_that_stops_has_no_results_and_its_reason() {
 #[test]
 fn runs_spectra_responses_and_diagrams_are_tables_too() {
     let folder = tempfile::tempdir().expect("a folder");
-    let response = ["--from", "load_torque", "--to", "twist", "--points", "5", "--at", "initial"];
+    let response =
+        ["--input", "load_torque", "--output", "twist", "--points", "5", "--at", "initial"];
     let speeds = ["--parameter", "coupling.stiffness=1e4..2e4", "--count", "3", "--at", "initial"];
     let commands: [(&str, &[&str], usize, &str); 4] = [
         ("run", &["--points", "7"], 7, "time"),

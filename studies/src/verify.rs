@@ -274,6 +274,12 @@ pub fn render_table(verdicts: &[Verdict]) -> String {
         ]
     });
     let header = ["", "scene", "check", "error", "tolerance", "because", "against"];
+    format!("{}\n{}\n", text_table(header, cells), tally_line(verdicts))
+}
+
+/// Returns a line with the counts of checks, and the names of those that were not done.
+#[must_use]
+pub fn tally_line(verdicts: &[Verdict]) -> String {
     let Tally { checked, passed, left_out, unchecked } = Tally::of(verdicts);
     let failed = checked - passed;
     let more = [(left_out, "left out"), (unchecked, "not checked")].into_iter();
@@ -283,10 +289,12 @@ pub fn render_table(verdicts: &[Verdict]) -> String {
     let names: Vec<String> = names.map(|row| format!("{} of {}", row.check, row.scene)).collect();
     let names = if names.is_empty() { String::new() } else { format!(": {}", names.join("; ")) };
     let more: String = more.chain([names]).collect();
-    format!("{}\n{checked} checks, {failed} failed{more}\n", text_table(header, cells))
+    format!("{checked} checks, {failed} failed{more}")
 }
 
-fn outcome(verdict: &Verdict) -> &'static str {
+/// Returns the outcome of a check in a word.
+#[must_use]
+pub fn outcome(verdict: &Verdict) -> &'static str {
     match verdict {
         Verdict { skipped: Some(_), .. } => "skip",
         Verdict { unchecked: Some(_), .. } => "open",
@@ -295,7 +303,9 @@ fn outcome(verdict: &Verdict) -> &'static str {
     }
 }
 
-fn number(verdict: &Verdict, value: f64) -> String {
+/// Formats an error or a tolerance; empty if the check was not done.
+#[must_use]
+pub fn number(verdict: &Verdict, value: f64) -> String {
     let is_asked = verdict.skipped.is_none() && verdict.unchecked.is_none();
     if is_asked { format!("{value:.1e}") } else { String::new() }
 }

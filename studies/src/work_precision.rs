@@ -109,33 +109,28 @@ impl Point {
 /// [`SimulateError`] if a tolerance is out of range, or if no method completes the run at any tight
 /// tolerance, so that there is no reference. A method that stops is not an error but a [`Stop`].
 pub fn measure(
-    simulator: &dyn Simulator<f64>,
+    machine: &Simulation<'_>,
     twin: Option<&dyn Twin>,
     plan: &Plan,
 ) -> Result<WorkPrecision, SimulateError> {
     if let Some(rtol) = plan.tolerances.iter().find(|rtol| !(**rtol > 0.0 && **rtol <= 1.0)) {
         return Err(SimulateError::BadTolerance(*rtol));
     }
-    let reference = Reference::of(simulator, twin, plan.time_limit)?;
+    let reference = Reference::of(machine, twin, plan.time_limit)?;
     let curves = plan
         .methods
         .iter()
-        .filter(|method| method.suits(simulator))
-        .map(|method| curve(simulator, *method, plan, &reference));
+        .filter(|method| method.suits(machine.simulator()))
+        .map(|method| curve(machine, *method, plan, &reference));
     let curves = curves.collect();
-    Ok(WorkPrecision { scene: simulator.name().to_owned(), reference, curves })
+    Ok(WorkPrecision { scene: machine.simulator().name().to_owned(), reference, curves })
 }
 
-fn curve(
-    simulator: &dyn Simulator<f64>,
-    method: Method,
-    plan: &Plan,
-    reference: &Reference,
-) -> Curve {
+fn curve(machine: &Simulation<'_>, method: Method, plan: &Plan, reference: &Reference) -> Curve {
     let (mut points, mut stopped) = (Vec::new(), Vec::new());
     for rtol in &plan.tolerances {
         // A method that stops at a loose tolerance may complete the run at a tight one.
-        match point(simulator, method, *rtol, plan, reference) {
+        match point(machine, method, *rtol, plan, reference) {
             Ok(point) => {
                 points.push(point);
                 if point.milliseconds > plan.longest {
@@ -149,7 +144,7 @@ fn curve(
 }
 
 fn point(
-    simulator: &dyn Simulator<f64>,
+    machine: &Simulation<'_>,
     method: Method,
     rtol: f64,
     plan: &Plan,
@@ -157,7 +152,7 @@ fn point(
 ) -> Result<Point, SimulateError> {
     let timed = || {
         let start = Instant::now();
-        let trajectory = run(simulator, method, rtol, plan.time_limit).run()?;
+        let trajectory = run(machine, method, rtol, plan.time_limit).run()?;
         Ok::<_, SimulateError>((start.elapsed().as_secs_f64() * 1e3, trajectory))
     };
     let (first, trajectory) = timed()?;
@@ -177,13 +172,14 @@ fn point(
 /// Output times of a measured run.
 const POINTS: usize = 101;
 
-fn run(
-    simulator: &dyn Simulator<f64>,
+/// Returns the run of a machine by a method, with its parameters, start and end.
+fn run<'a>(
+    machine: &Simulation<'a>,
     method: Method,
     rtol: f64,
     time_limit: Option<Duration>,
-) -> Simulation<'_> {
-    let run = Simulation::new(simulator).points(POINTS).method(method).rtol(rtol);
+) -> Simulation<'a> {
+    let run = machine.clone().points(POINTS).method(method).rtol(rtol);
     time_limit.into_iter().fold(run, Simulation::time_limit)
 }
 

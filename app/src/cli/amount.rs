@@ -1,4 +1,5 @@
-//! Numbers on the command line, with or without a unit of measure: `23065.2`, `18 [kN m/rad]`.
+//! Numbers on the command line, with or without a unit of measure: `23065.2`, `500ms`,
+//! `1200 mm`, `18 kN m/rad`. A number without a unit is in SI units.
 
 use machinist::Simulation;
 use machinist_contract::{Quantity, Simulator};
@@ -17,19 +18,26 @@ pub struct Amount {
 }
 
 impl Amount {
-    /// Parses a number.
+    /// Parses a number, with a unit behind it that may stand in brackets, as in specs.
     ///
     /// # Errors
     /// If it is not a finite number, or if its unit is unknown or cannot be read by this build.
     pub fn parse(text: &str) -> Result<Self, String> {
         let text = text.trim();
-        let (number, unit) = match text.strip_suffix(']').and_then(|text| text.split_once('[')) {
-            Some((number, unit)) => (number.trim_end(), Some(unit.trim())),
-            None => (text, None),
-        };
+        if text.parse::<f64>().is_ok_and(|value| !value.is_finite()) {
+            return Err(format!("`{text}` is not a finite number"));
+        }
+        let (number, unit) = text.split_at(number_length(text));
         let value: f64 = number.parse().map_err(|_| format!("`{text}` is not a number"))?;
+        let unit = unit.trim();
+        let in_brackets = unit.strip_prefix('[').and_then(|unit| unit.strip_suffix(']'));
+        let unit = match in_brackets.unwrap_or(unit).trim() {
+            "" if in_brackets.is_none() => None,
+            unit => Some(unit),
+        };
         let factor = unit.map_or(Ok(1.0), factor_of)?;
-        let value = value * factor;
+        // Exact for `ms` and the like, whose inverse factors are whole.
+        let value = if factor < 1.0 { value / (1.0 / factor) } else { value * factor };
         if value.is_finite() {
             return Ok(Self { value, unit: unit.map(str::to_owned) });
         }
@@ -52,6 +60,56 @@ impl Amount {
         let Some(quantity) = quantity_of(run.simulator(), name) else { return Ok(()) };
         self.check(name, quantity.unit)
     }
+}
+
+/// Returns the length of the number at the start of a text: digits with a sign, a decimal point and
+/// an exponent. The exponent needs digits, so that the unit of `5eV` is `eV`.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| {
+        let rest = bytes.get(from..).unwrap_or_default();
+        rest.iter().take_while(|byte| byte.is_ascii_digit()).count()
+    };
+    let is_one_of = |at: usize, known: &[u8]| bytes.get(at).is_some_and(|b| known.contains(b));
+    let mut end = usize::from(is_one_of(0, b"+-"));
+    end += digits(end);
+    if is_one_of(end, b".") {
+        end += 1 + digits(end + 1);
+    }
+    if is_one_of(end, b"eE") {
+        let from = end + 1 + usize::from(is_one_of(end + 1, b"+-"));
+        if digits(from) > 0 {
+            end = from + digits(from);
+        }
+    }
+    end
+}
+
+/// Returns a parser of numbers in this unit or another one of its dimension. Results are in SI
+/// units.
+pub fn quantity(
+    wanted: &'static str,
+) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static {
+    move |text| {
+        let amount = Amount::parse(text)?;
+        match amount.unit {
+            Some(unit) if !is_alike(&unit, wanted) => {
+                Err(format!("`{text}` is in {unit}, but must be in {wanted}"))
+            }
+            _ => Ok(amount.value),
+        }
+    }
+}
+
+/// Parses a time: `5`, `5 s`, `500ms` or `2min`. The result is in seconds.
+pub fn time(text: &str) -> Result<f64, String> {
+    quantity("s")(text).map_err(|why| format!("{why}; write a time as 5, 500ms or \"2 min\""))
+}
+
+/// Parses a number that has no unit.
+pub fn plain(text: &str) -> Result<f64, String> {
+    let Amount { value, unit } = Amount::parse(text)?;
+    unit.map_or(Ok(value), |unit| Err(format!("it has no unit, but `{text}` is in {unit}")))
 }
 
 /// Returns the parameter or state of a name.
@@ -81,6 +139,20 @@ pub fn is_alike(unit: &str, wanted: &str) -> bool {
         (Ok(unit), Ok(wanted)) => unit.unit.dimension == wanted.unit.dimension,
         _ => false,
     }
+}
+
+/// Returns whether a frequency in this unit is a number of cycles, as in Hz, and not an angle, as in
+/// rad/s and rpm, for each time.
+#[cfg(feature = "derive")]
+pub fn is_in_cycles(unit: &str) -> bool {
+    use machinist_codegen::spec::measure::Measure;
+
+    Measure::parse(unit).is_ok_and(|measure| measure.unit.rad == 0)
+}
+
+#[cfg(not(feature = "derive"))]
+pub fn is_in_cycles(_: &str) -> bool {
+    false
 }
 
 /// Returns the conversion from one unit to another: `f x` or, for f < 1, `x / (1/f)`, which is
@@ -141,7 +213,8 @@ mod tests {
     fn an_assignment_has_a_name_and_a_finite_number() {
         let amount = Amount { value: 2000.0, unit: None };
         assert_eq!(assignment("a.b = 2e3"), Ok(("a.b".to_owned(), amount)));
-        for bad in ["a.b", "a.b=", "a.b=x", "a.b=inf", "a.b=NaN", "a.b=[m]", "a.b=1 m"] {
+        for bad in ["a.b", "a.b=", "a.b=x", "a.b=inf", "a.b=NaN", "a.b=[m]", "a.b=1 [m", "a.b=1 []"]
+        {
             assert!(assignment(bad).is_err(), "{bad}");
         }
     }
@@ -153,12 +226,38 @@ mod tests {
             ("18 [kN m/rad]", 18e3),
             ("-2.5[mm]", -2.5e-3),
             ("90 [deg]", std::f64::consts::FRAC_PI_2),
+            ("500ms", 0.5),
+            ("1e3 mm", 1.0),
+            ("-.5e+1mm", -5e-3),
+            ("18 kN m/rad", 18e3),
+            ("2.min", 120.0),
         ] {
             assert!((Amount::parse(text).unwrap().value / value - 1.0).abs() < 1e-15, "{text}");
         }
-        assert!(Amount::parse("1 [parsec]").unwrap_err().contains("parsec"));
+        for bad in ["1 [parsec]", "1parsec", "1e parsec"] {
+            assert!(Amount::parse(bad).unwrap_err().contains("parsec"), "{bad}");
+        }
         let amount = Amount::parse("18 [kN m/rad]").unwrap();
         assert!(amount.check("k", "N m/rad").is_ok() && amount.check("k", "N/m").is_err());
+    }
+
+    #[cfg(feature = "derive")]
+    #[test]
+    fn options_take_the_dimension_that_they_need() {
+        assert_eq!(time("2min"), Ok(120.0));
+        assert_eq!(time("100us"), Ok(1e-4));
+        assert_eq!(time("1.5"), Ok(1.5));
+        for (bad, reason) in [
+            ("5 m", "must be in s"),
+            ("", "not a number"),
+            ("soon", "500ms"),
+            ("nan", "finite"),
+            ("1e300 d", "finite"),
+        ] {
+            assert!(time(bad).unwrap_err().contains(reason), "{bad}: {:?}", time(bad));
+        }
+        assert_eq!(plain("1e-6"), Ok(1e-6));
+        assert!(plain("1e-6 s").unwrap_err().contains("has no unit"));
     }
 
     #[cfg(not(feature = "derive"))]

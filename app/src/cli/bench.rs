@@ -4,28 +4,35 @@ use clap::Args;
 use machinist::Method;
 use machinist_studies::work_precision::{Curve, Plan, Point, TOLERANCES, WorkPrecision, measure};
 
+use super::amount::plain;
+use super::arguments::{SceneArgs, SpanArgs, TimeArgs};
 use super::output::{columns, print, print_with};
-use super::scene::Scene;
+use super::scene::{Loading, Scene};
 use crate::failure::Failure;
 use crate::number::number;
 use crate::progress::during;
 
 #[derive(Debug, Args)]
 pub struct Bench {
-    /// Name of a built-in scene, or a scene file
-    scene: String,
     /// Methods, all by default
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     methods: Vec<String>,
     /// Relative tolerances
-    #[arg(long, value_name = "TOLERANCES", value_delimiter = ',', default_values_t = TOLERANCES)]
+    #[arg(long, value_name = "TOLERANCES", value_delimiter = ',', value_parser = plain,
+        default_values_t = TOLERANCES)]
     rtols: Vec<f64>,
     /// Number of runs, whose median time is reported
     #[arg(long, value_name = "NUMBER", default_value_t = 25)]
     runs: usize,
     /// Print JSON
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    span: SpanArgs,
+    #[command(flatten)]
+    time: TimeArgs,
 }
 
 impl Bench {
@@ -38,9 +45,11 @@ impl Bench {
         }
         plan.tolerances.clone_from(&self.rtols);
         plan.tolerances.sort_by(|a, b| b.total_cmp(a));
-        let scene = Scene::load_compiled(&self.scene)?;
-        let measured =
-            during("timing the methods", || measure(scene.simulator(), scene.twin(), &plan))?;
+        plan.time_limit = self.time.limit();
+        let loading = Loading { is_timed: true, ..self.scene.machine.loading() };
+        let scene = Scene::load(&self.scene.scene, &loading)?;
+        let run = self.span.apply(self.scene.simulation(scene.simulator())?);
+        let measured = during("timing the methods", || measure(&run, scene.twin(), &plan))?;
         if self.json {
             return print_with(|out| {
                 serde_json::to_writer_pretty(&mut *out, &measured)?;

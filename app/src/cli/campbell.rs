@@ -27,18 +27,17 @@ const MOST_VALUES: usize = 10_000;
 
 #[derive(Debug, Args)]
 pub struct CampbellDiagram {
-    #[command(flatten)]
-    at: Where,
     /// Parameter and its values, equally spaced, or logarithmically with `:log`
     #[arg(
         long,
+        visible_alias = "over",
         value_name = "UNIT.PARAMETER=FROM..TO[:log]",
         value_parser = range,
         required_unless_present = "speeds"
     )]
     parameter: Option<Range>,
     /// Speeds for the orders, if the machine does not depend on the speed: in rad/s, or with a
-    /// unit, `0..6000 [rpm]`
+    /// unit, `0..6000rpm`
     #[arg(
         long,
         value_name = "FROM..TO",
@@ -57,20 +56,22 @@ pub struct CampbellDiagram {
     #[arg(long, value_name = "ORDERS", value_delimiter = ',', default_value = "1")]
     orders: Vec<f64>,
     /// Write the frequencies to a .csv file; - writes only CSV to standard output
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot the frequencies and the orders to a .svg or .png file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot: Option<PathBuf>,
     /// Show speeds in rpm, except in JSON
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     rpm: bool,
     /// Show frequencies in Hz, except in JSON
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     hz: bool,
     /// Print JSON, in SI units
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
+    #[command(flatten)]
+    at: Where,
 }
 
 /// Parses `from..to`, as `--speeds` takes it.

@@ -11,6 +11,7 @@ use machinist_contract::Describe as _;
 use machinist_model::file::Stamped;
 use machinist_model::{Model, ModelSimulator};
 
+use super::arguments::DeriveArgs;
 use super::output::print;
 use super::scene::{BENCH, Given};
 use super::specs;
@@ -23,10 +24,13 @@ pub struct Check {
     /// Scene files, folders of them, or names of scenes
     #[arg(required = true, value_name = "PATH")]
     paths: Vec<String>,
+    #[command(flatten)]
+    derivation: DeriveArgs,
 }
 
 impl Check {
     pub fn execute(&self) -> Result<(), Failure> {
+        self.derivation.apply();
         let (mut files, mut text) = (Vec::<SpecSource>::new(), String::new());
         for path in &self.paths {
             if Path::new(path).is_dir() {

@@ -5,29 +5,28 @@ use std::path::PathBuf;
 use clap::Args;
 use machinist_model::file;
 
+use super::arguments::SourceArgs;
 use super::output::{print, require_ending, write_file};
 use super::scene::{Given, MODEL_ENDING, derived_stamped};
 use crate::failure::Failure;
 
 #[derive(Debug, Args)]
 pub struct Compile {
-    /// Name or file of the scene
-    scene: String,
     /// Model file to write, ending in .model
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: PathBuf,
-    /// Keep everything, even what no output needs
-    #[arg(long)]
-    keep_all: bool,
+    #[command(flatten)]
+    scene: SourceArgs,
 }
 
 impl Compile {
     pub fn execute(&self) -> Result<(), Failure> {
         require_ending(&self.out, &[MODEL_ENDING], "--out")?;
-        let stamped = match Given::of(&self.scene)? {
-            Given::Spec(source) => derived_stamped(&source, self.keep_all)?,
+        let SourceArgs { scene, keep, .. } = &self.scene;
+        let stamped = match self.scene.given()? {
+            Given::Spec(source) => derived_stamped(&source, keep.keep_all)?,
             Given::Model(_) => {
-                let message = format!("{} is already a model", self.scene);
+                let message = format!("{scene} is already a model");
                 return Err(Failure::input(message, "copy it, or give the spec of a scene"));
             }
         };

@@ -1,6 +1,6 @@
 //! `machinist completions`: shell completions of commands and options.
 
-use clap::{Args, Command, CommandFactory as _, ValueEnum};
+use clap::{Args, Command, ValueEnum};
 use clap_complete::{Shell as Known, generate};
 
 use super::output::print_with;
@@ -28,7 +28,7 @@ impl Completions {
             Shell::Fish => Known::Fish,
         };
         let mut text = Vec::new();
-        generate(shell, &mut shown(&super::Cli::command()), "machinist", &mut text);
+        generate(shell, &mut shown(&super::command()), "machinist", &mut text);
         print_with(|out| out.write_all(&text))
     }
 }

@@ -12,14 +12,14 @@ use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use machinist_contract::Simulator;
 use serde_json::json;
 
-use super::amount::{Amount, assignment};
+use super::amount::{Amount, time};
+use super::arguments::{RunArgs, SceneArgs};
 use super::output::{
     columns, counted_events, draw_file, is_standard_output, notes_told, print, print_with,
     require_picture, write_file,
 };
 use super::range::{Range, range};
 use super::scene::Scene;
-use super::settings::{with_method, with_parameters};
 use crate::failure::{Failure, did_you_mean};
 use crate::interrupt;
 use crate::number::number;
@@ -34,34 +34,23 @@ const SHOWN: usize = 12;
 
 #[derive(Debug, Args)]
 pub struct CycleCommand {
-    /// Name of a built-in scene, or a scene file
-    scene: String,
-    /// Keep everything, even what no output needs
-    #[arg(long)]
-    keep_all: bool,
-    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
-    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, Amount)>,
-    /// Set the initial value of a state
-    #[arg(long, value_name = "UNIT.STATE=VALUE", value_parser = assignment)]
-    initial: Vec<(String, Amount)>,
-    /// Period of the excitation: a time, s, or the parameter that determines it, in rad/s, Hz or s.
+    /// Period of the excitation: a time, or the parameter that determines it, in rad/s, Hz or s.
     /// Default: unknown, of a machine that does not depend on time
     #[arg(long, value_name = "TIME|PARAMETER", value_parser = period)]
     period: Option<Excitation>,
     /// Number of periods of the excitation in a period of the motion
     #[arg(long, value_name = "NUMBER", default_value_t = 1, requires = "period")]
     multiple: usize,
-    /// First guess of an unknown period, s. Default: the latest return of the settled motion
-    #[arg(long, value_name = "TIME", conflicts_with = "period")]
+    /// First guess of an unknown period. Default: the latest return of the settled motion
+    #[arg(long, value_name = "TIME", value_parser = time, conflicts_with = "period")]
     guess: Option<f64>,
     /// Angles that advance by whole turns in a period, `rotor.phi=1`
     #[arg(long, value_name = "UNIT.ANGLE=TURNS", value_parser = turns, value_delimiter = ',',
         allow_hyphen_values = true)]
     turns: Vec<(String, f64)>,
-    /// Time for which the machine runs before the search begins, s; 0 starts from the initial
-    /// values. Default: the length of the scene's run
-    #[arg(long, value_name = "TIME")]
+    /// Time for which the machine runs before the search begins; 0 starts from the initial values.
+    /// Default: until the end of the scene's run
+    #[arg(long, value_name = "TIME", value_parser = time, conflicts_with = "until")]
     settle: Option<f64>,
     /// Number of segments of the period (multiple shooting), for unstable motions
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
@@ -69,21 +58,6 @@ pub struct CycleCommand {
     /// Number of output times of the motion, including both ends
     #[arg(long, value_name = "NUMBER", default_value_t = 401)]
     points: usize,
-    /// Relative tolerance of the runs. Default: that of the scene, and at most 1e-10
-    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
-    rtol: Option<f64>,
-    /// Integration method, one that computes sensitivities
-    #[arg(long, value_name = "NAME")]
-    method: Option<String>,
-    /// Outputs and states to report, write and plot. Default: all outputs
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    columns: Vec<String>,
-    /// Write the motion over one period, or the branch of --over, to a .csv file; - writes only CSV to standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
-    /// Plot the motion, or amplitudes over the parameter of --over, to a .svg or .png file
-    #[arg(long, value_name = "FILE")]
-    plot: Option<PathBuf>,
     /// Follow the motion over a parameter, also where the branch turns back, from the first value
     /// until it leaves the range
     #[arg(long, value_name = "UNIT.PARAMETER=FROM..TO", value_parser = range)]
@@ -94,9 +68,22 @@ pub struct CycleCommand {
     /// Maximum number of points of the branch
     #[arg(long, value_name = "NUMBER", default_value_t = 1000, requires = "over")]
     max_points: usize,
+    /// Outputs and states to report, write and plot. Default: all outputs
+    #[arg(long, help_heading = "Output", value_name = "NAMES", value_delimiter = ',')]
+    columns: Vec<String>,
+    /// Write the motion over one period, or the branch of --over, to a .csv file; - writes only CSV to standard output
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Plot the motion, or amplitudes over the parameter of --over, to a .svg or .png file
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    plot: Option<PathBuf>,
     /// Print JSON, in SI units
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    run: RunArgs,
 }
 
 /// Period of an excitation.
@@ -128,7 +115,7 @@ impl CycleCommand {
     pub fn execute(&self) -> Result<(), Failure> {
         let to_standard_output = is_standard_output(self.out.as_deref())?;
         require_picture(self.plot.as_deref(), "--plot")?;
-        let scene = Scene::load(&self.scene, self.keep_all)?;
+        let scene = self.scene.load()?;
         let simulator = scene.simulator();
         self.check_columns(simulator)?;
         let flag = interrupt::flag();
@@ -143,17 +130,21 @@ impl CycleCommand {
 
     /// Prepares the runs of the search.
     fn run<'s>(&self, simulator: &'s dyn Simulator<f64>) -> Result<Simulation<'s>, Failure> {
-        let mut run = with_parameters(Simulation::new(simulator), &self.set)?;
-        for (name, amount) in &self.initial {
-            amount.check_of(name, &run)?;
-            run = run.initial_value(name, amount.value)?.in_equilibrium(false);
+        let machine = &self.scene.machine;
+        let mut run = machine.simulation(simulator)?;
+        if !machine.initial.is_empty() {
+            run = run.in_equilibrium(false);
         }
-        let rtol = self.rtol.unwrap_or(simulator.run_defaults().rtol.min(RTOL));
-        with_method(run.rtol(rtol), self.method.as_deref())
+        self.run.apply_bounded(run, RTOL)
     }
 
     fn settings(&self, simulator: &dyn Simulator<f64>) -> Result<CycleSettings, Failure> {
-        let defaults = simulator.run_defaults();
+        let from = self.run.span.start_time(simulator);
+        let until = self.run.span.until.unwrap_or(simulator.run_defaults().until);
+        if until < from && self.settle.is_none() {
+            let message = format!("the run ends at {until} s, which is before its start, {from} s");
+            return Err(Failure::input(message, "`--from` and `--until` set both"));
+        }
         let period = match &self.period {
             None => Period::Unknown(self.guess),
             Some(Excitation::Parameter(name)) => Period::Parameter(name.clone()),
@@ -166,7 +157,7 @@ impl CycleCommand {
             period,
             multiple: self.multiple,
             turns: self.turns.clone(),
-            settle: self.settle.unwrap_or(defaults.until - defaults.from),
+            settle: self.settle.unwrap_or(until - from),
             segments: self.segments,
             points: self.points,
             ..CycleSettings::default()
@@ -214,7 +205,7 @@ impl CycleCommand {
         match &self.out {
             Some(_) if to_standard_output => return print_with(table),
             Some(file) if parquet::is_named(file) => {
-                let of = ("cycle", self.scene.as_str(), scene);
+                let of = ("cycle", self.scene.scene.as_str(), scene);
                 let more = json!({ "period": found.period, "stability": found.stability });
                 parquet::write_table(file, &parquet::of_run(&written), of, more)?;
             }

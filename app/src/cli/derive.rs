@@ -3,11 +3,11 @@
 use clap::Args;
 use machinist_algebra::cas::Algebra;
 use machinist_codegen::emit::document::Equation;
-use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::Derivation;
 use machinist_model::Model;
 use serde_json::{Value, json};
 
+use super::arguments::SourceArgs;
 use super::output::{columns, print};
 use super::scene::Given;
 use super::specs::{Cost, costs};
@@ -16,20 +16,21 @@ use crate::failure::Failure;
 
 #[derive(Debug, Args)]
 pub struct Derive {
-    /// Name or file of the scene
-    scene: String,
     /// Print LaTeX
-    #[arg(long, conflicts_with = "json")]
+    #[arg(long, help_heading = "Output", conflicts_with = "json")]
     latex: bool,
     /// Print JSON, with both text and LaTeX
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
+    #[command(flatten)]
+    scene: SourceArgs,
 }
 
 impl Derive {
     pub fn execute(&self) -> Result<(), Failure> {
-        let derivation = match Given::of(&self.scene)? {
-            Given::Spec(source) => deriving::derivation(&source, Keep::Needed, Purpose::Reading)?,
+        let keep = self.scene.keep();
+        let derivation = match self.scene.given()? {
+            Given::Spec(source) => deriving::derivation(&source, keep, Purpose::Reading)?,
             Given::Model(stamped) => return Err(no_equations(&stamped.model)),
         };
         if self.latex {

@@ -2,12 +2,13 @@
 
 use clap::Args;
 use machinist_codegen::lower::structure::Frequency;
-use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::Stages;
 use serde_json::{Value, json};
 
+use super::arguments::SourceArgs;
 use super::output::{columns, print};
-use super::scene::Given;
+use super::scene::{Given, already_reduced};
+use super::table::{SECTION, indented, paragraph, width};
 use crate::deriving::{self, Purpose};
 use crate::explain::{Divided, DividedField, DividedRun, Explanation, Times};
 use crate::failure::Failure;
@@ -17,30 +18,29 @@ use crate::progress::during;
 
 #[derive(Debug, Args)]
 pub struct Explain {
-    /// Name or file of the scene
-    scene: String,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
-    /// Keep everything, even what no output needs
-    #[arg(long)]
-    keep_all: bool,
     /// Do not run the scene to compare times, nor compile it to compare sizes
     #[arg(long)]
     without_times: bool,
+    /// Print JSON
+    #[arg(long, help_heading = "Output")]
+    json: bool,
+    #[command(flatten)]
+    scene: SourceArgs,
 }
 
 impl Explain {
     pub fn execute(&self) -> Result<(), Failure> {
-        let keep = if self.keep_all { Keep::All } else { Keep::Needed };
-        let (source, stages) = match Given::of(&self.scene)? {
+        let SourceArgs { scene, keep, .. } = &self.scene;
+        let (is_whole, keep) = (keep.keep_all, self.scene.keep());
+        let (source, stages) = match self.scene.given()? {
             Given::Spec(source) => {
                 let stages = deriving::derivation(&source, keep, Purpose::Running)?.stages;
-                if !self.keep_all {
+                if !is_whole {
                     admit(&source, stages.needed())?;
                 }
                 (Some(source), stages)
             }
+            Given::Model(_) if is_whole => return Err(already_reduced(scene)),
             Given::Model(stamped) => (None, Stages { whole: stamped.model, steps: Vec::new() }),
         };
         let explanation =
@@ -57,10 +57,10 @@ fn as_text(explanation: &Explanation) -> String {
     let mut text = format!("{}: {}\n\n", explanation.scene, explanation.title);
     text.push_str(&left_out(explanation));
     text.push_str(&sizes(explanation));
-    text.extend(["\nStates: ", &explanation.states.join(", "), "\n"]);
+    text.extend(["\n", &paragraph(&format!("States: {}", explanation.states.join(", ")))]);
     text.push_str("\nStructure\n");
     for line in structure(explanation) {
-        text.extend(["  ", &line, "\n"]);
+        text.push_str(&indented(&line, SECTION, width()));
     }
     text.push_str(&candidates(&explanation.candidates));
     match &explanation.times {
@@ -118,7 +118,7 @@ fn candidates(candidates: &[Candidate]) -> String {
     if candidates.is_empty() {
         return String::new();
     }
-    let lines = candidates.iter().map(|candidate| format!("  {}\n", price(candidate)));
+    let lines = candidates.iter().map(|one| indented(&price(one), SECTION, width()));
     format!("\nCandidates for [freeze]\n{}", lines.collect::<String>())
 }
 

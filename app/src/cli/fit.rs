@@ -17,11 +17,11 @@ use machinist::fit::{
 };
 use machinist_contract::Simulator;
 
-use super::amount::{Amount, assignment, in_si};
+use super::amount::in_si;
+use super::arguments::{RunArgs, SceneArgs};
 use super::output::{print, require_ending, require_picture};
 use super::rewrite::{FoundValue, write_scene};
 use super::scene::Scene;
-use super::settings::{with_method, with_parameters};
 use crate::failure::{Failure, did_you_mean};
 use crate::interrupt;
 use crate::number::number;
@@ -37,8 +37,6 @@ const STEPS: usize = 100;
 
 #[derive(Debug, Args)]
 pub struct FitCommand {
-    /// Name of a built-in scene, or a scene file
-    scene: String,
     /// Measured run: a CSV file with time in its first column; repeatable
     #[arg(long, value_name = "FILE", required_unless_present = "experiments")]
     data: Vec<PathBuf>,
@@ -51,9 +49,6 @@ pub struct FitCommand {
     #[arg(long, value_name = "NAME[=FROM..TO]", value_delimiter = ',', required = true,
         value_parser = asked)]
     parameters: Vec<Asked>,
-    /// Output that a column of the data measures, if their names differ
-    #[arg(long, value_name = "COLUMN=OUTPUT", value_parser = pair)]
-    map: Vec<(String, String)>,
     /// Outputs or states to fit. Default: all columns of the data
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
@@ -62,18 +57,6 @@ pub struct FitCommand {
     /// from the residuals
     #[arg(long, value_name = "OUTPUT=VALUE", value_parser = of_output)]
     sigma: Vec<(String, Noise)>,
-    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
-    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, Amount)>,
-    /// Start time of the runs, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    from: Option<f64>,
-    /// Relative tolerance
-    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
-    rtol: Option<f64>,
-    /// Integration method, one that computes sensitivities
-    #[arg(long, value_name = "NAME")]
-    method: Option<String>,
     /// Number of starts, spread within the bounds
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     starts: usize,
@@ -86,19 +69,26 @@ pub struct FitCommand {
     /// Add confidence intervals by profile likelihood, for all fitted parameters or for these
     #[arg(long, value_name = "NAMES", value_delimiter = ',', num_args = 0..=1)]
     profile: Option<Vec<String>>,
+    /// Output that a column of the data measures, if their names differ
+    #[arg(long, help_heading = "Output", value_name = "COLUMN=OUTPUT", value_parser = pair)]
+    map: Vec<(String, String)>,
     /// Plot the profiles to a .svg or .png file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot_profiles: Option<PathBuf>,
     /// Print JSON
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
     /// Plot the data and the runs before and after the fit to a .svg or .png file, with several
     /// data files side by side
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot: Option<PathBuf>,
     /// Write the scene with the fitted values to a .toml file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    run: RunArgs,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -108,6 +98,23 @@ enum LossName {
     /// Huber's loss: quadratic for small residuals, linear for large ones, which reduces the weight
     /// of outliers
     Huber,
+}
+
+/// Returns the state in which a run starts, with the initial values asked for.
+pub(super) fn start_of(
+    simulation: &Simulation<'_>,
+    scene: &SceneArgs,
+    run: &RunArgs,
+) -> Result<Vec<f64>, Failure> {
+    let simulator = simulation.simulator();
+    let from = run.span.start_time(simulator);
+    let mut start = constraints::start(simulator, simulation.parameter_values(), from)?;
+    for (index, value) in start.iter_mut().enumerate() {
+        let name = simulator.state(index).name;
+        let given = scene.machine.initial.iter().find(|(given, _)| given == name);
+        *value = given.map_or(*value, |(_, amount)| amount.value);
+    }
+    Ok(start)
 }
 
 /// Parses `column=output`.
@@ -120,13 +127,12 @@ fn pair(text: &str) -> Result<(String, String), String> {
 impl FitCommand {
     pub fn execute(&self) -> Result<(), Failure> {
         self.check()?;
-        let scene = Scene::load(&self.scene, false)?;
+        let scene = self.scene.load()?;
         let simulator = scene.simulator();
         let simulation = self.simulation(simulator)?;
         let setups = self.setups()?;
         let (experiments, gaps) = self.experiments(&setups, &simulation)?;
-        let from = self.from.unwrap_or(simulator.run_defaults().from);
-        let start = constraints::start(simulator, simulation.parameter_values(), from)?;
+        let start = start_of(&simulation, &self.scene, &self.run)?;
         let unknowns = unknowns(&self.parameters, simulator, &simulation, &start)?;
         let (unknowns, are_parameters): (Vec<Unknown>, Vec<bool>) = unknowns.into_iter().unzip();
         check_settings(&setups, &unknowns)?;
@@ -135,8 +141,11 @@ impl FitCommand {
         let plain = simulation.clone();
         let simulation = simulation.until_flagged(&flag);
         let lender = super::threads::lender(&scene);
-        let limit = Fit::new(&simulation, &unknowns, &experiments).step_limit();
-        let simulation = simulation.max_steps(limit);
+        let mut simulation = simulation;
+        if self.run.max_steps.is_none() {
+            let limit = Fit::new(&simulation, &unknowns, &experiments).step_limit();
+            simulation = simulation.max_steps(limit);
+        }
         let fit = Fit::new(&simulation, &unknowns, &experiments).on_threads(&*lender);
         let count = values(&experiments).count();
         if count < unknowns.len() {
@@ -165,7 +174,7 @@ impl FitCommand {
             let found = answer.parameters.iter().zip(&are_parameters).map(|(found, is_it)| {
                 FoundValue { name: &found.name, value: found.value, is_parameter: *is_it }
             });
-            write_scene(&self.scene, found, &in_si(&self.set), file)?;
+            write_scene(&self.scene, found, file)?;
         }
         self.tell(&answer, &scene)?;
         self.ended(&answer, fitted.found.end)
@@ -221,10 +230,7 @@ impl FitCommand {
     }
 
     fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
-        let mut simulation = with_parameters(Simulation::new(simulator), &self.set)?;
-        simulation = self.from.into_iter().fold(simulation, Simulation::from);
-        simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
-        with_method(simulation, self.method.as_deref())
+        self.run.apply(self.scene.simulation(simulator)?)
     }
 
     /// Returns the experiments asked for: files alone, then those with settings.
@@ -277,9 +283,10 @@ impl FitCommand {
         let simulator = simulation.simulator();
         let map = [&setup.map[..], &self.map].concat();
         let outputs = if setup.outputs.is_empty() { &self.outputs } else { &setup.outputs };
-        let given_from = setup.from.or(self.from);
+        let given_from = setup.from.or(self.run.span.from);
         let from = given_from.unwrap_or(simulator.run_defaults().from);
-        let reading = Reading { simulator, map: &map, outputs, from, skips_unknown: false };
+        let until = self.run.span.until;
+        let reading = Reading { simulator, map: &map, outputs, from, until, skips_unknown: false };
         let File { measured, mut noise, gaps } = reading.read(&setup.data)?;
         let is_measured = |name: &str| measured.columns.iter().any(|(column, _)| column == name);
         let own = setup.sigma.iter().map(|(name, _)| ("sigma", name));

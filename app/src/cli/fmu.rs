@@ -5,41 +5,34 @@ use std::path::PathBuf;
 use clap::Args;
 use machinist_fmu::resource::Export;
 
+use super::arguments::{FieldArgs, SourceArgs};
 use super::output::{print, require_ending, write_file};
-use super::scene::stamped;
 use crate::failure::Failure;
 use crate::fmu::{Archive, Library};
 
 #[derive(Debug, Args)]
 pub struct Fmu {
-    /// Name or file of the scene, or a model file
-    scene: String,
-    /// FMU to write, ending in .fmu
-    #[arg(short, long, value_name = "FILE")]
-    out: PathBuf,
     /// Parameters that become inputs, which the importer sets during the run
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     inputs: Vec<String>,
     /// Shared library to include, instead of the one beside this program
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
-    /// Number of elements of each field
-    #[arg(long, value_name = "NUMBER")]
-    elements: Option<usize>,
-    /// Order of the elements of fields
-    #[arg(long, value_name = "NUMBER")]
-    order: Option<usize>,
-    /// Keep everything, even what no output needs
-    #[arg(long)]
-    keep_all: bool,
+    /// FMU to write, ending in .fmu
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
+    out: PathBuf,
+    #[command(flatten)]
+    scene: SourceArgs,
+    #[command(flatten)]
+    fields: FieldArgs,
 }
 
 impl Fmu {
     pub fn execute(&self) -> Result<(), Failure> {
         require_ending(&self.out, &["fmu"], "--out")?;
         let library = Library::find(self.library.as_deref())?;
-        let stamped = stamped(&self.scene, self.keep_all)?;
-        let (elements, order) = (self.elements, self.order);
+        let stamped = self.scene.stamped()?;
+        let FieldArgs { elements, order } = self.fields;
         let export = Export { inputs: self.inputs.clone(), elements, order };
         let archive = Archive::of(&stamped, &export, &library)?;
         write_file(&self.out, |out| out.write_all(archive.bytes()))?;

@@ -9,6 +9,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_model::Model;
 
+use super::arguments::{DeriveArgs, KeepArgs};
 use super::output::print;
 use super::{scene, specs};
 use crate::deriving;
@@ -41,18 +42,20 @@ pub struct Generate {
     /// Folder of the scenes
     #[arg(long, value_name = "DIR", default_value = scene::SCENES)]
     specs: PathBuf,
-    /// Folder for the emitted files. Default for Rust: generated/src/scenes
-    #[arg(short, long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Keep everything, even what no output needs
-    #[arg(long)]
-    keep_all: bool,
     #[command(flatten)]
     c99: c99::Options,
+    /// Folder for the emitted files. Default for Rust: generated/src/scenes
+    #[arg(short, long, help_heading = "Output", value_name = "DIR")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    keep: KeepArgs,
+    #[command(flatten)]
+    derivation: DeriveArgs,
 }
 
 impl Generate {
     pub fn execute(&self) -> Result<(), Failure> {
+        self.derivation.apply();
         let mode = if self.check { Mode::Check } else { Mode::Write };
         match (self.target, &self.scene) {
             (Target::C99, Some(scene)) => {
@@ -60,7 +63,7 @@ impl Generate {
                     let message = "--target c99 needs a folder for the files of the scene";
                     return Err(Failure::input(message, format!("-o {scene}")));
                 };
-                self.c99.execute(scene, self.keep_all, out, mode)
+                self.c99.execute(scene, self.keep.keep_all, out, mode)
             }
             (Target::C99, None) => {
                 let message = "--target c99 emits one scene at a time, but none is given";
@@ -96,9 +99,9 @@ impl Generate {
 
 impl Generate {
     fn models(&self, files: &[SpecSource]) -> Result<Vec<Model>, Failure> {
-        let keep = if self.keep_all { Keep::All } else { Keep::Needed };
+        let keep = if self.keep.keep_all { Keep::All } else { Keep::Needed };
         let models = deriving::models(files, keep)?;
-        if !self.keep_all {
+        if !self.keep.keep_all {
             for (file, model) in files.iter().zip(&models) {
                 admit(file, model)?;
             }

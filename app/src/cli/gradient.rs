@@ -7,11 +7,11 @@ use machinist::simulate::Slope;
 use machinist_contract::Simulator;
 use serde::Serialize;
 
-use super::amount::{Amount, assignment};
+use super::arguments::{RunArgs, SceneArgs};
 use super::improve::{expression, units};
 use super::output::{columns, print, remarks};
 use super::scene::Scene;
-use super::settings::Told;
+use super::settings::for_numbers;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
@@ -19,36 +19,23 @@ use crate::progress::during;
 
 #[derive(Debug, Args)]
 pub struct GradientCommand {
-    /// Name of a built-in scene, or a scene file
-    scene: String,
     /// Result to differentiate: an expression as for `improve`, of extremes, means and final values
     /// of outputs, such as max(abs(twist)), and of parameters
     #[arg(long, value_name = "EXPRESSION", allow_hyphen_values = true)]
     of: String,
-    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
-    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, Amount)>,
-    /// Start time, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    from: Option<f64>,
-    /// End time, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    until: Option<f64>,
     /// Number of times at which the run is evaluated. Default: that of the scene, but at least 2001
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
-    /// Relative tolerance
-    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
-    rtol: Option<f64>,
-    /// Integration method: tsit5 or dop853 for reverse mode, or another that computes sensitivities
-    #[arg(long, value_name = "NAME")]
-    method: Option<String>,
     /// Maximum number of rows of the table; 0 shows all
-    #[arg(long, value_name = "NUMBER", default_value_t = 20)]
+    #[arg(long, help_heading = "Output", value_name = "NUMBER", default_value_t = 20)]
     top: usize,
     /// Print JSON
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    run: RunArgs,
 }
 
 /// Derivative with its parameter or state.
@@ -86,7 +73,7 @@ impl GradientCommand {
         if self.points.is_some_and(|points| points < 2) {
             return Err(Failure::input("--points must be at least 2", ""));
         }
-        let scene = Scene::load(&self.scene, false)?;
+        let scene = self.scene.load()?;
         let simulator = scene.simulator();
         let of = expression("--of", &self.of, simulator)?;
         let flag = interrupt::flag();
@@ -103,9 +90,7 @@ impl GradientCommand {
     }
 
     fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
-        let Self { set, from, until, points, rtol, method, .. } = self;
-        let (from, until, points, rtol) = (*from, *until, *points, *rtol);
-        Told { set, from, until, points, rtol, method: method.as_deref() }.of(simulator)
+        for_numbers(simulator, (&self.scene, &self.run), self.points)
     }
 
     fn answer<'a>(

@@ -7,7 +7,6 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
-use machinist::constraints;
 use machinist::fit::{Unknown, spread_starts};
 use machinist::improve::{
     End, Expression, ExpressionError, Found, Improvement, Inequality, Sizes, Values, check,
@@ -17,12 +16,13 @@ use machinist::{SimulateError, Simulation};
 use machinist_contract::Simulator;
 use miette::{LabeledSpan, MietteDiagnostic, Report};
 
-use super::amount::{Amount, assignment, in_si};
+use super::arguments::{RunArgs, SceneArgs};
+use super::fit::start_of;
 use super::fit::unknown::{Asked, asked, unknowns};
 use super::output::{draw_file, print, require_ending, require_picture};
 use super::rewrite::{FoundValue, write_scene};
 use super::scene::Scene;
-use super::settings::Told;
+use super::settings::for_numbers;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
@@ -34,8 +34,6 @@ const STEPS: usize = 100;
 
 #[derive(Debug, Args)]
 pub struct Improve {
-    /// Name of a built-in scene, or a scene file
-    scene: String,
     /// Objective to minimize: an expression of extremes, means and final values of outputs, such as
     /// max(abs(twist)), and of parameters
     #[arg(
@@ -55,24 +53,9 @@ pub struct Improve {
     #[arg(long, value_name = "NAME[=FROM..TO]", value_delimiter = ',', required = true,
         value_parser = asked)]
     parameters: Vec<Asked>,
-    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
-    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, Amount)>,
-    /// Start time of the runs, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    from: Option<f64>,
-    /// End time of the runs, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    until: Option<f64>,
     /// Number of times at which runs are evaluated. Default: that of the scene, but at least 2001
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
-    /// Relative tolerance
-    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
-    rtol: Option<f64>,
-    /// Integration method, one that computes sensitivities
-    #[arg(long, value_name = "NAME")]
-    method: Option<String>,
     /// Number of starts, spread within the bounds
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     starts: usize,
@@ -80,14 +63,18 @@ pub struct Improve {
     #[arg(long, value_name = "NUMBER", default_value_t = STEPS)]
     steps: usize,
     /// Print JSON
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
     /// Plot the outputs in the expressions, before and after, to a .svg or .png file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot: Option<PathBuf>,
     /// Write the scene with the values found to a .toml file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    run: RunArgs,
 }
 
 /// Goal as text and as parsed.
@@ -112,12 +99,11 @@ struct Searched {
 impl Improve {
     pub fn execute(&self) -> Result<(), Failure> {
         self.check_options()?;
-        let scene = Scene::load(&self.scene, false)?;
+        let scene = self.scene.load()?;
         let simulator = scene.simulator();
         let goal = self.goal(simulator)?;
         let simulation = self.simulation(simulator)?;
-        let from = self.from.unwrap_or(simulator.run_defaults().from);
-        let start = constraints::start(simulator, simulation.parameter_values(), from)?;
+        let start = start_of(&simulation, &self.scene, &self.run)?;
         let unknowns = unknowns(&self.parameters, simulator, &simulation, &start)?;
         let (unknowns, are_parameters): (Vec<Unknown>, Vec<bool>) = unknowns.into_iter().unzip();
         let plain = Improvement {
@@ -128,7 +114,11 @@ impl Improve {
         };
         check_first_run(&plain)?;
         let flag = interrupt::flag();
-        let limited = simulation.clone().until_flagged(&flag).max_steps(steps_of(&plain));
+        let limited = simulation.clone().until_flagged(&flag);
+        let limited = match self.run.max_steps {
+            Some(_) => limited,
+            None => limited.max_steps(steps_of(&plain)),
+        };
         let improvement = Improvement { simulation: &limited, ..plain };
         let searched = self.search(&improvement, &flag)?;
         let plain = Improvement { simulation: &simulation, ..improvement };
@@ -140,7 +130,7 @@ impl Improve {
             let found = answer.parameters.iter().zip(&are_parameters).map(|(found, is_it)| {
                 FoundValue { name: &found.name, value: found.value, is_parameter: *is_it }
             });
-            write_scene(&self.scene, found, &in_si(&self.set), file)?;
+            write_scene(&self.scene, found, file)?;
         }
         self.tell(&answer, &scene)?;
         self.verdict(&searched.found)
@@ -167,7 +157,7 @@ impl Improve {
     fn goal(&self, simulator: &dyn Simulator<f64>) -> Result<Goal<'_>, Failure> {
         let (option, text) = match (&self.minimise, &self.maximise) {
             (Some(text), _) => ("--minimise", text),
-            (None, text) => ("--maximise", text.as_ref().unwrap_or(&self.scene)),
+            (None, text) => ("--maximise", text.as_ref().unwrap_or(&self.scene.scene)),
         };
         let mut objective = expression(option, text, simulator)?;
         let is_greatest = self.minimise.is_none();
@@ -190,9 +180,7 @@ impl Improve {
     }
 
     fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
-        let Self { set, from, until, points, rtol, method, .. } = self;
-        let (from, until, points, rtol) = (*from, *until, *points, *rtol);
-        Told { set, from, until, points, rtol, method: method.as_deref() }.of(simulator)
+        for_numbers(simulator, (&self.scene, &self.run), self.points)
     }
 
     fn search(

@@ -7,37 +7,55 @@ use machinist::linear_analysis::{LinearError, Linearization, Place, operating_po
 
 use machinist_contract::Simulator;
 
-use super::amount::{Amount, assignment};
+use super::amount::time;
+use super::arguments::{RunArgs, SceneArgs};
 use super::scene::Scene;
-use super::settings::with_parameters;
 use crate::failure::Failure;
 use crate::progress::during;
 
 #[derive(Debug, Args)]
 pub struct Where {
-    /// Name of a built-in scene, or a scene file
-    scene: String,
-    /// Keep everything, even what no output needs
-    #[arg(long)]
-    keep_all: bool,
-    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
-    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, Amount)>,
     /// Operating point: equilibrium (the one near the end of the scene's run, at rest or at
-    /// constant speed), initial, or t=SECONDS
-    #[arg(long, value_name = "PLACE", default_value = "equilibrium")]
+    /// constant speed), initial, or t=TIME
+    #[arg(long, value_name = "PLACE", default_value = "equilibrium", value_parser = place)]
     at: Place,
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+/// Parses a place; its time may have a unit.
+fn place(text: &str) -> Result<Place, String> {
+    match text.strip_prefix("t=") {
+        Some(at) => time(at).map(Place::Time),
+        None => text.parse(),
+    }
 }
 
 impl Where {
     /// Loads the scene.
     pub fn load(&self) -> Result<Scene, Failure> {
-        Scene::load(&self.scene, self.keep_all)
+        self.check()?;
+        self.scene.load()
+    }
+
+    /// Returns an error for options of a run that the operating point does not need.
+    fn check(&self) -> Result<(), Failure> {
+        let (given, why) = match self.at {
+            Place::Initial => (self.run.given_for_motion(), "is the start of the run"),
+            Place::Time(_) => (self.run.span.until.map(|_| "--until"), "is the end of the run"),
+            Place::Equilibrium => (None, ""),
+        };
+        given.map_or(Ok(()), |option| {
+            let message = format!("{option} has no effect, because the operating point {why}");
+            Err(Failure::input(message, format!("leave `{option}` or `--at` out")))
+        })
     }
 
     /// Name or file of the scene.
     pub fn scene(&self) -> &str {
-        &self.scene
+        &self.scene.scene
     }
 
     /// Place of the linearization.
@@ -45,9 +63,9 @@ impl Where {
         self.at
     }
 
-    /// Prepares a run with the parameters asked for.
+    /// Prepares a run with the options asked for.
     pub fn run<'s>(&self, scene: &'s Scene) -> Result<Simulation<'s>, Failure> {
-        with_parameters(Simulation::new(scene.simulator()), &self.set)
+        self.run.apply(self.scene.simulation(scene.simulator())?)
     }
 
     /// Linearizes the scene at the place asked for.
@@ -78,7 +96,8 @@ impl Where {
         if !asks_for_forces || forces.is_empty() {
             return Err(failed.into());
         }
-        let Some(scene) = Scene::load_with_forces(&self.scene, self.keep_all, forces)? else {
+        let loading = self.scene.machine.loading();
+        let Some(scene) = Scene::load_with_forces(self.scene(), &loading, forces)? else {
             return Err(failed.into());
         };
         let linearization = self.linearize(&scene)?;

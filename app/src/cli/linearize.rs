@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use machinist::linear_analysis::{Estimator, Hold, Regulator, Signal, StateSpace, Weight};
 
-use super::amount::{Amount, assignment};
+use super::amount::{Amount, assignment, time};
 use super::linear::Where;
 use super::output::{print, require_ending, write_file};
 use super::scene::Scene;
@@ -18,16 +18,14 @@ use answer::Answer;
 
 #[derive(Debug, Args)]
 pub struct Linearize {
-    #[command(flatten)]
-    at: Where,
     /// Inputs, as NAME,NAME: parameters, or coordinates for a force on each
     #[arg(long, value_name = "NAMES", value_delimiter = ',', required = true)]
     inputs: Vec<String>,
     /// Outputs, as NAME,NAME: outputs or states
     #[arg(long, value_name = "NAMES", value_delimiter = ',', required = true)]
     outputs: Vec<String>,
-    /// Convert to samples with this period, s
-    #[arg(long, value_name = "SECONDS")]
+    /// Convert to samples with this period, `1ms`
+    #[arg(long, value_name = "TIME", value_parser = time, allow_hyphen_values = true)]
     sample: Option<f64>,
     /// Conversion to samples: zoh (inputs constant between samples, exact) or tustin (bilinear)
     #[arg(long, value_name = "NAME", requires = "sample", default_value = "zoh")]
@@ -40,11 +38,13 @@ pub struct Linearize {
     #[arg(long, value_name = "NAME=DEVIATION", value_parser = assignment, value_delimiter = ',')]
     kalman: Vec<(String, Amount)>,
     /// Print JSON
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
     /// Write the matrices to a .mat file (MATLAB), .npz file (NumPy) or .json file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    at: Where,
 }
 
 /// Name of a conversion to samples.

@@ -16,6 +16,7 @@ use serde::Serialize;
 use super::linear::Where;
 use super::output::{columns, draw_file, print, require_picture};
 use super::scene::Scene;
+use super::table::paragraph;
 use crate::failure::Failure;
 use crate::number::number;
 
@@ -25,17 +26,17 @@ const MOVING: usize = 3;
 
 #[derive(Debug, Args)]
 pub struct Modes {
-    #[command(flatten)]
-    at: Where,
     /// Add derivatives of frequencies and damping by these parameters, as NAME,NAME
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     sensitivities: Vec<String>,
     /// Print JSON, with shapes, operating point, and the matrices M, D and K
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
     /// Plot the shapes to a .svg or .png file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot: Option<PathBuf>,
+    #[command(flatten)]
+    at: Where,
 }
 
 /// Output of `--json`.
@@ -283,10 +284,11 @@ fn doubts(linearization: &Linearization<'_>, modes: &[Mode]) -> String {
     let told = doubtful.map(|mode| {
         let [kind, moves, ..] = row(linearization, mode);
         let residual = number(mode.residual, 2);
-        format!(
-            "\nthe {kind} of {moves} has a relative residual of {residual}: the machine is not \
-             steady there, or eigenvalues nearly coincide; its numbers are no more accurate\n"
-        )
+        let doubt = format!(
+            "the {kind} of {moves} has a relative residual of {residual}: the machine is not \
+             steady there, or eigenvalues nearly coincide; its numbers are no more accurate"
+        );
+        format!("\n{}", paragraph(&doubt))
     });
     told.collect()
 }

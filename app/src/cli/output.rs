@@ -5,6 +5,7 @@ use std::path::Path;
 
 use machinist::trajectory::{Stop, Trajectory};
 
+pub use super::table::columns;
 use crate::failure::Failure;
 use crate::parquet;
 use crate::plot::PlotError;
@@ -105,31 +106,6 @@ fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(folder)
-}
-
-/// Aligns lines of cells as columns: the first `left` of them flush left, the others flush right.
-pub fn columns<Row: AsRef<[String]>>(rows: &[Row], left: usize) -> String {
-    let rows = || rows.iter().map(AsRef::as_ref);
-    let width =
-        |column: usize| rows().map(|row| row[column].chars().count()).max().unwrap_or_default();
-    let count = rows().next().map_or(0, <[String]>::len);
-    let widths: Vec<usize> = (0..count).map(width).collect();
-    let mut text = String::new();
-    for row in rows() {
-        let mut line = String::new();
-        for (column, (cell, width)) in row.iter().zip(&widths).enumerate() {
-            let width = *width;
-            let cell =
-                if column < left { format!("{cell:<width$}") } else { format!("{cell:>width$}") };
-            if column > 0 {
-                line.push_str("  ");
-            }
-            line.push_str(&cell);
-        }
-        text.push_str(line.trim_end());
-        text.push('\n');
-    }
-    text
 }
 
 /// Returns why the run stopped early and the notes of the method, such as which one `auto` chose

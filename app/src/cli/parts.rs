@@ -8,6 +8,7 @@ use machinist_codegen::spec::card::Card;
 use machinist_codegen::spec::library::{LIBRARY, LibraryUnit};
 
 use super::output::{columns, print, write_file};
+use super::table::{SECTION, columns_of_section, indented, paragraph, width};
 use crate::failure::{Failure, did_you_mean};
 
 /// Command that renews the page of the parts.
@@ -108,31 +109,37 @@ fn show(name: &str) -> Result<(), Failure> {
 
 /// Formats a part for a terminal.
 fn plain(card: &Card) -> String {
-    let mut text =
-        format!("{}: {}\n{}\nSource: {}\n", card.name, card.title, card.doc, card.source);
+    let paragraphs = [
+        format!("{}: {}", card.name, card.title),
+        card.doc.clone(),
+        format!("Source: {}", card.source),
+    ];
+    let mut text: String = paragraphs.iter().flat_map(|text| text.lines()).map(paragraph).collect();
+    let formula = |line: String| indented(&line, "", width() - SECTION.len());
     let mut section = |heading: &str, rows: String| {
         if !rows.is_empty() {
             let _ = write!(text, "\n{heading}\n");
             rows.lines().for_each(|line| {
-                let _ = writeln!(text, "{}", format!("  {line}").trim_end());
+                let _ = writeln!(text, "{}", format!("{SECTION}{line}").trim_end());
             });
         }
     };
-    section("Ports", columns(&card.ports, 3));
-    section("Connectors", columns(&card.connectors, 2));
-    section("Parts", columns(&card.parts, 3));
+    section("Ports", columns_of_section(&card.ports, 3));
+    section("Connectors", columns_of_section(&card.connectors, 2));
+    section("Parts", columns_of_section(&card.parts, 3));
     section("Joints", joints(card));
-    section("Parameters", columns(&card.parameters, 4));
-    section("Inputs", columns(&card.inputs, 3));
-    section("Modes", columns(&card.modes, 2));
+    section("Parameters", columns_of_section(&card.parameters, 4));
+    section("Inputs", columns_of_section(&card.inputs, 3));
+    section("Modes", columns_of_section(&card.modes, 2));
     let equations = card.equations.iter().map(|[left, right, unit, doc]| {
         let unit = if unit.is_empty() { String::new() } else { format!("   [{unit}]") };
-        format!("{left} = {right}{unit}   {doc}\n")
+        formula(format!("{left} = {right}{unit}   {doc}"))
     });
     section("Equations", equations.collect());
-    let events = card.events.iter().map(|[when, set, doc]| format!("{when}: {set}   {doc}\n"));
+    let events =
+        card.events.iter().map(|[when, set, doc]| formula(format!("{when}: {set}   {doc}")));
     section("Events", events.collect());
-    section("Outputs", columns(&card.outputs, 3));
+    section("Outputs", columns_of_section(&card.outputs, 3));
     section("Example", card.example.unwrap_or_default().to_owned());
     text
 }

@@ -64,10 +64,10 @@ pub fn range(text: &str) -> Result<Range, String> {
 pub fn ends(values: &str, example: &str) -> Result<[Amount; 2], String> {
     let (from, to) = values.split_once("..").ok_or(example)?;
     let last = Amount::parse(to)?;
-    let first = match &last.unit {
-        Some(unit) if !from.contains('[') => Amount::parse(&format!("{from} [{unit}]"))?,
-        _ => Amount::parse(from)?,
-    };
+    let mut first = Amount::parse(from)?;
+    if let (None, Some(unit)) = (&first.unit, &last.unit) {
+        first = Amount::parse(&format!("{from} [{unit}]"))?;
+    }
     match (&first.unit, &last.unit) {
         (Some(unit), None) => Err(format!("`{to}` has no unit, and `{from}` is in {unit}")),
         (Some(unit), Some(other)) if !is_alike(unit, other) => {
@@ -94,12 +94,19 @@ mod tests {
     #[cfg(feature = "derive")]
     #[test]
     fn a_range_may_be_in_a_unit() {
-        for text in ["a.b=1..3 [kN]", "a.b=1 [kN]..3000 [N]", "a.b=1e3 [N]..3 [kN]:log"] {
+        for text in [
+            "a.b=1..3 [kN]",
+            "a.b=1 [kN]..3000 [N]",
+            "a.b=1e3 [N]..3 [kN]:log",
+            "a.b=1..3kN",
+            "a.b=1kN..3000 N:log",
+        ] {
             let range = range(text).unwrap();
             let off = (range.from - 1000.0).abs().max((range.to - 3000.0).abs());
             assert!(off < 1e-9, "{text}: {} to {}", range.from, range.to);
         }
         assert!(range("a.b=1 [kN]..3").unwrap_err().contains("no unit"));
+        assert!(range("a.b=1kN..3").unwrap_err().contains("no unit"));
         assert!(range("a.b=1 [kN]..3 [m]").unwrap_err().contains("dimension"));
     }
 

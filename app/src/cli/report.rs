@@ -1,14 +1,13 @@
 //! `machinist report`: pages with all results, of all machines or of one.
 
 use std::path::PathBuf;
-use std::time::Duration;
 
 use clap::Args;
 
+use super::arguments::{DeriveArgs, TimeArgs};
 use super::generate::EMITTED;
 use super::output::{print, write_file};
 use super::scene;
-use super::settings::{TIME_LIMIT, time_limit};
 use crate::failure::Failure;
 use crate::report::{self, Extent};
 
@@ -17,9 +16,6 @@ pub struct Report {
     /// Scene file or name of a spec, for a page of this machine. Default: a page for each scene of
     /// the folder, with an index
     scene: Option<String>,
-    /// Folder for the pages
-    #[arg(long, value_name = "DIR", default_value = "target/report")]
-    out: PathBuf,
     /// Folder of the scenes
     #[arg(long, value_name = "DIR", default_value = scene::SCENES, conflicts_with = "scene")]
     specs: PathBuf,
@@ -29,15 +25,21 @@ pub struct Report {
     /// Leave out timings, so that pages are reproducible
     #[arg(long)]
     no_times: bool,
-    /// Limit on the computing time of each run, s
-    #[arg(long, value_name = "SECONDS", default_value = TIME_LIMIT, value_parser = time_limit)]
-    time_limit: Duration,
+    /// Folder for the pages
+    #[arg(long, help_heading = "Output", value_name = "DIR", default_value = "target/report")]
+    out: PathBuf,
+    #[command(flatten)]
+    time: TimeArgs,
+    #[command(flatten)]
+    derivation: DeriveArgs,
 }
 
 impl Report {
     /// Writes the pages even if a check fails, because they show which one.
     pub fn execute(&self) -> Result<(), Failure> {
-        let extent = Extent { with_times: !self.no_times, time_limit: self.time_limit };
+        self.derivation.apply();
+        let time_limit = self.time.limit_or_default();
+        let extent = Extent { with_times: !self.no_times, time_limit };
         let pages = match &self.scene {
             Some(scene) => report::own(scene, extent)?,
             None => report::whole(&self.specs, &self.emitted, extent)?,

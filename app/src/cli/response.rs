@@ -1,15 +1,18 @@
 //! `machinist response`: the frequency response of an output.
 
+use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use crate::plot::plot_response;
 use clap::Args;
 use machinist::linear_analysis::{Largest, Linearization, Response, logarithmic_range};
 
+use super::amount::{Amount, is_alike, is_in_cycles};
 use super::linear::Where;
 use super::output::{
     columns, draw_file, is_standard_output, print, print_with, require_picture, write_file,
 };
+use super::range::ends;
 use super::scene::Scene;
 use crate::failure::Failure;
 use crate::number::number;
@@ -18,28 +21,28 @@ use serde_json::json;
 
 #[derive(Debug, Args)]
 pub struct FrequencyResponse {
-    #[command(flatten)]
-    at: Where,
     /// Excitation: a parameter that varies harmonically, or a coordinate on which a harmonic force
     /// acts
     #[arg(long, value_name = "PARAMETER")]
-    from: String,
+    input: String,
     /// Responding output or state
-    #[arg(long, value_name = "OUTPUT")]
-    to: String,
-    /// Angular frequencies, rad/s. Default: from a tenth of the slowest to ten times the fastest
-    /// motion
-    #[arg(long, value_name = "LOWEST:HIGHEST", value_parser = range)]
+    #[arg(long, value_name = "OUTPUT", alias = "to")]
+    output: String,
+    /// Angular frequencies, in rad/s or with a unit, `1..100 Hz`. Default: from a tenth of the
+    /// slowest to ten times the fastest motion
+    #[arg(long, value_name = "LOWEST..HIGHEST", value_parser = range)]
     range: Option<(f64, f64)>,
     /// Number of frequencies, including both ends
     #[arg(long, value_name = "NUMBER", default_value_t = 401)]
     points: usize,
     /// Write frequency, amplitude and phase to a .csv file; - writes only CSV to standard output
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot amplitude and phase to a .svg or .png file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot: Option<PathBuf>,
+    #[command(flatten)]
+    at: Where,
 }
 
 impl FrequencyResponse {
@@ -47,9 +50,9 @@ impl FrequencyResponse {
         let to_standard_output = is_standard_output(self.out.as_deref())?;
         require_picture(self.plot.as_deref(), "--plot")?;
         self.at.analyse(
-            &[&self.from],
+            &[&self.input],
             |scene, linearization| self.answer(scene, linearization, to_standard_output),
-            |linearization| linearization.response(&self.from, &self.to, &[]).map(drop),
+            |linearization| linearization.response(&self.input, &self.output, &[]).map(drop),
         )
     }
 
@@ -65,7 +68,7 @@ impl FrequencyResponse {
             None => linearization.range_of_interest()?,
         };
         let frequencies = logarithmic_range(lowest, highest, self.points)?;
-        let response = linearization.response(&self.from, &self.to, &frequencies)?;
+        let response = linearization.response(&self.input, &self.output, &frequencies)?;
         let remark = linearization.growth().ok().flatten().map(|growth| {
             let growth = number(growth, 3);
             format!(
@@ -75,7 +78,7 @@ impl FrequencyResponse {
         });
 
         let title = scene.simulator().title();
-        let largest = linearization.largest(&self.from, &self.to, &response)?;
+        let largest = linearization.largest(&self.input, &self.output, &response)?;
         if let Some(file) = &self.plot {
             let mut drawn = response.clone();
             if let Some(largest) = &largest {
@@ -146,25 +149,43 @@ fn rows(response: &Response, largest: Option<Largest>) -> Vec<[String; 4]> {
     std::iter::once(heading.map(str::to_owned)).chain(rows).collect()
 }
 
-/// Parses `10:1000`.
+/// Parses `10..1000`, `10:1000` or `1..100 Hz`. The result is in rad/s.
 fn range(text: &str) -> Result<(f64, f64), String> {
-    let wanted = "write it as LOWEST:HIGHEST in rad/s, such as 10:1000";
-    let (lowest, highest) = text.split_once(':').ok_or(wanted)?;
-    let number = |text: &str| {
-        text.trim().parse::<f64>().map_err(|_| format!("`{text}` is not a number; {wanted}"))
+    const EXAMPLE: &str =
+        "write it as LOWEST..HIGHEST, in rad/s or with a unit, such as 10..1000 or \"1..100 Hz\"";
+    let bounds = text.replacen(':', "..", usize::from(!text.contains("..")));
+    let bounds = ends(&bounds, EXAMPLE).map_err(|why| match why.as_str() {
+        EXAMPLE => why,
+        _ => format!("{why}; {EXAMPLE}"),
+    })?;
+    let in_radians = |bound: Amount| match bound.unit.as_deref() {
+        Some(unit) if !is_alike(unit, "rad/s") => Err(format!("{unit} is no unit of frequency")),
+        Some(unit) if is_in_cycles(unit) => Ok(TAU * bound.value),
+        _ => Ok(bound.value),
     };
-    Ok((number(lowest)?, number(highest)?))
+    let [lowest, highest] = bounds.map(in_radians);
+    Ok((lowest?, highest?))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::range;
+    use super::{TAU, range};
 
     #[test]
-    fn a_range_is_two_numbers() {
+    fn a_range_is_two_frequencies() {
         assert_eq!(range("10:1e3"), Ok((10.0, 1000.0)));
+        assert_eq!(range("10..1e3"), Ok((10.0, 1000.0)));
         for bad in ["", "10", "10:", "a:b", "10-20"] {
-            assert!(range(bad).is_err(), "{bad}");
+            assert!(range(bad).unwrap_err().contains("LOWEST..HIGHEST"), "{bad}");
         }
+    }
+
+    #[cfg(feature = "derive")]
+    #[test]
+    fn a_range_in_hertz_counts_cycles() {
+        assert_eq!(range("1..100 Hz"), Ok((TAU, 100.0 * TAU)));
+        assert_eq!(range("1..2 rad/s"), Ok((1.0, 2.0)));
+        assert_eq!(range("60rpm..1kHz").map(|(_, to)| to), Ok(1000.0 * TAU));
+        assert!(range("1..2 m").unwrap_err().contains("no unit of frequency"));
     }
 }

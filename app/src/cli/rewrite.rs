@@ -2,6 +2,9 @@
 
 use std::path::Path;
 
+#[cfg(feature = "derive")]
+use super::amount::Amount;
+use super::arguments::SceneArgs;
 use crate::failure::Failure;
 
 /// Value found for a parameter, or for the start of a state.
@@ -12,13 +15,12 @@ pub struct FoundValue<'a> {
     pub is_parameter: bool,
 }
 
-/// Writes the text of a scene with the values found and the parameters set on the command line.
-/// Never overwrites the file that it was read from.
+/// Writes the text of a scene with the values found, and the parameters and initial values set on
+/// the command line. Never overwrites the file that it was read from.
 #[cfg(feature = "derive")]
 pub fn write_scene<'a>(
-    scene: &str,
+    SceneArgs { scene, machine }: &'a SceneArgs,
     found: impl Iterator<Item = FoundValue<'a>>,
-    set: &'a [(String, f64)],
     file: &Path,
 ) -> Result<(), Failure> {
     use machinist_codegen::spec::library::LibraryScene;
@@ -51,8 +53,18 @@ pub fn write_scene<'a>(
         let message = format!("--out {} would overwrite the scene itself", file.display());
         return Err(Failure::input(message, "give another name"));
     }
-    let set =
-        set.iter().map(|(name, value)| FoundValue { name, value: *value, is_parameter: true });
+    let given = |is_parameter| {
+        move |(name, amount): &'a (String, Amount)| FoundValue {
+            name,
+            value: amount.value,
+            is_parameter,
+        }
+    };
+    let mut all: Vec<FoundValue<'_>> = found.collect();
+    let initial = machine.initial.iter().map(given(false));
+    let initial: Vec<_> =
+        initial.filter(|given| all.iter().all(|found| found.name != given.name)).collect();
+    all.extend(machine.set.iter().map(given(true)).chain(initial));
     let setting = |found: FoundValue<'_>| {
         let name = found.name.to_owned();
         if found.is_parameter {
@@ -61,7 +73,7 @@ pub fn write_scene<'a>(
             Setting::Initial(name, found.value)
         }
     };
-    let settings: Vec<Setting> = found.chain(set).map(setting).collect();
+    let settings: Vec<Setting> = all.into_iter().map(setting).collect();
     let text = with_settings(&text, &settings)
         .map_err(|why| Failure::unsuccessful(format!("--out {}: {why}", file.display()), ""))?;
     super::output::write_file(file, |out| out.write_all(text.as_bytes()))
@@ -70,9 +82,8 @@ pub fn write_scene<'a>(
 /// Returns an error, because this build reads no specs.
 #[cfg(not(feature = "derive"))]
 pub fn write_scene<'a>(
-    _scene: &str,
+    _scene: &'a SceneArgs,
     _found: impl Iterator<Item = FoundValue<'a>>,
-    _set: &'a [(String, f64)],
     file: &Path,
 ) -> Result<(), Failure> {
     let message = format!("--out {}: this program was built without specs", file.display());

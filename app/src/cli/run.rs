@@ -4,7 +4,6 @@ mod compare;
 mod error;
 mod fixed;
 
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use crate::failure::did_you_mean;
@@ -12,16 +11,17 @@ use clap::Args;
 use machinist::error::StopCause;
 use machinist::field::ModalSimulator;
 use machinist::trajectory::{Column, ColumnKind, Trajectory, sensitivity_name};
-use machinist::{Discretisation, SimulateError, Simulation};
+use machinist::{SimulateError, Simulation};
 use machinist_contract::Simulator;
 
-use super::amount::{Amount, as_json, assignment};
+use super::amount::{Amount, as_json};
+use super::arguments::{RunArgs, SceneArgs};
 use super::output::{
     columns, counted_events, draw_file, print, print_with, remark_beside, remarks, require_picture,
     require_table, write_file,
 };
 use super::scene::Scene;
-use super::settings::{with_method, with_parameters};
+use super::settings::with_parameters;
 use super::times::{Times, times};
 use crate::failure::Failure;
 use crate::interrupt;
@@ -35,25 +35,7 @@ pub use fixed::step_method;
 use serde_json::json;
 
 #[derive(Debug, Args)]
-pub struct Run {
-    /// Name of a built-in scene, or a scene file
-    scene: String,
-    /// Keep everything, even what no output needs
-    #[arg(long)]
-    keep_all: bool,
-    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
-    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, Amount)>,
-    /// Start time, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    from: Option<f64>,
-    /// End time, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    until: Option<f64>,
-    /// Initial state: the equilibrium near the scene's initial values, or these values as given.
-    /// Default: as in the scene
-    #[arg(long, value_name = "STATE")]
-    start: Option<Start>,
+pub struct RunCommand {
     /// Number of output times, including both ends; equally spaced, unless --times gives a range
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
@@ -61,51 +43,32 @@ pub struct Run {
     /// `--points` values, `1e-3..10:log`
     #[arg(long, value_name = "TIMES", value_parser = times, allow_hyphen_values = true)]
     times: Option<Times>,
-    /// Number of elements of each field
-    #[arg(long, value_name = "NUMBER")]
-    elements: Option<usize>,
-    /// Order of the elements of fields
-    #[arg(long, value_name = "NUMBER")]
-    order: Option<usize>,
     /// Simulate only this number of the slowest eigenmodes, computed at the start of the run
     #[arg(long, value_name = "NUMBER")]
     modes: Option<usize>,
-    /// Relative tolerance
-    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
-    rtol: Option<f64>,
-    /// Maximum number of steps. Default: ten million
-    #[arg(long, value_name = "NUMBER")]
-    max_steps: Option<NonZeroUsize>,
-    /// Integration method: auto, exact, taylor, tsit5, dop853, rodas5p or radau, or of diffsol: bdf,
-    /// tr_bdf2, esdirk34 or tsit45
-    #[arg(long, value_name = "NAME")]
-    method: Option<String>,
     /// Add derivatives of all states and outputs by these parameters, or by initial values of these
     /// states, as columns d(output)/d(parameter)
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     sensitivities: Vec<String>,
-    /// Write all values to a .csv or .json file; - writes only CSV to standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
-    /// Plot to a .svg or .png file
-    #[arg(long, value_name = "FILE")]
-    plot: Option<PathBuf>,
-    /// Columns to write and plot: states, outputs, energy.total, requested derivatives
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    columns: Vec<String>,
     #[command(flatten)]
     fixed: fixed::Options,
     #[command(flatten)]
     error: error::Options,
     #[command(flatten)]
     others: Others,
-}
-
-/// Where a run starts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Start {
-    Equilibrium,
-    Given,
+    /// Write all values to a .csv or .json file; - writes only CSV to standard output
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Plot to a .svg or .png file
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// Columns to write and plot: states, outputs, energy.total, requested derivatives
+    #[arg(long, help_heading = "Output", value_name = "NAMES", value_delimiter = ',')]
+    columns: Vec<String>,
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    run: RunArgs,
 }
 
 /// Output times of a run.
@@ -137,18 +100,17 @@ enum Format {
     StandardOutput,
 }
 
-impl Run {
+impl RunCommand {
     pub fn execute(&self) -> Result<(), Failure> {
         let format = self.out.as_deref().map(format_of).transpose()?;
         require_picture(self.plot.as_deref(), "--plot")?;
-        let wanted = Discretisation { elements: self.elements, order: self.order };
-        let scene = Scene::load_cut(&self.scene, self.keep_all, wanted)?;
+        let scene = self.scene.load()?;
         if let Some(fixed) = self.fixed.asked()? {
             return self.by_fixed_steps(&fixed, &scene, format);
         }
         self.check_columns(scene.simulator())?;
         self.check_sensitivities()?;
-        let from = self.from.unwrap_or(scene.simulator().run_defaults().from);
+        let from = self.run.span.start_time(scene.simulator());
         let others = self.others.load(scene.simulator(), from)?;
         let times: Vec<f64> = others.iter().flat_map(Other::times).copied().collect();
         // A table on standard output leaves no place for the estimate.
@@ -178,8 +140,8 @@ impl Run {
         format: Option<Format>,
     ) -> Result<(), Failure> {
         let simulator = scene.simulator();
-        let run = self.adjusted(with_parameters(Simulation::new(simulator), &self.set)?)?;
-        let until = self.until.unwrap_or(simulator.run_defaults().until);
+        let run = self.adjusted(self.scene.simulation(simulator)?)?;
+        let until = self.run.span.until.unwrap_or(simulator.run_defaults().until);
         let rows = self.points.unwrap_or(simulator.run_defaults().points).max(2) - 1;
         let stepping = during("stepping", || fixed.run(&run, until, rows))?;
         let exact = run.clone().times(stepping.times());
@@ -257,11 +219,11 @@ impl Run {
             (Some(Format::Parquet), Some(file)) => {
                 let Trajectory { method, rtol, notes, stopped, .. } = trajectory;
                 let more = json!({
-                    "settings": { "method": method, "rtol": rtol, "parameters": as_json(&self.set) },
+                    "settings": { "method": method, "rtol": rtol, "parameters": as_json(&self.scene.machine.set) },
                     "notes": notes,
                     "stopped": stopped,
                 });
-                let of = ("run", self.scene.as_str(), scene);
+                let of = ("run", self.scene.scene.as_str(), scene);
                 parquet::write_table(file, &parquet::of_run(trajectory), of, more)?;
             }
             _ => {}
@@ -289,14 +251,16 @@ impl Run {
         work: impl FnOnce(&Simulation<'_>) -> T,
     ) -> Result<T, Failure> {
         let whole = with_parameters(Simulation::new(simulator), set)?;
+        let machine = &self.scene.machine;
         let flag = interrupt::flag();
         let Some(modes) = self.modes else {
-            let simulation = times.asked_of(self.adjusted(whole)?);
+            let simulation = times.asked_of(self.adjusted(machine.with_initial(whole)?)?);
             return Ok(work(&simulation.until_flagged(&flag)));
         };
         let modal = ModalSimulator::new(simulator, whole.parameter_values(), modes);
         let modal = modal.map_err(|error| Failure::input(error, ""))?;
-        let simulation = times.asked_of(self.adjusted(Simulation::new(&modal))?);
+        let simulation = machine.with_initial(Simulation::new(&modal))?;
+        let simulation = times.asked_of(self.adjusted(simulation)?);
         Ok(work(&simulation.until_flagged(&flag)))
     }
 
@@ -315,7 +279,7 @@ impl Run {
         for other in others {
             let run = |other: Option<&Scene>, set: &[(String, Amount)]| {
                 // Another scene keeps its own parameters.
-                let all = [&self.set, set].concat();
+                let all = [&self.scene.machine.set, set].concat();
                 let set = if other.is_some() { set } else { &all };
                 let simulator = other.unwrap_or(scene).simulator();
                 Ok(self.trajectory(simulator, set, &At::Only(&times))??)
@@ -341,30 +305,16 @@ impl Run {
         Ok((names, tables))
     }
 
-    /// Applies all options except parameters to a run.
+    /// Applies all options except parameters and initial values to a run.
     fn adjusted<'a>(&self, mut simulation: Simulation<'a>) -> Result<Simulation<'a>, Failure> {
-        if let Some(time) = self.from {
-            simulation = simulation.from(time);
-        }
-        if let Some(time) = self.until {
-            simulation = simulation.until(time);
-        }
-        if let Some(start) = self.start {
-            simulation = simulation.in_equilibrium(start == Start::Equilibrium);
-        }
+        simulation = self.run.apply(simulation)?;
         if let Some(points) = self.points {
             simulation = simulation.points(points);
         }
         if let Some(times) = &self.times {
-            simulation = times.asked_of(simulation, [self.from, self.until], self.points)?;
+            let span = [self.run.span.from, self.run.span.until];
+            simulation = times.asked_of(simulation, span, self.points)?;
         }
-        if let Some(rtol) = self.rtol {
-            simulation = simulation.rtol(rtol);
-        }
-        if let Some(steps) = self.max_steps {
-            simulation = simulation.max_steps(steps.get());
-        }
-        simulation = with_method(simulation, self.method.as_deref())?;
         if !self.sensitivities.is_empty() {
             simulation = simulation.sensitivities(&self.sensitivities)?;
         }

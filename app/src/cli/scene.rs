@@ -14,6 +14,7 @@ use machinist_model::{Model, ModelSimulator, Running};
 use machinist_scenes::scenes;
 use machinist_studies::double_double::{Twin, precise};
 
+use super::arguments::Code;
 #[cfg(feature = "derive")]
 use crate::deriving::{self, Request};
 use crate::failure::Failure;
@@ -112,20 +113,65 @@ impl Cut {
     }
 }
 
-impl Scene {
-    /// Loads the scene of a name, a spec or a model file. A name that is not built in may be that
-    /// of a spec. The spec is always used if `keep_all` is set.
-    pub fn load(argument: &str, keep_all: bool) -> Result<Self, Failure> {
-        Self::load_cut(argument, keep_all, Discretisation::default())
+/// Form in which a scene is loaded.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Loading {
+    /// True to keep what no output needs; the spec is then always derived.
+    pub keep_all: bool,
+    /// Discretization of fields.
+    pub wanted: Discretisation,
+    /// Form of the equations; the spec is then always derived.
+    pub code: Option<Code>,
+    /// True for machine code from the first call on, for measuring times.
+    pub is_timed: bool,
+}
+
+impl Loading {
+    /// Returns the simulator of a model.
+    pub fn simulator(&self, model: Model) -> Result<ModelSimulator, Failure> {
+        match self.code {
+            None if self.is_timed => Ok(ModelSimulator::compiled_at_once(model)),
+            None => Ok(ModelSimulator::new(model)),
+            Some(Code::Interpreted) => Ok(ModelSimulator::interpreted(model)),
+            Some(Code::Compiled) => {
+                let simulator = ModelSimulator::compiled_at_once(model);
+                if simulator.running() == Running::Interpreted {
+                    let message = "models cannot be JIT-compiled on this computer";
+                    return Err(Failure::input(message, "leave `--code compiled` out"));
+                }
+                Ok(simulator)
+            }
+        }
     }
 
-    /// Like [`Scene::load`], with the fields discretized as wanted.
-    pub fn load_cut(
-        argument: &str,
-        keep_all: bool,
-        wanted: Discretisation,
-    ) -> Result<Self, Failure> {
-        Self::load_as(argument, keep_all, wanted, ModelSimulator::new)
+    /// Returns the scene of a model.
+    fn scene(&self, model: Model) -> Result<Scene, Failure> {
+        let has_fields = !model.fields.is_empty();
+        let simulator = Box::new(self.simulator(model)?);
+        if !has_fields {
+            return without_fields(self.wanted, Scene::Model(simulator));
+        }
+        Cut::new(Uncut::Model(Box::leak(simulator)), self.wanted).map(Scene::Fields)
+    }
+}
+
+impl Scene {
+    /// Loads the scene of a name, a spec or a model file. A name that is not built in may be that
+    /// of a spec.
+    pub fn load(argument: &str, loading: &Loading) -> Result<Self, Failure> {
+        let is_named = !loading.keep_all && loading.code.is_none() && !is_path(argument);
+        let mut of_fields = scenes::FIELD_NAMES.iter();
+        if is_named && let Some(name) = of_fields.find(|name| **name == argument) {
+            return Cut::new(Uncut::BuiltIn(name), loading.wanted).map(Self::Fields);
+        }
+        if is_named && let Some(simulator) = built_in(argument) {
+            return without_fields(loading.wanted, Self::Emitted(simulator));
+        }
+        loading.scene(match Given::of(argument)? {
+            Given::Model(_) if loading.keep_all => return Err(already_reduced(argument)),
+            Given::Model(stamped) => stamped.model,
+            Given::Spec(source) => derived(&source, loading.keep_all)?,
+        })
     }
 
     /// Derives the scene with a parameter for a test force on each of these coordinates; `None` for
@@ -133,58 +179,19 @@ impl Scene {
     #[cfg(feature = "derive")]
     pub fn load_with_forces(
         argument: &str,
-        keep_all: bool,
+        loading: &Loading,
         coordinates: Vec<String>,
     ) -> Result<Option<Self>, Failure> {
         let Given::Spec(source) = Given::of(argument)? else { return Ok(None) };
-        let keep = if keep_all { Keep::All } else { Keep::Needed };
+        let keep = if loading.keep_all { Keep::All } else { Keep::Needed };
         let request = Request { test_forces: coordinates, ..Request::model(&source, keep) };
-        let model = deriving::stamped(&request)?.model;
-        let has_fields = !model.fields.is_empty();
-        let simulator = Box::new(ModelSimulator::new(model));
-        if has_fields {
-            let uncut = Uncut::Model(Box::leak(simulator));
-            return Ok(Some(Self::Fields(Cut::new(uncut, Discretisation::default())?)));
-        }
-        Ok(Some(Self::Model(simulator)))
+        loading.scene(deriving::stamped(&request)?.model).map(Some)
     }
 
     /// Returns `None`, because this build does not derive.
     #[cfg(not(feature = "derive"))]
-    pub fn load_with_forces(_: &str, _: bool, _: Vec<String>) -> Result<Option<Self>, Failure> {
+    pub fn load_with_forces(_: &str, _: &Loading, _: Vec<String>) -> Result<Option<Self>, Failure> {
         Ok(None)
-    }
-
-    /// Like [`Scene::load`], with machine code from the first call on, for measuring times.
-    pub fn load_compiled(argument: &str) -> Result<Self, Failure> {
-        let wanted = Discretisation::default();
-        Self::load_as(argument, false, wanted, ModelSimulator::compiled_at_once)
-    }
-
-    fn load_as(
-        argument: &str,
-        keep_all: bool,
-        wanted: Discretisation,
-        simulator: fn(Model) -> ModelSimulator,
-    ) -> Result<Self, Failure> {
-        let is_named = !keep_all && !is_path(argument);
-        let mut of_fields = scenes::FIELD_NAMES.iter();
-        if is_named && let Some(name) = of_fields.find(|name| **name == argument) {
-            return Cut::new(Uncut::BuiltIn(name), wanted).map(Self::Fields);
-        }
-        if is_named && let Some(simulator) = built_in(argument) {
-            return without_fields(wanted, Self::Emitted(simulator));
-        }
-        let model = match Given::of(argument)? {
-            Given::Model(stamped) => stamped.model,
-            Given::Spec(source) => derived(&source, keep_all)?,
-        };
-        let has_fields = !model.fields.is_empty();
-        let simulator = Box::new(simulator(model));
-        if !has_fields {
-            return without_fields(wanted, Self::Model(simulator));
-        }
-        Cut::new(Uncut::Model(Box::leak(simulator)), wanted).map(Self::Fields)
     }
 
     /// Returns the simulator.
@@ -254,13 +261,15 @@ pub fn derived_stamped(source: &SpecSource, keep_all: bool) -> Result<Stamped, F
 #[cfg(feature = "derive")]
 pub fn stamped(argument: &str, keep_all: bool) -> Result<Stamped, Failure> {
     match Given::of(argument)? {
-        Given::Model(_) if keep_all => {
-            let message = format!("{argument} is already a model");
-            Err(Failure::input(message, "leave `--keep-all` out"))
-        }
+        Given::Model(_) if keep_all => Err(already_reduced(argument)),
         Given::Model(stamped) => Ok(*stamped),
         Given::Spec(source) => derived_stamped(&source, keep_all),
     }
+}
+
+/// Creates the error for a model file whose scene is to be kept whole.
+pub fn already_reduced(argument: &str) -> Failure {
+    Failure::input(format!("{argument} is already a model"), "leave `--keep-all` out")
 }
 
 /// Returns an error, because this build reads no specs.
@@ -285,12 +294,18 @@ pub fn refused(error: &FieldError) -> Failure {
     Failure::input(error, CUTTING)
 }
 
-/// Returns an error if a scene without fields is to be discretized.
+/// Returns a scene without fields, or an error if they are to be discretized.
 fn without_fields(wanted: Discretisation, scene: Scene) -> Result<Scene, Failure> {
+    require_no_cut(wanted, scene.simulator().name())?;
+    Ok(scene)
+}
+
+/// Returns an error if the fields of a scene are to be discretized that has none.
+pub fn require_no_cut(wanted: Discretisation, scene: &str) -> Result<(), Failure> {
     if wanted == Discretisation::default() {
-        return Ok(scene);
+        return Ok(());
     }
-    let message = format!("scene `{}` has no fields", scene.simulator().name());
+    let message = format!("scene `{scene}` has no fields");
     Err(Failure::input(message, "leave `--elements` and `--order` out"))
 }
 

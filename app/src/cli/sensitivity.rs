@@ -10,12 +10,11 @@ use machinist::{Method, SimulateError, Simulation};
 use machinist_contract::Simulator;
 use serde::Serialize;
 
-use super::amount::{Amount, assignment};
+use super::arguments::{RunArgs, SceneArgs};
 use super::output::{
     columns, draw_file, print, remarks, require_picture, require_table, write_file,
 };
 use super::scene::Scene;
-use super::settings::{with_method, with_parameters};
 use crate::failure::{Failure, did_you_mean};
 use crate::interrupt;
 use crate::number::number;
@@ -28,44 +27,31 @@ const DRAWN: usize = 6;
 
 #[derive(Debug, Args)]
 pub struct Sensitivity {
-    /// Name of a built-in scene, or a scene file
-    scene: String,
     /// Parameters, or states for their initial values. Default: all parameters
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     parameters: Vec<String>,
     /// Outputs or states. Default: all outputs
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
-    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
-    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, Amount)>,
-    /// Start time, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    from: Option<f64>,
-    /// End time, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    until: Option<f64>,
     /// Number of times in the averages, including both ends
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
-    /// Relative tolerance
-    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
-    rtol: Option<f64>,
-    /// Integration method, one that computes sensitivities
-    #[arg(long, value_name = "NAME")]
-    method: Option<String>,
     /// Maximum number of rows of the table; 0 shows all
-    #[arg(long, value_name = "NUMBER", default_value_t = 20)]
+    #[arg(long, help_heading = "Output", value_name = "NUMBER", default_value_t = 20)]
     top: usize,
     /// Print all sensitivities as JSON
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
     /// Write relative sensitivities over time to a .csv file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot the largest relative sensitivities over time to a .svg or .png file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot: Option<PathBuf>,
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    run: RunArgs,
 }
 
 /// Relative difference below which sizes count as equal.
@@ -108,7 +94,7 @@ impl Sensitivity {
         if let Some(file) = &self.out {
             require_table(file, &["csv"])?;
         }
-        let scene = Scene::load(&self.scene, false)?;
+        let scene = self.scene.load()?;
         let simulator = scene.simulator();
         let outputs = self.wanted(simulator)?;
         let simulation = self.simulation(simulator)?;
@@ -139,7 +125,7 @@ impl Sensitivity {
         let relative = relative(&trajectory, &effects);
         match &self.out {
             Some(file) if parquet::is_named(file) => {
-                let of = ("sensitivity", self.scene.as_str(), &scene);
+                let of = ("sensitivity", self.scene.scene.as_str(), &scene);
                 parquet::write_table(file, &parquet::of_run(&relative), of, json!({}))?;
             }
             Some(file) => write_file(file, |out| relative.write_csv(out))?,
@@ -174,19 +160,15 @@ impl Sensitivity {
 
     fn stopped(&self, error: SimulateError) -> Failure {
         if let SimulateError::Stopped { cause: StopCause::AtOnce { .. }, .. } = &error {
-            let help = format!("`--parameters` selects parameters of {}", self.scene);
+            let help = format!("`--parameters` selects parameters of {}", self.scene.scene);
             return Failure::unsuccessful(error, help);
         }
         error.into()
     }
 
     fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
-        let mut simulation = with_parameters(Simulation::new(simulator), &self.set)?;
-        simulation = self.from.into_iter().fold(simulation, Simulation::from);
-        simulation = self.until.into_iter().fold(simulation, Simulation::until);
-        simulation = self.points.into_iter().fold(simulation, Simulation::points);
-        simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
-        with_method(simulation, self.method.as_deref())
+        let simulation = self.run.apply(self.scene.simulation(simulator)?)?;
+        Ok(self.points.into_iter().fold(simulation, Simulation::points))
     }
 
     /// Returns the outputs asked for: all of them by default, or all states of a scene without

@@ -8,8 +8,9 @@ use std::fmt::Write as _;
 
 use clap::Args;
 
-use super::output::{columns, print};
+use super::output::print;
 use super::scene::Given;
+use super::table::{SECTION, columns_of_section as columns};
 use crate::failure::Failure;
 use crate::number::{exact, number};
 use crate::spec_source::SpecSource;
@@ -23,7 +24,7 @@ pub struct Show {
     /// Name or file of the scene, or a model file
     scene: String,
     /// Print JSON
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
 }
 
@@ -66,7 +67,7 @@ fn as_text(scene: &Description) -> String {
         if !rows.is_empty() {
             let _ = writeln!(text, "\n{heading}");
             for line in rows.lines() {
-                let _ = writeln!(text, "  {line}");
+                let _ = writeln!(text, "{SECTION}{line}");
             }
         }
     };

@@ -8,13 +8,13 @@ use machinist::Simulation;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use serde::Serialize;
 
-use super::amount::{Amount, assignment};
+use super::amount::time;
+use super::arguments::{RunArgs, SceneArgs};
 use super::output::{
     columns, draw_file, print, print_with, remark_beside, remarks, require_picture, require_table,
     write_file,
 };
 use super::scene::Scene;
-use super::settings::{with_method, with_parameters};
 use crate::failure::{Failure, did_you_mean};
 use crate::number::number;
 use crate::parquet;
@@ -29,17 +29,12 @@ const MOST_SAMPLES: usize = 10_000_000;
 
 #[derive(Debug, Args)]
 pub struct Spectrum {
-    /// Name of a built-in scene, or a scene file
-    scene: String,
     /// Outputs or states. Default: all outputs
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
-    /// Start of the analysed interval, s; the run starts at the start time of the scene
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    from: Option<f64>,
-    /// End of the analysed interval and of the run, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    until: Option<f64>,
+    /// Time after the start at which the analysed interval begins; it ends with the run. Default: 0
+    #[arg(long, value_name = "TIME", value_parser = time, allow_hyphen_values = true)]
+    settle: Option<f64>,
     /// Number of samples, equally spaced; the highest frequency is half the sampling rate
     #[arg(long, value_name = "NUMBER", default_value_t = SAMPLES)]
     samples: usize,
@@ -47,23 +42,18 @@ pub struct Spectrum {
     #[arg(long, value_name = "WINDOW", value_enum, default_value_t = Window::Hann)]
     window: Window,
     /// Number of largest peaks shown for each output
-    #[arg(long, value_name = "NUMBER", default_value_t = 5)]
+    #[arg(long, help_heading = "Output", value_name = "NUMBER", default_value_t = 5)]
     peaks: usize,
-    /// Set a parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
-    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, Amount)>,
-    /// Relative tolerance
-    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
-    rtol: Option<f64>,
-    /// Integration method
-    #[arg(long, value_name = "NAME")]
-    method: Option<String>,
     /// Write all spectral lines to a .csv or .json file; - writes only CSV to standard output
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot to a .svg or .png file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot: Option<PathBuf>,
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    run: RunArgs,
 }
 
 /// Spectra of several columns over the same lines.
@@ -100,7 +90,7 @@ impl Spectrum {
             let message = format!("--samples {}: a spectrum has 2 to {MOST_SAMPLES}", self.samples);
             return Err(Failure::input(message, ""));
         }
-        let scene = Scene::load(&self.scene, false)?;
+        let scene = self.scene.load()?;
         let simulation = self.simulation(&scene)?;
         let (from, until) = self.stretch(&scene)?;
         let run = during("simulating", || simulation.run())?;
@@ -146,7 +136,12 @@ impl Spectrum {
                 let Spectra { window, from, until, samples, .. } = &spectra;
                 let more =
                     json!({ "window": window, "from": from, "until": until, "samples": samples });
-                parquet::write_table(file, &columns, ("spectrum", &self.scene, &scene), more)?;
+                parquet::write_table(
+                    file,
+                    &columns,
+                    ("spectrum", &self.scene.scene, &scene),
+                    more,
+                )?;
             }
             Some(file) => write_file(file, |out| spectra.write_csv(out))?,
             None => {}
@@ -156,13 +151,15 @@ impl Spectrum {
 
     /// Returns the interval of the samples.
     fn stretch(&self, scene: &Scene) -> Result<(f64, f64), Failure> {
-        let run = scene.simulator().run_defaults();
-        let (from, until) = (self.from.unwrap_or(run.from), self.until.unwrap_or(run.until));
-        if from >= run.from && from < until && until.is_finite() {
+        let simulator = scene.simulator();
+        let start = self.run.span.start_time(simulator);
+        let from = start + self.settle.unwrap_or(0.0);
+        let until = self.run.span.until.unwrap_or(simulator.run_defaults().until);
+        if from >= start && from < until && until.is_finite() {
             return Ok((from, until));
         }
         let message = format!("the interval from {from} s to {until} s is empty");
-        Err(Failure::input(message, format!("the run begins at {} s", run.from)))
+        Err(Failure::input(message, format!("the run begins at {start} s")))
     }
 
     /// Prepares the run with outputs at the samples. The next sample would be at the end of the
@@ -171,9 +168,8 @@ impl Spectrum {
         let (from, until) = self.stretch(scene)?;
         let time = |n| from + (until - from) * f64::from(n) / self.samples as f64;
         let times: Vec<f64> = (0..self.samples as u32).map(time).collect();
-        let run = with_parameters(Simulation::new(scene.simulator()), &self.set)?;
-        let run = self.rtol.into_iter().fold(run.until(until).times(&times), Simulation::rtol);
-        with_method(run, self.method.as_deref())
+        let run = self.run.apply(self.scene.simulation(scene.simulator())?)?;
+        Ok(run.until(until).times(&times))
     }
 
     fn chosen<'t>(&self, run: &'t Trajectory) -> Result<Vec<&'t Column>, Failure> {

@@ -4,7 +4,9 @@ use clap::Args;
 use machinist::Method;
 use machinist_studies::stability::{self, ObservedOrders, Outcome, POWERS, Plan, Study};
 
-use super::output::{print, print_with};
+use super::amount::plain;
+use super::output::{columns, print, print_with};
+use super::table::paragraph;
 use crate::failure::Failure;
 use crate::progress::during;
 use crate::trials::{DRIFT, ORDERS, cell, drift_cells, order, refusals, rule};
@@ -12,20 +14,20 @@ use crate::trials::{DRIFT, ORDERS, cell, drift_cells, order, refusals, rule};
 #[derive(Debug, Args)]
 pub struct Stability {
     /// Methods, all by default
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    method: Vec<String>,
+    #[arg(long, alias = "method", value_name = "NAMES", value_delimiter = ',')]
+    methods: Vec<String>,
     /// Run only cases whose part or name contains this text
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
     /// Relative tolerance of every run
-    #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-6, allow_hyphen_values = true)]
+    #[arg(long, value_name = "TOLERANCE", default_value = "1e-6", value_parser = plain, allow_hyphen_values = true)]
     rtol: f64,
     /// Number of steps of the runs that measure constraint drift. Default: 1000000 with all cases,
     /// otherwise none
     #[arg(long, value_name = "NUMBER")]
     drift_steps: Option<usize>,
     /// Print JSON, with the reasons of all refusals
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
 }
 
@@ -38,8 +40,8 @@ impl Stability {
             drift_steps: self.drift_steps.unwrap_or(drift_steps),
             ..Plan::default()
         };
-        if !self.method.is_empty() {
-            let methods = self.method.iter().map(|name| Method::from_name(name));
+        if !self.methods.is_empty() {
+            let methods = self.methods.iter().map(|name| Method::from_name(name));
             plan.methods =
                 methods.collect::<Result<_, _>>().map_err(|error| Failure::input(error, ""))?;
         }
@@ -86,12 +88,13 @@ fn table(study: &Study) -> String {
         line.extend(study.methods.iter().map(|method| study.counts(*method)[index].to_string()));
         lines.push(line);
     }
-    let mut text = format!("{}\n{}\n{}\n", aligned(&lines), rule(study), refusals(study));
+    let (rule, refusals) = (paragraph(&rule(study)), paragraph(&refusals(study)));
+    let mut text = format!("{}\n{rule}{refusals}", aligned(&lines));
     if !study.orders.is_empty() {
-        text.extend(["\n", ORDERS, "\n\n", &aligned(&order_lines(study))]);
+        text.extend(["\n", &paragraph(ORDERS), "\n", &aligned(&order_lines(study))]);
     }
     if !study.long_runs.is_empty() {
-        text.extend(["\n", DRIFT, "\n\n", &aligned(&drift_lines(study))]);
+        text.extend(["\n", &paragraph(DRIFT), "\n", &aligned(&drift_lines(study))]);
     }
     text
 }
@@ -115,21 +118,10 @@ fn order_lines(study: &Study) -> Vec<Vec<String>> {
 
 /// Aligns lines of cells as columns, the first flush left. A line of one cell is a heading.
 fn aligned(lines: &[Vec<String>]) -> String {
-    let columns = lines.first().map_or(0, Vec::len);
-    let width = |column: usize| {
-        let cells = lines.iter().filter(|line| line.len() == columns);
-        cells.map(|line| line[column].chars().count()).max().unwrap_or_default()
-    };
-    let widths: Vec<usize> = (0..columns).map(width).collect();
-    let mut text = String::new();
-    for line in lines {
-        for (column, (cell, width)) in line.iter().zip(&widths).enumerate() {
-            let cell =
-                if column == 0 { format!("{cell:<width$}") } else { format!("  {cell:>width$}") };
-            text.push_str(&cell);
-        }
-        text.truncate(text.trim_end().len());
-        text.push('\n');
+    let count = lines.first().map_or(0, Vec::len);
+    let mut lines = lines.to_vec();
+    for line in &mut lines {
+        line.resize(count, String::new());
     }
-    text
+    columns(&lines, 1)
 }

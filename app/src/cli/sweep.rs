@@ -6,16 +6,18 @@ use std::path::PathBuf;
 use crate::failure::did_you_mean;
 use clap::Args;
 use machinist::sweep::{InLanes, Sweepable, VariantRun, Wanted, each_on_its_own, one};
-use machinist::{FieldSimulator, Method, SimulateError, Simulation};
+use machinist::{FieldSimulator, SimulateError, Simulation};
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
 use machinist_model::fingerprint::of_bytes;
 
-use super::amount::{Amount, as_json, assignment};
+use super::amount::as_json;
+use super::arguments::{RunArgs, SceneArgs};
 use super::output::{print_with, require_table, write_file};
 use super::range::{Range, range};
 use super::scene::{Scene, built_in, refused};
 use super::settings::with_parameters;
+use crate::config;
 use crate::failure::Failure;
 use crate::parquet::{self, Column, Values};
 use crate::progress::during;
@@ -26,11 +28,10 @@ const MOST_VARIANTS: usize = 1_000_000;
 
 #[derive(Debug, Args)]
 pub struct Sweep {
-    /// Name of a built-in scene, or a scene file
-    scene: String,
     /// Parameter and its values, equally spaced, or logarithmically with `:log`; repeatable, for
     /// all combinations
-    #[arg(long, required = true, value_name = "UNIT.PARAMETER=FROM..TO[:log]", value_parser = range)]
+    #[arg(long, visible_alias = "over", required = true, value_parser = range,
+        value_name = "UNIT.PARAMETER=FROM..TO[:log]")]
     parameter: Vec<Range>,
     /// Number of values of each parameter
     #[arg(long, value_name = "NUMBER")]
@@ -41,28 +42,19 @@ pub struct Sweep {
     /// Write the minimum and the maximum over the output times instead of the final value
     #[arg(long)]
     extremes: bool,
-    /// Set another parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
-    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, Amount)>,
-    /// End time, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    until: Option<f64>,
     /// Number of output times, including both ends
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
-    /// Relative tolerance
-    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
-    rtol: Option<f64>,
-    /// Integration method; `taylor`, also where `auto` selects it, runs variants side by side in
-    /// vector lanes
-    #[arg(long, value_name = "NAME")]
-    method: Option<String>,
     /// Number of threads. Default: the number of cores
     #[arg(long, value_name = "NUMBER")]
     threads: Option<usize>,
     /// Write to a .csv or .parquet file instead of standard output
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    run: RunArgs,
 }
 
 impl Sweep {
@@ -71,12 +63,13 @@ impl Sweep {
             require_table(file, &["csv"])?;
         }
         self.check_numbers()?;
-        let method = self.method.as_deref().map(Method::from_name).transpose();
-        let method = method.map_err(|error| Failure::input(error, ""))?;
-        let scene = Scene::load(&self.scene, false)?;
+        let scene = self.scene.load()?;
+        // Invalid options are refused before any variant runs.
+        let _ =
+            self.run.apply(self.scene.machine.with_initial(Simulation::new(scene.simulator()))?)?;
         let wanted = self.wanted(scene.simulator())?;
         let variants = self.variants(scene.simulator())?;
-        let runs = during("simulating", || self.runs(&scene, &variants, method))?;
+        let runs = during("simulating", || self.runs(&scene, &variants))?;
         if let Some(Err(error)) = runs.first()
             && !matches!(error, SimulateError::Stopped { .. })
             && runs.iter().all(|run| run.as_ref().err() == Some(error))
@@ -89,7 +82,7 @@ impl Sweep {
         let table = Table { sweep: self, wanted, variants: &variants, runs: &runs };
         match &self.out {
             Some(file) if parquet::is_named(file) => {
-                let of = ("sweep", self.scene.as_str(), &scene);
+                let of = ("sweep", self.scene.scene.as_str(), &scene);
                 let columns = table.columns(scene.simulator());
                 let told = self.told(scene.simulator(), &variants);
                 parquet::write_table(file, &columns, of, told)?;
@@ -108,7 +101,7 @@ impl Sweep {
 
     /// Warns on standard error about variants with a negative mass.
     fn tell_of_negative_inertias(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) {
-        let run = self.adjusted(Simulation::new(simulator), None);
+        let run = self.adjusted(Simulation::new(simulator));
         if let Some((count, first, note)) = run.negative_inertias(variants) {
             let (all, row) = (variants.len(), first + 1);
             eprintln!("machinist: {count} of {all} variants, the first in row {row}: {note}");
@@ -163,7 +156,7 @@ impl Sweep {
 
     /// Returns all parameters of every variant. The last range varies fastest.
     fn variants(&self, simulator: &dyn Simulator<f64>) -> Result<Vec<Vec<f64>>, Failure> {
-        let mut base = with_parameters(Simulation::new(simulator), &self.set)?;
+        let mut base = with_parameters(Simulation::new(simulator), &self.scene.machine.set)?;
         let mut variants = vec![base.parameter_values().to_vec()];
         for range in &self.parameter {
             // Unknown names are rejected.
@@ -189,7 +182,8 @@ impl Sweep {
         let axes = self.parameter.iter().map(|range| {
             (0..self.count).map(|index| range.value(index, self.count)).collect::<Vec<f64>>()
         });
-        let set = as_json(&self.set);
+        let [set, initial] =
+            [&self.scene.machine.set, &self.scene.machine.initial].map(|s| as_json(s));
         let outputs = if self.outputs.is_empty() {
             let places = self.wanted(simulator).unwrap_or_default();
             let known: Vec<&str> = columns_of(simulator).collect();
@@ -200,12 +194,11 @@ impl Sweep {
         let settings = [
             ("parameters", (!set.is_empty()).then_some(Value::Object(set))),
             ("points", self.points.or((!self.extremes).then_some(2)).map(Value::from)),
-            ("until", self.until.map(Value::from)),
-            ("rtol", self.rtol.map(Value::from)),
-            ("method", self.method.clone().map(Value::from)),
+            ("initial", (!initial.is_empty()).then_some(Value::Object(initial))),
         ];
         let settings: Map<String, Value> = settings
             .into_iter()
+            .chain(self.run.as_json())
             .filter_map(|(name, value)| Some((name.to_owned(), value?)))
             .collect();
         let places: Vec<usize> =
@@ -226,12 +219,12 @@ impl Sweep {
         })
     }
 
-    fn adjusted<'a>(&self, simulation: Simulation<'a>, method: Option<Method>) -> Simulation<'a> {
+    /// Applies the options of a run, which were accepted before.
+    fn adjusted<'a>(&self, simulation: Simulation<'a>) -> Simulation<'a> {
         let points = self.points.or((!self.extremes).then_some(2));
         let simulation = points.into_iter().fold(simulation, Simulation::points);
-        let simulation = self.until.into_iter().fold(simulation, Simulation::until);
-        let simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
-        method.into_iter().fold(simulation, Simulation::method)
+        let adjusted = self.scene.machine.with_initial(simulation);
+        adjusted.and_then(|run| self.run.apply(run)).expect("the options were accepted before")
     }
 
     /// Runs every variant on threads, in lanes where machine and method support them.
@@ -239,23 +232,22 @@ impl Sweep {
         &self,
         scene: &Scene,
         variants: &[Vec<f64>],
-        method: Option<Method>,
     ) -> Result<Vec<Result<VariantRun, SimulateError>>, Failure> {
-        let threads = self.threads.unwrap_or_default();
+        let threads = self.threads.or_else(config::threads).unwrap_or_default();
         let machine: &dyn Sweepable = match scene {
-            Scene::Emitted(_) => &BuiltIn { name: self.scene.clone() },
+            Scene::Emitted(_) => &BuiltIn { name: self.scene.scene.clone() },
             Scene::Model(simulator) => &OfModel(simulator),
             Scene::Fields(cut) => {
                 let run = |simulator: &FieldSimulator<'_, f64>, parameters: &[f64]| {
                     let run = Simulation::new(simulator.single()).parameters(parameters);
-                    one(&self.adjusted(run, method))
+                    one(&self.adjusted(run))
                 };
                 let runs = each_on_its_own(variants, threads, cut.again(), run);
                 return runs.map_err(|error| refused(&error));
             }
         };
         let sweep = machinist::Sweep::new(machine)
-            .each(|run| self.adjusted(run, method))
+            .each(|run| self.adjusted(run))
             .variants(variants.to_vec())
             .threads(threads);
         Ok(sweep.run())

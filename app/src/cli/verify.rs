@@ -5,14 +5,15 @@
 mod independent;
 mod machine;
 
-use std::time::Duration;
-
 use clap::Args;
-use machinist_studies::verify::{Tally, Verdict, VerifyOptions, render_table, verify_all};
+use machinist_studies::verify::{
+    Tally, Verdict, VerifyOptions, because, number, outcome, tally_line, verify_all,
+};
 
-use super::amount::{Amount, assignment, in_si};
+use super::amount::in_si;
+use super::arguments::{MachineArgs, RunArgs};
 use super::output::print;
-use super::settings::{TIME_LIMIT, time_limit};
+use super::table::{indented, rows, width};
 use crate::failure::Failure;
 use crate::progress::during;
 pub use machine::Changes;
@@ -21,26 +22,22 @@ pub use machine::verify_spec;
 
 #[derive(Debug, Args)]
 pub struct Verify {
-    /// Scene file, model file, or name of a spec. Default: all built-in scenes
+    /// Scene file, model file, or name of a spec. Default: all built-in scenes, of which --set
+    /// changes SCENE.UNIT.PARAMETER, with references unchanged
     scene: Option<String>,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
-    /// Set a parameter. Without a scene: SCENE.UNIT.PARAMETER=VALUE, with references unchanged
-    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, Amount)>,
     /// Run only checks whose scene or name contains this text
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
-    /// End time of the scene's run, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true, requires = "scene")]
-    until: Option<f64>,
-    /// Relative tolerance of the scene's run
-    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true, requires = "scene")]
-    rtol: Option<f64>,
-    /// Limit on the computing time of each run of the scene, s
-    #[arg(long, value_name = "SECONDS", default_value = TIME_LIMIT, value_parser = time_limit, requires = "scene")]
-    time_limit: Duration,
+    /// Print JSON
+    #[arg(long, help_heading = "Output")]
+    json: bool,
+    /// Add the reason of each tolerance, and what each check compares with
+    #[arg(long, help_heading = "Output", conflicts_with = "json")]
+    long: bool,
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[command(flatten)]
+    run: RunArgs,
 }
 
 impl Verify {
@@ -59,7 +56,7 @@ impl Verify {
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
             print(&format!("{text}\n"))?;
         } else {
-            print(&render_table(&verdicts))?;
+            print(&self.told(&verdicts))?;
         }
         let Tally { checked, passed, .. } = Tally::of(&verdicts);
         match checked - passed {
@@ -71,19 +68,58 @@ impl Verify {
         }
     }
 
+    /// Formats the verdicts. Reasons of tolerances and references are long and left out unless asked
+    /// for, but not the reasons of checks that failed or were not done.
+    fn told(&self, verdicts: &[Verdict]) -> String {
+        let (width, space) = (width(), " ".repeat(6));
+        let first = verdicts.first().map(|verdict| &verdict.scene);
+        let has_scenes = verdicts.iter().any(|verdict| Some(&verdict.scene) != first);
+        let row = |cells: [&str; 5]| -> Vec<String> {
+            let shown = cells.iter().enumerate().filter(|(at, _)| *at != 1 || has_scenes);
+            shown.map(|(_, cell)| (*cell).to_owned()).collect()
+        };
+        let cells = verdicts.iter().map(|verdict| {
+            let [error, tolerance] =
+                [verdict.error, verdict.tolerance].map(|value| number(verdict, value));
+            row([outcome(verdict), &verdict.scene, &verdict.check, &error, &tolerance])
+        });
+        let header = row(["", "scene", "check", "error", "tolerance"]);
+        let cells: Vec<Vec<String>> = std::iter::once(header).chain(cells).collect();
+        let lines = rows(&cells, if has_scenes { 3 } else { 2 }, width);
+        let mut text = lines.first().cloned().unwrap_or_default();
+        for (verdict, lines) in verdicts.iter().zip(&lines[1..]) {
+            text.push_str(lines);
+            if self.long || outcome(verdict) != "pass" {
+                text.push_str(&indented(because(verdict), &space, width));
+            }
+            if self.long {
+                text.push_str(&indented(&format!("against {}", verdict.reference), &space, width));
+            }
+        }
+        text.push('\n');
+        text.push_str(&indented(&tally_line(verdicts), "", width));
+        text
+    }
+
     fn of_built_in(&self) -> Result<Vec<Verdict>, Failure> {
-        if let Some((name, _)) = self.set.iter().find(|(_, amount)| amount.unit.is_some()) {
+        if let Some((name, _)) = self.machine.set.iter().find(|(_, amount)| amount.unit.is_some()) {
             let message = format!("--set {name}: without a scene, numbers are in SI units");
             return Err(Failure::input(message, "leave the unit out, or name the scene"));
         }
-        let options =
-            VerifyOptions { overrides: in_si(&self.set), only: self.only.clone(), scenes: None };
+        let options = VerifyOptions {
+            overrides: in_si(&self.machine.set),
+            only: self.only.clone(),
+            scenes: None,
+        };
         during("verifying", || verify_all(&options)).map_err(|error| Failure::input(error, ""))
     }
 
     fn of_machine(&self, scene: &str) -> Result<Vec<Verdict>, Failure> {
-        let (until, rtol, time_limit) = (self.until, self.rtol, self.time_limit);
-        let changes = Changes { parameters: &self.set, until, rtol, time_limit };
+        let changes = Changes {
+            machine: self.machine.clone(),
+            run: self.run.clone(),
+            time_limit: self.run.time.limit_or_default(),
+        };
         let mut verdicts = machine::verify(scene, &changes)?;
         if let Some(text) = &self.only {
             verdicts.retain(|verdict| {

@@ -1,4 +1,4 @@
-//! `machinist walk`: a comparison of models of a winder, and a map of its stability.
+//! `machinist studies walk`: a comparison of models of a winder, and a map of its stability.
 
 use std::path::PathBuf;
 
@@ -8,6 +8,7 @@ use machinist_studies::winder_walk::map::{Condition, FASTEST, StabilityMap};
 use machinist_studies::winder_walk::{Stage, Walk, Winder};
 use serde::Serialize;
 
+use super::amount::quantity;
 use super::output::{columns, draw_file, print, require_picture};
 use crate::failure::Failure;
 use crate::number::number;
@@ -16,41 +17,41 @@ use crate::progress::during;
 #[derive(Debug, Args)]
 pub struct WalkCommand {
     /// Winding speed [m/s]
-    #[arg(long, value_name = "SPEED", default_value_t = 5.5, allow_hyphen_values = true)]
+    #[arg(long, value_parser = quantity("m/s"), value_name = "SPEED", default_value = "5.5", allow_hyphen_values = true)]
     speed: f64,
     /// Radius of the empty bobbin [m]
-    #[arg(long, value_name = "RADIUS", allow_hyphen_values = true)]
+    #[arg(long, value_parser = quantity("m"), value_name = "RADIUS", allow_hyphen_values = true)]
     radius_min: Option<f64>,
     /// Radius of the full package [m]
-    #[arg(long, value_name = "RADIUS", allow_hyphen_values = true)]
+    #[arg(long, value_parser = quantity("m"), value_name = "RADIUS", allow_hyphen_values = true)]
     radius_max: Option<f64>,
     /// Force once per turn of the drum [N]. Default: that of an unbalance with 25 N at 5.5 m/s
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    #[arg(long, value_parser = quantity("N"), value_name = "FORCE", allow_hyphen_values = true)]
     force: Option<f64>,
     /// Amplitude of the drum's shape, twice per turn [m]
-    #[arg(long, value_name = "AMPLITUDE", allow_hyphen_values = true)]
+    #[arg(long, value_parser = quantity("m"), value_name = "AMPLITUDE", allow_hyphen_values = true)]
     shape: Option<f64>,
     /// Force once per turn of an irregular package [N]
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    #[arg(long, value_parser = quantity("N"), value_name = "FORCE", allow_hyphen_values = true)]
     package: Option<f64>,
     /// Contact force at rest with the empty bobbin [N]
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    #[arg(long, value_parser = quantity("N"), value_name = "FORCE", allow_hyphen_values = true)]
     preload: Option<f64>,
     /// Growth of that force with the radius of the package [N/m]: 3800 N/m if only the holder's
     /// spring presses
-    #[arg(long, value_name = "STIFFNESS", default_value_t = 0.0, allow_hyphen_values = true)]
+    #[arg(long, value_parser = quantity("N/m"), value_name = "STIFFNESS", default_value = "0", allow_hyphen_values = true)]
     growth: f64,
     /// Tension of the thread [N]
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    #[arg(long, value_parser = quantity("N"), value_name = "FORCE", allow_hyphen_values = true)]
     tension: Option<f64>,
     /// Largest permissible force on the yarn [N], for the stability map
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    #[arg(long, value_parser = quantity("N"), value_name = "FORCE", allow_hyphen_values = true)]
     largest: Option<f64>,
     /// Draw the stability map to a .svg or .png file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
     map: Option<PathBuf>,
     /// Print JSON, with the stability map
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
 }
 
@@ -68,7 +69,10 @@ impl WalkCommand {
         require_picture(self.map.as_deref(), "--map")?;
         let winder = self.winder()?;
         if let Some(mistake) = winder.mistake() {
-            return Err(Failure::input(mistake, "`machinist walk --help` lists the options"));
+            return Err(Failure::input(
+                mistake,
+                "`machinist studies walk --help` lists the options",
+            ));
         }
         let failed = |error| Failure::unsuccessful(error, "");
         let walk = during("walking", || Walk::of(&winder).map_err(failed))?;

@@ -1,11 +1,9 @@
 //! `machinist watch`: the page of a machine in a browser, updated whenever its files are saved.
 
-use std::time::Duration;
-
 use clap::Args;
 
+use super::arguments::TimeArgs;
 use super::scene::Given;
-use super::settings::{TIME_LIMIT, time_limit};
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
 use crate::watch;
@@ -17,9 +15,8 @@ pub struct Watch {
     /// Local port that serves the page. Default: a free one
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..))]
     port: Option<u16>,
-    /// Limit on the computing time of each run, s
-    #[arg(long, value_name = "SECONDS", default_value = TIME_LIMIT, value_parser = time_limit)]
-    time_limit: Duration,
+    #[command(flatten)]
+    time: TimeArgs,
 }
 
 impl Watch {
@@ -27,7 +24,7 @@ impl Watch {
         let scene = &self.scene;
         match Given::of(scene)? {
             Given::Spec(SpecSource::File(file)) if file.is_file() => {
-                watch::watch(&file, self.port, self.time_limit)
+                watch::watch(&file, self.port, self.time.limit_or_default())
             }
             Given::Spec(SpecSource::File(file)) => {
                 let message = format!("{}: there is no such file", file.display());

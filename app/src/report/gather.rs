@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use machinist::Simulation;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_contract::Simulator;
@@ -84,7 +85,7 @@ fn of_spec(spec: &SpecSource, purpose: Purpose, extent: Extent) -> Result<Machin
     admit(spec, derived.stages.needed())?;
     let mut machine = during("simulating", || Machine::new(derived, spec, Ways::Compiled, extent))?;
     let time_limit = extent.time_limit;
-    let changes = Changes { parameters: &[], until: None, rtol: None, time_limit };
+    let changes = Changes::none(time_limit);
     machine.verdicts = verify_spec(spec, &machine.model, &changes)?;
     // A machine whose own run stops is not timed.
     if extent.with_times && machine.model.fields.is_empty() && machine.run.is_ok() {
@@ -183,7 +184,7 @@ fn measure(
     // A machine has some hundred points, each measured long enough for its median.
     let time_limit = Some(time_limit);
     let plan = Plan { enough: 10.0, longest: 100.0, time_limit, ..Plan::default() };
-    work_precision::measure(simulator, twin, &plan)
+    work_precision::measure(&Simulation::new(simulator), twin, &plan)
 }
 
 impl Report {

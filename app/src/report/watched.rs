@@ -68,7 +68,7 @@ impl Ran {
         self.machine.find_modes(self.time_limit);
         self.machine.explain(&self.source, stages, false)?;
         let time_limit = self.time_limit;
-        let changes = Changes { parameters: &[], until: None, rtol: None, time_limit };
+        let changes = Changes::none(time_limit);
         self.machine.verdicts = verify_spec(&self.source, &self.machine.model, &changes)?;
         Ok(())
     }

@@ -49,7 +49,7 @@ pub fn section(report: &Report) -> Markup {
             "); what is left takes the full one (" (report.named("winder_full"))
             "). All three are run each time, to say what the later ones change. Figures are the
              worst over the radii of the package; of another winder, "
-            code { "machinist walk" } " says the same."
+            code { "machinist studies walk" } " says the same."
         }
         @match &report.winder {
             Ok(study) => {
@@ -134,7 +134,7 @@ fn drawn(map: &StabilityMap, index: usize) -> Markup {
                     (condition.name()) " " (number(100.0 * map.share(condition), 2)) " %; "
                 }
             }
-            code { "machinist walk --preload " (number(limits.pressure, 4)) " --map map.svg" }
+            code { "machinist studies walk --preload " (number(limits.pressure, 4)) " --map map.svg" }
         },
     )
 }

@@ -20,8 +20,8 @@ use machinist_codegen::scene::system::LagrangianSystem;
 use serde::{Deserialize, Serialize};
 
 use super::Message;
+use crate::cli::arguments::TimeArgs;
 use crate::cli::check::{counted, found};
-use crate::cli::settings::{TIME_LIMIT, time_limit};
 use crate::deriving::{derive_by, dropped_note, end_with_parent, repeated};
 use crate::failure::{Failure, Trouble};
 use crate::freeze::admit;
@@ -39,9 +39,8 @@ const MOST_SAID: u64 = 4000;
 pub struct Ask {
     /// The scene file
     scene: PathBuf,
-    /// Limit on the computing time of each run, s
-    #[arg(long, default_value = TIME_LIMIT, value_parser = time_limit)]
-    time_limit: Duration,
+    #[command(flatten)]
+    time: TimeArgs,
 }
 
 /// Result of checking, deriving and running a spec.
@@ -66,7 +65,7 @@ impl Ask {
         derive_by(Algebra::Plain);
         let source = SpecSource::File(self.scene.clone());
         let mut answer = Answer::default();
-        match ran(&source, self.time_limit, &mut answer) {
+        match ran(&source, self.time.limit_or_default(), &mut answer) {
             Ok((mut ran, system)) => {
                 answer.page = Some(ran.content());
                 if let Some(why) = ran.stopped() {

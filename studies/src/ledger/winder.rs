@@ -114,7 +114,7 @@ fn pressures() -> Result<Vec<LedgerRow>, CheckFailure> {
                 digits_of(rest, 3),
                 digits_of(spring, 4)
             ),
-            "`closed_form::winding_pair`; `machinist walk --growth`",
+            "`closed_form::winding_pair`; `machinist studies walk --growth`",
             lever,
         ),
     ])

@@ -39,7 +39,7 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
             consistent: Some(ours),
             verdict: "as printed; every operating frequency must keep it while the package grows"
                 .to_owned(),
-            ..LedgerRow::of(Study::Winder, "stages", "`machinist walk`", Held::Test(test))
+            ..LedgerRow::of(Study::Winder, "stages", "`machinist studies walk`", Held::Test(test))
         });
     }
     Ok(rows)
@@ -234,7 +234,7 @@ const TOLD: &[Told] = &[
         figure: "irregular shape or mounting of the bobbin as a disturbance",
         verdict: "consistent: a force once per package turn, besides the drum's once and twice \
                   per turn",
-        place: "parameter `package_force` of the scenes; `machinist walk --package`",
+        place: "parameter `package_force` of the scenes; `machinist studies walk --package`",
         held: Held::Test("an_irregular_package_shakes_every_stage_once_a_turn_of_its_own"),
     },
     Told {
@@ -285,8 +285,8 @@ const TOLD: &[Told] = &[
         at: "(15)",
         figure: "pressure N from the spring, the thread and the weights",
         verdict: "the arm of F is printed hp, that of P; N grows with R as the package lifts the \
-                  lever, numbers below; `walk` keeps N constant without `--growth`",
-        place: "`machinist walk --growth`; `drives/winder_elastic_slip`, `winder_linkage`",
+                  lever, numbers below; `studies walk` keeps N constant without `--growth`",
+        place: "`machinist studies walk --growth`; `drives/winder_elastic_slip`, `winder_linkage`",
         held: Held::Verify(
             "winder_linkage: forces at contact and stop while the package grows from 30 to 60 mm",
         ),
@@ -364,7 +364,7 @@ const TOLD: &[Told] = &[
         figure: "conclusion: keep clear of resonances, never lose contact",
         verdict: "consistent: the report's studies page gives the speed and pressures that \
                   satisfy it",
-        place: "`studies::conclusions`; `machinist walk`",
+        place: "`studies::conclusions`; `machinist studies walk`",
         held: Held::Test(
             "where_the_map_is_stable_the_full_model_neither_leaves_the_drum_nor_slips",
         ),

@@ -31,14 +31,15 @@ pub(super) fn series(machine: &dyn Twin) -> Option<&dyn TaylorSeries<DoubleDoubl
     machine.taylor().filter(|series| is_free && series.bends() != Bends::Corners)
 }
 
-/// Computes the run of `pilot`, from the same start at the same times; `None` if steps are too
+/// Computes the run of `pilot` with its parameters, from the same start at the same times; `None` if steps are too
 /// short.
 pub(super) fn solve(
     machine: &dyn Twin,
     series: &dyn TaylorSeries<DoubleDouble>,
+    parameters: &[f64],
     pilot: &Trajectory,
 ) -> Option<Precise> {
-    let run = Run::new(machine, series, pilot);
+    let run = Run::new(machine, series, parameters, pilot);
     let [ours, other] = RUNS.map(|(order, rtol)| run.states(order, rtol));
     let (ours, other) = (ours?, other?);
     let distance = |index: usize| {
@@ -68,12 +69,12 @@ impl<'a> Run<'a> {
     fn new(
         machine: &dyn Twin,
         series: &'a dyn TaylorSeries<DoubleDouble>,
+        parameters: &[f64],
         pilot: &'a Trajectory,
     ) -> Self {
         let shape = machine.shape();
         let lift = DoubleDouble::literal;
-        let parameters: Vec<_> =
-            (0..shape.parameters).map(|index| lift(machine.parameter_default(index))).collect();
+        let parameters: Vec<_> = parameters.iter().map(|value| lift(*value)).collect();
         let mut jumps = vec![lift(0.0); shape.discontinuities];
         machine.discontinuities(&parameters, &mut jumps);
         jumps.sort_by(|a, b| a.to_f64().total_cmp(&b.to_f64()));

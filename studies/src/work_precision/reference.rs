@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use machinist_contract::Simulator;
 use serde::{Serialize, Serializer};
 
 use super::{KnownState, distance, precise, run, states};
 use crate::double_double::Twin;
 use machinist::error::SimulateError;
 use machinist::method::Method;
+use machinist::simulate::Simulation;
 use machinist::trajectory::{ColumnKind, Trajectory};
 
 /// Tolerances of a reference, the tightest first: a method that stops at one may succeed at the
@@ -39,12 +39,12 @@ impl Reference {
     /// # Errors
     /// [`SimulateError`] of the last method tried if none completes the run.
     pub fn of(
-        simulator: &dyn Simulator<f64>,
+        machine: &Simulation<'_>,
         twin: Option<&dyn Twin>,
         time_limit: Option<Duration>,
     ) -> Result<Self, SimulateError> {
-        let precise = twin.map(|twin| Self::precise(simulator, twin, time_limit)).transpose()?;
-        precise.flatten().map_or_else(|| Self::converged(simulator, time_limit), Ok)
+        let precise = twin.map(|twin| Self::precise(machine, twin, time_limit)).transpose()?;
+        precise.flatten().map_or_else(|| Self::converged(machine, time_limit), Ok)
     }
 
     /// Computes a reference by Taylor series in numbers of 31 digits; `None` if that fails, or if
@@ -53,13 +53,15 @@ impl Reference {
     /// # Errors
     /// [`SimulateError`] if the scene does not run at all.
     pub fn precise(
-        simulator: &dyn Simulator<f64>,
+        machine: &Simulation<'_>,
         twin: &dyn Twin,
         time_limit: Option<Duration>,
     ) -> Result<Option<Self>, SimulateError> {
         let Some(series) = precise::series(twin) else { return Ok(None) };
-        let pilot = run(simulator, Method::Auto, PILOT, time_limit).run()?;
-        let Some(solved) = precise::solve(twin, series, &pilot) else { return Ok(None) };
+        let pilot = run(machine, Method::Auto, PILOT, time_limit).run()?;
+        let Some(solved) = precise::solve(twin, series, machine.parameter_values(), &pilot) else {
+            return Ok(None);
+        };
         let agreement = solved.agreement;
         if agreement.is_nan() || agreement > f64::EPSILON {
             return Ok(None);
@@ -68,6 +70,7 @@ impl Reference {
             "Taylor series in numbers of 31 digits, two runs of which differ by {agreement:.1e}"
         );
         let columns = pilot.of_kind(ColumnKind::State).map(|column| column.name.clone());
+        let simulator = machine.simulator();
         let scales = (0..simulator.shape().states()).map(|index| simulator.state_scale(index));
         let states = columns.zip(solved.states).zip(scales);
         let states = states.map(|((name, values), scale)| KnownState::new(name, values, scale));
@@ -81,9 +84,10 @@ impl Reference {
     /// # Errors
     /// As for [`Reference::of`].
     pub fn converged(
-        simulator: &dyn Simulator<f64>,
+        machine: &Simulation<'_>,
         time_limit: Option<Duration>,
     ) -> Result<Self, SimulateError> {
+        let simulator = machine.simulator();
         let mut runs: Vec<Trajectory> = Vec::new();
         let mut failure = None;
         // `auto` would confirm its chosen method by itself.
@@ -95,7 +99,7 @@ impl Reference {
             if runs.len() == CONFIRMING {
                 break;
             }
-            match tightest(simulator, method, time_limit) {
+            match tightest(machine, method, time_limit) {
                 Ok(trajectory) => runs.push(trajectory),
                 Err(error) => failure = Some(error),
             }
@@ -148,11 +152,11 @@ impl Serialize for Reference {
 }
 
 fn tightest(
-    simulator: &dyn Simulator<f64>,
+    machine: &Simulation<'_>,
     method: Method,
     time_limit: Option<Duration>,
 ) -> Result<Trajectory, SimulateError> {
-    let attempt = |rtol| run(simulator, method, rtol, time_limit).max_steps(MAX_STEPS).run();
+    let attempt = |rtol| run(machine, method, rtol, time_limit).max_steps(MAX_STEPS).run();
     let mut result = attempt(TIGHT[0]);
     for rtol in &TIGHT[1..] {
         if result.is_ok() {

@@ -48,13 +48,14 @@ fn references_are_as_near_the_truth_as_they_say() {
     let error = distance(&trajectory, &truth);
     assert!(error > 1e-7, "{error:e}");
 
-    let precise = Reference::of(&TwoMass, Some(&TwoMass), None).expect("a reference");
+    let precise =
+        Reference::of(&Simulation::new(&TwoMass), Some(&TwoMass), None).expect("a reference");
     assert!(precise.agreement < 1e-20, "{:e}", precise.agreement);
     assert!(precise.name.contains("31 digits"), "{}", precise.name);
     let ours = precise.distance(&trajectory);
     assert!((ours - error).abs() < 1e-13, "{ours:e} instead of {error:e}");
 
-    let converged = Reference::of(&TwoMass, None, None).expect("a reference");
+    let converged = Reference::of(&Simulation::new(&TwoMass), None, None).expect("a reference");
     assert!(converged.agreement < 1e-9, "{:e}", converged.agreement);
     assert!(converged.name.contains("differs by"), "{}", converged.name);
     let ours = converged.distance(&trajectory);
@@ -63,9 +64,11 @@ fn references_are_as_near_the_truth_as_they_say() {
 
 #[test]
 fn a_reference_in_31_digits_knows_jumps_of_the_load() {
-    let precise = Reference::precise(&SawGin, &SawGin, None).expect("a run").expect("a reference");
+    let precise = Reference::precise(&Simulation::new(&SawGin), &SawGin, None)
+        .expect("a run")
+        .expect("a reference");
     assert!(precise.agreement < 1e-18, "{:e}", precise.agreement);
-    let converged = Reference::converged(&SawGin, None).expect("a reference");
+    let converged = Reference::converged(&Simulation::new(&SawGin), None).expect("a reference");
     let tight = run(&SawGin, Method::Dop853, 1e-12, None).run().expect("a run");
     let (error, other) = (precise.distance(&tight), converged.distance(&tight));
     assert!(error < 1e-9 && other < 1e-9, "{error:e}, {other:e}");
@@ -73,15 +76,18 @@ fn a_reference_in_31_digits_knows_jumps_of_the_load() {
 
 #[test]
 fn machines_that_turn_unforeseen_have_no_reference_in_31_digits() {
-    let bouncing = Reference::precise(&BouncingMass, &BouncingMass, None).expect("a run");
-    let closed_loop = Reference::precise(&FourBar, &FourBar, None).expect("a run");
+    let bouncing =
+        Reference::precise(&Simulation::new(&BouncingMass), &BouncingMass, None).expect("a run");
+    let closed_loop =
+        Reference::precise(&Simulation::new(&FourBar), &FourBar, None).expect("a run");
     assert_eq!((bouncing, closed_loop), (None, None));
 }
 
 #[test]
 fn tighter_tolerances_cost_more_and_err_less() {
     let measured =
-        measure(&SawGin, None, &plan(Method::Tsit45, &[1e-4, 1e-6, 1e-8])).expect("measured");
+        measure(&Simulation::new(&SawGin), None, &plan(Method::Tsit45, &[1e-4, 1e-6, 1e-8]))
+            .expect("measured");
     let points = &measured.curves[0].points;
     assert_eq!(points.len(), 3);
     for pair in points.windows(2) {
@@ -111,7 +117,8 @@ fn a_state_that_is_only_rounding_is_measured_by_its_scale_and_a_small_one_by_its
 
 #[test]
 fn a_tolerance_of_zero_is_refused() {
-    let error = measure(&TwoMass, None, &plan(Method::Bdf, &[1e-3, 0.0])).expect_err("refused");
+    let error = measure(&Simulation::new(&TwoMass), None, &plan(Method::Bdf, &[1e-3, 0.0]))
+        .expect_err("refused");
     assert_eq!(error, SimulateError::BadTolerance(0.0));
 }
 

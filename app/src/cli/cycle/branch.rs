@@ -59,7 +59,7 @@ impl CycleCommand {
         match &self.out {
             Some(_) if to_standard_output => print_with(table)?,
             Some(file) if parquet::is_named(file) => {
-                let of = ("cycle", self.scene.as_str(), scene);
+                let of = ("cycle", self.scene.scene.as_str(), scene);
                 parquet::write_table(file, &ranges.as_columns(), of, json!({ "end": found.end }))?;
             }
             Some(file) => write_file(file, table)?,

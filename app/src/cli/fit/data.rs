@@ -18,6 +18,8 @@ pub struct Reading<'r> {
     pub outputs: &'r [String],
     /// Start of the runs \[s\].
     pub from: f64,
+    /// Time after which data are left out \[s\].
+    pub until: Option<f64>,
     /// True if unknown columns are skipped instead of refused.
     pub skips_unknown: bool,
 }
@@ -74,6 +76,9 @@ impl Reading<'_> {
             let line = record.position().map_or(0, |position| line_of(text, position.byte()));
             let time = in_seconds(cell(&record, 0, (line, "time"))?);
             self.check_time(time, times.last().copied(), line)?;
+            if self.until.is_some_and(|until| time > until) {
+                break;
+            }
             times.push(time);
             for column in &mut wanted {
                 let value = cell(&record, column.place, (line, &column.name))?;
@@ -85,7 +90,9 @@ impl Reading<'_> {
             }
         }
         if times.last().is_none_or(|last| *last <= self.from) {
-            let message = format!("there are no data after the start of the run, {} s", self.from);
+            let until = self.until.map(|until| format!(" until {until} s")).unwrap_or_default();
+            let from = self.from;
+            let message = format!("there are no data after the start of the run, {from} s{until}");
             return Err(refuse(message, ""));
         }
         let (deviations, columns): (Vec<Wanted>, Vec<Wanted>) =

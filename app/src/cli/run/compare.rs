@@ -10,7 +10,7 @@ use machinist_contract::Simulator;
 use crate::cli::amount::{Amount, assignment};
 use crate::cli::fit::data::Reading;
 use crate::cli::output::{columns, notes_told};
-use crate::cli::scene::Scene;
+use crate::cli::scene::{Loading, Scene};
 use crate::cli::settings::with_parameters;
 use crate::failure::Failure;
 use crate::number::number;
@@ -73,12 +73,12 @@ impl Others {
             let name = path.file_name().and_then(|name| name.to_str());
             let label = name.unwrap_or(argument).to_owned();
             others.push(if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv")) {
-                let reading =
-                    Reading { simulator, map: &[], outputs: &[], from, skips_unknown: true };
+                let (map, outputs, until) = (&[], &[], None);
+                let reading = Reading { simulator, map, outputs, from, until, skips_unknown: true };
                 let measured = reading.read(path)?.measured;
                 Other::File { label, times: measured.times, columns: measured.columns }
             } else {
-                Other::Scene { label, scene: Box::new(Scene::load(argument, false)?) }
+                Other::Scene { label, scene: Box::new(Scene::load(argument, &Loading::default())?) }
             });
         }
         for Settings { text, values } in &self.compare_set {

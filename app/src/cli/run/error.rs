@@ -9,7 +9,7 @@ use machinist::error_estimate::ErrorEstimate;
 use machinist::trajectory::{Column, Trajectory};
 use machinist::{SimulateError, Simulation};
 
-use super::{At, Run};
+use super::{At, RunCommand};
 use crate::cli::scene::Scene;
 use crate::cli::threads::lender;
 use crate::failure::Failure;
@@ -30,7 +30,7 @@ pub struct Options {
 /// Run, and the reason why it misses the accuracy asked for, if it does.
 pub type Estimated = (Trajectory, Option<String>);
 
-impl Run {
+impl RunCommand {
     /// Runs the scene. Estimates the error if it is shown or an accuracy is asked for, unless this
     /// is turned off.
     pub(super) fn estimated(
@@ -41,10 +41,10 @@ impl Run {
     ) -> Result<Result<Estimated, SimulateError>, Failure> {
         let is_wanted = is_shown && !self.error.no_error || self.error.accuracy.is_some();
         if !is_wanted {
-            let run = self.trajectory(scene.simulator(), &self.set, times)?;
+            let run = self.trajectory(scene.simulator(), &self.scene.machine.set, times)?;
             return Ok(run.map(|run| (self.chosen_columns(run), None)));
         }
-        self.simulated(scene.simulator(), &self.set, times, |simulation| {
+        self.simulated(scene.simulator(), &self.scene.machine.set, times, |simulation| {
             let both = |simulation: &Simulation<'_>| self.both(scene, times, simulation);
             let Some(accuracy) = self.error.accuracy else {
                 let (run, error) = both(simulation)?;
@@ -71,9 +71,10 @@ impl Run {
                     || is_abandoned.load(Ordering::Relaxed).then_some(StopCause::Interrupted);
                 let mut refined = None;
                 lender(&mut |simulator| {
-                    let run = self.simulated(simulator, &self.set, times, |simulation| {
-                        simulation.clone().rtol(rtol).until_told(&is_over).run()
-                    });
+                    let run =
+                        self.simulated(simulator, &self.scene.machine.set, times, |simulation| {
+                            simulation.clone().at_tolerance(rtol).until_told(&is_over).run()
+                        });
                     refined = run.ok();
                 });
                 refined

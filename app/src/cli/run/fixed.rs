@@ -10,14 +10,15 @@ use machinist_contract::fixed_step::{Clock, FixedSteps, Room, StepMethod, Steppe
 use machinist_model::Elimination;
 
 use super::columns;
+use crate::cli::amount::time;
 use crate::failure::Failure;
 use crate::number::number;
 
 #[derive(Debug, Args)]
 pub struct Options {
-    /// Use fixed steps of this size, s, as emitted C99 does, and report errors relative to the
+    /// Use fixed steps of this size, `1ms`, as emitted C99 does, and report errors relative to the
     /// adaptive run
-    #[arg(long, value_name = "STEP", conflicts_with_all = ["sensitivities", "modes"])]
+    #[arg(long, value_name = "TIME", value_parser = time, allow_hyphen_values = true, conflicts_with_all = ["sensitivities", "modes"])]
     fixed: Option<f64>,
     /// With --fixed: step method, rk4, heun or ros2. Default: rk4
     #[arg(long, value_name = "NAME", requires = "fixed", value_parser = step_method)]

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use machinist::{Discretisation, FieldSimulator, Simulation};
+use machinist::{FieldSimulator, Simulation};
 use machinist_contract::Simulator;
 use machinist_model::{Check, Model, ModelSimulator, Reference, Running};
 use machinist_studies::verify::Verdict;
@@ -12,8 +12,8 @@ use machinist_studies::verify::automatic::{
 
 #[cfg(feature = "derive")]
 use super::independent::Spec;
-use crate::cli::amount::Amount;
-use crate::cli::scene::{self, refused};
+use crate::cli::arguments::{MachineArgs, RunArgs};
+use crate::cli::scene::{self, Loading, refused, require_no_cut};
 use crate::cli::settings::with_parameters;
 use crate::failure::Failure;
 use crate::progress::during;
@@ -23,20 +23,26 @@ use crate::spec_source::SpecSource;
 use without::Spec;
 
 /// Changes of the run's settings.
-pub struct Changes<'a> {
-    /// Parameters and their values.
-    pub parameters: &'a [(String, Amount)],
-    /// End time, s.
-    pub until: Option<f64>,
-    /// Relative tolerance of a step.
-    pub rtol: Option<f64>,
+pub struct Changes {
+    /// Parameters, initial values, and the form in which the machine runs.
+    pub machine: MachineArgs,
+    /// Options of the run.
+    pub run: RunArgs,
     /// Time limit of each run.
     pub time_limit: Duration,
 }
 
+impl Changes {
+    /// Returns no changes, with a time limit of each run.
+    #[cfg(feature = "derive")]
+    pub fn none(time_limit: Duration) -> Self {
+        Self { machine: MachineArgs::default(), run: RunArgs::default(), time_limit }
+    }
+}
+
 /// Runs all checks of a scene file or a model file.
-pub fn verify(argument: &str, changes: &Changes<'_>) -> Result<Vec<Verdict>, Failure> {
-    let (model, spec) = given(argument)?;
+pub fn verify(argument: &str, changes: &Changes) -> Result<Vec<Verdict>, Failure> {
+    let (model, spec) = given(argument, changes)?;
     verify_model(&model, &spec, changes)
 }
 
@@ -45,7 +51,7 @@ pub fn verify(argument: &str, changes: &Changes<'_>) -> Result<Vec<Verdict>, Fai
 pub fn verify_spec(
     source: &SpecSource,
     model: &Model,
-    changes: &Changes<'_>,
+    changes: &Changes,
 ) -> Result<Vec<Verdict>, Failure> {
     verify_model(model, &Spec::of(source, model)?, changes)
 }
@@ -54,34 +60,46 @@ pub fn verify_spec(
 fn verify_model(
     model: &Model,
     spec: &Result<Spec, String>,
-    changes: &Changes<'_>,
+    changes: &Changes,
 ) -> Result<Vec<Verdict>, Failure> {
     let spec = spec.as_ref().map_err(String::clone);
-    let own = ModelSimulator::compiled_at_once(model.clone());
+    let loading = Loading { is_timed: true, ..changes.machine.loading() };
+    let own = loading.simulator(model.clone())?;
     let interpreted = ModelSimulator::interpreted(model.clone());
-    let is_compiled = own.running() != Running::Interpreted;
+    let twin = match (own.running(), loading.code) {
+        (Running::Interpreted, Some(_)) => Err("`--code interpreted` leaves machine code out"),
+        (Running::Interpreted, None) => Err("models cannot be JIT-compiled on this computer"),
+        _ => Ok(()),
+    };
     if model.fields.is_empty() {
         let independent = |parameters: &[f64]| spec.clone()?.against(own.single(), parameters);
-        let ways = Ways { simulator: own.single(), twin: interpreted.single(), is_compiled };
+        require_no_cut(loading.wanted, &model.name)?;
+        let twin = twin.map(|()| interpreted.single() as &dyn Simulator<f64>);
+        let ways = Ways { simulator: own.single(), twin };
         return verify_both(model, &ways, &independent, changes);
     }
     let independent = |parameters: &[f64]| spec.clone()?.against_fields(&own, parameters);
-    let cut = |scene| FieldSimulator::new(scene, Discretisation::default());
-    let [simulator, twin] = [cut(&own), cut(&interpreted)];
+    let cut = |scene| FieldSimulator::new(scene, loading.wanted);
+    let [simulator, interpreted] = [cut(&own), cut(&interpreted)];
     let simulator = simulator.map_err(|error| refused(&error))?;
-    let twin = twin.map_err(|error| refused(&error))?;
+    let interpreted = interpreted.map_err(|error| refused(&error))?;
     // Trait objects made here would be of code that is not optimized.
-    let ways = Ways { simulator: simulator.single(), twin: twin.single(), is_compiled };
+    let ways = Ways {
+        simulator: simulator.single(),
+        twin: twin.map(|()| interpreted.single() as &dyn Simulator<f64>),
+    };
     verify_both(model, &ways, &independent, changes)
 }
 
 /// Returns the model of an argument and its spec, or the reason why there is none.
 #[cfg(feature = "derive")]
-fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
+fn given(argument: &str, changes: &Changes) -> Result<(Model, Result<Spec, String>), Failure> {
+    let keep_all = changes.machine.keep.keep_all;
     match scene::Given::of(argument)? {
+        scene::Given::Model(_) if keep_all => Err(scene::already_reduced(argument)),
         scene::Given::Model(stamped) => Ok((stamped.model, Err(NO_SPEC.to_owned()))),
         scene::Given::Spec(source) => {
-            let model = scene::derived(&source, false)?;
+            let model = scene::derived(&source, keep_all)?;
             let spec = Spec::of(&source, &model)?;
             Ok((model, spec))
         }
@@ -90,8 +108,10 @@ fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
 
 /// Returns the model of an argument, without a spec in this build.
 #[cfg(not(feature = "derive"))]
-fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
+fn given(argument: &str, changes: &Changes) -> Result<(Model, Result<Spec, String>), Failure> {
+    let keep_all = changes.machine.keep.keep_all;
     match scene::Given::of(argument)? {
+        scene::Given::Model(_) if keep_all => Err(scene::already_reduced(argument)),
         scene::Given::Model(stamped) => Ok((stamped.model, Err(NO_SPEC.to_owned()))),
         scene::Given::Spec(source) => Err(scene::cannot_derive(&source)),
     }
@@ -102,30 +122,24 @@ const NO_SPEC: &str = "a model file has no spec to derive from again";
 /// Machine in both ways of running it.
 struct Ways<'a> {
     simulator: &'a dyn Simulator<f64>,
-    twin: &'a dyn Simulator<f64>,
-    is_compiled: bool,
+    /// Interpreted machine, or the reason why there is no other way.
+    twin: Result<&'a dyn Simulator<f64>, &'static str>,
 }
 
 fn verify_both<'a>(
     model: &Model,
     ways: &Ways<'_>,
     independent: &dyn Fn(&[f64]) -> Independent<'a>,
-    changes: &Changes<'_>,
+    changes: &Changes,
 ) -> Result<Vec<Verdict>, Failure> {
     let simulation = Simulation::new(ways.simulator).time_limit(changes.time_limit);
-    let mut simulation = with_parameters(simulation, changes.parameters)?;
-    if let Some(time) = changes.until {
-        simulation = simulation.until(time);
-    }
-    if let Some(rtol) = changes.rtol {
-        simulation = simulation.rtol(rtol);
-    }
+    let Changes { machine, run, .. } = changes;
+    let simulation = machine.with_initial(with_parameters(simulation, &machine.set)?)?;
+    let simulation = run.apply(simulation)?;
     let parameters = simulation.parameter_values().to_vec();
     let own = model.checks.iter().map(|check| own_check(check, &parameters)).collect();
-    let twin = ways.is_compiled.then_some(ways.twin);
-    let twin = twin.ok_or("models cannot be JIT-compiled on this computer");
     let independent = independent(&parameters);
-    let subject = Subject { simulation, twin, independent, own };
+    let subject = Subject { simulation, twin: ways.twin, independent, own };
     Ok(during("verifying", || verify_machine(&subject)))
 }
 

@@ -216,7 +216,9 @@ doc = "the hammer hits"
 fn what_a_scene_is_made_of_is_shown_without_deriving_it() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("hammer.toml"), SCENE).expect("written");
-    let shown = answer(folder.path(), &["show", "hammer.toml"]);
+    let mut show = process::machinist(folder.path(), &["show", "hammer.toml"]);
+    show.env("COLUMNS", "200");
+    let shown = process::answer(show);
     let lines: Vec<String> =
         shown.lines().map(|l| l.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
     for line in [

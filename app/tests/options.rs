@@ -197,7 +197,8 @@ fn numbers_of_options_may_have_units() {
 
 #[test]
 fn units_of_another_dimension_are_refused_with_a_hint() {
-    let refused = |words: &[&str], said: &[&str]| assert_refused(machinist(".", words), said);
+    let folder = tempfile::tempdir().expect("a folder");
+    let refused = |words: &[&str], said: &[&str]| assert_refused(machinist(&folder, words), said);
     refused(&["run", "two_mass", "--until", "5 m"], &["is in m, but must be in s", "500ms"]);
     refused(&["run", "two_mass", "--until", "5 parsec"], &["parsec"]);
     refused(&["run", "two_mass", "--until", ""], &["not a number"]);
@@ -208,6 +209,11 @@ fn units_of_another_dimension_are_refused_with_a_hint() {
     refused(&["modes", "two_mass", "--at", "t=5mm"], &["must be in s"]);
     refused(&["verify", "two_mass", "--time-limit", "0s"], &["above 0 s"]);
     refused(&["verify", "--until", "5"], &["SCENE"]);
+    fs::write(folder.path().join("data.csv"), "t,twist\n0,0\n0.1,0.001\n").expect("data");
+    let fit = ["fit", "two_mass", "--data=data.csv", "--parameters=load_torque"];
+    let sigma = |value| [&fit[..], &["--sigma", value]].concat();
+    refused(&sigma("twist=1 mm"), &["sigma of twist is in rad, and not in mm"]);
+    refused(&sigma("twist=1 parsec"), &["parsec", "0.02 + 1 %"]);
     refused(&["studies", "walk", "--speed", "2 m"], &["must be in m/s"]);
     refused(&["modes", "two_mass", "--at", "initial", "--rtol", "1e-3"], &["--rtol has no effect"]);
     refused(&["--algebra", "plain", "list"], &["`list` derives nothing"]);

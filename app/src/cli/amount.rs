@@ -188,6 +188,19 @@ pub fn is_alike(_: &str, _: &str) -> bool {
     false
 }
 
+/// Converts a number in SI units to a unit.
+#[cfg(feature = "derive")]
+pub fn in_unit(value: f64, unit: &str) -> f64 {
+    use machinist_codegen::spec::measure::Measure;
+
+    Measure::parse(unit).map_or(value, |measure| value / measure.factor.to_f64())
+}
+
+#[cfg(not(feature = "derive"))]
+pub fn in_unit(value: f64, _: &str) -> f64 {
+    value
+}
+
 /// Parses `name=value`, as `--set` takes it.
 pub fn assignment(text: &str) -> Result<(String, Amount), String> {
     let (name, value) =

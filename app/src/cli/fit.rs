@@ -12,9 +12,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use machinist::Simulation;
 use machinist::constraints;
-use machinist::fit::{
-    End, Evaluation, Experiment, Fit, Fitted, Noise, Plan, Profile, Unknown, Unsolved,
-};
+use machinist::fit::{End, Evaluation, Experiment, Fit, Fitted, Plan, Profile, Unknown, Unsolved};
 use machinist_contract::Simulator;
 
 use super::amount::in_si;
@@ -29,7 +27,7 @@ use crate::progress::spinner;
 use answer::Answer;
 use data::{File, Reading};
 use experiments::Setup;
-use noise::of_output;
+use noise::{Sigma, of_output};
 use unknown::{Asked, asked, unknowns};
 
 /// Default maximum number of steps of a search.
@@ -56,7 +54,7 @@ pub struct FitCommand {
     /// both, `0.02 + 1 %`. Default: the column `sigma(OUTPUT)` of the data, otherwise an estimate
     /// from the residuals
     #[arg(long, value_name = "OUTPUT=VALUE", value_parser = of_output)]
-    sigma: Vec<(String, Noise)>,
+    sigma: Vec<(String, Sigma)>,
     /// Number of starts, spread within the bounds
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     starts: usize,
@@ -300,7 +298,7 @@ impl FitCommand {
             let known = measured.columns.iter().map(|(column, _)| column.as_str());
             return Err(Failure::input(message, did_you_mean(name, known)));
         }
-        let is_new = |(name, _): &&(String, Noise)| {
+        let is_new = |(name, _): &&(String, Sigma)| {
             is_measured(name) && setup.sigma.iter().all(|(other, _)| other != name)
         };
         for (name, sigma) in setup.sigma.iter().chain(self.sigma.iter().filter(is_new)) {
@@ -308,7 +306,7 @@ impl FitCommand {
                 let message = format!("{}: the data already contain `sigma({name})`", setup.name);
                 return Err(Failure::input(message, "remove either the column or this sigma"));
             }
-            noise.push((name.clone(), sigma.clone()));
+            noise.push((name.clone(), sigma.of(name, simulator)?));
         }
         let (name, given) = (setup.name.clone(), in_si(&setup.set));
         let experiment = Experiment { name, measured, given, from: given_from, noise };

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use machinist::linear_analysis::{Estimator, Hold, Regulator, Signal, StateSpace, Weight};
 
-use super::amount::{Amount, assignment, time};
+use super::amount::{Amount, assignment, in_unit, time};
 use super::linear::Where;
 use super::output::{print, require_ending, write_file};
 use super::scene::Scene;
@@ -165,17 +165,4 @@ fn weights(model: &StateSpace, given: &[(String, Amount)]) -> Result<Vec<Weight>
         Ok(Weight { name: signal.name, deviation })
     };
     given.iter().map(weight).collect()
-}
-
-/// Converts a number in SI units to a unit.
-#[cfg(feature = "derive")]
-fn in_unit(value: f64, unit: &str) -> f64 {
-    use machinist_codegen::spec::measure::Measure;
-
-    Measure::parse(unit).map_or(value, |measure| value / measure.factor.to_f64())
-}
-
-#[cfg(not(feature = "derive"))]
-fn in_unit(value: f64, _: &str) -> f64 {
-    value
 }

@@ -190,6 +190,7 @@ impl Scene {
 
     /// Returns `None`, because this build does not derive.
     #[cfg(not(feature = "derive"))]
+    #[expect(clippy::unnecessary_wraps, reason = "as in a build that derives")]
     pub fn load_with_forces(_: &str, _: &Loading, _: Vec<String>) -> Result<Option<Self>, Failure> {
         Ok(None)
     }

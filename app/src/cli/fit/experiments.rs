@@ -13,8 +13,7 @@
 
 use std::path::{Path, PathBuf};
 
-use machinist::fit::Noise;
-
+use super::noise::Sigma;
 use crate::cli::amount::Amount;
 use crate::failure::Failure;
 
@@ -28,7 +27,7 @@ pub struct Setup {
     pub set: Vec<(String, Amount)>,
     pub map: Vec<(String, String)>,
     pub outputs: Vec<String>,
-    pub sigma: Vec<(String, Noise)>,
+    pub sigma: Vec<(String, Sigma)>,
 }
 
 /// Reads all experiments of a file.
@@ -209,7 +208,7 @@ mod parse {
         Ok((name, read))
     }
 
-    fn sigma((name, value): Leaf<'_>) -> Result<(String, machinist::fit::Noise), Wrong> {
+    fn sigma((name, value): Leaf<'_>) -> Result<(String, crate::cli::fit::noise::Sigma), Wrong> {
         let text = plain(value).map(|number| number.to_string());
         let text = text.or_else(|| value.as_str().map(str::to_owned)).unwrap_or_default();
         let read = noise(&text);

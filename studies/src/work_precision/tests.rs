@@ -43,7 +43,8 @@ fn closed_form_of_two_mass(times: &[f64]) -> Vec<KnownState> {
 
 #[test]
 fn references_are_as_near_the_truth_as_they_say() {
-    let trajectory = run(&TwoMass, Method::Tsit45, 1e-4, None).run().expect("a run");
+    let trajectory =
+        run(&Simulation::new(&TwoMass), Method::Tsit45, 1e-4, None).run().expect("a run");
     let truth = closed_form_of_two_mass(&trajectory.times);
     let error = distance(&trajectory, &truth);
     assert!(error > 1e-7, "{error:e}");
@@ -69,7 +70,7 @@ fn a_reference_in_31_digits_knows_jumps_of_the_load() {
         .expect("a reference");
     assert!(precise.agreement < 1e-18, "{:e}", precise.agreement);
     let converged = Reference::converged(&Simulation::new(&SawGin), None).expect("a reference");
-    let tight = run(&SawGin, Method::Dop853, 1e-12, None).run().expect("a run");
+    let tight = run(&Simulation::new(&SawGin), Method::Dop853, 1e-12, None).run().expect("a run");
     let (error, other) = (precise.distance(&tight), converged.distance(&tight));
     assert!(error < 1e-9 && other < 1e-9, "{error:e}, {other:e}");
 }
@@ -99,7 +100,8 @@ fn tighter_tolerances_cost_more_and_err_less() {
 
 #[test]
 fn a_state_that_is_only_rounding_is_measured_by_its_scale_and_a_small_one_by_itself() {
-    let trajectory = run(&TwoMass, Method::Tsit45, 1e-4, None).run().expect("a run");
+    let trajectory =
+        run(&Simulation::new(&TwoMass), Method::Tsit45, 1e-4, None).run().expect("a run");
     let exact = states(&TwoMass, &trajectory);
     for (size, error) in [(1e-17, 1e-17), (1e-9, 1.0), (1e-5, 1.0), (3.0, 1.0)] {
         let mut noisy = trajectory.clone();
@@ -124,7 +126,8 @@ fn a_tolerance_of_zero_is_refused() {
 
 #[test]
 fn a_value_that_is_no_number_is_no_small_error() {
-    let trajectory = run(&TwoMass, Method::Tsit45, 1e-4, None).run().expect("a run");
+    let trajectory =
+        run(&Simulation::new(&TwoMass), Method::Tsit45, 1e-4, None).run().expect("a run");
     let mut spoilt = trajectory.clone();
     spoilt.columns[1].values[3] = f64::NAN;
     assert!(distance(&spoilt, &states(&TwoMass, &trajectory)).is_nan());

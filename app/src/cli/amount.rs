@@ -141,8 +141,8 @@ pub fn is_alike(unit: &str, wanted: &str) -> bool {
     }
 }
 
-/// Returns whether a frequency in this unit is a number of cycles, as in Hz, and not an angle, as in
-/// rad/s and rpm, for each time.
+/// Returns whether a frequency in this unit is a number of cycles for each time, as in Hz, and not
+/// an angle, as in rad/s and rpm.
 #[cfg(feature = "derive")]
 pub fn is_in_cycles(unit: &str) -> bool {
     use machinist_codegen::spec::measure::Measure;

@@ -255,8 +255,8 @@ pub struct SpanArgs {
 #[derive(Debug, Clone, Copy, Default, Args)]
 #[command(next_help_heading = "Run")]
 pub struct TimeArgs {
-    /// Limit on the computing time of each run, in seconds or with a unit, `2min`. Default: 30 s for
-    /// verify, report and watch, otherwise none
+    /// Limit on the computing time of each run, in seconds or with a unit, `2min`. Default: 30 s
+    /// for verify, report and watch, otherwise none
     #[arg(long, value_name = "TIME", value_parser = time_limit, allow_hyphen_values = true)]
     time_limit: Option<Duration>,
 }

@@ -71,7 +71,8 @@ pub struct CycleCommand {
     /// Outputs and states to report, write and plot. Default: all outputs
     #[arg(long, help_heading = "Output", value_name = "NAMES", value_delimiter = ',')]
     columns: Vec<String>,
-    /// Write the motion over one period, or the branch of --over, to a .csv file; - writes only CSV to standard output
+    /// Write the motion over one period, or the branch of --over, to a .csv file; - writes only CSV
+    /// to standard output
     #[arg(long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot the motion, or amplitudes over the parameter of --over, to a .svg or .png file

@@ -1,5 +1,5 @@
-//! Options shared by `modes`, `campbell`, `response` and `linearize`: a scene, its parameters, and the operating
-//! point.
+//! Options shared by `modes`, `campbell`, `response` and `linearize`: a scene, its run, and the
+//! operating point.
 
 use clap::Args;
 use machinist::Simulation;

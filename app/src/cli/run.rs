@@ -218,8 +218,9 @@ impl RunCommand {
             (Some(Format::Json), Some(file)) => write_file(file, |out| trajectory.write_json(out))?,
             (Some(Format::Parquet), Some(file)) => {
                 let Trajectory { method, rtol, notes, stopped, .. } = trajectory;
+                let parameters = as_json(&self.scene.machine.set);
                 let more = json!({
-                    "settings": { "method": method, "rtol": rtol, "parameters": as_json(&self.scene.machine.set) },
+                    "settings": { "method": method, "rtol": rtol, "parameters": parameters },
                     "notes": notes,
                     "stopped": stopped,
                 });

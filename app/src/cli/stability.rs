@@ -20,7 +20,8 @@ pub struct Stability {
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
     /// Relative tolerance of every run
-    #[arg(long, value_name = "TOLERANCE", default_value = "1e-6", value_parser = plain, allow_hyphen_values = true)]
+    #[arg(long, value_name = "TOLERANCE", default_value = "1e-6", value_parser = plain,
+        allow_hyphen_values = true)]
     rtol: f64,
     /// Number of steps of the runs that measure constraint drift. Default: 1000000 with all cases,
     /// otherwise none

@@ -224,8 +224,8 @@ pub struct RunArgs {
     #[arg(long, value_name = "[UNIT.STATE=]VALUE", value_delimiter = ',', value_parser = atol,
         allow_hyphen_values = true)]
     pub atol: Vec<Atol>,
-    /// Integration method: auto, exact, taylor, tsit5, dop853, rodas5p or radau; with the feature
-    /// `diffsol` also bdf, tr_bdf2, esdirk34 or tsit45
+    /// Integration method: auto, exact, taylor, tsit5, dop853, rodas5p or radau, or of diffsol: bdf,
+    /// tr_bdf2, esdirk34 or tsit45
     #[arg(long, value_name = "NAME")]
     pub method: Option<String>,
     /// Maximum number of steps of each run. Default: ten million

@@ -21,7 +21,7 @@ pub const GROUPS: [(&str, &[&str]); 6] = [
             "gradient",
         ],
     ),
-    ("Decide", &["sweep", "fit", "improve"]),
+    ("Decide", &["sweep", "scatter", "fit", "improve"]),
     ("Share", &["gen", "compile", "fmu", "import"]),
     ("Look", &["show", "list", "parts", "schema", "explain", "derive", "watch"]),
     ("Project", &["bench", "stability", "studies", "cache", "completions"]),

@@ -13,11 +13,10 @@ use machinist::improve::{Expression, Inequality, Node, Reduction, check};
 use machinist::scatter::{Design, Sampler};
 use machinist_contract::Simulator;
 
-use super::amount::{Amount, assignment};
+use super::arguments::{RunArgs, SceneArgs};
 use super::improve::{expression, units, wrong};
 use super::output::{draw_file, print, require_picture, require_table, write_file};
 use super::scene::Scene;
-use super::settings::{with_method, with_parameters};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::parquet;
@@ -32,8 +31,6 @@ const MAX_RUNS: usize = 100_000_000;
 
 #[derive(Debug, Args)]
 pub struct ScatterCommand {
-    /// Name of a built-in scene, or a scene file
-    scene: String,
     /// Distribution of a parameter: normal(MEAN, DEVIATION), normal(5 %), uniform(LOW, HIGH),
     /// triangular(LOW, MODE, HIGH), lognormal(MEAN, DEVIATION) or 10 +- 0.5; repeatable
     #[arg(long, value_name = "NAME=DISTRIBUTION", value_parser = varied)]
@@ -71,57 +68,34 @@ pub struct ScatterCommand {
     /// Propagate deviations by the sensitivities of one run
     #[arg(long)]
     linear: bool,
-    #[command(flatten)]
-    run: RunOptions,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
-    /// Write all runs to a .csv or .parquet file
-    #[arg(long, short, value_name = "FILE")]
-    out: Option<PathBuf>,
-    /// Plot the quantiles of outputs over time to a .svg or .png file
-    #[arg(long, value_name = "FILE")]
-    plot: Option<PathBuf>,
-    /// Outputs and states to plot. Default: all outputs
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', requires = "plot")]
-    columns: Vec<String>,
-}
-
-/// Settings of the runs.
-#[derive(Debug, Args)]
-struct RunOptions {
-    /// Set another parameter: in its SI unit, or with a unit, `18 [kN m/rad]`
-    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, Amount)>,
-    /// End time, s
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    until: Option<f64>,
     /// Number of output times, including both ends
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
-    /// Relative tolerance
-    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
-    rtol: Option<f64>,
-    /// Integration method
-    #[arg(long, value_name = "NAME")]
-    method: Option<String>,
     /// Number of threads. Default: the number of cores
     #[arg(long, value_name = "NUMBER")]
     threads: Option<usize>,
-}
-
-impl RunOptions {
-    /// Prepares a run; `points` is the number of output times unless `--points` is given.
-    fn of<'a>(
-        &self,
-        simulation: Simulation<'a>,
-        points: Option<usize>,
-    ) -> Result<Simulation<'a>, Failure> {
-        let simulation = self.points.or(points).into_iter().fold(simulation, Simulation::points);
-        let simulation = self.until.into_iter().fold(simulation, Simulation::until);
-        let simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
-        with_method(simulation, self.method.as_deref())
-    }
+    /// Print JSON
+    #[arg(long, help_heading = "Output")]
+    json: bool,
+    /// Write all runs to a .csv or .parquet file
+    #[arg(long, short, help_heading = "Output", value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Plot the quantiles of outputs over time to a .svg or .png file
+    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// Outputs and states to plot. Default: all outputs
+    #[arg(
+        long,
+        help_heading = "Output",
+        value_name = "NAMES",
+        value_delimiter = ',',
+        requires = "plot"
+    )]
+    columns: Vec<String>,
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    run: RunArgs,
 }
 
 /// Results that are computed of each run.
@@ -147,13 +121,14 @@ impl ScatterCommand {
         let sampler = Sampler::from_name(&self.sampler).map_err(|error| {
             Failure::input(format!("--sampler: {error}"), "known are sobol, random and latin")
         })?;
-        let scene = Scene::load(&self.scene, false)?;
+        let scene = self.scene.load()?;
         let simulator = scene.simulator();
-        let base = with_parameters(Simulation::new(simulator), &self.run.set)?;
-        let inputs = Inputs::new(&self.scene, &self.vary, &self.run.set, &base)?;
+        let base = self.scene.simulation(simulator)?;
+        let inputs = Inputs::new(&self.scene.scene, &self.vary, &self.scene.machine.set, &base)?;
         let results = self.results(simulator)?;
         // Settings are checked before the first run.
-        let simulation = self.run.of(base, self.points(&results))?;
+        let points = self.points.or(self.sufficient_points(&results));
+        let simulation = self.run.apply(points.into_iter().fold(base, Simulation::points))?;
         if !inputs.correlation.is_none() && (self.indices || self.morris.is_some()) {
             let option = if self.indices { "--indices" } else { "--morris" };
             let message = format!("{option}: the parameters are correlated");
@@ -193,7 +168,7 @@ impl ScatterCommand {
         if let Some(file) = &self.out {
             require_table(file, &["csv"])?;
         }
-        if self.run.threads == Some(0) {
+        if self.threads == Some(0) {
             return Err(Failure::input("--threads 0: at least one is needed", ""));
         }
         if !(2..=MAX_RUNS).contains(&self.samples) {
@@ -203,7 +178,7 @@ impl ScatterCommand {
         if self.morris.is_some_and(|paths| !(2..=MAX_RUNS).contains(&paths)) {
             return Err(Failure::input("--morris takes at least 2 paths", "10 to 50 are usual"));
         }
-        if self.run.points.is_some_and(|points| points < 2) {
+        if self.points.is_some_and(|points| points < 2) {
             return Err(Failure::input("--points must be at least 2", ""));
         }
         let is_inside = |p: &f64| *p > 0.0 && *p < 1.0;
@@ -251,9 +226,16 @@ impl ScatterCommand {
     }
 
     /// Returns the number of output times if both ends suffice.
-    fn points(&self, results: &Results) -> Option<usize> {
+    fn sufficient_points(&self, results: &Results) -> Option<usize> {
         let ends = results.expressions().into_iter().all(takes_ends_only);
         (ends && self.plot.is_none()).then_some(2)
+    }
+
+    /// Applies the options of a run, which were accepted before.
+    fn adjusted<'a>(&self, simulation: Simulation<'a>, points: Option<usize>) -> Simulation<'a> {
+        let simulation = points.into_iter().fold(simulation, Simulation::points);
+        let adjusted = self.scene.machine.with_initial(simulation);
+        adjusted.and_then(|run| self.run.apply(run)).expect("the options were accepted before")
     }
 
     fn write(
@@ -267,7 +249,7 @@ impl ScatterCommand {
         if let Some(file) = &self.out {
             let columns = ran.columns(scene.simulator(), inputs, results, plan);
             if parquet::is_named(file) {
-                let of = ("scatter", self.scene.as_str(), scene);
+                let of = ("scatter", self.scene.scene.as_str(), scene);
                 parquet::write_table(file, &columns, of, self.told(inputs))?;
             } else {
                 write_file(file, |out| runs::write_csv(&columns, out))?;
@@ -282,18 +264,19 @@ impl ScatterCommand {
 
     /// Returns the settings that determine the numbers besides the machine.
     fn told(&self, inputs: &Inputs) -> serde_json::Value {
-        serde_json::json!({
+        let mut told = serde_json::json!({
             "parameters": inputs.told(),
             "sampler": self.sampler,
             "samples": self.samples,
             "seed": self.seed,
             "indices": self.indices,
-            "set": super::amount::as_json(&self.run.set),
-            "until": self.run.until,
-            "points": self.run.points,
-            "rtol": self.run.rtol,
-            "method": self.run.method,
-        })
+            "set": super::amount::as_json(&self.scene.machine.set),
+            "points": self.points,
+        });
+        for (name, value) in self.run.as_json() {
+            told[name] = value.unwrap_or_default();
+        }
+        told
     }
 
     fn tell(&self, answer: &Answer) -> Result<(), Failure> {

@@ -16,6 +16,7 @@ use super::{Results, ScatterCommand};
 use crate::cli::improve::units;
 use crate::cli::scene::{Scene, refused};
 use crate::cli::sweep::{BuiltIn, OfModel};
+use crate::config;
 use crate::failure::{Failure, did_you_mean};
 use crate::parquet::{Column, Values};
 use crate::progress::spinner;
@@ -150,7 +151,6 @@ pub struct Runner<'a> {
     inputs: &'a Inputs,
     expressions: Vec<&'a Expression>,
     points: Option<usize>,
-    method: Option<Method>,
     flag: &'a AtomicBool,
     /// Names of columns that are stored over time.
     columns: Vec<String>,
@@ -164,12 +164,10 @@ impl<'a> Runner<'a> {
         results: &'a Results,
         flag: &'a AtomicBool,
     ) -> Result<Self, Failure> {
-        let method = command.run.method.as_deref().map(Method::from_name).transpose();
-        let method = method.map_err(|error| Failure::input(error, ""))?;
-        let points = command.points(results);
+        let points = command.points.or(command.sufficient_points(results));
         let expressions = results.expressions();
         let columns = wanted(command, scene.simulator())?;
-        Ok(Self { command, scene, inputs, expressions, points, method, flag, columns })
+        Ok(Self { command, scene, inputs, expressions, points, flag, columns })
     }
 
     /// Returns the parameters that vary.
@@ -183,10 +181,7 @@ impl<'a> Runner<'a> {
     }
 
     fn settings_of_runs(&self) -> Settings<'a> {
-        let run = &self.command.run;
-        let points = run.points.or(self.points);
-        let (until, rtol, method, flag) = (run.until, run.rtol, self.method, self.flag);
-        Settings { points, until, rtol, method, flag }
+        Settings { command: self.command, points: self.points, flag: self.flag }
     }
 
     fn is_interrupted(&self) -> bool {
@@ -272,10 +267,10 @@ impl<'a> Runner<'a> {
         &self,
         variants: &[Vec<f64>],
     ) -> Result<Vec<Result<VariantRun, SimulateError>>, Failure> {
-        let threads = self.command.run.threads.unwrap_or_default();
         let settings = self.settings_of_runs();
+        let threads = self.command.threads.or_else(config::threads).unwrap_or_default();
         let machine: &dyn Sweepable = match self.scene {
-            Scene::Emitted(_) => &BuiltIn { name: self.command.scene.clone() },
+            Scene::Emitted(_) => &BuiltIn { name: self.command.scene.scene.clone() },
             Scene::Model(simulator) => &OfModel(simulator),
             Scene::Fields(cut) => {
                 let run = |simulator: &FieldSimulator<'_, f64>, parameters: &[f64]| {
@@ -297,10 +292,8 @@ impl<'a> Runner<'a> {
 /// Settings of every run, which threads share.
 #[derive(Clone, Copy)]
 struct Settings<'a> {
+    command: &'a ScatterCommand,
     points: Option<usize>,
-    until: Option<f64>,
-    rtol: Option<f64>,
-    method: Option<Method>,
     flag: &'a AtomicBool,
 }
 
@@ -309,11 +302,7 @@ impl<'a> Settings<'a> {
     where
         'a: 's,
     {
-        let simulation = self.points.into_iter().fold(simulation, Simulation::points);
-        let simulation = self.until.into_iter().fold(simulation, Simulation::until);
-        let simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
-        let simulation = self.method.into_iter().fold(simulation, Simulation::method);
-        simulation.until_flagged(self.flag)
+        self.command.adjusted(simulation, self.points).until_flagged(self.flag)
     }
 }
 

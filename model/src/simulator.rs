@@ -39,15 +39,15 @@ pub struct ModelSimulator {
     functions: [TapeFunction; FUNCTIONS.len()],
     /// Computation before the functions that read the motion.
     motion: motion::MotionFunction,
-    hoisted: OnceLock<Hoisted>,
+    hoisted: OnceLock<Box<Hoisted>>,
     /// Computation of the constants, then the rate and Jacobians that read them.
     prepared: [TapeFunction; Prepared::ALL.len()],
     series: Series,
     /// Excitation and its switching times.
     linear: [TapeFunction; 2],
-    fields: Vec<field::PointFunctions>,
+    fields: Box<[field::PointFunctions]>,
     /// For each event, whether it only counts.
-    counters: Vec<bool>,
+    counters: Box<[bool]>,
 }
 
 impl ModelSimulator {
@@ -87,7 +87,7 @@ impl ModelSimulator {
                 .iter()
                 .map(|field| field::PointFunctions::new(&model, field))
                 .collect(),
-            counters: model.counters(),
+            counters: model.counters().into(),
             model,
         }
     }
@@ -184,7 +184,7 @@ impl ModelSimulator {
     }
 
     fn hoisted(&self) -> &Hoisted {
-        self.hoisted.get_or_init(|| Hoisted::new(&self.model))
+        self.hoisted.get_or_init(|| Box::new(Hoisted::new(&self.model)))
     }
 
     #[inline(always)]

@@ -139,7 +139,7 @@ fn compare(case: &Case) {
                 let size = exact.iter().fold(0.1, |most: f64, value| most.max(value.abs()));
                 for (row, (found, exact)) in found.iter().zip(exact).enumerate() {
                     assert!(
-                        (found - exact).abs() <= 2e-6 * size,
+                        (found - exact).abs() <= 1e-5 * size,
                         "{method}, {shaft} {end}, row {row}: {found} and not {exact}"
                     );
                 }

@@ -75,7 +75,7 @@ fn elastic_slip_is_the_share_of_friction_in_use() {
             let rate = limit * radius * radius / (inertia(radius) * most * SPEED);
             for (time, slip) in run.times.iter().zip(column(&run, "slip")) {
                 let exact = settled * (1.0 - (-rate * time).exp());
-                assert!((slip - exact).abs() < 1e-9, "{method} {radius} {time}: {slip} {exact}");
+                assert!((slip - exact).abs() < 1e-7, "{method} {radius} {time}: {slip} {exact}");
             }
         }
     }

@@ -366,6 +366,7 @@ struct Row {
 
 impl Method {
     /// Returns absolute tolerances, tightened in proportion to the relative tolerance of steps.
+    #[cfg(any(feature = "implicit", feature = "sweep"))]
     pub(crate) fn tightened(atol: &[f64], rtol: f64, step_rtol: f64) -> Vec<f64> {
         let tighter = (step_rtol / rtol).min(1.0);
         atol.iter().map(|atol| tighter * atol).collect()

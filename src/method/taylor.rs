@@ -23,14 +23,12 @@ use quadrature::Gauss;
 use step::{Tolerance, order_for};
 
 /// Smallest relative tolerance; tighter ones are below rounding.
-#[cfg(feature = "sweep")]
 pub(crate) const LEAST_RTOL: f64 = 4.0 * f64::EPSILON;
 
 /// Fractions of a step at which it is checked for corners.
 const PROBES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
 /// Fraction of a step at which it is checked for oscillations of a saturating function.
-#[cfg(any(feature = "implicit", feature = "sweep"))]
 const MIDDLE: f64 = 0.5;
 
 /// Number of finite coefficients below which steps are of low order.

@@ -62,6 +62,7 @@ mod sweep;
 mod table;
 mod threads;
 mod times;
+mod variants;
 pub mod verify;
 pub mod walk;
 #[cfg(feature = "derive")]

@@ -231,13 +231,6 @@ impl ScatterCommand {
         (ends && self.plot.is_none()).then_some(2)
     }
 
-    /// Applies the options of a run, which were accepted before.
-    fn adjusted<'a>(&self, simulation: Simulation<'a>, points: Option<usize>) -> Simulation<'a> {
-        let simulation = points.into_iter().fold(simulation, Simulation::points);
-        let adjusted = self.scene.machine.with_initial(simulation);
-        adjusted.and_then(|run| self.run.apply(run)).expect("the options were accepted before")
-    }
-
     fn write(
         &self,
         scene: &Scene,

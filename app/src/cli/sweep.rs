@@ -5,19 +5,17 @@ use std::path::PathBuf;
 
 use crate::failure::did_you_mean;
 use clap::Args;
-use machinist::sweep::{InLanes, Sweepable, VariantRun, Wanted, each_on_its_own, one};
-use machinist::{FieldSimulator, SimulateError, Simulation};
+use machinist::sweep::{VariantRun, Wanted};
+use machinist::{SimulateError, Simulation};
 use machinist_contract::Simulator;
-use machinist_model::ModelSimulator;
 use machinist_model::fingerprint::of_bytes;
 
 use super::amount::as_json;
 use super::arguments::{RunArgs, SceneArgs};
 use super::output::{print_with, require_table, write_file};
 use super::range::{Range, range};
-use super::scene::{Scene, built_in, refused};
 use super::settings::with_parameters;
-use crate::config;
+use super::variants::Variants;
 use crate::failure::Failure;
 use crate::parquet::{self, Column, Values};
 use crate::progress::during;
@@ -69,7 +67,7 @@ impl Sweep {
             self.run.apply(self.scene.machine.with_initial(Simulation::new(scene.simulator()))?)?;
         let wanted = self.wanted(scene.simulator())?;
         let variants = self.variants(scene.simulator())?;
-        let runs = during("simulating", || self.runs(&scene, &variants))?;
+        let runs = during("simulating", || self.settings().runs(&scene, &variants))?;
         if let Some(Err(error)) = runs.first()
             && !matches!(error, SimulateError::Stopped { .. })
             && runs.iter().all(|run| run.as_ref().err() == Some(error))
@@ -101,7 +99,7 @@ impl Sweep {
 
     /// Warns on standard error about variants with a negative mass.
     fn tell_of_negative_inertias(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) {
-        let run = self.adjusted(Simulation::new(simulator));
+        let run = self.settings().adjust(Simulation::new(simulator));
         if let Some((count, first, note)) = run.negative_inertias(variants) {
             let (all, row) = (variants.len(), first + 1);
             eprintln!("machinist: {count} of {all} variants, the first in row {row}: {note}");
@@ -219,64 +217,9 @@ impl Sweep {
         })
     }
 
-    /// Applies the options of a run, which were accepted before.
-    fn adjusted<'a>(&self, simulation: Simulation<'a>) -> Simulation<'a> {
+    fn settings(&self) -> Variants<'_> {
         let points = self.points.or((!self.extremes).then_some(2));
-        let simulation = points.into_iter().fold(simulation, Simulation::points);
-        let adjusted = self.scene.machine.with_initial(simulation);
-        adjusted.and_then(|run| self.run.apply(run)).expect("the options were accepted before")
-    }
-
-    /// Runs every variant on threads, in lanes where machine and method support them.
-    fn runs(
-        &self,
-        scene: &Scene,
-        variants: &[Vec<f64>],
-    ) -> Result<Vec<Result<VariantRun, SimulateError>>, Failure> {
-        let threads = self.threads.or_else(config::threads).unwrap_or_default();
-        let machine: &dyn Sweepable = match scene {
-            Scene::Emitted(_) => &BuiltIn { name: self.scene.scene.clone() },
-            Scene::Model(simulator) => &OfModel(simulator),
-            Scene::Fields(cut) => {
-                let run = |simulator: &FieldSimulator<'_, f64>, parameters: &[f64]| {
-                    let run = Simulation::new(simulator.single()).parameters(parameters);
-                    one(&self.adjusted(run))
-                };
-                let runs = each_on_its_own(variants, threads, cut.again(), run);
-                return runs.map_err(|error| refused(&error));
-            }
-        };
-        let sweep = machinist::Sweep::new(machine)
-            .each(|run| self.adjusted(run))
-            .variants(variants.to_vec())
-            .threads(threads);
-        Ok(sweep.run())
-    }
-}
-
-/// Model that threads share.
-pub(super) struct OfModel<'a>(pub(super) &'a ModelSimulator);
-
-impl Sweepable for OfModel<'_> {
-    fn single(&self) -> &dyn Simulator<f64> {
-        self.0.single()
-    }
-    fn in_lanes(&self) -> Option<InLanes<'_>> {
-        Some(InLanes::Two(self.0.in_pairs()))
-    }
-}
-
-/// Built-in scene by its known name, which threads share.
-pub(super) struct BuiltIn {
-    pub(super) name: String,
-}
-
-impl Sweepable for BuiltIn {
-    fn single(&self) -> &dyn Simulator<f64> {
-        built_in(&self.name).expect("it was found by this name before")
-    }
-    fn in_lanes(&self) -> Option<InLanes<'_>> {
-        machinist_lanes::find(&self.name).map(InLanes::Eight)
+        Variants { scene: &self.scene, run: &self.run, points, threads: self.threads, flag: None }
     }
 }
 

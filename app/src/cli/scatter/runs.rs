@@ -6,17 +6,16 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use machinist::error::StopCause;
 use machinist::improve::Expression;
 use machinist::scatter::{Design, Groups, Points, Saltelli, ScatterError, Summary, value_over};
-use machinist::sweep::{Sweepable, VariantRun, each_on_its_own, one};
+use machinist::sweep::VariantRun;
 use machinist::trajectory::{self, ColumnKind, Trajectory};
-use machinist::{FieldSimulator, Method, SimulateError, Simulation, Sweep};
+use machinist::{Method, SimulateError, Simulation};
 use machinist_contract::Simulator;
 
 use super::inputs::Inputs;
 use super::{Results, ScatterCommand};
 use crate::cli::improve::units;
-use crate::cli::scene::{Scene, refused};
-use crate::cli::sweep::{BuiltIn, OfModel};
-use crate::config;
+use crate::cli::scene::Scene;
+use crate::cli::variants::Variants;
 use crate::failure::{Failure, did_you_mean};
 use crate::parquet::{Column, Values};
 use crate::progress::spinner;
@@ -180,8 +179,9 @@ impl<'a> Runner<'a> {
         self.command
     }
 
-    fn settings_of_runs(&self) -> Settings<'a> {
-        Settings { command: self.command, points: self.points, flag: self.flag }
+    fn settings_of_runs(&self) -> Variants<'a> {
+        let ScatterCommand { scene, run, threads, .. } = self.command;
+        Variants { scene, run, points: self.points, threads: *threads, flag: Some(self.flag) }
     }
 
     fn is_interrupted(&self) -> bool {
@@ -236,7 +236,7 @@ impl<'a> Runner<'a> {
         let values: Vec<Vec<f64>> = points.iter().map(|point| self.inputs.values(point)).collect();
         let variants: Vec<Vec<f64>> =
             values.iter().map(|values| self.inputs.variant(values)).collect();
-        let runs = self.runs(&variants)?;
+        let runs = self.settings_of_runs().runs(self.scene, &variants)?;
         let mut outcomes = Vec::with_capacity(runs.len());
         for ((parameters, variant), run) in values.into_iter().zip(&variants).zip(runs) {
             let outcome = match run {
@@ -261,48 +261,6 @@ impl<'a> Runner<'a> {
             Some(value) => Err(format!("a result is {value}")),
             None => Ok(values),
         }
-    }
-
-    fn runs(
-        &self,
-        variants: &[Vec<f64>],
-    ) -> Result<Vec<Result<VariantRun, SimulateError>>, Failure> {
-        let settings = self.settings_of_runs();
-        let threads = self.command.threads.or_else(config::threads).unwrap_or_default();
-        let machine: &dyn Sweepable = match self.scene {
-            Scene::Emitted(_) => &BuiltIn { name: self.command.scene.scene.clone() },
-            Scene::Model(simulator) => &OfModel(simulator),
-            Scene::Fields(cut) => {
-                let run = |simulator: &FieldSimulator<'_, f64>, parameters: &[f64]| {
-                    let run = Simulation::new(simulator.single()).parameters(parameters);
-                    one(&settings.adjust(run))
-                };
-                let runs = each_on_its_own(variants, threads, cut.again(), run);
-                return runs.map_err(|error| refused(&error));
-            }
-        };
-        let sweep = Sweep::new(machine)
-            .each(|run| settings.adjust(run))
-            .variants(variants.to_vec())
-            .threads(threads);
-        Ok(sweep.run())
-    }
-}
-
-/// Settings of every run, which threads share.
-#[derive(Clone, Copy)]
-struct Settings<'a> {
-    command: &'a ScatterCommand,
-    points: Option<usize>,
-    flag: &'a AtomicBool,
-}
-
-impl<'a> Settings<'a> {
-    fn adjust<'s>(&self, simulation: Simulation<'s>) -> Simulation<'s>
-    where
-        'a: 's,
-    {
-        self.command.adjusted(simulation, self.points).until_flagged(self.flag)
     }
 }
 

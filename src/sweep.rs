@@ -232,15 +232,13 @@ impl<'a> Sweep<'a> {
         machine: &dyn SideBySide<R>,
     ) -> Option<Vec<Result<VariantRun, SimulateError>>> {
         let series = machine.taylor()?;
-        // The same is done in a single run.
-        let looks_within = series.bends() == Bends::Saturates;
         let mut results: Vec<Option<Result<VariantRun, SimulateError>>> = vec![None; chunk.len()];
         // Variants that are still to be run, and the work that each has spent in vain.
         let mut left: Vec<(usize, Spent)> =
             (0..chunk.len()).map(|index| (index, Spent::default())).collect();
         for (rtol, is_left) in method.paces(rtol) {
             let variants = std::mem::take(&mut left);
-            let (machine, how) = ((machine, series), (method, (rtol, is_left), looks_within));
+            let (machine, how) = ((machine, series), (method, (rtol, is_left)));
             self.run_at_pace(chunk, variants, machine, how, |index, ended| match ended {
                 Ok(result) => results[index] = Some(result),
                 Err(spent) => left.push((index, spent)),
@@ -255,7 +253,7 @@ impl<'a> Sweep<'a> {
         chunk: &[Vec<f64>],
         mut variants: Vec<(usize, Spent)>,
         (machine, series): (&dyn SideBySide<R>, &dyn TaylorSeries<R>),
-        (method, pace, looks_within): (Method, (f64, bool), bool),
+        (method, pace): (Method, (f64, bool)),
         mut done: impl FnMut(usize, Result<Result<VariantRun, SimulateError>, Spent>),
     ) {
         let patience = (self.each)(Simulation::new(self.machine.single())).patience();
@@ -312,8 +310,8 @@ impl<'a> Sweep<'a> {
             };
             done(index, Ok(result));
         };
-        let (ready, how) = (&mut ready.into_iter(), (pace.0, looks_within));
-        variants::integrate((machine, series), how, patience, overseer, ready, &mut ended);
+        let ready = &mut ready.into_iter();
+        variants::integrate((machine, series), pace.0, patience, overseer, ready, &mut ended);
     }
 
     fn finished(&self, parameters: &[f64], times: &[f64], outcome: &Outcome) -> VariantRun {

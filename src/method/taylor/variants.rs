@@ -11,7 +11,7 @@ mod overseer;
 use std::time::{Duration, Instant};
 
 use machinist_contract::SideBySide;
-use machinist_contract::taylor::TaylorSeries;
+use machinist_contract::taylor::{Bends, TaylorSeries};
 
 use super::MIDDLE;
 use super::step::{self, Judges, Tolerance, order_for};
@@ -31,12 +31,11 @@ pub(crate) use overseer::{Equations, Moment, Overseer};
 const TURNS: u32 = 16;
 
 /// Runs all variants, which have the same relative tolerance, each no longer than `patience`
-/// allows. `done` receives each result with its number in the order of the iterator. With
-/// `looks_within`, accepted steps are also checked in their middle. A variant that the overseer
-/// rejects is interrupted, and one with too many loose steps is left.
+/// allows. `done` receives each result with its number in the order of the iterator. A variant that
+/// the overseer rejects is interrupted, and one with too many loose steps is left.
 pub(crate) fn integrate<'a, R: Lanes>(
     (machine, series): (&'a dyn SideBySide<R>, &'a dyn TaylorSeries<R>),
-    (rtol, looks_within): (f64, bool),
+    rtol: f64,
     patience: Patience<'a>,
     overseer: Option<Box<dyn Overseer<R> + 'a>>,
     variants: &mut dyn Iterator<Item = Variant>,
@@ -48,7 +47,9 @@ pub(crate) fn integrate<'a, R: Lanes>(
     lanes.resize_with(R::COUNT, &mut next);
     let Some(first) = lanes.first().and_then(Option::as_ref) else { return };
     let mut bundle = Bundle::<R>::new((machine, series), rtol, &first.variant);
-    bundle.middle = looks_within.then(|| Middle::new(&first.variant));
+    // As in a single run.
+    let saturates = series.bends() == Bends::Saturates;
+    bundle.middle = saturates.then(|| Middle::new(&first.variant));
     bundle.overseer = overseer;
     bundle.wait = Wait { patience, ..Wait::default() };
     for (index, lane) in lanes.iter_mut().enumerate() {

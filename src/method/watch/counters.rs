@@ -83,6 +83,9 @@ impl Watch<'_> {
         until: f64,
     ) -> Result<(), Stopped> {
         let inner = &mut *self.inner.borrow_mut();
+        if inner.counters.events.is_empty() {
+            return Ok(());
+        }
         inner.counters.renew();
         let passings = self.passings_of_counters(inner, method, until);
         let mut state = inner.start.clone();

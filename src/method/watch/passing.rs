@@ -312,6 +312,42 @@ impl Parts {
         found
     }
 
+    /// Returns a zero of a guard on the dense output of the step.
+    fn zero_at(&mut self, step: &mut Step<'_, '_>, time: f64, index: usize) -> Zero {
+        step.method.interpolate(time, &mut self.state);
+        self.follow(step.system, time);
+        let there = self.state.clone();
+        let (residual, rate) = self.at(step.system, time, &there, index);
+        Zero { time, residual, rate }
+    }
+
+    /// Returns how a guard that is on `side` at the start of the step begins.
+    ///
+    /// # Errors
+    /// The side on which it stays, if it surely does not cross zero until a time within the step.
+    fn beginning(
+        &mut self,
+        step: &mut Step<'_, '_>,
+        (guard, until): (Guard, f64),
+        side: Side,
+    ) -> Result<Beginning, Side> {
+        let Guard { index, direction, zero, .. } = guard;
+        match side {
+            Side::Idle => Err(side),
+            Side::Known(on) if until >= self.end.time && self.is_clear(index, on) => Err(side),
+            Side::Known(side) => Ok(Beginning { side, zero, leaves: false }),
+            Side::Fresh { passed, residual } => {
+                match self.first_seen(step, (index, direction), (passed, residual), until) {
+                    Start::On(side, zero) => Ok(Beginning { side, zero, leaves: false }),
+                    Start::Leaves { from, zero } => {
+                        Ok(Beginning { side: -from, zero, leaves: true })
+                    }
+                    Start::Unseen => Err(side),
+                }
+            }
+        }
+    }
+
     /// Returns the outcome for a guard that is on `side` at the start of the step, until a limit
     /// within the step.
     pub(super) fn outcome(
@@ -320,26 +356,15 @@ impl Parts {
         (guard, limit): (Guard, f64),
         side: Side,
     ) -> Outcome {
-        let Guard { index, direction, is_kink, zero } = guard;
-        let (mut side, mut zero) = match side {
-            Side::Idle => return Outcome::Stays(Side::Idle),
-            Side::Known(side) => {
-                if limit >= self.end.time && self.is_clear(index, side) {
-                    return Outcome::Stays(Side::Known(side));
-                }
-                (side, zero)
-            }
-            Side::Fresh { passed, residual } => {
-                match self.first_seen(step, (index, direction), (passed, residual), limit) {
-                    Start::On(side, zero) => (side, zero),
-                    Start::Leaves { from, .. } if !is_kink && is_wanted(direction, from) => {
-                        return Outcome::Passes { time: self.start.time, from };
-                    }
-                    Start::Leaves { from, zero } => (-from, zero),
-                    Start::Unseen => return Outcome::Stays(side),
-                }
-            }
-        };
+        let Guard { index, direction, is_kink, .. } = guard;
+        let Beginning { mut side, mut zero, leaves } =
+            match self.beginning(step, (guard, limit), side) {
+                Ok(beginning) => beginning,
+                Err(stays) => return Outcome::Stays(stays),
+            };
+        if leaves && !is_kink && is_wanted(direction, -side) {
+            return Outcome::Passes { time: self.start.time, from: -side };
+        }
         let (mut from, until) = (self.start.time, limit);
         loop {
             let mut pieces = PIECES;
@@ -352,11 +377,7 @@ impl Parts {
             if time <= from || time >= until {
                 break;
             }
-            step.method.interpolate(time, &mut self.state);
-            self.follow(step.system, time);
-            let there = self.state.clone();
-            let (residual, rate) = self.at(step.system, time, &there, index);
-            (from, zero) = (time, Some(Zero { time, residual, rate }));
+            (from, zero) = (time, Some(self.zero_at(step, time, index)));
         }
         Outcome::Stays(Side::Known(side))
     }
@@ -369,30 +390,17 @@ impl Parts {
         (guard, until): (Guard, f64),
         side: Side,
     ) -> (Vec<f64>, Side) {
-        let Guard { index, direction, zero, .. } = guard;
+        let Guard { index, direction, .. } = guard;
         let mut passings = Vec::new();
         self.samples.clear();
-        let (mut side, mut zero) = match side {
-            Side::Idle => return (passings, side),
-            Side::Known(side) => {
-                if until >= self.end.time && self.is_clear(index, side) {
-                    return (passings, Side::Known(side));
-                }
-                (side, zero)
-            }
-            Side::Fresh { passed, residual } => {
-                match self.first_seen(step, (index, direction), (passed, residual), until) {
-                    Start::On(side, zero) => (side, zero),
-                    Start::Leaves { from, zero } => {
-                        if is_wanted(direction, from) {
-                            passings.push(self.start.time);
-                        }
-                        (-from, zero)
-                    }
-                    Start::Unseen => return (passings, side),
-                }
-            }
-        };
+        let Beginning { mut side, mut zero, leaves } =
+            match self.beginning(step, (guard, until), side) {
+                Ok(beginning) => beginning,
+                Err(stays) => return (passings, stays),
+            };
+        if leaves && is_wanted(direction, -side) {
+            passings.push(self.start.time);
+        }
         let mut from = self.start.time;
         let (mut since, mut span) = (from, self.spans[index].min(until - from));
         while from < until {
@@ -414,16 +422,12 @@ impl Parts {
             if is_wanted(direction, side) {
                 passings.push(time);
             }
-            step.method.interpolate(time, &mut self.state);
-            self.follow(step.system, time);
-            let there = self.state.clone();
-            let (residual, rate) = self.at(step.system, time, &there, index);
             // The next root is about as far from this one as the last one.
             span = if middle(since, time).is_some() { time - since } else { span };
             (from, since) = (time, time);
-            let at = Zero { time, residual, rate };
+            let at = self.zero_at(step, time, index);
             side = match self.first_sign(step, index, at, until) {
-                Some((seen, _)) if rate * side > 0.0 => seen,
+                Some((seen, _)) if at.rate * side > 0.0 => seen,
                 _ => -side,
             };
             zero = Some(at);
@@ -444,11 +448,7 @@ impl Parts {
         if side * self.end.values[index] <= 0.0 {
             return None;
         }
-        step.method.interpolate(passing, &mut self.state);
-        self.follow(step.system, passing);
-        let there = self.state.clone();
-        let (residual, rate) = self.at(step.system, passing, &there, index);
-        let zero = Some(Zero { time: passing, residual, rate });
+        let zero = Some(self.zero_at(step, passing, index));
         let of = (index, -side, zero);
         let back = self.first_root(step, of, [passing, self.end.time], &mut PIECES.clone())?;
         let depths = SHARES
@@ -716,6 +716,16 @@ fn cubic([[from, low, low_rate], [until, high, high_rate]]: [[f64; 3]; 2], time:
     let slope = 6.0 * s * left * (high - low) / span + (left - s) * rates
         - s * left * (low_rate + high_rate);
     [ends + span * s * left * rates, slope]
+}
+
+/// Beginning of a guard that may cross zero within a step.
+struct Beginning {
+    /// Side on which it is, just behind the start.
+    side: f64,
+    /// The start of the segment, if it was zero there.
+    zero: Option<Zero>,
+    /// True if it leaves the other side at the start of the step.
+    leaves: bool,
 }
 
 /// State of a guard at the start of a step.

@@ -43,10 +43,7 @@ impl Counters {
     /// Begins another step.
     fn renew(&mut self) {
         for (_, entry, value) in self.within.drain(..) {
-            match self.before.iter_mut().find(|(known, _)| *known == entry) {
-                Some((_, known)) => *known = value,
-                None => self.before.push((entry, value)),
-            }
+            set(&mut self.before, entry, value);
         }
     }
 
@@ -59,6 +56,14 @@ impl Counters {
         for (_, entry, value) in &self.within[..until] {
             state[*entry] = *value;
         }
+    }
+}
+
+/// Sets the value of an entry.
+fn set(values: &mut Vec<(usize, f64)>, entry: usize, value: f64) {
+    match values.iter_mut().find(|(known, _)| *known == entry) {
+        Some((_, known)) => *known = value,
+        None => values.push((entry, value)),
     }
 }
 
@@ -89,13 +94,17 @@ impl Watch<'_> {
         inner.counters.renew();
         let passings = self.passings_of_counters(inner, method, until);
         let mut state = inner.start.clone();
+        let mut latest = inner.counters.before.clone();
         for (time, index) in passings {
             method.interpolate(time, &mut state);
-            inner.counters.enter(time, &mut state);
+            for (entry, value) in &latest {
+                state[*entry] = *value;
+            }
             self.apply(index, time, &mut state[..self.system.states()])?;
             let event = self.system.simulator().event(index);
             for entry in event.sets.iter().map(|entry| *entry as usize) {
                 inner.counters.within.push((time, entry, state[entry]));
+                set(&mut latest, entry, state[entry]);
             }
             self.system.count(|work| work.switches += 1);
             inner.switches.push(Switch { time, event: event.name.to_owned() });

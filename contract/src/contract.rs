@@ -3,6 +3,7 @@
 
 use crate::Real;
 use crate::dual::Derivatives;
+use crate::interval::Ranges;
 use crate::linear::LinearEquations;
 use crate::taylor::TaylorSeries;
 
@@ -436,6 +437,11 @@ pub trait Simulator<R: Real>: Describe {
     /// Returns the functions on dual numbers, for sensitivities along a run. It is `Some(self)`
     /// for a simulator on any [`Real`].
     fn derivatives(&self) -> Option<&dyn Derivatives> {
+        None
+    }
+    /// Returns the ranges of the guards, with which steps far from all zeros skip the guards. It is
+    /// `Some(self)` for a simulator on any [`Real`].
+    fn ranges(&self) -> Option<&dyn Ranges> {
         None
     }
 }

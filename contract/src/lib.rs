@@ -37,6 +37,7 @@ pub mod fixed_step;
 mod functions;
 pub mod implicit;
 mod include;
+mod interval;
 pub mod linear;
 mod pair;
 mod real;
@@ -53,6 +54,7 @@ pub use contract::{
     jacobians_apart,
 };
 pub use dual::{Derivatives, Dual, DualFunction};
+pub use interval::{Interval, Ranges};
 pub use pair::F64x2;
 pub use real::Real;
 pub use sources::SOURCES;

@@ -111,6 +111,9 @@ macro_rules! simulator {
             fn derivatives(&self) -> ::core::option::Option<&dyn $crate::Derivatives> {
                 ::core::option::Option::Some(self)
             }
+            fn ranges(&self) -> ::core::option::Option<&dyn $crate::Ranges> {
+                ::core::option::Option::Some(self)
+            }
         }
 
         $($crate::__part! { $machine $part $($argument $($bends)?)? })*

@@ -15,6 +15,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("fixed_step/projection.rs", include_str!("fixed_step/projection.rs")),
     ("functions.rs", include_str!("functions.rs")),
     ("include.rs", include_str!("include.rs")),
+    ("interval.rs", include_str!("interval.rs")),
     ("pair.rs", include_str!("pair.rs")),
     ("real.rs", include_str!("real.rs")),
     ("side_by_side.rs", include_str!("side_by_side.rs")),

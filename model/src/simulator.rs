@@ -11,7 +11,7 @@ use machinist_contract::linear::LinearEquations;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{
     Constraint, Derivatives, Describe, Direction, Dual, Energy, Event, PowerBalance, Quantity,
-    Real, Refusal, Relation, RunDefaults, Shape, SideBySide, Simulator, SparsityPattern,
+    Ranges, Real, Refusal, Relation, RunDefaults, Shape, SideBySide, Simulator, SparsityPattern,
     jacobians_apart,
 };
 
@@ -527,6 +527,7 @@ macro_rules! function {
 }
 
 mod derivatives;
+mod ranges;
 
 impl<R: Lane> Simulator<R> for ModelSimulator {
     machinist_contract::for_each_function! { [functions] R }
@@ -597,6 +598,9 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
     /// [`ModelSimulator::shared_with_fields_on_duals`].
     fn derivatives(&self) -> Option<&dyn Derivatives> {
         self.model.fields.is_empty().then_some(self)
+    }
+    fn ranges(&self) -> Option<&dyn Ranges> {
+        Some(self)
     }
 }
 

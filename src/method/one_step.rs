@@ -33,6 +33,24 @@ pub(crate) trait OneStep {
     /// Computes the state at `time` within the current step.
     fn interpolate(&mut self, time: f64, state: &mut [f64]);
 
+    /// Computes how far each state may be from its start anywhere within the current step.
+    ///
+    /// By default from the dense output at quarters of the step. A step resolves the motion, so
+    /// twice the largest distance seen there covers what lies between.
+    fn reach(&mut self, [from, until]: [f64; 2], start: &[f64], reach: &mut [f64]) {
+        const SHARES: [f64; 3] = [0.25, 0.5, 0.75];
+        for (reach, (start, end)) in reach.iter_mut().zip(start.iter().zip(self.end())) {
+            *reach = 2.0 * (end - start).abs();
+        }
+        let mut within = start.to_vec();
+        for share in SHARES {
+            self.interpolate(from + share * (until - from), &mut within);
+            for (reach, (start, within)) in reach.iter_mut().zip(start.iter().zip(&within)) {
+                *reach = reach.max(2.0 * (within - start).abs());
+            }
+        }
+    }
+
     /// Returns the error at the middle of the current step, over its limit of [`BETWEEN`] times the
     /// tolerances. It is requested where samples or events may lie within the step; the argument is
     /// true for samples.

@@ -282,6 +282,17 @@ impl OneStep for TaylorSteps<'_> {
         }
     }
 
+    /// By the sizes of all terms of the polynomial.
+    fn reach(&mut self, _within: [f64; 2], _start: &[f64], reach: &mut [f64]) {
+        let reach = &mut reach[..self.states];
+        reach.fill(0.0);
+        for terms in self.used().chunks_exact(self.states).skip(1).rev() {
+            for (reach, term) in reach.iter_mut().zip(terms) {
+                *reach = (*reach + term.abs()) * self.step;
+            }
+        }
+    }
+
     fn accept(&mut self) {
         self.time += self.step;
         self.longest = step::GROWTH * self.step;

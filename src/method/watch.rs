@@ -15,6 +15,7 @@
 //!   only modes; it may also happen after events. See `settle`.
 //! - Infinitely many events in a finite time (Zeno) stop the run.
 
+mod clear;
 mod counters;
 mod crossing;
 mod hosted;
@@ -38,6 +39,7 @@ use super::sliding::{ABOVE, BELOW};
 use super::{Problem, Stopped, Stretch, System};
 use crate::error::StopCause;
 use crate::trajectory::Switch;
+use clear::ClearBox;
 use counters::Counters;
 pub(crate) use hosted::Memory;
 use led::Turn;
@@ -79,6 +81,7 @@ struct Inner {
     time: f64,
     start: Vec<f64>,
     parts: Parts,
+    clear: ClearBox,
     outcomes: Vec<Outcome>,
     counters: Counters,
     /// Guards whose relations change within the step without ending it, with these changes.
@@ -198,6 +201,7 @@ impl<'a> Watch<'a> {
             time: *from,
             start: state.to_vec(),
             parts: Parts::new(system, watched.clone(), state.len(), scales),
+            clear: ClearBox::new(system, watched.len()),
             outcomes: Vec::new(),
             counters: Counters::new(system),
             silent: Vec::new(),
@@ -237,6 +241,7 @@ impl<'a> Watch<'a> {
         inner.start.copy_from_slice(state);
         inner.counters.clear();
         inner.parts.restart();
+        inner.clear.forget();
     }
 
     /// Takes the state to which the end of the accepted step was projected.
@@ -254,6 +259,13 @@ impl<'a> Watch<'a> {
     /// Returns the first zero crossing within the current step, which ends at `until`.
     pub(super) fn first_passing(&self, method: &mut dyn OneStep, until: f64) -> Option<f64> {
         let inner = &mut *self.inner.borrow_mut();
+        inner.clear.follow(method, [inner.time, until], &inner.start);
+        if inner.clear.are_all() {
+            inner.outcomes.clear();
+            inner.silent.clear();
+            inner.turn = None;
+            return None;
+        }
         self.look_into(inner, method, until);
         self.let_pass_at_start(inner);
         while let Some((index, _)) = inner.first()
@@ -278,6 +290,7 @@ impl<'a> Watch<'a> {
             }
         }
         self.change_silently(inner);
+        self.look_for_clear(inner, method, until);
         inner.time = until;
         inner.start.copy_from_slice(method.end());
         Ok(())
@@ -315,7 +328,7 @@ impl<'a> Watch<'a> {
         // Borders first: other guards are evaluated only up to the first border.
         let mut limit = until;
         for index in (0..self.watched.len()).rev() {
-            if inner.counters.has(index) {
+            if inner.counters.has(index) || inner.clear.is_clear(index) {
                 continue;
             }
             let (direction, is_kink) = (self.direction(index), self.is_kink(index));

@@ -10,12 +10,12 @@ use crate::functions::FunctionId;
 const ZERO: Dual = Dual::constant(0.0);
 
 impl ModelSimulator {
-    /// Returns the inputs of tapes.
-    pub(super) fn dual_inputs<'a>(
+    /// Returns the inputs of tapes on another type of numbers.
+    pub(super) fn inputs_of<'a, R: Real>(
         &'a self,
-        (time, state): (Dual, &'a [Dual]),
-        parameters: &'a [Dual],
-    ) -> Inputs<'a, Dual> {
+        (time, state): (R, &'a [R]),
+        parameters: &'a [R],
+    ) -> Inputs<'a, R> {
         let own = self.model.parameters.len();
         let handed = &parameters[own..own + self.model.handed.len()];
         let tables = &self.model.tables;
@@ -44,15 +44,15 @@ impl ModelSimulator {
         results: &mut [Dual],
     ) {
         let (time, state) = motion.map_or((ZERO, &[][..]), |(time, state)| (*time, state));
-        let inputs = self.dual_inputs((time, state), p);
+        let inputs = self.inputs_of((time, state), p);
         let own = |inputs: &Inputs<'_, Dual>, results: &mut [Dual]| {
             let ready = &self.functions[function as usize];
-            ready.run_on_duals(self.model.tape(function), inputs, results);
+            ready.run_on(self.model.tape(function), inputs, results);
         };
         let before = self.model.motion.as_ref().filter(|_| self.motion.is_read_by(function));
         let Some(before) = before else { return own(&inputs, results) };
         let mut known = vec![ZERO; before.tape.results.len()];
-        self.motion.run_on_duals(&before.tape, &inputs, &mut known);
+        self.motion.run_on(&before.tape, &inputs, &mut known);
         let inputs = Inputs { motion: &known, ..inputs };
         let Some(solve) = self.model.solve(function) else { return own(&inputs, results) };
         let mut own_results = vec![ZERO; solve.inputs()];

@@ -83,7 +83,7 @@ impl AtPoint for Dual {
         p: &[Dual],
         results: &mut [Dual],
     ) {
-        function.run_on_duals(tape, &simulator.dual_inputs(motion, p), results);
+        function.run_on(tape, &simulator.inputs_of(motion, p), results);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The motion's tape, run before the functions that read it, and matrices that are solved for with
 //! its factors.
 
-use machinist_contract::Dual;
+use machinist_contract::Real;
 use machinist_contract::implicit::LANES;
 
 use super::ModelSimulator;
@@ -28,8 +28,8 @@ impl MotionFunction {
     }
 
     /// Writes the results of a model's motion tape.
-    pub fn run_on_duals(&self, tape: &Tape, inputs: &Inputs<'_, Dual>, results: &mut [Dual]) {
-        self.tapes[0].run_on_duals(tape, inputs, results);
+    pub fn run_on<R: Real>(&self, tape: &Tape, inputs: &Inputs<'_, R>, results: &mut [R]) {
+        self.tapes[0].run_on(tape, inputs, results);
     }
 
     #[inline(always)]

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, OnceLock};
 
-use machinist_contract::Dual;
+use machinist_contract::Real;
 
 #[cfg(feature = "compiled")]
 use crate::compiled::{Again, CompiledSeries, CompiledTape, Regions, SeriesRoom};
@@ -159,7 +159,7 @@ pub(super) struct TapeFunction {
     again: [OnceLock<Again>; 2],
     /// On one lane, on two.
     ready: [OnceLock<Box<Ready>>; 2],
-    /// On dual numbers, and for the first calls.
+    /// On other numbers, and for the first calls.
     evaluator: OnceLock<Box<Evaluator>>,
     calls: Calls,
 }
@@ -225,10 +225,10 @@ impl TapeFunction {
         }
     }
 
-    /// Writes the results of its tape on dual numbers, interpreted.
-    pub fn run_on_duals(&self, tape: &Tape, inputs: &Inputs<'_, Dual>, results: &mut [Dual]) {
+    /// Writes the results of its tape on another type of numbers, interpreted.
+    pub fn run_on<R: Real>(&self, tape: &Tape, inputs: &Inputs<'_, R>, results: &mut [R]) {
         let evaluator = self.evaluator(tape);
-        let mut room = vec![Dual::constant(0.0); evaluator.room()];
+        let mut room = vec![R::literal(0.0); evaluator.room()];
         evaluator.evaluate_in(&mut room, inputs, results);
     }
 

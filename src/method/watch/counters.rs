@@ -92,6 +92,9 @@ impl Watch<'_> {
             return Ok(());
         }
         inner.counters.renew();
+        if inner.clear.are_all() {
+            return Ok(());
+        }
         let passings = self.passings_of_counters(inner, method, until);
         let mut state = inner.start.clone();
         let mut latest = inner.counters.before.clone();
@@ -122,6 +125,9 @@ impl Watch<'_> {
         let mut passings = Vec::new();
         let mut step = Step { system: self.system, method };
         for index in inner.counters.events.clone() {
+            if inner.clear.is_clear(index) {
+                continue;
+            }
             let direction = self.direction(index);
             let guard = Guard { index, direction, is_kink: false, zero: inner.zeros[index] };
             let side = inner.sides[index];

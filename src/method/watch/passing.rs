@@ -50,8 +50,9 @@ pub(super) struct Parts {
     state: Vec<f64>,
     start: Look,
     end: Look,
-    /// Start and end of the previous step, within the same segment.
-    before: Option<(Look, Look)>,
+    /// Start of the previous step, if that was within the same segment.
+    before: Look,
+    has_before: bool,
     /// Samples on the dense output of the step.
     samples: Vec<(f64, Vec<f64>)>,
     /// Mean rate of change of the rate of each guard over the step.
@@ -82,12 +83,10 @@ impl Default for Turns {
 }
 
 impl Turns {
-    fn note(&mut self, ends: [&Look; 2], index: usize) {
-        for look in ends {
-            self.least = self.least.min(look.values[index]);
-            self.greatest = self.greatest.max(look.values[index]);
-            self.steepest = self.steepest.max(look.rates[index].abs());
-        }
+    fn note(&mut self, value: f64, rate: f64) {
+        self.least = self.least.min(value);
+        self.greatest = self.greatest.max(value);
+        self.steepest = self.steepest.max(rate.abs());
     }
 
     /// Returns whether an oscillation of this extent may turn so far within a span that its values
@@ -151,7 +150,8 @@ impl Parts {
             state: vec![0.0; entries],
             start: Look::default(),
             end: Look { time: f64::NAN, ..Look::default() },
-            before: None,
+            before: Look::default(),
+            has_before: false,
             samples: Vec::new(),
             bends: zeros(),
             sizes: zeros(),
@@ -165,7 +165,6 @@ impl Parts {
 
     /// Starts a segment, in which the previous steps do not apply.
     pub(super) fn restart(&mut self) {
-        self.before = None;
         self.end.time = f64::NAN;
         self.noise.restart();
         self.excursions.fill(0.0);
@@ -179,31 +178,52 @@ impl Parts {
         start: &[f64],
     ) {
         self.samples.clear();
-        if self.end.time.to_bits() == from.to_bits() {
-            let earlier = std::mem::take(&mut self.start);
-            self.start = std::mem::take(&mut self.end);
-            self.before = (!earlier.values.is_empty()).then(|| (earlier, self.start.clone()));
+        let goes_on = self.end.time.to_bits() == from.to_bits();
+        self.has_before = goes_on && !self.start.values.is_empty();
+        if goes_on {
+            std::mem::swap(&mut self.before, &mut self.start);
+            std::mem::swap(&mut self.start, &mut self.end);
         } else {
-            self.before = None;
             self.state.copy_from_slice(start);
-            self.start = self.look_at(step.system, from);
-            self.start.time = from;
+            let mut look = std::mem::take(&mut self.start);
+            self.look_at(step.system, from, &mut look);
+            self.start = look;
+            self.note_look(false);
         }
         self.state.copy_from_slice(step.method.end());
-        self.end = self.look_at(step.system, until);
+        let mut look = std::mem::take(&mut self.end);
+        self.look_at(step.system, until, &mut look);
+        self.end = look;
+        self.note_look(true);
         let span = until - from;
         for index in 0..self.watched.len() {
-            let [low, high] = [&self.start, &self.end].map(|look| look.values[index].abs());
-            self.note_size(index, low.max(high));
-            self.turns[index].note([&self.start, &self.end], index);
             let bend = ((self.end.rates[index] - self.start.rates[index]) / span).abs();
             self.bends[index] = if bend.is_finite() { bend } else { 0.0 };
         }
         self.look_for_noise(step.system, from, start);
     }
 
+    /// Takes note of the values at the end of the step, or at its start.
+    fn note_look(&mut self, is_end: bool) {
+        let Self { start, end, sizes, excursions, turns, .. } = self;
+        let look = if is_end { end } else { start };
+        let notes = sizes.iter_mut().zip(excursions).zip(turns);
+        for ((value, rate), ((size, excursion), turns)) in
+            look.values.iter().zip(&look.rates).zip(notes)
+        {
+            *size = size.max(value.abs());
+            *excursion = excursion.max(value.abs());
+            turns.note(*value, *rate);
+        }
+    }
+
     fn note_size(&mut self, index: usize, size: f64) {
         self.sizes[index] = self.sizes[index].max(size);
+        self.note_excursion(index, size);
+    }
+
+    /// Takes note of a value that a guard may have.
+    pub(super) fn note_excursion(&mut self, index: usize, size: f64) {
         self.excursions[index] = self.excursions[index].max(size);
     }
 
@@ -212,19 +232,23 @@ impl Parts {
     pub(super) fn renew_end(&mut self, system: &System<'_>, time: f64, state: &[f64]) {
         if self.end.time.to_bits() == time.to_bits() {
             self.state.copy_from_slice(state);
-            self.end = self.look_at(system, time);
+            let mut look = std::mem::take(&mut self.end);
+            self.look_at(system, time, &mut look);
+            self.end = look;
         }
     }
 
-    fn look_at(&mut self, system: &System<'_>, time: f64) -> Look {
+    fn look_at(&mut self, system: &System<'_>, time: f64, look: &mut Look) {
         self.follow(system, time);
         let at = within(time, self.ends);
-        let count = 0..self.watched.len();
-        self.sources.take(system, at, &self.state);
-        let values = count.clone().map(|i| self.sources.value(system, self.watched[i])).collect();
-        self.sources.take_rates(system, at, &self.state);
-        let rates = count.map(|index| self.sources.rate(self.watched[index])).collect();
-        Look { time, values, rates }
+        let Self { sources, watched, state, .. } = self;
+        look.time = time;
+        look.values.clear();
+        look.rates.clear();
+        sources.take(system, at, state);
+        look.values.extend(watched.iter().map(|watched| sources.value(system, *watched)));
+        sources.take_rates(system, at, state);
+        look.rates.extend(watched.iter().map(|watched| sources.rate(*watched)));
     }
 
     /// Estimates the changes of guards by rounding of states, which may be far larger than the
@@ -464,12 +488,17 @@ impl Parts {
         (index, side): (usize, f64),
         start: &[f64],
     ) -> bool {
-        let kept = (self.start.clone(), self.end.clone(), std::mem::take(&mut self.samples));
         let (from, until) = (self.start.time, self.end.time);
+        let [mut begin, mut end] = [Look::default(), Look::default()];
         self.state.copy_from_slice(start);
-        self.start = self.look_at(step.system, from);
+        self.look_at(step.system, from, &mut begin);
         self.state.copy_from_slice(step.method.end());
-        self.end = self.look_at(step.system, until);
+        self.look_at(step.system, until, &mut end);
+        let kept = (
+            std::mem::replace(&mut self.start, begin),
+            std::mem::replace(&mut self.end, end),
+            std::mem::take(&mut self.samples),
+        );
         let is_beyond = side * self.start.values[index] <= 0.0;
         let of = (index, side, None);
         let stays =
@@ -492,12 +521,14 @@ impl Parts {
         if matches!(self.watched[index], Watched::Zone(_) | Watched::Nearest(_)) {
             return false;
         }
-        let Some((earlier, _)) = &self.before else { return false };
+        if !self.has_before {
+            return false;
+        }
         if self.turns[index].may_turn_within(self.end.time - self.start.time) {
             return false;
         }
         let ends = |look: &Look| [look.time, look.values[index], look.rates[index]];
-        let [first, start, end] = [earlier, &self.start, &self.end].map(ends);
+        let [first, start, end] = [&self.before, &self.start, &self.end].map(ends);
         let (span, span_before) = (end[0] - start[0], start[0] - first[0]);
         let coefficients =
             [start[1], start[1] + span * start[2] / 3.0, end[1] - span * end[2] / 3.0, end[1]];

@@ -84,6 +84,7 @@ impl Watch<'_> {
             self.system.held().set(change.relation, change.slot);
             inner.zeros[index] = None;
             inner.parts.forget_end();
+            inner.clear.forget();
         }
     }
 }

@@ -216,3 +216,61 @@ fn motions_along_two_surfaces_and_a_curved_one_have_the_sensitivities_of_differe
         }
     }
 }
+
+/// Two masses between which a relay acts that depends on their distance and relative speed, while
+/// another comparison switches a load. Once it slides, the distance decays as exp(-c t), whatever
+/// acts on the masses.
+#[test]
+fn a_relay_slides_on_while_another_comparison_switches() {
+    for (stiffness, load) in [(8.0, 1.5), (8.0, 0.0), (0.0, 1.5), (80.0, 3.0)] {
+        let machine = machine(
+            "until = 3.0\n[initial]\n\"u.x2\" = 0.2\n\"u.v1\" = 0.3",
+            &format!(
+                r#"
+                [define.u.coordinates.x1]
+                unit = "m"
+                velocity = "v1"
+                [define.u.coordinates.x2]
+                unit = "m"
+                velocity = "v2"
+                [define.u.parameters]
+                m1 = {{ value = 0.5, unit = "kg" }}
+                m2 = {{ value = 0.3, unit = "kg" }}
+                force = {{ value = 10.0, unit = "N" }}
+                load = {{ value = {load:?}, unit = "N" }}
+                c = {{ value = 5.0, unit = "1/s" }}
+                k = {{ value = {stiffness:?}, unit = "N/m" }}
+                period = {{ value = 0.353128, unit = "s" }}
+                length = {{ value = 4.0, unit = "m" }}
+                [define.u.energy]
+                kinetic = "m1*v1^2/2 + m2*v2^2/2"
+                potential = "k*x1^2/2"
+                [[define.u.forces]]
+                coordinate = "x1"
+                expression = "force*sign(v2 - v1 + c*(x2 - x1))"
+                [[define.u.forces]]
+                coordinate = "x2"
+                expression = "-force*sign(v2 - v1 + c*(x2 - x1))"
+                [[define.u.forces]]
+                coordinate = "x2"
+                expression = "load*piecewise(mod(t, period)/period < 0.5 + x1/length, 1, -1)"
+                "#
+            ),
+        );
+        for method in [Method::Dop853, Method::Radau, Method::Taylor, Method::Tsit5] {
+            let run = Simulation::new(&machine).method(method).run();
+            let run = run.unwrap_or_else(|stopped| panic!("{method}: {stopped}"));
+            let column = |name: &str| run.column(name).expect("a state").to_vec();
+            let [x1, x2, v1, v2] = ["u.x1", "u.x2", "u.v1", "u.v2"].map(column);
+            let slides =
+                |row: &usize| (v2[*row] - v1[*row] + 5.0 * (x2[*row] - x1[*row])).abs() < 1e-9;
+            let since = (0..x1.len()).find(slides).expect("slides");
+            assert!(run.times[since] < 0.5);
+            for row in since..x1.len() {
+                let decay = (-5.0 * (run.times[row] - run.times[since])).exp();
+                let off = x2[row] - x1[row] - (x2[since] - x1[since]) * decay;
+                assert!(off.abs() < 1e-8, "{method} at {} s: {off}", run.times[row]);
+            }
+        }
+    }
+}

@@ -64,7 +64,37 @@ pub(super) struct Held {
     zero: Option<NodeId>,
 }
 
+/// A node as a rational multiple of another one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Multiple {
+    /// Index of the other node, the node itself included.
+    pub of: usize,
+    /// True if the factor is negative.
+    pub is_opposite: bool,
+}
+
 impl Graph {
+    /// Returns the first of the nodes of which each is a rational multiple, for all states,
+    /// parameters and times; found by values at random points.
+    #[must_use]
+    pub fn multiples(&self, nodes: &[NodeId]) -> Vec<Multiple> {
+        let values = at_points(&self.nodes);
+        let of = |index: usize| values[nodes[index].0 as usize].as_ref();
+        let factor = |index: usize, other: usize| {
+            let (mut values, mut others) = (of(index)?.iter(), of(other)?.iter());
+            let first = values.next()?.times(others.next()?.inverse()?);
+            values.zip(others).all(|(value, other)| *value == other.times(first)).then_some(first)
+        };
+        let of_first = |index: usize| {
+            (0..index).find_map(|other| {
+                let is_opposite = factor(index, other)?.is_negative()?;
+                Some(Multiple { of: other, is_opposite })
+            })
+        };
+        let alone = |index: usize| Multiple { of: index, is_opposite: false };
+        (0..nodes.len()).map(|index| of_first(index).unwrap_or_else(|| alone(index))).collect()
+    }
+
     /// Holds relations on all tapes from now on. `first` is the index of the first slot among the
     /// parameters. Equal comparisons are held too, also where derivatives contain them in another
     /// form.

@@ -110,6 +110,20 @@ impl Value {
         Some(Value { p, q: inverse(self.q, Q).unwrap_or(0) })
     }
 
+    /// Returns the sign of the fraction a/b with this value, if there is one with small a and b. It
+    /// is then unique (Wang's rational reconstruction).
+    pub(super) fn is_negative(self) -> Option<bool> {
+        const SMALL: i64 = 1 << 29;
+        let (mut before, mut rest) = (P.cast_signed(), self.p.cast_signed());
+        let (mut below_before, mut below) = (0_i64, 1_i64);
+        while rest >= SMALL {
+            let quotient = before / rest;
+            (before, rest) = (rest, before - quotient * rest);
+            (below_before, below) = (below, below_before - quotient * below);
+        }
+        (rest != 0 && below.abs() < SMALL).then_some(below < 0)
+    }
+
     pub(super) fn power(self, exponent: &BigInt) -> Option<Value> {
         let base = if exponent.is_negative() { self.inverse()? } else { self };
         let size = exponent.abs();

@@ -25,7 +25,7 @@ mod relations;
 use std::collections::HashMap;
 
 use machinist_algebra::expr::Graph;
-use machinist_algebra::expr::held::{Compared, Slot};
+use machinist_algebra::expr::held::{Compared, Multiple, Slot};
 use machinist_contract::{Reader, RelationKind};
 use machinist_model::{Function, NodeId, Op, Relation, Table};
 
@@ -107,6 +107,7 @@ pub fn kinks(graph: &mut Graph, places: &Places<'_>, given: &Given<'_>) -> Kinks
             found.add_relation(graph, &mut search, compared, is_clamp);
         }
     }
+    found.merge_multiples(graph);
     for guard in bells::near(&search, graph, &nodes, given) {
         found.add_zone(graph, &mut search, guard);
     }
@@ -258,6 +259,43 @@ impl Kinks {
         let slot = Slot { index: index as u32, is_opposite };
         if !self.slots.iter().any(|(known, _)| *known == compared) {
             self.slots.push((compared, slot));
+        }
+    }
+
+    /// Makes one relation of those whose guards are multiples of each other, in whatever form: they
+    /// change together, and a motion slides along all of them or none.
+    fn merge_multiples(&mut self, graph: &Graph) {
+        let is_branch = |index: &usize| self.relations[*index].kind == RelationKind::Branch;
+        let branches: Vec<usize> = (0..self.relations.len()).filter(is_branch).collect();
+        let guards: Vec<NodeId> = branches.iter().map(|index| self.guards[*index]).collect();
+        if guards.len() < 2 {
+            return;
+        }
+        let mut multiples: HashMap<usize, Multiple> = HashMap::new();
+        for (index, multiple) in branches.iter().zip(graph.multiples(&guards)) {
+            let of = branches[multiple.of];
+            multiples.insert(*index, Multiple { of, ..multiple });
+        }
+        let mut moved: Vec<Slot> = Vec::new();
+        let mut kept = 0;
+        for index in 0..self.relations.len() {
+            let multiple = multiples.get(&index).filter(|multiple| multiple.of != index);
+            let slot = if let Some(multiple) = multiple {
+                let of = moved[multiple.of];
+                Slot { is_opposite: of.is_opposite != multiple.is_opposite, ..of }
+            } else {
+                self.guards.swap(kept, index);
+                self.relations.swap(kept, index);
+                kept += 1;
+                Slot { index: kept as u32 - 1, is_opposite: false }
+            };
+            moved.push(slot);
+        }
+        self.guards.truncate(kept);
+        self.relations.truncate(kept);
+        for (_, slot) in &mut self.slots {
+            let to = moved[slot.index as usize];
+            *slot = Slot { index: to.index, is_opposite: slot.is_opposite != to.is_opposite };
         }
     }
 

@@ -380,3 +380,27 @@ fn a_table_over_time_is_found_at_its_knots_and_one_over_a_state_at_its_ends() {
     assert_eq!(of_time, [vec![], vec![P, P + 0.25, P + 0.5, P + 4.0]]);
     assert_eq!(look(|_, [_, _, x, _]| x), [vec![2.0, -2.0], vec![]]);
 }
+
+/// Comparisons change together if the difference of one is a multiple of the other's, in whatever
+/// form they are written.
+#[test]
+fn multiples_of_a_guard_are_one_guard() {
+    let [guards, _] = found(
+        |graph, [time, p, x, _]| {
+            let [one, minus_one, zero, three] = [1.0, -1.0, 0.0, -3.0].map(|it| graph.literal(it));
+            let distance = graph.sub(x, p);
+            let size = graph.call(Function::Abs, distance);
+            let [far, near] = [p, x].map(|of| graph.mul(three, of));
+            let scaled = graph.select_less(far, near, one, minus_one);
+            let (sum, other) = (graph.add(x, time), graph.add(p, time));
+            let shifted = graph.sub(sum, other);
+            let shifted = graph.select_less(shifted, zero, one, minus_one);
+            let other = graph.select_less(x, time, one, minus_one);
+            let sum = graph.add(size, scaled);
+            let sum = graph.add(sum, shifted);
+            graph.add(sum, other)
+        },
+        &[],
+    );
+    assert_eq!(guards.len(), 2, "{guards:?}");
+}

@@ -17,6 +17,7 @@ mod names;
 mod project;
 mod solve;
 mod step;
+mod unit;
 
 use machinist_contract::fixed_step::StepMethod;
 use machinist_model::hoist::Hoisted;
@@ -28,6 +29,7 @@ pub use cost::{StepCalls, StepCost, step_calls, step_cost};
 pub use description::needs_start;
 use expression::Written;
 use names::Namer;
+pub use unit::{FmiVersion, Settable, UnitKind, UnitOptions, UnitVariable, emit_unit};
 
 /// Number type of emitted C.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

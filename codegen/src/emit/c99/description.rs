@@ -62,7 +62,7 @@ fn joined(parts: &[String]) -> String {
     format!("{}\n", parts.join("\n\n"))
 }
 
-fn first_line() -> String {
+pub(super) fn first_line() -> String {
     format!("{MARK} {}; do not edit", env!("CARGO_PKG_VERSION"))
 }
 

@@ -6,6 +6,7 @@ use machinist_contract::fixed_step::StepMethod;
 use machinist_model::{Direction, StateKind};
 
 use super::description::needs_start;
+use super::functions::broken_head;
 use super::layout::{comment, statement};
 use super::{Real, Scene, cost, implicit};
 use crate::emit::EmitError;
@@ -18,6 +19,7 @@ const STEP: &str = include_str!("snippets/step.c");
 const JUMPS: &str = include_str!("snippets/jumps.c");
 const NEXT_JUMP: &str = include_str!("snippets/next_jump.c");
 const EVENTS: &str = include_str!("snippets/events.c");
+const EVENTS_HOSTED: &str = include_str!("snippets/events_hosted.c");
 const EVENTS_NEXT_JUMP: &str = include_str!("snippets/events_next_jump.c");
 const EVENTS_AT_JUMP: &str = include_str!("snippets/events_at_jump.c");
 
@@ -50,6 +52,13 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
         let doc = "Sets right modes that contradict their guards. Call it whenever the state has \
                    been changed by hand.";
         let _ = write!(text, "\n{}void {settle}({machine} *machine);\n", comment([doc]));
+        text.push_str(&hosted(scene));
+    }
+    if !scene.model.constraints.is_empty() {
+        let project = scene.public("project");
+        let doc = "Puts the state back onto the constraints, first in position, then in velocity, \
+                   by one step of Newton's method each. Steps do so themselves.";
+        let _ = write!(text, "\n{}void {project}({machine} *machine);\n", comment([doc]));
     }
     if !scene.inputs.is_empty() {
         let _ = write!(
@@ -83,6 +92,34 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
         scene.real()
     );
     text
+}
+
+/// Returns the declarations of the functions for hosts that integrate by a method of their own.
+fn hosted(scene: &Scene<'_>) -> String {
+    let (real, machine) = (scene.real(), scene.public("machine_t"));
+    let guards = format!("const {real} guards[{}]", scene.macro_name("EVENTS"));
+    let [is_due, happen, follow] = ["is_due", "happen", "follow"].map(|name| scene.public(name));
+    let heads = [
+        (
+            "For hosts that integrate by a method of their own. Whether guards, which have these \
+             values now, have passed zero where an event happens.",
+            format!("int {is_due}(const {machine} *machine, {guards})"),
+        ),
+        (
+            "Makes the events of such guards happen at the present time and state. A guard that \
+             comes back within h [s] is at zero. Gives their number.",
+            format!("int {happen}({machine} *machine, {guards}, {real} h)"),
+        ),
+        (
+            "Keeps on which side of zero guards are, after a step without events.",
+            format!("void {follow}({machine} *machine, {guards})"),
+        ),
+    ];
+    let declared = heads.iter().map(|(doc, head)| {
+        let head = broken_head(head);
+        format!("\n{}{head};\n", comment([doc]))
+    });
+    declared.collect()
 }
 
 /// Reports whether a step may have several parts.
@@ -170,7 +207,7 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
             let put_back = project(scene, 12, "machine->time + length", "&end");
             scene.filled(&JUMPS.replace("PROJECT\n", &put_back))
         }
-        (false, _) => events(scene),
+        (false, _) => format!("{}\n{}", events(scene), scene.filled(EVENTS_HOSTED)),
     });
     parts.push(begin(scene)?);
     Ok(parts.join("\n"))

@@ -118,3 +118,8 @@ static void project(scene_real_t time, scene_state_t *state, const scene_paramet
     shortest(time, state, p, c, off, shift);
     shift_velocities(state, shift);
 }
+
+void scene_project(scene_machine_t *machine)
+{
+    project(machine->time, &machine->state, &machine->p, &machine->c);
+}

@@ -1,0 +1,696 @@
+#include "scene_unit.h"
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+/* What a variable is. */
+enum { TIME, STATE, DERIVATIVE, MODE, PARAMETER, OUTPUT, INDICATOR, STEP };
+
+/* In which modes the host may set a variable. */
+enum {
+    NEVER = 0,
+    GUESS = SCENE_IN_CREATION,
+    FIXED = SCENE_IN_CREATION + SCENE_IN_INITIALIZATION,
+    TUNABLE = FIXED + SCENE_IN_EVENT_MODE + SCENE_IN_STEP_MODE,
+    INPUT = TUNABLE + SCENE_IN_CONTINUOUS_TIME
+};
+
+struct variable {
+    const char *name;
+    int kind;
+    int settable;
+    size_t place; /* within the struct of its kind [bytes]; of an indicator, its number */
+};
+
+/* All variables, by value reference. */
+static const struct variable variables[SCENE_VARIABLES] = {
+VARIABLE_ROWS
+};
+
+/* Places of the continuous states within the state, and their typical sizes. */
+static const size_t state_places[SCENE_CONTINUOUS_STATES] = {
+STATE_ROWS
+};
+static const double nominals[SCENE_CONTINUOUS_STATES] = {
+NOMINAL_ROWS
+};
+
+#ifdef WHOLE
+/* Which kinks are of floor: they are at every integer. */
+static const signed char is_whole[SCENE_KINKS] = {
+WHOLE_ROWS
+};
+
+#endif
+/* Results that are kept until something changes. */
+enum { RATE_IS_KNOWN = 1, OUTPUTS_ARE_KNOWN = 2 };
+
+/* Most steps of a communication step. */
+static const double most_steps = 1e9;
+
+static double number(const void *record, size_t place)
+{
+    double value;
+
+    memcpy(&value, (const char *)record + place, sizeof(value));
+    return value;
+}
+
+static void put(void *record, size_t place, double value)
+{
+    memcpy((char *)record + place, &value, sizeof(value));
+}
+
+static int fail(scene_unit_t *unit, int status, const char *name, const char *what)
+{
+    (void)snprintf(unit->message, sizeof(unit->message), "%s %s", name, what);
+    return status;
+}
+
+int scene_unit_require(scene_unit_t *unit, int modes, const char *call)
+{
+    const int is_allowed = (unit->mode & modes) != 0;
+    return is_allowed ? SCENE_OK : fail(unit, SCENE_ERROR, call, "is not allowed in this mode");
+}
+
+static int require_count(scene_unit_t *unit, size_t expected, size_t count)
+{
+    const char *what = "than there are variables";
+    return (count == expected) ? SCENE_OK
+                               : fail(unit, SCENE_ERROR, "there are more or fewer values", what);
+}
+
+void scene_unit_begin(scene_unit_t *unit, int exchanges)
+{
+    memset(unit, 0, sizeof(*unit));
+    scene_begin(&unit->machine);
+    unit->mode = SCENE_IN_CREATION;
+    unit->exchanges = exchanges;
+    unit->is_prepared = 1;
+    unit->span = DEFAULT_SPAN;
+    unit->tolerance = DEFAULT_TOLERANCE;
+    unit->step = DEFAULT_STEP;
+}
+
+/* The time moved into the piece between jumps of the rate: at a jump itself, a host wants the rate
+ * before it until the jump has been passed in event mode. */
+static double time_of(const scene_unit_t *unit)
+{
+#ifdef SCENE_DISCONTINUITIES
+    const double first = unit->jumps[0] + 4.0 * DBL_EPSILON * fabs(unit->jumps[0]);
+    const double last = unit->jumps[1] - 4.0 * DBL_EPSILON * fabs(unit->jumps[1]);
+    const double before = fmin(last, nextafter(unit->jumps[1], -HUGE_VAL));
+    const double time = fmin(unit->machine.time, before);
+
+    return (unit->exchanges != 0) ? fmax(time, first) : unit->machine.time;
+#else
+    return unit->machine.time;
+#endif
+}
+
+static void prepare(scene_unit_t *unit)
+{
+    if (unit->is_prepared == 0) {
+        scene_prepare(&unit->machine.p, &unit->machine.c);
+        unit->is_prepared = 1;
+    }
+}
+
+#ifdef SCENE_DISCONTINUITIES
+/* Finds the jumps of the rate before and after now. One that is nearer than rounding has passed. */
+static void find_jumps(scene_unit_t *unit)
+{
+    const double now = unit->machine.time + 512.0 * DBL_EPSILON * fabs(unit->machine.time);
+    double times[SCENE_DISCONTINUITIES];
+    size_t k;
+
+    unit->jumps[0] = -DBL_MAX;
+    unit->jumps[1] = DBL_MAX;
+    scene_discontinuities(&unit->machine.p, times);
+    for (k = 0u; k < SCENE_DISCONTINUITIES; ++k) {
+        if (now < times[k]) {
+            unit->jumps[1] = fmin(unit->jumps[1], times[k]);
+        } else {
+            unit->jumps[0] = fmax(unit->jumps[0], times[k]);
+        }
+    }
+}
+
+#endif
+#ifdef SCENE_EVENTS
+/* How near a host finds the zero of a guard [s]. */
+static double nearness(const scene_unit_t *unit)
+{
+    return 1e-9 * (fabs(unit->machine.time) + unit->span);
+}
+
+/* Guards as the host sees them. One that is beyond zero by rounding after its event is shifted to
+ * the side that it leaves to, so that no short contact is missed. */
+static void shifted_guards(const scene_unit_t *unit, double guards[SCENE_EVENTS])
+{
+    const scene_machine_t *machine = &unit->machine;
+    size_t event;
+
+    scene_guards(time_of(unit), &machine->state, &machine->p, &machine->c, guards);
+    for (event = 0u; event < SCENE_EVENTS; ++event) {
+        guards[event] = guards[event] + (double)machine->side[event] * unit->slack[event];
+    }
+}
+
+/* Sees how far guards are on the wrong side of zero after events. */
+static void find_slack(scene_unit_t *unit)
+{
+    double guards[SCENE_EVENTS];
+    size_t event;
+
+    for (event = 0u; event < SCENE_EVENTS; ++event) {
+        unit->slack[event] = 0.0;
+    }
+    shifted_guards(unit, guards);
+    for (event = 0u; event < SCENE_EVENTS; ++event) {
+        const double guard = guards[event];
+        const int is_beyond = (double)unit->machine.side[event] * guard < 0.0;
+        unit->slack[event] = is_beyond ? 2.0 * fabs(guard) : 0.0;
+    }
+}
+
+#endif
+#ifdef WHOLE
+/* Sees between which integers the arguments of floor are. */
+static void find_whole(scene_unit_t *unit)
+{
+    const scene_machine_t *machine = &unit->machine;
+    double guards[SCENE_KINKS];
+    size_t kink;
+
+    scene_kink_guards(time_of(unit), &machine->state, &machine->p, &machine->c, guards);
+    for (kink = 0u; kink < SCENE_KINKS; ++kink) {
+        unit->whole[kink] = (is_whole[kink] != 0) ? floor(guards[kink]) : 0.0;
+    }
+}
+
+#endif
+/* Looks at everything that changes only at events. */
+static void look(scene_unit_t *unit)
+{
+#ifdef SCENE_EVENTS
+    find_slack(unit);
+#endif
+#ifdef WHOLE
+    find_whole(unit);
+#endif
+    unit->known = 0u;
+}
+
+/* Puts the state to the start: that of the spec's values, with what the host has set. */
+static void start(scene_unit_t *unit)
+{
+    size_t k;
+#ifdef STARTS_ELSEWHERE
+    scene_machine_t spec;
+    scene_state_t before, after;
+#endif
+
+    if (unit->is_started != 0) {
+        return;
+    }
+    prepare(unit);
+#ifdef STARTS_ELSEWHERE
+    /* The state in which the scene's own run starts, moved by as much as initial values move with
+     * the parameters. */
+    scene_begin(&spec);
+    scene_initial_state(&spec.p, &before);
+    scene_initial_state(&unit->machine.p, &after);
+    unit->machine.state = spec.state;
+    for (k = 0u; k < SCENE_CONTINUOUS_STATES; ++k) {
+        const double shift = number(&after, state_places[k]) - number(&before, state_places[k]);
+        put(&unit->machine.state, state_places[k], number(&spec.state, state_places[k]) + shift);
+    }
+#else
+    scene_initial_state(&unit->machine.p, &unit->machine.state);
+#endif
+    for (k = 0u; k < SCENE_VARIABLES; ++k) {
+        if (((variables[k].kind == STATE) || (variables[k].kind == MODE))
+            && (unit->is_set[k] != 0)) {
+            put(&unit->machine.state, variables[k].place,
+                number(&unit->start, variables[k].place));
+        }
+    }
+#ifdef SCENE_DISCONTINUITIES
+    find_jumps(unit);
+#endif
+#ifdef SCENE_CONSTRAINTS
+    /* Newton's method converges quadratically; a start that it does not reach in ten steps is not
+     * near the constraints. */
+    for (k = 0u; k < 10u; ++k) {
+        scene_project(&unit->machine);
+    }
+#endif
+#ifdef SCENE_EVENTS
+    scene_settle(&unit->machine);
+#endif
+    look(unit);
+    unit->is_started = 1;
+}
+
+static void know_rate(scene_unit_t *unit)
+{
+    const scene_machine_t *machine = &unit->machine;
+
+    if ((unit->known & RATE_IS_KNOWN) == 0u) {
+        scene_rate(time_of(unit), &machine->state, &machine->p, &machine->c, &unit->rate);
+        unit->known |= RATE_IS_KNOWN;
+    }
+}
+
+#ifdef SCENE_OUTPUTS
+static void know_outputs(scene_unit_t *unit)
+{
+    const scene_machine_t *machine = &unit->machine;
+
+    if ((unit->known & OUTPUTS_ARE_KNOWN) == 0u) {
+        scene_outputs(time_of(unit), &machine->state, &machine->p, &machine->c, &unit->outputs);
+        unit->known |= OUTPUTS_ARE_KNOWN;
+    }
+}
+
+#endif
+/* Computes all event indicators: of events, then of kinks. */
+static void indicate(const scene_unit_t *unit, double *values)
+{
+#ifdef SCENE_EVENTS
+    double guards[SCENE_EVENTS];
+#endif
+#ifdef SCENE_KINKS
+    const scene_machine_t *machine = &unit->machine;
+    double kinks[SCENE_KINKS];
+#endif
+#ifdef SOME_INDICATORS
+    size_t k;
+#endif
+
+#ifdef SCENE_EVENTS
+    shifted_guards(unit, guards);
+    for (k = 0u; k < SCENE_EVENTS; ++k) {
+        const int is_watched = scene_is_watched((unsigned int)k, &unit->machine.state);
+        *values = (is_watched != 0) ? guards[k] : 1.0;
+        ++values;
+    }
+#endif
+#ifdef SCENE_KINKS
+    scene_kink_guards(time_of(unit), &machine->state, &machine->p, &machine->c, kinks);
+    for (k = 0u; k < SCENE_KINKS; ++k) {
+#ifdef WHOLE
+        /* The product of the distances to both integers: positive between them. */
+        const double above = kinks[k] - unit->whole[k];
+        *values = (is_whole[k] != 0) ? above * (1.0 - above) : kinks[k];
+#else
+        *values = kinks[k];
+#endif
+        ++values;
+    }
+#endif
+#ifdef NO_INDICATORS
+    (void)unit;
+    (void)values;
+#endif
+}
+
+static const struct variable *find(scene_unit_t *unit, unsigned int reference, int is_integer)
+{
+    if ((reference < SCENE_VARIABLES)
+        && ((variables[reference].kind == MODE) == (is_integer != 0))) {
+        return &variables[reference];
+    }
+    (void)fail(unit, SCENE_ERROR, "a value reference", "stands for no variable of this type");
+    return NULL;
+}
+
+int scene_unit_get(scene_unit_t *unit, unsigned int reference, int is_integer, double *value)
+{
+    const struct variable *variable = find(unit, reference, is_integer);
+    const int modes = ~SCENE_IN_CREATION;
+#ifdef SOME_INDICATORS
+    double indicators[SCENE_INDICATORS];
+#endif
+
+    if (variable == NULL) {
+        return SCENE_ERROR;
+    }
+    if (scene_unit_require(unit, modes, "reading values") != SCENE_OK) {
+        return SCENE_ERROR;
+    }
+    start(unit);
+    prepare(unit);
+    switch (variable->kind) {
+    case TIME:
+        *value = unit->machine.time;
+        break;
+    case STATE:
+    case MODE:
+        *value = number(&unit->machine.state, variable->place);
+        break;
+    case DERIVATIVE:
+        know_rate(unit);
+        *value = number(&unit->rate, variable->place);
+        break;
+    case PARAMETER:
+        *value = number(&unit->machine.p, variable->place);
+        break;
+#ifdef SCENE_OUTPUTS
+    case OUTPUT:
+        know_outputs(unit);
+        *value = number(&unit->outputs, variable->place);
+        break;
+#endif
+#ifdef SOME_INDICATORS
+    case INDICATOR:
+        indicate(unit, indicators);
+        *value = indicators[variable->place];
+        break;
+#endif
+    default:
+        *value = unit->step;
+        break;
+    }
+    return SCENE_OK;
+}
+
+int scene_unit_set(scene_unit_t *unit, unsigned int reference, int is_integer, double value)
+{
+    const struct variable *variable = find(unit, reference, is_integer);
+
+    if (variable == NULL) {
+        return SCENE_ERROR;
+    }
+    if ((variable->settable & unit->mode) == 0) {
+        return fail(unit, SCENE_ERROR, variable->name, "cannot be set in this mode");
+    }
+    if (!isfinite(value)) {
+        return fail(unit, SCENE_ERROR, variable->name, "must be finite");
+    }
+    switch (variable->kind) {
+    case STATE:
+    case MODE:
+        put(&unit->start, variable->place, value);
+        unit->is_set[reference] = 1;
+        break;
+    case PARAMETER:
+        put(&unit->machine.p, variable->place, value);
+        unit->is_prepared = 0;
+        break;
+    default:
+        if (!(0.0 < value)) {
+            return fail(unit, SCENE_ERROR, variable->name, "must be above zero");
+        }
+        unit->step = value;
+        break;
+    }
+    if ((unit->mode & FIXED) != 0) {
+        unit->is_started = 0;
+    }
+    unit->known = 0u;
+    return SCENE_OK;
+}
+
+int scene_unit_enter_initialization(scene_unit_t *unit, double tolerance, double from,
+                                    double until)
+{
+    const int status = scene_unit_require(unit, SCENE_IN_CREATION, "initialization mode");
+
+    if (status != SCENE_OK) {
+        return status;
+    }
+    if (!isfinite(from) || (tolerance < 0.0) || (1.0 < tolerance)) {
+        return fail(unit, SCENE_ERROR, "start time and tolerance", "are out of range");
+    }
+    unit->machine.time = from;
+    unit->machine.time_rest = 0.0;
+    unit->span = (from < until) ? until - from : unit->span;
+    unit->tolerance = (0.0 < tolerance) ? tolerance : unit->tolerance;
+    unit->mode = SCENE_IN_INITIALIZATION;
+    unit->is_started = 0;
+    return SCENE_OK;
+}
+
+int scene_unit_exit_initialization(scene_unit_t *unit)
+{
+    const int mode = SCENE_IN_INITIALIZATION;
+    const int status = scene_unit_require(unit, mode, "leaving initialization mode");
+    size_t k;
+
+    if (status != SCENE_OK) {
+        return status;
+    }
+    start(unit);
+    for (k = 0u; k < SCENE_CONTINUOUS_STATES; ++k) {
+        if (!isfinite(number(&unit->machine.state, state_places[k]))) {
+            return fail(unit, SCENE_ERROR, "the state at the start", "is not finite");
+        }
+    }
+    unit->mode = (unit->exchanges != 0) ? SCENE_IN_EVENT_MODE : SCENE_IN_STEP_MODE;
+    return SCENE_OK;
+}
+
+int scene_unit_update(scene_unit_t *unit, int *has_moved, double *next)
+{
+    const int status = scene_unit_require(unit, SCENE_IN_EVENT_MODE, "an update");
+    const scene_state_t before = unit->machine.state;
+    size_t k;
+#ifdef SCENE_EVENTS
+    double guards[SCENE_EVENTS];
+    double now;
+#endif
+
+    if (status != SCENE_OK) {
+        return status;
+    }
+    prepare(unit);
+#ifdef SCENE_DISCONTINUITIES
+    find_jumps(unit);
+#endif
+#ifdef SCENE_CONSTRAINTS
+    scene_project(&unit->machine);
+#endif
+#ifdef SCENE_EVENTS
+    now = unit->machine.time;
+    unit->machine.time = time_of(unit);
+    shifted_guards(unit, guards);
+    (void)scene_happen(&unit->machine, guards, nearness(unit));
+    unit->machine.time = now;
+#endif
+    look(unit);
+    *has_moved = 0;
+    for (k = 0u; k < SCENE_CONTINUOUS_STATES; ++k) {
+        const double was = number(&before, state_places[k]);
+        *has_moved |= (number(&unit->machine.state, state_places[k]) != was) ? 1 : 0;
+    }
+#ifdef SCENE_DISCONTINUITIES
+    *next = (unit->jumps[1] < DBL_MAX) ? unit->jumps[1] : HUGE_VAL;
+#else
+    *next = HUGE_VAL;
+#endif
+    return SCENE_OK;
+}
+
+#ifdef SCENE_CONSTRAINTS
+/* How far the state is off the constraints: the shift that puts it back, relative to the typical
+ * sizes of states. */
+static double off_constraints(const scene_unit_t *unit)
+{
+    scene_machine_t machine = unit->machine;
+    double most = 0.0;
+    size_t k;
+
+    scene_project(&machine);
+    for (k = 0u; k < SCENE_CONTINUOUS_STATES; ++k) {
+        const double there = number(&machine.state, state_places[k]);
+        const double here = number(&unit->machine.state, state_places[k]);
+        most = fmax(most, fabs(there - here) / nominals[k]);
+    }
+    return most;
+}
+
+#endif
+int scene_unit_step_is_complete(scene_unit_t *unit, int *asks_for_events)
+{
+    const int status = scene_unit_require(unit, SCENE_IN_CONTINUOUS_TIME, "a completed step");
+#ifdef SCENE_EVENTS
+    double guards[SCENE_EVENTS];
+#endif
+
+    if (status != SCENE_OK) {
+        return status;
+    }
+    *asks_for_events = 0;
+#ifdef SCENE_EVENTS
+    prepare(unit);
+    shifted_guards(unit, guards);
+    if (scene_is_due(&unit->machine, guards) != 0) {
+        *asks_for_events = 1;
+    } else {
+        scene_follow(&unit->machine, guards);
+    }
+#endif
+#ifdef SCENE_CONSTRAINTS
+    prepare(unit);
+    if (unit->tolerance < off_constraints(unit)) {
+        *asks_for_events = 1;
+    }
+#endif
+    return SCENE_OK;
+}
+
+int scene_unit_set_time(scene_unit_t *unit, double time)
+{
+    const int modes = SCENE_IN_CONTINUOUS_TIME + SCENE_IN_EVENT_MODE;
+    const int status = scene_unit_require(unit, modes, "setting the time");
+
+    if (status != SCENE_OK) {
+        return status;
+    }
+    if (!isfinite(time)) {
+        return fail(unit, SCENE_ERROR, "the time", "must be finite");
+    }
+    unit->machine.time = time;
+    unit->known = 0u;
+    return SCENE_OK;
+}
+
+int scene_unit_set_states(scene_unit_t *unit, const double *values, size_t count)
+{
+    const int modes = SCENE_IN_CONTINUOUS_TIME;
+    size_t k;
+
+    if ((scene_unit_require(unit, modes, "setting states") != SCENE_OK)
+        || (require_count(unit, SCENE_CONTINUOUS_STATES, count) != SCENE_OK)) {
+        return SCENE_ERROR;
+    }
+    for (k = 0u; k < SCENE_CONTINUOUS_STATES; ++k) {
+        if (!isfinite(values[k])) {
+            return fail(unit, SCENE_DISCARD, "a continuous state", "is not finite");
+        }
+    }
+    for (k = 0u; k < SCENE_CONTINUOUS_STATES; ++k) {
+        put(&unit->machine.state, state_places[k], values[k]);
+    }
+    unit->known = 0u;
+    return SCENE_OK;
+}
+
+/* Refuses what only belongs to a run by Model Exchange, and computes the start if it is missing. */
+static int exchange(scene_unit_t *unit, size_t expected, size_t count)
+{
+    const int modes = ~(SCENE_IN_CREATION + SCENE_IN_STEP_MODE);
+
+    if ((scene_unit_require(unit, modes, "Model Exchange") != SCENE_OK)
+        || (require_count(unit, expected, count) != SCENE_OK)) {
+        return SCENE_ERROR;
+    }
+    start(unit);
+    prepare(unit);
+    return SCENE_OK;
+}
+
+int scene_unit_states(scene_unit_t *unit, double *values, size_t count)
+{
+    const int status = exchange(unit, SCENE_CONTINUOUS_STATES, count);
+    size_t k;
+
+    for (k = 0u; (status == SCENE_OK) && (k < SCENE_CONTINUOUS_STATES); ++k) {
+        values[k] = number(&unit->machine.state, state_places[k]);
+    }
+    return status;
+}
+
+int scene_unit_derivatives(scene_unit_t *unit, double *values, size_t count)
+{
+    const int status = exchange(unit, SCENE_CONTINUOUS_STATES, count);
+    size_t k;
+
+    if (status != SCENE_OK) {
+        return status;
+    }
+    know_rate(unit);
+    for (k = 0u; k < SCENE_CONTINUOUS_STATES; ++k) {
+        values[k] = number(&unit->rate, state_places[k]);
+        if (!isfinite(values[k])) {
+            return fail(unit, SCENE_DISCARD, "the rate of a state", "is not finite");
+        }
+    }
+    return SCENE_OK;
+}
+
+int scene_unit_nominals(scene_unit_t *unit, double *values, size_t count)
+{
+    const int status = exchange(unit, SCENE_CONTINUOUS_STATES, count);
+    size_t k;
+
+    for (k = 0u; (status == SCENE_OK) && (k < SCENE_CONTINUOUS_STATES); ++k) {
+        values[k] = nominals[k];
+    }
+    return status;
+}
+
+int scene_unit_indicators(scene_unit_t *unit, double *values, size_t count)
+{
+    const int status = exchange(unit, SCENE_INDICATORS, count);
+
+    if (status == SCENE_OK) {
+        indicate(unit, values);
+    }
+    return status;
+}
+
+/* Gives whether the state is finite. */
+static int is_finite(const scene_state_t *state)
+{
+    size_t k;
+    int finite = 1;
+
+    for (k = 0u; k < SCENE_CONTINUOUS_STATES; ++k) {
+        finite = isfinite(number(state, state_places[k])) ? finite : 0;
+    }
+    return finite;
+}
+
+int scene_unit_do_step(scene_unit_t *unit, double from, double size)
+{
+    const int status = scene_unit_require(unit, SCENE_IN_STEP_MODE, "a communication step");
+    const scene_machine_t before = unit->machine;
+    const double off = fabs(from - unit->machine.time);
+    const double until = from + size;
+    /* A step that fits up to rounding is not shortened. */
+    const double steps = fmax(1.0, ceil(size / unit->step * (1.0 - 1e-9)));
+    unsigned long step;
+    int is_crowded = 0;
+
+    if (status != SCENE_OK) {
+        return status;
+    }
+    if (!(0.0 < size) || !isfinite(until) || !(unit->machine.time < until)
+        || !(off <= 1e-6 * fmax(size, 1e-9 * fabs(from)))) {
+        return fail(unit, SCENE_ERROR, "a communication step", "must go on from the last one");
+    }
+    if (!(steps <= most_steps)) {
+        return fail(unit, SCENE_ERROR, "a communication step", "takes more than 1e9 steps");
+    }
+    prepare(unit);
+    unit->known = 0u;
+    for (step = 0u; step < (unsigned long)steps; ++step) {
+        is_crowded |= (scene_step(&unit->machine, size / steps) < 0) ? 1 : 0;
+        if (is_finite(&unit->machine.state) == 0) {
+            unit->machine = before;
+            return fail(unit, SCENE_DISCARD, "the state", "is not finite: take smaller steps");
+        }
+    }
+    unit->machine.time = until;
+    unit->machine.time_rest = 0.0;
+    if (is_crowded != 0) {
+        return fail(unit, SCENE_WARNING, "a step", "has more events than it may have");
+    }
+    return SCENE_OK;
+}

@@ -1,4 +1,4 @@
-//! Functions of `fmi3FunctionTypes.h`, with the C ABI.
+//! Functions of `fmi3FunctionTypes.h` and `fmi2FunctionTypes.h`, with the C ABI.
 //!
 //! Each function looks up its instance by the handle, calls the [`Instance`] and returns a status.
 //! Errors are always logged to the host, events if the host wants them. A panic is an error too;
@@ -9,6 +9,7 @@
 mod common;
 mod derivatives;
 mod exchange;
+mod fmi2;
 mod simulation;
 mod states;
 mod types;
@@ -28,6 +29,7 @@ use crate::registry::{Held, Registry};
 pub use common::*;
 pub use derivatives::*;
 pub use exchange::*;
+pub use fmi2::*;
 pub use simulation::*;
 pub use states::*;
 pub use types::*;
@@ -47,10 +49,17 @@ const ERRORS: &str = "logStatusError";
 const DISCARDS: &str = "logStatusDiscard";
 const EVENTS: &str = "logEvents";
 
+/// Function of the host that logs messages.
+#[derive(Clone, Copy)]
+enum Log {
+    Fmi3(LogMessage),
+    Fmi2(Logger),
+}
+
 /// Data of the host that belong to an instance.
 struct Host {
     environment: AtomicPtr<c_void>,
-    log: Option<LogMessage>,
+    log: Option<Log>,
     update: Option<IntermediateUpdate>,
     /// True if the host wants events logged.
     wants_events: AtomicBool,
@@ -62,7 +71,7 @@ struct Host {
 impl Host {
     fn new(
         environment: *mut c_void,
-        log: Option<LogMessage>,
+        log: Option<Log>,
         update: Option<IntermediateUpdate>,
         name: CString,
     ) -> Self {
@@ -82,11 +91,18 @@ impl Host {
 
     /// Logs a message to the host, whatever categories it wants.
     fn tell(&self, status: Status, category: &str, message: &str) {
-        let Some(log) = self.log else { return };
-        let name = self.name.lock().unwrap_or_else(PoisonError::into_inner);
-        let message = format!("{}: {message}", name.to_string_lossy());
-        drop(name);
-        tell(log, self.environment(), status, category, &message);
+        let name = self.name.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        match self.log {
+            None => {}
+            Some(Log::Fmi3(log)) => {
+                let message = format!("{}: {message}", name.to_string_lossy());
+                tell(log, self.environment(), status, category, &message);
+            }
+            Some(Log::Fmi2(logger)) => {
+                let texts = (&c_text(category), &c_text(message));
+                log2(logger, (self.environment(), &name), status, texts);
+            }
+        }
     }
 
     fn tell_of_events(&self, time: f64, events: &[String]) {
@@ -99,12 +115,15 @@ impl Host {
 }
 
 fn tell(log: LogMessage, environment: *mut c_void, status: Status, category: &str, message: &str) {
-    // C strings end at the first zero.
-    let text = |text: &str| CString::new(text.replace('\0', " ")).unwrap_or_default();
-    let (category, message) = (text(category), text(message));
+    let (category, message) = (c_text(category), c_text(message));
     // SAFETY: the host gave this function for these arguments, and the strings live until it
     // returns.
     unsafe { log(environment, status, category.as_ptr(), message.as_ptr()) };
+}
+
+/// Returns a text as a C string, which ends at the first zero.
+fn c_text(text: &str) -> CString {
+    CString::new(text.replace('\0', " ")).unwrap_or_default()
 }
 
 /// Returns the message of a panic.
@@ -120,7 +139,7 @@ fn with_held(
     act: impl FnOnce(&Held<Host>) -> Result<(), Refusal>,
 ) -> Status {
     let Some(held) = INSTANCES.get(instance.addr()) else { return Status::Error };
-    if held.host.is_broken.load(Ordering::Relaxed) && call != "fmi3Reset" {
+    if held.host.is_broken.load(Ordering::Relaxed) && !call.ends_with("Reset") {
         let message = format!("{call}: the instance has failed before; it can be reset or freed");
         held.host.tell(Status::Error, ERRORS, &message);
         return Status::Error;

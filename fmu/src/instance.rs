@@ -95,10 +95,13 @@ impl Refusal {
 
 /// Experiment of the host.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct Experiment {
-    from: f64,
-    until: f64,
-    rtol: f64,
+pub struct Experiment {
+    /// Start time \[s\].
+    pub from: f64,
+    /// End time, from which the length of the run is taken \[s\].
+    pub until: f64,
+    /// Relative tolerance.
+    pub rtol: f64,
 }
 
 /// Mutable data of an instance.
@@ -175,6 +178,40 @@ impl Instance {
         until: Option<f64>,
     ) -> Result<(), Refusal> {
         self.require("fmi3EnterInitializationMode", &[Phase::Instantiated])?;
+        self.now.experiment = self.experiment_of(tolerance, from, until)?;
+        self.now.standing = None;
+        self.now.phase = Phase::Initialization;
+        Ok(())
+    }
+
+    /// Sets up the experiment before initialization mode is entered, as FMI 2.0 does.
+    ///
+    /// # Errors
+    /// [`Refusal`] as [`Instance::enter_initialization`].
+    pub fn set_up(
+        &mut self,
+        tolerance: Option<f64>,
+        from: f64,
+        until: Option<f64>,
+    ) -> Result<(), Refusal> {
+        self.require("fmi2SetupExperiment", &[Phase::Instantiated])?;
+        self.now.experiment = self.experiment_of(tolerance, from, until)?;
+        Ok(())
+    }
+
+    /// Experiment of the host; before it is set up, that of the model.
+    #[must_use]
+    pub fn experiment(&self) -> Experiment {
+        self.now.experiment
+    }
+
+    /// Returns an experiment with the values of the model where the host gives none.
+    fn experiment_of(
+        &self,
+        tolerance: Option<f64>,
+        from: f64,
+        until: Option<f64>,
+    ) -> Result<Experiment, Refusal> {
         let run = &self.machine.model().run;
         let until = until.unwrap_or(from + (run.until - run.from));
         if !(from < until && (until - from).is_finite()) {
@@ -185,10 +222,7 @@ impl Instance {
         if !(rtol > 0.0 && rtol <= 1.0) {
             return Err(Refusal::argument(format!("a relative tolerance of {rtol}")));
         }
-        self.now.experiment = Experiment { from, until, rtol };
-        self.now.standing = None;
-        self.now.phase = Phase::Initialization;
-        Ok(())
+        Ok(Experiment { from, until, rtol })
     }
 
     /// Leaves initialization mode for event mode or step mode.

@@ -9,8 +9,8 @@ use std::sync::atomic::Ordering;
 
 use super::{
     Boolean, CATEGORIES, ERRORS, EVENTS, Environment, Handle, Host, INSTANCES, IntermediateUpdate,
-    LogMessage, Status, Text, ValueReference, exported, message_of, put, read, string, tell, with,
-    with_held,
+    Log, LogMessage, Status, Text, ValueReference, exported, message_of, put, read, string, tell,
+    with, with_held,
 };
 use crate::instance::{Instance, Interface, Refusal};
 use crate::resource::Machine;
@@ -41,7 +41,7 @@ unsafe fn instantiate(asked: &Asked, interface: Interface) -> Handle {
         let machine = Machine::load(&PathBuf::from(folder), &token).map_err(|e| e.to_string())?;
         let instance = Instance::new(Arc::new(machine), interface);
         let name = CString::new(name.unwrap_or_default()).unwrap_or_default();
-        let host = Host::new(environment, log, asked.update, name);
+        let host = Host::new(environment, log.map(Log::Fmi3), asked.update, name);
         host.wants_events.store(asked.logging != 0, Ordering::Relaxed);
         Ok(INSTANCES.hold(instance, host))
     }));

@@ -156,6 +156,6 @@ exported! {
 }
 
 /// Returns an error unless no variables of the type are asked for.
-fn require_none(count: usize) -> Result<(), Refusal> {
+pub(super) fn require_none(count: usize) -> Result<(), Refusal> {
     if count == 0 { Ok(()) } else { Err(Refusal::argument("there are no variables of this type")) }
 }

@@ -24,7 +24,7 @@ mod fit;
 #[cfg(feature = "derive")]
 mod fmu;
 #[cfg(feature = "derive")]
-mod generate;
+pub mod generate;
 mod gradient;
 pub mod groups;
 #[cfg(feature = "derive")]
@@ -44,7 +44,7 @@ mod range;
 mod report;
 mod response;
 mod rewrite;
-mod run;
+pub mod run;
 #[cfg(feature = "derive")]
 mod scatter;
 pub mod scene;

@@ -1,15 +1,19 @@
-//! Scenes as functional mock-up units: an archive of a description, the shared library of
-//! `machinist-fmu`, and the model that it runs.
+//! Scenes as functional mock-up units: an archive of a description with the shared library of
+//! `machinist-fmu` and the model that it runs, or with C99 sources.
 
 mod archive;
 mod description;
+mod description2;
+mod fixed_step;
 mod library;
 mod quantity;
+mod source;
 mod structure;
 mod terminals;
 mod xml;
 mod zip;
 
-pub use archive::Archive;
+pub use archive::{Archive, Content};
 pub use library::Library;
+pub use source::SourceSettings;
 pub use zip::archive as zip_archive;

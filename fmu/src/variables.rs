@@ -32,6 +32,8 @@ pub enum Kind {
     Output(usize),
     /// Event indicator of this number: a guard or, after the guards of events, a switching surface.
     Indicator(usize),
+    /// Largest step of Co-Simulation, which only [sources](Variables::of_sources) have.
+    Step,
 }
 
 impl Kind {
@@ -174,6 +176,31 @@ impl Variables {
         let indicators = simulator.events() + simulator.kinks();
         let all = Gather::new((model, simulator), &uses, inputs, &states).all();
         Ok(Self { all, states, indicators })
+    }
+
+    /// Returns the variables of an archive with sources: the step of Co-Simulation \[s\], with its
+    /// meaning, is a parameter, and an equilibrium at the start is that of the model's parameters,
+    /// because sources search for none.
+    #[must_use]
+    pub fn of_sources(mut self, model: &Model, step: f64, doc: String) -> Self {
+        if model.starts_in_equilibrium && model.constraints.is_empty() {
+            let states = self.all.iter_mut().filter(|v| matches!(v.kind, Kind::State(_)));
+            states.for_each(|state| state.initial = Some(Initial::Exact));
+        }
+        let mut name = "fixed_step".to_owned();
+        while self.all.iter().any(|variable| variable.name == name) {
+            name = format!("machine.{name}");
+        }
+        self.all.push(Variable {
+            unit: "s".to_owned(),
+            doc,
+            causality: Causality::Parameter,
+            variability: Variability::Fixed,
+            initial: None,
+            start: Some(step),
+            ..continuous(&name, Kind::Step)
+        });
+        self
     }
 
     /// All variables, in the order of their references.
@@ -350,7 +377,7 @@ impl<'a> Gather<'a> {
             let group = match variable.kind {
                 Kind::Parameter(_) => "parameters",
                 Kind::State(_) | Kind::Mode(_) | Kind::Derivative(_) => "states",
-                Kind::Time | Kind::Output(_) | Kind::Indicator(_) => "machine",
+                Kind::Time | Kind::Output(_) | Kind::Indicator(_) | Kind::Step => "machine",
             };
             while !self.names.insert(variable.name.clone()) {
                 variable.name = match variable.name.strip_prefix("der(") {

@@ -2,6 +2,8 @@
 
 mod c99;
 
+pub use c99::start;
+
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};

@@ -29,9 +29,10 @@ use crate::number::number;
 use crate::parquet;
 use crate::progress::during;
 use compare::{Other, Others};
+#[cfg(not(feature = "derive"))]
 use fixed::Fixed;
 #[cfg(feature = "derive")]
-pub use fixed::step_method;
+pub use fixed::{Fixed, LargestError, step_method};
 use serde_json::json;
 
 #[derive(Debug, Args)]

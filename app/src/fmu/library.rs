@@ -5,6 +5,8 @@ use std::env::current_exe;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use machinist_codegen::emit::c99::FmiVersion;
+
 use crate::cli::new::sources;
 use crate::failure::Failure;
 
@@ -30,16 +32,39 @@ impl Library {
     }
 
     /// Returns an archive's folder for libraries of this platform.
-    pub fn platform() -> String {
+    ///
+    /// # Errors
+    /// If FMI 2.0 has no name for the platform.
+    pub fn platform(version: FmiVersion) -> Result<String, Failure> {
+        if version == FmiVersion::Two {
+            return platform2();
+        }
         let arch = if ARCH == "arm" { "aarch32" } else { ARCH };
         let system = if OS == "macos" { "darwin" } else { OS };
-        format!("{arch}-{system}")
+        Ok(format!("{arch}-{system}"))
     }
 
     /// Returns the name of the library in an archive, for a model with this identifier.
     pub fn file_name(identifier: &str) -> String {
         // Hosts expect no prefix.
         format!("{identifier}{DLL_SUFFIX}")
+    }
+}
+
+/// Returns the folder of FMI 2.0, which knows two processors.
+fn platform2() -> Result<String, Failure> {
+    let system = match OS {
+        "windows" => "win",
+        "macos" => "darwin",
+        other => other,
+    };
+    match ARCH {
+        "x86_64" => Ok(format!("{system}64")),
+        "x86" => Ok(format!("{system}32")),
+        other => {
+            let message = format!("FMI 2.0 has no libraries for processors of the kind {other}");
+            Err(Failure::input(message, "use `--fmi 3`, or `--source` for hosts that compile"))
+        }
     }
 }
 

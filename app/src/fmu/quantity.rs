@@ -43,6 +43,15 @@ const QUANTITIES: [(&str, &str); 22] = [
 
 /// Name of the type of modes.
 pub const MODE: &str = "Types.Mode";
+/// Meaning of that type.
+pub const MODE_DOC: &str = "selects the active equations; changed by events";
+
+/// Type of real numbers.
+pub struct Type {
+    pub name: String,
+    pub quantity: &'static str,
+    pub unit: &'static str,
+}
 
 /// Returns the unit of an attribute; `None` if dimensionless.
 pub fn unit_of(unit: &str) -> Option<&str> {
@@ -81,22 +90,10 @@ fn definition(unit: &str) -> Result<Element, Failure> {
     Ok(Element::new("Unit").with("name", unit).holding([base]).holding(displayed))
 }
 
-/// Returns definitions of the types that variables have.
-pub fn types(variables: &Variables, has_modes: bool) -> Vec<Element> {
+/// Returns the types that variables have: name, quantity and unit.
+pub fn types(variables: &Variables) -> Vec<Type> {
     let is_used = |unit: &str| variables.all().iter().any(|variable| variable.unit == unit);
-    let mut types: Vec<Element> = QUANTITIES
-        .iter()
-        .filter(|(unit, _)| is_used(unit))
-        .map(|(unit, quantity)| {
-            Element::new("Float64Type")
-                .with("name", format!("Types.{quantity}"))
-                .with("quantity", quantity)
-                .with("unit", unit)
-        })
-        .collect();
-    if has_modes {
-        let doc = "selects the active equations; changed by events";
-        types.push(Element::new("Int32Type").with("name", MODE).with("description", doc));
-    }
-    types
+    let used = QUANTITIES.iter().filter(|(unit, _)| is_used(unit));
+    used.map(|&(unit, quantity)| Type { name: format!("Types.{quantity}"), quantity, unit })
+        .collect()
 }

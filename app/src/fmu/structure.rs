@@ -7,7 +7,25 @@ use machinist_model::{Model, Tape};
 
 use super::xml::Element;
 
-/// Structure of a model, as elements of a description.
+/// List of a model's structure that an unknown is on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum List {
+    Outputs,
+    Derivatives,
+    AtStart,
+    Indicators,
+}
+
+/// Unknown of a model's structure.
+pub struct Unknown {
+    pub list: List,
+    /// Value reference.
+    pub at: u32,
+    /// Value references of what it depends on; `None` if that may be everything.
+    pub dependencies: Option<BTreeSet<u32>>,
+}
+
+/// Structure of a model.
 pub struct Structure<'a> {
     model: &'a Model,
     variables: &'a Variables,
@@ -18,25 +36,40 @@ impl<'a> Structure<'a> {
         Self { model, variables }
     }
 
-    /// Returns elements for outputs, derivatives, unknowns of the start, and event indicators.
+    /// Returns the elements of FMI 3.0.
     pub fn elements(&self) -> Vec<Element> {
-        let along = |name: &'static str, is: fn(&Variable) -> bool| {
+        let element = |unknown: Unknown| {
+            let name = match unknown.list {
+                List::Outputs => "Output",
+                List::Derivatives => "ContinuousStateDerivative",
+                List::AtStart => "InitialUnknown",
+                List::Indicators => "EventIndicator",
+            };
+            let dependencies = unknown.dependencies.map(|all| joined(all.into_iter()));
+            let element = Element::new(name).with("valueReference", unknown.at);
+            element.with_some("dependencies", dependencies)
+        };
+        self.unknowns().into_iter().map(element).collect()
+    }
+
+    /// Returns outputs, derivatives, unknowns of the start, and event indicators.
+    pub fn unknowns(&self) -> Vec<Unknown> {
+        let along = |list: List, is: fn(&Variable) -> bool| {
             let all = self.variables.with_references().filter(move |(_, variable)| is(variable));
             all.map(move |(at, variable)| {
-                if self.has_fields() {
-                    return Element::new(name).with("valueReference", at);
-                }
-                element(name, at, &self.along_the_run(&self.reads(variable.kind)))
+                let dependencies =
+                    (!self.has_fields()).then(|| self.along_the_run(&self.reads(variable.kind)));
+                Unknown { list, at, dependencies }
             })
         };
         let is_output = |variable: &Variable| variable.causality == Causality::Output;
         let is_derivative = |variable: &Variable| matches!(variable.kind, Kind::Derivative(_));
         let is_indicator = |variable: &Variable| matches!(variable.kind, Kind::Indicator(_));
-        let mut elements: Vec<Element> = along("Output", is_output).collect();
-        elements.extend(along("ContinuousStateDerivative", is_derivative));
-        elements.extend(self.unknown_at_start());
-        elements.extend(along("EventIndicator", is_indicator));
-        elements
+        let mut unknowns: Vec<Unknown> = along(List::Outputs, is_output).collect();
+        unknowns.extend(along(List::Derivatives, is_derivative));
+        unknowns.extend(self.unknown_at_start());
+        unknowns.extend(along(List::Indicators, is_indicator));
+        unknowns
     }
 
     /// Returns whether the model has fields. Tapes do not contain their nodes, so any unknown may
@@ -45,12 +78,12 @@ impl<'a> Structure<'a> {
         !self.model.fields.is_empty()
     }
 
-    fn unknown_at_start(&self) -> impl Iterator<Item = Element> {
+    fn unknown_at_start(&self) -> impl Iterator<Item = Unknown> {
         let is_unknown = |variable: &Variable| match variable.kind {
             Kind::Output(_) | Kind::Derivative(_) => true,
             Kind::State(_) => variable.initial != Some(Initial::Exact),
             Kind::Mode(_) => variable.causality == Causality::Output,
-            Kind::Time | Kind::Parameter(_) | Kind::Indicator(_) => false,
+            Kind::Time | Kind::Parameter(_) | Kind::Indicator(_) | Kind::Step => false,
         };
         let all = self.variables.with_references();
         all.filter(move |(_, variable)| is_unknown(variable)).map(|(at, variable)| {
@@ -59,13 +92,14 @@ impl<'a> Structure<'a> {
                 && !self.model.starts_in_equilibrium;
             if !is_whole || self.has_fields() {
                 // Constraints, equilibria and corrected modes couple all unknowns of the start.
-                return Element::new("InitialUnknown").with("valueReference", at);
+                return Unknown { list: List::AtStart, at, dependencies: None };
             }
             let reads = match variable.kind {
                 Kind::State(entry) => self.start_of(entry),
                 kind => self.reads(kind),
             };
-            element("InitialUnknown", at, &self.at_start(&reads))
+            let dependencies = Some(self.at_start(&reads));
+            Unknown { list: List::AtStart, at, dependencies }
         })
     }
 
@@ -95,7 +129,7 @@ impl<'a> Structure<'a> {
             Kind::State(entry) | Kind::Mode(entry) => {
                 Reads { states: [entry as u32].into(), ..Reads::default() }
             }
-            Kind::Time | Kind::Parameter(_) => Reads::default(),
+            Kind::Time | Kind::Parameter(_) | Kind::Step => Reads::default(),
         }
     }
 
@@ -145,8 +179,7 @@ impl<'a> Structure<'a> {
     }
 }
 
-/// Creates the element of an unknown with its dependencies.
-fn element(name: &'static str, at: u32, dependencies: &BTreeSet<u32>) -> Element {
-    let list: Vec<String> = dependencies.iter().map(u32::to_string).collect();
-    Element::new(name).with("valueReference", at).with("dependencies", list.join(" "))
+/// Joins numbers to a list of XML.
+pub fn joined(numbers: impl Iterator<Item = impl ToString>) -> String {
+    numbers.map(|number| number.to_string()).collect::<Vec<_>>().join(" ")
 }

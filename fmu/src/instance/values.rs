@@ -51,6 +51,7 @@ impl<'a> Looks<'a> {
             Kind::Indicator(index) => {
                 self.indicators.get_or_init(|| self.instance.indicators(self.standing))[index]
             }
+            Kind::Step => unreachable!("the library chooses its steps itself"),
         }
     }
 }
@@ -100,7 +101,11 @@ impl Instance {
             match self.variable(*reference, of)?.kind {
                 Kind::Parameter(index) => self.now.parameters[index] = *value,
                 Kind::State(entry) | Kind::Mode(entry) => self.now.chosen[entry] = Some(*value),
-                Kind::Time | Kind::Derivative(_) | Kind::Output(_) | Kind::Indicator(_) => {}
+                Kind::Time
+                | Kind::Derivative(_)
+                | Kind::Output(_)
+                | Kind::Indicator(_)
+                | Kind::Step => {}
             }
         }
         if matches!(self.now.phase, Phase::Instantiated | Phase::Initialization)

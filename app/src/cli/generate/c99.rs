@@ -143,7 +143,7 @@ fn refused(unfit: &Unfit, model: &Model) -> Failure {
 }
 
 /// Returns the state in which a run starts, if it differs from the initial values of the spec.
-fn start(model: &Model) -> Result<Option<Vec<f64>>, Failure> {
+pub fn start(model: &Model) -> Result<Option<Vec<f64>>, Failure> {
     if !model.fields.is_empty() || !needs_start(model) {
         return Ok(None);
     }

@@ -67,7 +67,22 @@ impl Options {
     }
 }
 
+/// Largest error of fixed steps, away from events.
+#[cfg(feature = "derive")]
+pub struct LargestError {
+    /// Error relative to the range of the quantity in the adaptive run.
+    pub relative: f64,
+    /// Name of the output, or of the state if the scene has no outputs.
+    pub name: String,
+}
+
 impl Fixed {
+    /// Creates the settings from a step size \[s\], above zero, and a method.
+    #[cfg(feature = "derive")]
+    pub fn of(step: f64, method: StepMethod) -> Self {
+        Self { step, method }
+    }
+
     /// Takes steps over the time of a run, with about `rows` rows. The steps are shortened so that
     /// their number is whole.
     pub fn run(&self, run: &Simulation<'_>, until: f64, rows: usize) -> Result<Stepping, Failure> {
@@ -191,6 +206,42 @@ impl Stepping {
     /// Times of the states.
     pub fn times(&self) -> &[f64] {
         &self.times
+    }
+
+    /// Returns the largest error of an output, or of a state if there are no outputs, against an
+    /// adaptive run with the same times. Within a step of an event of that run, both may be on
+    /// different sides of it.
+    #[cfg(feature = "derive")]
+    pub fn largest_error(&self, run: &Simulation<'_>, exact: &Trajectory) -> LargestError {
+        let simulator = run.simulator();
+        let mut outputs = vec![0.0; simulator.shape().outputs];
+        let kind = if outputs.is_empty() { ColumnKind::State } else { ColumnKind::Output };
+        let columns: Vec<&Column> = exact.of_kind(kind).collect();
+        let range = |values: &[f64]| {
+            let [low, high] = [f64::min, f64::max].map(|of| values.iter().copied().reduce(of));
+            let size = values.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+            // A constant has no range of its own.
+            let range = high.unwrap_or(0.0) - low.unwrap_or(0.0);
+            range.max(1e-6 * size).max(f64::MIN_POSITIVE)
+        };
+        let ranges: Vec<f64> = columns.iter().map(|column| range(&column.values)).collect();
+        let mut largest = LargestError { relative: 0.0, name: String::new() };
+        for (row, (time, state)) in self.times.iter().zip(&self.states).enumerate() {
+            let is_near = |event: f64| (event - time).abs() <= 1.5 * self.step;
+            if exact.switches.iter().any(|switch| is_near(switch.time)) {
+                continue;
+            }
+            simulator.outputs(*time, state, run.parameter_values(), &mut outputs);
+            let values = if kind == ColumnKind::Output { &outputs } else { state };
+            for ((value, column), range) in values.iter().zip(&columns).zip(&ranges) {
+                let relative = (value - column.values[row]).abs() / range;
+                let relative = if relative.is_nan() { f64::INFINITY } else { relative };
+                if relative > largest.relative || largest.name.is_empty() {
+                    largest = LargestError { relative, name: column.name.clone() };
+                }
+            }
+        }
+        largest
     }
 
     /// Returns the first time at which the state is not finite.

@@ -122,7 +122,7 @@ enum Command {
     /// Derive a scene and write it as a portable model file
     #[cfg(feature = "derive")]
     Compile(compile::Compile),
-    /// Export a scene as a functional mock-up unit (FMI 3.0)
+    /// Export a scene as a functional mock-up unit (FMI 2.0 or 3.0)
     #[cfg(feature = "derive")]
     Fmu(fmu::Fmu),
     /// Explain what is left out of a scene, why, and what that saves

@@ -47,7 +47,8 @@ pub const CATEGORIES: [(&str, &str); 3] = [
 ];
 const ERRORS: &str = "logStatusError";
 const DISCARDS: &str = "logStatusDiscard";
-const EVENTS: &str = "logEvents";
+/// Category of events.
+pub const EVENTS: &str = "logEvents";
 
 /// Function of the host that logs messages.
 #[derive(Clone, Copy)]

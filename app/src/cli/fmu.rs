@@ -37,7 +37,8 @@ pub struct Fmu {
     /// Include C99 sources instead of the library, for hosts that compile
     #[arg(long, conflicts_with = "library")]
     source: bool,
-    /// With --source: step method of Co-Simulation, rk4, heun or ros2. Default: rk4
+    /// With --source: step method of Co-Simulation, rk4, heun or ros2. Default: rk4, or ros2 for a
+    /// stiff machine
     #[arg(long, value_name = "NAME", requires = "source", value_parser = step_method)]
     step: Option<StepMethod>,
     /// With --source: largest step of Co-Simulation, `1ms`. Default: the output interval, halved
@@ -86,11 +87,8 @@ impl Fmu {
             let message = format!("--step-size {step}: the step size must be above zero");
             return Err(Failure::input(message, "such as `--step-size 1ms`"));
         }
-        let settings = SourceSettings {
-            method: self.step.unwrap_or_default(),
-            step: self.step_size,
-            command: self.command(),
-        };
+        let settings =
+            SourceSettings { method: self.step, step: self.step_size, command: self.command() };
         Ok(Content::Sources(settings))
     }
 

@@ -1,6 +1,6 @@
 //! `modelDescription.xml`: the description of an archive for hosts.
 
-use machinist_fmu::abi::CATEGORIES;
+use machinist_fmu::abi::{CATEGORIES, EVENTS};
 use machinist_fmu::resource::Machine;
 use machinist_fmu::variables::{Causality, Initial, Kind, Variability, Variable, Variables};
 use machinist_model::Model;
@@ -31,7 +31,7 @@ impl Description<'_> {
         let mode = Element::new("Int32Type").with("name", MODE).with("description", MODE_DOC);
         let types: Vec<Element> = types.chain(has_modes.then_some(mode)).collect();
         let mut elements = vec![self.exchange(), self.simulation()];
-        elements.extend(definitions(units(self.variables)?, types));
+        elements.extend(definitions(units(self.variables)?, types, self.is_source));
         elements.push(experiment(model));
         let variables =
             self.variables.with_references().map(|(at, variable)| self.variable(at, variable));
@@ -128,12 +128,14 @@ pub fn description_of(model: &Model) -> String {
     texts.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(": ")
 }
 
-/// Returns the definitions of units and types, where there are any, and of log categories.
-pub fn definitions(units: Vec<Element>, types: Vec<Element>) -> Vec<Element> {
+/// Returns the definitions of units and types, where there are any, and of log categories. Sources
+/// log no events.
+pub fn definitions(units: Vec<Element>, types: Vec<Element>, is_source: bool) -> Vec<Element> {
     let lists = [("UnitDefinitions", units), ("TypeDefinitions", types)];
     let filled = lists.into_iter().filter(|(_, list)| !list.is_empty());
     let filled = filled.map(|(name, list)| Element::new(name).holding(list));
-    let categories = CATEGORIES
+    let logged = CATEGORIES.into_iter().filter(|(name, _)| !(is_source && *name == EVENTS));
+    let categories = logged
         .map(|(name, doc)| Element::new("Category").with("name", name).with("description", doc));
     filled.chain([Element::new("LogCategories").holding(categories)]).collect()
 }

@@ -28,8 +28,9 @@ impl Description2<'_> {
     /// Returns the text of the file.
     pub fn text(&self) -> Result<String, Failure> {
         let model = self.machine.model();
+        let is_source = !self.sources.is_empty();
         let mut elements = vec![self.exchange(), self.simulation()];
-        elements.extend(definitions(units(self.variables)?, self.types()));
+        elements.extend(definitions(units(self.variables)?, self.types(), is_source));
         elements.push(experiment(model));
         let variables = self.listed().map(|(at, variable)| self.variable(at, variable));
         elements.push(Element::new("ModelVariables").holding(variables));

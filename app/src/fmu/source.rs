@@ -9,7 +9,7 @@ use machinist_fmu::resource::{Machine, token};
 use machinist_fmu::variables::{Causality, Initial, Kind, Variability, Variable, Variables};
 use machinist_model::Model;
 
-use super::fixed_step::{FixedStep, fixed_step};
+use super::fixed_step::FixedStep;
 use super::xml::Element;
 use crate::cli::generate::start;
 use crate::failure::Failure;
@@ -17,8 +17,8 @@ use crate::failure::Failure;
 /// Settings of an archive with sources.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SourceSettings {
-    /// Method of Co-Simulation.
-    pub method: StepMethod,
+    /// Method of Co-Simulation, if it is given.
+    pub method: Option<StepMethod>,
     /// Largest step of Co-Simulation \[s\], if it is given.
     pub step: Option<f64>,
     /// The command that makes the archive again, for the headers of the sources.
@@ -54,19 +54,20 @@ impl Sources {
         settings: &SourceSettings,
         version: FmiVersion,
     ) -> Result<Self, Failure> {
-        let FixedStep { size: step, statement } = fixed_step(machine, settings)?;
+        let found = FixedStep::of(machine, settings)?;
+        let (step, method, statement) = (found.size, found.method, found.statement());
         let model = machine.model();
         let doc = format!("largest step of Co-Simulation: {statement}");
         let variables = machine.variables.clone().of_sources(model, step, doc);
         let options = C99Options {
             real: Real::Double,
-            method: settings.method,
+            method,
             command: settings.command.clone(),
             inputs: Vec::new(),
             start: start(model)?,
         };
-        let method = settings.method.name();
-        let of_sources = format!("{} {version:?} {method} {step:?}", env!("CARGO_PKG_VERSION"));
+        let of_sources =
+            format!("{} {version:?} {} {step:?}", env!("CARGO_PKG_VERSION"), method.name());
         let token = token(machine.token.as_bytes(), of_sources.as_bytes());
         let unit = UnitOptions {
             version,

@@ -262,13 +262,24 @@ fn the_library_offers_every_function_of_the_standard() {
         GetEventIndicators GetContinuousStates GetNominalsOfContinuousStates \
         GetNumberOfEventIndicators GetNumberOfContinuousStates EnterStepMode \
         GetOutputDerivatives DoStep ActivateModelPartition";
+    const FUNCTIONS2: &str = "GetTypesPlatform GetVersion SetDebugLogging Instantiate FreeInstance \
+        SetupExperiment EnterInitializationMode ExitInitializationMode Terminate Reset GetReal \
+        GetInteger GetBoolean GetString SetReal SetInteger SetBoolean SetString GetFMUstate \
+        SetFMUstate FreeFMUstate SerializedFMUstateSize SerializeFMUstate DeSerializeFMUstate \
+        GetDirectionalDerivative EnterEventMode NewDiscreteStates EnterContinuousTimeMode \
+        CompletedIntegratorStep SetTime SetContinuousStates GetDerivatives GetEventIndicators \
+        GetContinuousStates GetNominalsOfContinuousStates SetRealInputDerivatives \
+        GetRealOutputDerivatives DoStep CancelStep GetStatus GetRealStatus GetIntegerStatus \
+        GetBooleanStatus GetStringStatus";
     const NOW: c_int = 2;
     let path = CString::new(library().to_str().expect("a plain path")).expect("a path");
     let library = unsafe { dlopen(path.as_ptr(), NOW) };
     assert!(!library.is_null());
-    for name in FUNCTIONS.split_whitespace() {
-        let symbol = CString::new(format!("fmi3{name}")).expect("a name");
-        assert!(!unsafe { dlsym(library, symbol.as_ptr()) }.is_null(), "fmi3{name}");
+    for (version, functions) in [("fmi3", FUNCTIONS), ("fmi2", FUNCTIONS2)] {
+        for name in functions.split_whitespace() {
+            let symbol = CString::new(format!("{version}{name}")).expect("a name");
+            assert!(!unsafe { dlsym(library, symbol.as_ptr()) }.is_null(), "{version}{name}");
+        }
     }
     let version = CString::new("fmi3GetVersion").expect("a name");
     let version = unsafe { dlsym(library, version.as_ptr()) };

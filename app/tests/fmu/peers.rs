@@ -18,6 +18,30 @@ const SCENES: [&str; 7] = [
     "shaft_with_rotors",
 ];
 
+/// Form of an archive.
+#[derive(Clone, Copy)]
+struct Form {
+    /// Version of the standard.
+    version: &'static str,
+    /// True for sources, which FMPy's host compiles.
+    is_source: bool,
+}
+
+const FORMS: [Form; 4] = [
+    Form { version: "3", is_source: false },
+    Form { version: "2", is_source: false },
+    Form { version: "3", is_source: true },
+    Form { version: "2", is_source: true },
+];
+
+/// Returns the forms in which a scene is tested: all where `MACHINIST_PEERS` names scenes, else
+/// FMI 3.0 with the library and one other, in turn.
+fn forms(place: usize, is_whole: bool, has_fields: bool) -> Vec<Form> {
+    let other = FORMS[1 + place % 3];
+    let wanted = if is_whole { FORMS.to_vec() } else { vec![FORMS[0], other] };
+    wanted.into_iter().filter(|form| !(has_fields && form.is_source)).collect()
+}
+
 /// Tests these scenes, those that `MACHINIST_PEERS` names, or `all` built-in ones.
 #[test]
 fn fmpy_validates_and_simulates_what_is_exported() {
@@ -31,18 +55,25 @@ fn fmpy_validates_and_simulates_what_is_exported() {
     let library = library();
     let mut check = Command::new(&python);
     check.arg(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fmu/peers.py"));
-    let wanted = std::env::var("MACHINIST_PEERS").unwrap_or_else(|_| SCENES.join(","));
+    let named = std::env::var("MACHINIST_PEERS");
+    let wanted = named.clone().unwrap_or_else(|_| SCENES.join(","));
     let built_in = [scenes::NAMES, scenes::FIELD_NAMES].concat();
     let all = if wanted == "all" { built_in } else { wanted.split(',').collect() };
-    for scene in all {
-        let [archive, csv] =
-            ["fmu", "csv"].map(|ending| folder.path().join(scene).with_extension(ending));
-        let [library, out, table] =
-            [&library, &archive, &csv].map(|path| path.to_str().expect("a plain path"));
-        answer(machinist(REPOSITORY, &["fmu", scene, "-o", out, "--library", library]));
-        let run = ["run", scene, "--rtol", "1e-10", "--out", table];
-        answer(machinist(REPOSITORY, &run));
-        check.args([&archive, &csv]);
+    for (place, scene) in all.into_iter().enumerate() {
+        let csv = folder.path().join(scene).with_extension("csv");
+        let table = csv.to_str().expect("a plain path");
+        answer(machinist(REPOSITORY, &["run", scene, "--rtol", "1e-10", "--out", table]));
+        let has_fields = scenes::FIELD_NAMES.contains(&scene);
+        for Form { version, is_source } in forms(place, named.is_ok(), has_fields) {
+            let kind = if is_source { "sources" } else { "library" };
+            let archive = folder.path().join(format!("{scene}_{kind}_{version}.fmu"));
+            let mut export = vec!["fmu", scene, "--fmi", version, "-o"];
+            export.push(archive.to_str().expect("a plain path"));
+            let library = library.to_str().expect("a plain path");
+            export.extend(if is_source { vec!["--source"] } else { vec!["--library", library] });
+            answer(machinist(REPOSITORY, &export));
+            check.args([&archive, &csv]);
+        }
     }
     let Output { status, stdout, stderr } = check.output().expect("Python starts");
     let [out, err] = [stdout, stderr].map(|text| String::from_utf8_lossy(&text).into_owned());

@@ -41,6 +41,8 @@ const MOST_STEPS: f64 = 1e9;
 pub struct Fixed {
     step: f64,
     method: StepMethod,
+    /// Hint where the state does not remain finite.
+    advice: &'static str,
 }
 
 /// Result of fixed steps.
@@ -63,7 +65,8 @@ impl Options {
             let message = format!("--fixed {step}: the step size must be finite and above zero");
             return Err(Failure::input(message, "such as `--fixed 1e-4`, in seconds"));
         }
-        Ok(Some(Fixed { step, method: self.step_method.unwrap_or_default() }))
+        let advice = "use smaller steps, or `--step-method ros2` for a stiff machine";
+        Ok(Some(Fixed { step, method: self.step_method.unwrap_or_default(), advice }))
     }
 }
 
@@ -77,10 +80,11 @@ pub struct LargestError {
 }
 
 impl Fixed {
-    /// Creates the settings from a step size \[s\], above zero, and a method.
+    /// Creates the settings from a step size \[s\], above zero, a method, and the hint for steps
+    /// that are too large.
     #[cfg(feature = "derive")]
-    pub fn of(step: f64, method: StepMethod) -> Self {
-        Self { step, method }
+    pub fn of(step: f64, method: StepMethod, advice: &'static str) -> Self {
+        Self { step, method, advice }
     }
 
     /// Takes steps over the time of a run, with about `rows` rows. The steps are shortened so that
@@ -141,8 +145,7 @@ impl Fixed {
                 "{} with steps of {step:.3e} s: the state is not finite at {lost} s",
                 self.method.name()
             );
-            let help = "use smaller steps, or `--step-method ros2` for a stiff machine";
-            return Err(Failure::unsuccessful(message, help));
+            return Err(Failure::unsuccessful(message, self.advice));
         }
         Ok(stepping)
     }

@@ -59,6 +59,10 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
         let doc = "Puts the state back onto the constraints, first in position, then in velocity, \
                    by one step of Newton's method each. Steps do so themselves.";
         let _ = write!(text, "\n{}void {project}({machine} *machine);\n", comment([doc]));
+        let project = scene.public("project_start");
+        let doc =
+            "Puts a start near the constraints onto them, without moving what the spec gives.";
+        let _ = write!(text, "\n{}void {project}({machine} *machine);\n", comment([doc]));
     }
     if !scene.inputs.is_empty() {
         let _ = write!(
@@ -97,7 +101,8 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
 /// Returns the declarations of the functions for hosts that integrate by a method of their own.
 fn hosted(scene: &Scene<'_>) -> String {
     let (real, machine) = (scene.real(), scene.public("machine_t"));
-    let guards = format!("const {real} guards[{}]", scene.macro_name("EVENTS"));
+    let [guards, noise] = ["guards", "noise"]
+        .map(|name| format!("const {real} {name}[{}]", scene.macro_name("EVENTS")));
     let [is_due, happen, follow] = ["is_due", "happen", "follow"].map(|name| scene.public(name));
     let heads = [
         (
@@ -107,8 +112,9 @@ fn hosted(scene: &Scene<'_>) -> String {
         ),
         (
             "Makes the events of such guards happen at the present time and state. A guard that \
-             comes back within h [s] is at zero. Gives their number.",
-            format!("int {happen}({machine} *machine, {guards}, {real} h)"),
+             comes back within h [s], or is no larger than its noise, is at zero. Gives their \
+             number.",
+            format!("int {happen}({machine} *machine, {guards}, {noise}, {real} h)"),
         ),
         (
             "Keeps on which side of zero guards are, after a step without events.",
@@ -188,7 +194,11 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
     });
     if is_constrained {
         parts.push(shifts(scene));
-        parts.push(scene.filled(&with_library_names(PROJECT, scene.options.real)));
+        let given = |is_position| statement(&given(scene, is_position), 4);
+        let text = PROJECT
+            .replace("GIVEN_POSITIONS", &given(true))
+            .replace("GIVEN_VELOCITIES", &given(false));
+        parts.push(scene.filled(&with_library_names(&text, scene.options.real)));
     }
     parts.push(scene.filled(TIME));
     if !scene.inputs.is_empty() {
@@ -207,7 +217,12 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
             let put_back = project(scene, 12, "machine->time + length", "&end");
             scene.filled(&JUMPS.replace("PROJECT\n", &put_back))
         }
-        (false, _) => format!("{}\n{}", events(scene), scene.filled(EVENTS_HOSTED)),
+        (false, _) => {
+            let held = project(scene, 4, "machine->time", "&machine->state");
+            let hosted = EVENTS_HOSTED.replace("HOLD\n", &held);
+            let hosted = scene.filled(&with_library_names(&hosted, scene.options.real));
+            format!("{}\n{hosted}", events(scene))
+        }
     });
     parts.push(begin(scene)?);
     Ok(parts.join("\n"))
@@ -238,6 +253,23 @@ fn ahead(scene: &Scene<'_>) -> String {
     }
     text.push_str("}\n");
     text
+}
+
+/// Returns for each coordinate whether the spec gives its initial position or velocity.
+fn given(scene: &Scene<'_>, of_position: bool) -> String {
+    let coordinates = 0..scene.model.coordinates.len();
+    let is_given = |coordinate: usize| {
+        scene.model.states.iter().any(|state| {
+            let is_it = match state.kind {
+                StateKind::Position(of) => of_position && of as usize == coordinate,
+                StateKind::Velocity(of) => !of_position && of as usize == coordinate,
+                _ => false,
+            };
+            is_it && state.is_given
+        })
+    };
+    let flags = coordinates.map(|coordinate| if is_given(coordinate) { "1" } else { "0" });
+    flags.collect::<Vec<_>>().join(", ")
 }
 
 /// Returns the shifts of positions and of velocities. The state of a scene with constraints

@@ -60,10 +60,11 @@ static void eliminate(scene_real_t a[SADDLE][SADDLE], scene_real_t b[SADDLE])
 }
 
 /* The shortest shift of coordinates, as the mass matrix measures it, that puts a state back onto
- * constraints that are off by `off`: M d + G^T mu = 0, G d = off. */
+ * constraints that are off by `off`: M d + G^T mu = 0, G d = off. Coordinates that are held, if any,
+ * do not move. */
 static void shortest(scene_real_t time, const scene_state_t *state, const scene_parameters_t *p,
                      const scene_constants_t *c, const scene_real_t off[SCENE_CONSTRAINTS],
-                     scene_real_t shift[SADDLE])
+                     const signed char *held, scene_real_t shift[SADDLE])
 {
     scene_real_t a[SADDLE][SADDLE];
     scene_real_t mass[SCENE_MASS_MATRIX_NONZEROS];
@@ -99,27 +100,60 @@ static void shortest(scene_real_t time, const scene_state_t *state, const scene_
             a[SCENE_COORDINATES + k][SCENE_COORDINATES + k] = R(1.0);
         }
     }
+    for (row = 0u; (held != NULL) && (row < SCENE_COORDINATES); ++row) {
+        if (held[row] != 0) {
+            for (column = 0u; column < SADDLE; ++column) {
+                a[row][column] = R(0.0);
+            }
+            a[row][row] = R(1.0);
+        }
+    }
     eliminate(a, shift);
 }
 
 /* Puts a state back onto the constraints, first in position, then in velocity, by one step of
  * Newton's method each: a step of the motion leaves them by its local error, and what is left
  * is of the square of that. */
-static void project(scene_real_t time, scene_state_t *state, const scene_parameters_t *p,
-                    const scene_constants_t *c)
+static void project_holding(scene_real_t time, scene_state_t *state, const scene_parameters_t *p,
+                            const scene_constants_t *c, const signed char *positions,
+                            const signed char *velocities)
 {
     scene_real_t off[SCENE_CONSTRAINTS];
     scene_real_t shift[SADDLE];
 
     scene_constraint_values(time, state, p, c, off);
-    shortest(time, state, p, c, off, shift);
+    shortest(time, state, p, c, off, positions, shift);
     shift_positions(state, shift);
     scene_constraint_rates(time, state, p, c, off);
-    shortest(time, state, p, c, off, shift);
+    shortest(time, state, p, c, off, velocities, shift);
     shift_velocities(state, shift);
+}
+
+static void project(scene_real_t time, scene_state_t *state, const scene_parameters_t *p,
+                    const scene_constants_t *c)
+{
+    project_holding(time, state, p, c, NULL, NULL);
 }
 
 void scene_project(scene_machine_t *machine)
 {
     project(machine->time, &machine->state, &machine->p, &machine->c);
+}
+
+/* Coordinates and velocities whose initial values the spec gives. */
+static const signed char given_positions[SCENE_COORDINATES] = {
+GIVEN_POSITIONS};
+static const signed char given_velocities[SCENE_COORDINATES] = {
+GIVEN_VELOCITIES};
+
+void scene_project_start(scene_machine_t *machine)
+{
+    const scene_real_t time = machine->time;
+    unsigned int step;
+
+    /* Newton's method converges quadratically from nearby. */
+    for (step = 0u; step < 10u; ++step) {
+        project_holding(time, &machine->state, &machine->p, &machine->c, given_positions,
+                        given_velocities);
+    }
 }

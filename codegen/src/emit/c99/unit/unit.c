@@ -160,20 +160,47 @@ static void shifted_guards(const scene_unit_t *unit, double guards[SCENE_EVENTS]
     }
 }
 
-/* Sees how far guards are on the wrong side of zero after events. */
+/* How much rounding of time and state changes guards: the change by a small relative shift of each,
+ * scaled to 64 roundings. */
+static void find_noise(const scene_unit_t *unit, double noise[SCENE_EVENTS])
+{
+    const double shift = 1.0 / 1048576.0;
+    const double scale = 64.0 * DBL_EPSILON / shift;
+    const scene_machine_t *machine = &unit->machine;
+    double guards[SCENE_EVENTS], shifted[SCENE_EVENTS];
+    size_t event, k;
+
+    scene_guards(time_of(unit), &machine->state, &machine->p, &machine->c, guards);
+    scene_guards(time_of(unit) * (1.0 + shift), &machine->state, &machine->p, &machine->c, shifted);
+    for (event = 0u; event < SCENE_EVENTS; ++event) {
+        noise[event] = scale * fabs(shifted[event] - guards[event]);
+    }
+    for (k = 0u; k < SCENE_CONTINUOUS_STATES; ++k) {
+        scene_state_t state = machine->state;
+        put(&state, state_places[k], number(&state, state_places[k]) * (1.0 + shift));
+        scene_guards(time_of(unit), &state, &machine->p, &machine->c, shifted);
+        for (event = 0u; event < SCENE_EVENTS; ++event) {
+            noise[event] = noise[event] + scale * fabs(shifted[event] - guards[event]);
+        }
+    }
+}
+
+/* Sees which guards are at zero or on its wrong side by rounding after events. */
 static void find_slack(scene_unit_t *unit)
 {
-    double guards[SCENE_EVENTS];
+    double guards[SCENE_EVENTS], noise[SCENE_EVENTS];
     size_t event;
 
     for (event = 0u; event < SCENE_EVENTS; ++event) {
         unit->slack[event] = 0.0;
     }
     shifted_guards(unit, guards);
+    find_noise(unit, noise);
     for (event = 0u; event < SCENE_EVENTS; ++event) {
-        const double guard = guards[event];
-        const int is_beyond = (double)unit->machine.side[event] * guard < 0.0;
-        unit->slack[event] = is_beyond ? 2.0 * fabs(guard) : 0.0;
+        const double inside = (double)unit->machine.side[event] * guards[event];
+        if (inside < noise[event]) {
+            unit->slack[event] = fmax(noise[event], -2.0 * inside);
+        }
     }
 }
 
@@ -243,11 +270,7 @@ static void start(scene_unit_t *unit)
     find_jumps(unit);
 #endif
 #ifdef SCENE_CONSTRAINTS
-    /* Newton's method converges quadratically; a start that it does not reach in ten steps is not
-     * near the constraints. */
-    for (k = 0u; k < 10u; ++k) {
-        scene_project(&unit->machine);
-    }
+    scene_project_start(&unit->machine);
 #endif
 #ifdef SCENE_EVENTS
     scene_settle(&unit->machine);
@@ -461,7 +484,7 @@ int scene_unit_update(scene_unit_t *unit, int *has_moved, double *next)
     const scene_state_t before = unit->machine.state;
     size_t k;
 #ifdef SCENE_EVENTS
-    double guards[SCENE_EVENTS];
+    double guards[SCENE_EVENTS], noise[SCENE_EVENTS];
     double now;
 #endif
 
@@ -479,7 +502,8 @@ int scene_unit_update(scene_unit_t *unit, int *has_moved, double *next)
     now = unit->machine.time;
     unit->machine.time = time_of(unit);
     shifted_guards(unit, guards);
-    (void)scene_happen(&unit->machine, guards, nearness(unit));
+    find_noise(unit, noise);
+    (void)scene_happen(&unit->machine, guards, noise, nearness(unit));
     unit->machine.time = now;
 #endif
     look(unit);

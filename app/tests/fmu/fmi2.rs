@@ -268,6 +268,37 @@ fn the_resource_location_is_a_uri() {
 }
 
 #[test]
+fn null_pointers_and_freed_instances_are_refused_by_fmi2() {
+    let archive = Archive2::of("bouncing_mass", &[]);
+    let unit = archive.unit(CO_SIMULATION);
+    unit.begin(1.0);
+    let (reference, null) = (archive.reference("height"), ptr::null_mut::<f64>());
+    let mut value = 0.0;
+    unsafe {
+        let (handle, at) = (unit.handle, &raw const reference);
+        assert_eq!(fmi2GetReal(handle, at, 1, null), Status::Error);
+        assert_eq!(fmi2GetReal(handle, ptr::null(), 1, &raw mut value), Status::Error);
+        assert_eq!(fmi2GetReal(handle, ptr::null(), 0, null), Status::Ok);
+        assert_eq!(fmi2GetBoolean(handle, at, 1, ptr::null_mut()), Status::Error);
+        assert_eq!(fmi2GetFMUstate(handle, ptr::null_mut()), Status::Error);
+        assert_eq!(fmi2DoStep(handle, 0.0, f64::NAN, 1), Status::Error);
+        assert_eq!(fmi2DoStep(handle, 0.5, 0.1, 1), Status::Error);
+        assert_eq!(fmi2DoStep(ptr::null_mut(), 0.0, 0.1, 1), Status::Error);
+        assert!(
+            fmi2Instantiate(ptr::null(), 0, ptr::null(), ptr::null(), ptr::null(), 0, 0).is_null()
+        );
+        let token = CString::new(archive.token()).expect("text");
+        let functions = ptr::null();
+        assert!(
+            fmi2Instantiate(ptr::null(), 0, token.as_ptr(), ptr::null(), functions, 0, 0).is_null()
+        );
+    }
+    let handle = unit.handle;
+    drop(unit);
+    assert_eq!(unsafe { fmi2DoStep(handle, 0.0, 0.1, 1) }, Status::Error);
+}
+
+#[test]
 fn descriptions_by_fmi2_refer_to_variables_by_their_index() {
     let archive = Archive2::of("winder_holder_drop", &[]);
     let variables = archive.variables();

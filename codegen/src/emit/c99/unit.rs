@@ -1,8 +1,8 @@
 //! Sources of a functional mock-up unit: a wrapper of FMI around the emitted machine.
 //!
-//! `unit.c` is the same for every version of the standard and has all rules of modes, starts and
-//! events. `fmi2.c` and `fmi3.c` translate calls. The snippets are C; a line `#ifdef` with one of
-//! the [conditions](Sources::holds) is decided here, so that the files contain what their machine needs.
+//! `unit.c` and `run.c` are the same for every version of the standard and have all rules of modes,
+//! starts and events. The others translate calls. The snippets are C; a line `#ifdef` with one of
+//! the conditions of `holds` is decided here, so that the files contain what their machine needs.
 
 use std::fmt::Write as _;
 
@@ -14,9 +14,9 @@ use super::{C99File, C99Options, Real, Scene, description, emit};
 use crate::emit::EmitError;
 
 const HEADER: &str = include_str!("unit/unit.h");
-const SOURCE: &str = include_str!("unit/unit.c");
+const SOURCE: &str = concat!(include_str!("unit/unit.c"), "\n", include_str!("unit/run.c"));
 const FMI2: &str = include_str!("unit/fmi2.c");
-const FMI3: &str = include_str!("unit/fmi3.c");
+const FMI3: &str = concat!(include_str!("unit/fmi3.c"), "\n", include_str!("unit/fmi3_rest.c"));
 
 /// Version of the standard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -60,8 +60,8 @@ static void eliminate(scene_real_t a[SADDLE][SADDLE], scene_real_t b[SADDLE])
 }
 
 /* The shortest shift of coordinates, as the mass matrix measures it, that puts a state back onto
- * constraints that are off by `off`: M d + G^T mu = 0, G d = off. Coordinates that are held, if any,
- * do not move. */
+ * constraints that are off by `off`: M d + G^T mu = 0, G d = off. Coordinates that are held, if
+ * any, do not move. */
 static void shortest(scene_real_t time, const scene_state_t *state, const scene_parameters_t *p,
                      const scene_constants_t *c, const scene_real_t off[SCENE_CONSTRAINTS],
                      const signed char *held, scene_real_t shift[SADDLE])

@@ -29,7 +29,7 @@ enum {
     SCENE_IN_TERMINATION = 32
 };
 
-/* All data of an instance. It has no pointers, so that a copy of its bytes is a state of the FMU. */
+/* All data of an instance. It has no pointers, so a copy of its bytes is a state of the FMU. */
 typedef struct {
     scene_machine_t machine;
     int mode; /* one of the modes of the standard */
@@ -79,8 +79,8 @@ int scene_unit_enter_initialization(scene_unit_t *unit, double tolerance, double
 /* Computes the start and leaves initialization mode. */
 int scene_unit_exit_initialization(scene_unit_t *unit);
 
-/* Makes what is due in event mode happen: whether continuous states have moved, and the next time at
- * which the rate jumps, HUGE_VAL for none. */
+/* Makes what is due in event mode happen: whether continuous states have moved, and the next time
+ * at which the rate jumps, HUGE_VAL for none. */
 int scene_unit_update(scene_unit_t *unit, int *has_moved, double *next);
 
 /* Looks at the state after a step of the host: whether event mode is needed. */

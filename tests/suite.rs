@@ -73,6 +73,7 @@ mod taylor;
 mod turning;
 mod unrolled;
 mod variable_mass;
+mod verified_fields;
 mod wasm;
 mod winders;
 mod work;

@@ -531,6 +531,25 @@ fn a_scene_with_fields_is_derived_independently_in_few_elements() {
 }
 
 #[test]
+fn sensitivities_of_a_scene_with_fields_are_checked_in_few_elements() {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
+    let name = "sensitivities to the parameters that matter most";
+    for scene in ["shaft_with_rotors.toml", "reed_beat_up.toml"] {
+        let (code, rows) = rows(&scenes.join(scene), &["--only", "sensitivities"]);
+        assert_eq!(rows, [(name.to_owned(), Some(true))], "{scene}");
+        assert_eq!(code, Some(0));
+    }
+}
+
+#[test]
+fn a_run_given_at_a_node_leaves_out_the_row_in_few_elements() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/scenes/shaft_with_rotors.toml");
+    let initial = ["--only", "sensitivities", "--initial", "shaft.phi[40]=0.001rad"];
+    let (code, rows) = rows(Path::new(scene), &initial);
+    assert_eq!((rows[0].1, rows.len(), code), (None, 1, Some(0)));
+}
+
+#[test]
 fn checks_of_outputs_change_no_equation() {
     let at = |word: &str| OSCILLATOR.find(word).expect("a table");
     let (closed, speed, after) = (at("[checks.free"), at("[checks.speed"), at("[helpers.w]"));

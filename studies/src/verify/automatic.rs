@@ -26,12 +26,24 @@ use visit::Visit;
 pub struct Subject<'a> {
     /// Its run, with the requested parameters, end and tolerance.
     pub simulation: Simulation<'a>,
+    /// The same run in few elements, for the check of sensitivities, if fields have many: their
+    /// derivatives take minutes there. Or the reason why there is no such run.
+    pub in_few_elements: Option<Result<Simulation<'a>, String>>,
     /// The same machine in another execution, or the reason why there is none.
     pub twin: Result<&'a dyn Simulator<f64>, &'static str>,
     /// A second derivation of its spec, or the reason why there is none.
     pub independent: Independent<'a>,
     /// Checks of its author.
     pub own: Vec<OwnCheck<'a>>,
+    /// Text that `scene: check` must contain, if given.
+    pub only: Option<String>,
+}
+
+impl Subject<'_> {
+    fn wants(&self, check: &str) -> bool {
+        let scene = self.simulation.simulator().name();
+        self.only.as_ref().is_none_or(|text| format!("{scene}: {check}").contains(text.as_str()))
+    }
 }
 
 /// One row of the table.
@@ -94,8 +106,8 @@ const ROWS: &[Row] = &[
     sensitivities::BY_DIFFERENCES,
 ];
 
-/// Computes every row of a machine: first whether it runs, then the automatic checks, then those of
-/// its author. If it does not complete its run, nothing else is checked.
+/// Computes the wanted rows of a machine: first whether it runs, then the automatic checks, then
+/// those of its author. If it does not complete its run, nothing else is checked.
 #[must_use]
 pub fn verify_machine(subject: &Subject<'_>) -> Vec<Verdict> {
     let scene = subject.simulation.simulator().name();
@@ -105,8 +117,11 @@ pub fn verify_machine(subject: &Subject<'_>) -> Vec<Verdict> {
     };
     let visit = Visit::new(subject, &run);
     let mut verdicts = vec![runs_to_its_end(scene, None)];
-    verdicts.extend(ROWS.iter().map(|row| row.verdict(scene, &visit)));
-    verdicts.extend(subject.own.iter().map(|check| check.verdict(subject, &run)));
+    verdicts.retain(|verdict| subject.wants(&verdict.check));
+    let rows = ROWS.iter().filter(|row| subject.wants(row.name));
+    verdicts.extend(rows.map(|row| row.verdict(scene, &visit)));
+    let own = subject.own.iter().filter(|check| subject.wants(&check.title()));
+    verdicts.extend(own.map(|check| check.verdict(subject, &run)));
     verdicts
 }
 

@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use machinist::{FieldSimulator, Simulation};
-use machinist_contract::Simulator;
+use machinist::{Discretisation, FieldSimulator, Simulation};
+use machinist_contract::field::{FieldAttachment, FieldPlace, FieldScene};
+use machinist_contract::{Describe, Simulator};
 use machinist_model::{Check, Model, ModelSimulator, Reference, Running};
 use machinist_studies::verify::Verdict;
 use machinist_studies::verify::automatic::{
@@ -30,13 +31,16 @@ pub struct Changes {
     pub run: RunArgs,
     /// Time limit of each run.
     pub time_limit: Duration,
+    /// Text that `scene: check` must contain, if given.
+    pub only: Option<String>,
 }
 
 impl Changes {
     /// Returns no changes, with a time limit of each run.
     #[cfg(feature = "derive")]
     pub fn none(time_limit: Duration) -> Self {
-        Self { machine: MachineArgs::default(), run: RunArgs::default(), time_limit }
+        let (machine, run) = (MachineArgs::default(), RunArgs::default());
+        Self { machine, run, time_limit, only: None }
     }
 }
 
@@ -75,20 +79,40 @@ fn verify_model(
         let independent = |parameters: &[f64]| spec.clone()?.against(own.single(), parameters);
         require_no_cut(loading.wanted, &model.name)?;
         let twin = twin.map(|()| interpreted.single() as &dyn Simulator<f64>);
-        let ways = Ways { simulator: own.single(), twin };
+        let ways = Ways { simulator: own.single(), in_few_elements: None, twin };
         return verify_both(model, &ways, &independent, changes);
     }
     let independent = |parameters: &[f64]| spec.clone()?.against_fields(&own, parameters);
-    let cut = |scene| FieldSimulator::new(scene, loading.wanted);
-    let [simulator, interpreted] = [cut(&own), cut(&interpreted)];
-    let simulator = simulator.map_err(|error| refused(&error))?;
-    let interpreted = interpreted.map_err(|error| refused(&error))?;
+    let simulator = cut(&own, loading.wanted)?;
+    let few = cut(&own, few_elements(own.with_fields(), loading.wanted))?;
+    let interpreted = cut(&interpreted, loading.wanted)?;
+    let has_fewer = few.shape().states() < simulator.shape().states();
     // Trait objects made here would be of code that is not optimized.
     let ways = Ways {
         simulator: simulator.single(),
+        in_few_elements: has_fewer.then(|| few.single()),
         twin: twin.map(|()| interpreted.single() as &dyn Simulator<f64>),
     };
     verify_both(model, &ways, &independent, changes)
+}
+
+fn cut(model: &ModelSimulator, wanted: Discretisation) -> Result<FieldSimulator<'_, f64>, Failure> {
+    let cut = FieldSimulator::new(model.with_fields(), wanted).map_err(|error| refused(&error))?;
+    Ok(cut.with_derivatives(model.with_fields_on_duals()))
+}
+
+/// Returns a division into four elements, or into as many as one for each segment between ports, of
+/// order 2 at most. Elements of order 1 remain, whose equations are evaluated otherwise.
+fn few_elements(scene: &dyn FieldScene<f64>, wanted: Discretisation) -> Discretisation {
+    const FEW: usize = 4;
+    const ORDER: usize = 2;
+    let fields = || (0..scene.fields()).map(|index| scene.field(index));
+    let segments = |ports: &[FieldAttachment]| {
+        1 + ports.iter().filter(|at| at.place == FieldPlace::Inside).count()
+    };
+    let elements = fields().map(|field| segments(field.attachments)).fold(FEW, usize::max);
+    let order = wanted.order.or_else(|| fields().map(|field| field.order).min());
+    Discretisation { elements: Some(elements), order: order.map(|order| order.min(ORDER)) }
 }
 
 /// Returns the model of an argument and its spec, or the reason why there is none.
@@ -122,6 +146,8 @@ const NO_SPEC: &str = "a model file has no spec to derive from again";
 /// Machine in both ways of running it.
 struct Ways<'a> {
     simulator: &'a dyn Simulator<f64>,
+    /// The machine in fewer elements, if its fields have more than few.
+    in_few_elements: Option<&'a dyn Simulator<f64>>,
     /// Interpreted machine, or the reason why there is no other way.
     twin: Result<&'a dyn Simulator<f64>, &'static str>,
 }
@@ -132,15 +158,27 @@ fn verify_both<'a>(
     independent: &dyn Fn(&[f64]) -> Independent<'a>,
     changes: &Changes,
 ) -> Result<Vec<Verdict>, Failure> {
-    let simulation = Simulation::new(ways.simulator).time_limit(changes.time_limit);
-    let Changes { machine, run, .. } = changes;
-    let simulation = machine.with_initial(with_parameters(simulation, &machine.set)?)?;
-    let simulation = run.apply(simulation)?;
+    let simulation = with_changes(ways.simulator, changes)?;
+    let in_few_elements = ways.in_few_elements.map(|simulator| {
+        let why = |_| "the run is given at nodes that few elements do not have".to_owned();
+        with_changes(simulator, changes).map_err(why)
+    });
     let parameters = simulation.parameter_values().to_vec();
     let own = model.checks.iter().map(|check| own_check(check, &parameters)).collect();
     let independent = independent(&parameters);
-    let subject = Subject { simulation, twin: ways.twin, independent, own };
+    let (twin, only) = (ways.twin, changes.only.clone());
+    let subject = Subject { simulation, in_few_elements, twin, independent, own, only };
     Ok(during("verifying", || verify_machine(&subject)))
+}
+
+/// Returns the run of a simulator with the requested settings.
+fn with_changes<'a>(
+    simulator: &'a dyn Simulator<f64>,
+    changes: &Changes,
+) -> Result<Simulation<'a>, Failure> {
+    let Changes { machine, run, time_limit, .. } = changes;
+    let simulation = Simulation::new(simulator).time_limit(*time_limit);
+    run.apply(machine.with_initial(with_parameters(simulation, &machine.set)?)?)
 }
 
 fn own_check<'a>(check: &'a Check, parameters: &'a [f64]) -> OwnCheck<'a> {

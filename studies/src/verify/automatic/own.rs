@@ -73,7 +73,7 @@ impl OwnCheck<'_> {
         }
     }
 
-    fn title(&self) -> String {
+    pub(super) fn title(&self) -> String {
         if self.name == self.of {
             self.name.to_owned()
         } else {

@@ -4,12 +4,12 @@ use machinist::trajectory::{ColumnKind, Trajectory};
 use machinist::{Method, SimulateError, Simulation};
 
 use super::visit::{Visit, size};
-use super::{Found, Outcome, Row, states};
+use super::{Found, Outcome, Row, Subject, own, states};
 use crate::verify::machine::Point;
 
 pub(super) const BY_DIFFERENCES: Row = Row {
     name: "sensitivities to the parameters that matter most",
-    reference: "central differences of runs, over the largest of each",
+    reference: "central differences of runs, over the largest of each; of fields in few elements",
     tolerance: 1e-2,
     reason: "differences of runs err by their tolerance over the step, wrong terms by far more",
     matters: "Sensitivities of this machine are not to be relied on, nor are fits.",
@@ -30,10 +30,29 @@ const STEP: f64 = 1e-4;
 const LEAST: f64 = 1e-5;
 
 fn by_differences(visit: &Visit<'_>) -> Outcome {
-    match compared(visit) {
+    let compared = match &visit.subject.in_few_elements {
+        None => compared(visit),
+        Some(simulation) => compared_in_few_elements(simulation),
+    };
+    match compared {
         Ok(found) => Outcome::Found(found),
         Err(outcome) => outcome,
     }
+}
+
+fn compared_in_few_elements(simulation: &Result<Simulation<'_>, String>) -> Result<Found, Outcome> {
+    let simulation = simulation.clone().map_err(Outcome::Skipped)?;
+    let none = "not asked for".to_owned();
+    let subject = Subject {
+        simulation,
+        in_few_elements: None,
+        twin: Err("not asked for"),
+        independent: Err(none),
+        own: Vec::new(),
+        only: None,
+    };
+    let run = own::with_times(&subject).run().map_err(|error| Outcome::without_run(&error))?;
+    compared(&Visit::new(&subject, &run))
 }
 
 fn compared(visit: &Visit<'_>) -> Result<Found, Outcome> {

@@ -105,7 +105,9 @@ pub struct FieldSimulator<'a, R> {
     /// the field provides for it; and the rows that the force on it affects.
     ports: Vec<(usize, usize)>,
     port_rows: Vec<Vec<PortRow>>,
-    mass_is_diagonal: bool,
+    /// True if a force on a coordinate of the machine accelerates no other one: its mass matrix is
+    /// diagonal, and there are no constraints.
+    accelerations_are_separate: bool,
     derivatives_read_forces: bool,
     excitation_terms: Option<Vec<(u32, u32)>>,
     parameter_jacobian: Vec<(u32, u32)>,
@@ -298,7 +300,8 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             lines: None,
             ports: Vec::new(),
             port_rows: Vec::new(),
-            mass_is_diagonal: scene.mass_matrix_pattern().entries.iter().all(|(i, j)| i == j),
+            accelerations_are_separate: scene.constraints() == 0
+                && scene.mass_matrix_pattern().entries.iter().all(|(i, j)| i == j),
             derivatives_read_forces: scene.jacobian_reads_forces(),
             excitation_terms: None,
             parameter_jacobian: Vec::new(),

@@ -16,6 +16,7 @@ mod chains;
 mod classics;
 mod complex_step;
 mod conserves;
+mod constrained_fields;
 mod constraints;
 mod contacts;
 mod cycles;

@@ -227,7 +227,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         if self.port_rows.is_empty() {
             return;
         }
-        if self.mass_is_diagonal {
+        if self.accelerations_are_separate {
             self.scene().mass_matrix(time, &work.state, &work.p, &mut work.mass);
         } else {
             let values = &mut work.parameter_jacobian;
@@ -235,7 +235,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
         for (rows, weights) in self.port_rows.iter().zip(&mut work.port_weights) {
             for (row, weight) in rows.iter().zip(weights) {
-                *weight = if self.mass_is_diagonal {
+                *weight = if self.accelerations_are_separate {
                     R::literal(1.0) / work.mass[row.coordinate as usize]
                 } else {
                     work.parameter_jacobian[row.by_force as usize]

@@ -117,3 +117,46 @@ fn the_pressure_of_a_growing_package_is_that_of_its_spring_and_weight() {
         }
     }
 }
+
+/// The full winder with elastic slip, which has modes, against the other one, which limits the slip
+/// by relations, in one disturbed motion.
+#[test]
+fn the_full_winder_slips_elastically_as_the_other_one() {
+    let [full, other] =
+        ["winder_full", "drives/winder_elastic_slip"].map(|name| of_specs(name, Keep::Needed));
+    for (tension, most) in [(0.6, 0.04), (3.0, 0.02), (9.0, 0.04)] {
+        let run = |scene: &ModelSimulator, method| {
+            let settings = [
+                ("winding_speed", 2.2),
+                ("force_amplitude", 25.0),
+                ("pair.thread_area", 0.0),
+                ("pair.tension", tension),
+                ("pair.greatest_slip", most),
+            ];
+            let run = Simulation::new(scene.single()).method(method).rtol(1e-10);
+            let run = settings
+                .iter()
+                .fold(run, |run, (name, value)| run.parameter(name, *value).expect("a parameter"));
+            let run = run.until(0.2).points(201).run();
+            run.unwrap_or_else(|error| panic!("{method}: {error}"))
+        };
+        let exact = run(&other, Method::Dop853);
+        assert!(column(&exact, "pressure").contains(&0.0), "it leaves the drum");
+        for method in METHODS {
+            let found = run(&full, method);
+            let pairs = [
+                ("pair.omega", "speed", 1e-6),
+                ("slip", "slip", 1e-8),
+                ("friction", "friction", 1e-4),
+                ("deflection", "deflection", 1e-9),
+            ];
+            for (name, of_other, allowed) in pairs {
+                let pairs = column(&found, name).iter().zip(column(&exact, of_other));
+                for (row, (found, exact)) in pairs.enumerate() {
+                    let off = (found - exact).abs();
+                    assert!(off < allowed, "{method} {tension} {name} {row}: {found} {exact}");
+                }
+            }
+        }
+    }
+}

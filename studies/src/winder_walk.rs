@@ -44,6 +44,9 @@ pub struct Winder {
     pub growth: f64,
     /// Tension of the thread \[N\].
     pub tension: f64,
+    /// nu, greatest elastic slip of the package; 0 if it sticks to the drum. Used only by the last
+    /// stage.
+    pub elastic_slip: f64,
     /// \[Nmax\], limit of the pressure for the yarn \[N\]; used only by the map.
     pub largest: f64,
 }
@@ -72,6 +75,7 @@ impl Winder {
             preload: machine.value("holder.preload")?,
             growth: 0.0,
             tension: machine.value("pair.tension")?,
+            elastic_slip: machine.value("pair.greatest_slip")?,
             largest: map::LARGEST,
         })
     }
@@ -100,6 +104,7 @@ impl Winder {
             ("force of the package", self.package),
             ("tension", self.tension),
             ("growth of the pressure", self.growth),
+            ("elastic slip", self.elastic_slip),
         ];
         let bad = positive.iter().find(|(_, value)| !(value.is_finite() && *value > 0.0));
         if let Some((name, value)) = bad {
@@ -108,6 +113,9 @@ impl Winder {
         let bad = others.iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0));
         if let Some((name, value)) = bad {
             return Some(format!("the {name} is {value}, but must not be below zero"));
+        }
+        if self.elastic_slip >= 1.0 {
+            return Some(format!("the elastic slip is {}, but must be below 1", self.elastic_slip));
         }
         if self.speed > MOST_SPEED {
             return Some(format!("the speed is {}, but must not exceed {MOST_SPEED}", self.speed));
@@ -164,9 +172,9 @@ pub struct Running {
     pub least_pressure: f64,
     /// Share of time without contact, or in which the drum pulls.
     pub open: f64,
-    /// Share of time in which the package slips.
+    /// Share of time in which the package slips; elastic slip does not count.
     pub slipping: f64,
-    /// Largest slip relative to the drum's speed.
+    /// Largest slip relative to the drum's speed, elastic slip included.
     pub slip: f64,
 }
 
@@ -286,6 +294,8 @@ impl Walk {
                     100.0 * running.slipping,
                     100.0 * running.slip
                 )
+            } else if running.slip > 0.0 {
+                format!("the package slips elastically, by {:.2} % at most", 100.0 * running.slip)
             } else {
                 "the package does not slip".to_owned()
             };

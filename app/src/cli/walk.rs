@@ -44,6 +44,10 @@ pub struct WalkCommand {
     /// Tension of the thread [N]
     #[arg(long, value_parser = quantity("N"), value_name = "FORCE", allow_hyphen_values = true)]
     tension: Option<f64>,
+    /// Greatest elastic slip nu of the package on the drum, in the last stage; the study has at most
+    /// 0.04
+    #[arg(long, value_parser = quantity("1"), value_name = "SLIP", default_value = "0", allow_hyphen_values = true)]
+    slip: f64,
     /// Largest permissible force on the yarn [N], for the stability map
     #[arg(long, value_parser = quantity("N"), value_name = "FORCE", allow_hyphen_values = true)]
     largest: Option<f64>,
@@ -107,6 +111,7 @@ impl WalkCommand {
             preload: self.preload.unwrap_or(winder.preload),
             growth: self.growth,
             tension: self.tension.unwrap_or(winder.tension),
+            elastic_slip: self.slip,
             largest: self.largest.unwrap_or(winder.largest),
             ..winder
         })
@@ -115,12 +120,14 @@ impl WalkCommand {
 
 fn described(walk: &Walk) -> String {
     let Winder { speed, radii, force, shape, package, preload, growth, tension, .. } = walk.winder;
+    let slip = walk.winder.elastic_slip;
     let when = |is: bool, words: String| if is { words } else { String::new() };
     let of_package = when(package > 0.0, format!(" and {} N of the package", number(package, 4)));
     let growing = when(growth > 0.0, format!(" that grows by {} N/m", number(growth, 4)));
+    let slipping = when(slip > 0.0, format!(", elastic slip of {} at most", number(slip, 4)));
     let mut text = format!(
         "Winder at {speed} m/s, package of {} to {} mm, {} N and {} mm of the drum{of_package},\n\
-         {preload} N pressure{growing}, {tension} N tension\n\n",
+         {preload} N pressure{growing}, {tension} N tension{slipping}\n\n",
         number(1e3 * radii.0, 4),
         number(1e3 * radii.1, 4),
         number(force, 4),

@@ -19,6 +19,10 @@ const LEAST: Held =
 const GROWTH: Held = Held::Verify(
     "winder_full: radius and speed of the package from empty to full, thread as thick as a rope",
 );
+const ELASTIC: Held = Held::Verify(
+    "winder_full: elastic slip at constant pressure, of packages of 30 to 60 mm, to its limit and \
+     beyond",
+);
 const CONDITIONS: Held = Held::Test("each_condition_fails_where_it_does_by_hand");
 const BAND: Held = Held::Test("the_band_of_the_closed_form_is_where_the_map_is_stable");
 
@@ -119,8 +123,8 @@ fn stated() -> Result<Vec<LedgerRow>, CheckFailure> {
         0.04,
         Some(0.04),
         "as printed; a package lags behind where its resistance exceeds f N".to_owned(),
-        "`drives/winder_elastic_slip`",
-        Held::Test("elastic_slip_is_the_share_of_friction_in_use"),
+        "`machinist studies walk --slip 0.04`; `winder_full`, `pair.greatest_slip`",
+        ELASTIC,
     );
     Ok(vec![
         LedgerRow { consistent: Some(0.04), ..slip },
@@ -160,10 +164,11 @@ const TOLD: &[Told] = &[
     Told {
         at: "(3)",
         figure: "speed of the package, w0 (R0/R) (1 - nu)",
-        verdict: "same in both readings; the study gives no law for the elastic slip nu; in stage \
-                  3 a package sticks (nu = 0) or slides; in `winder_elastic_slip`, nu is \
-                  proportional to the share of f N in use, which is ours",
-        place: "`winder_full`, `drives/winder_elastic_slip`, outputs `slip`",
+        verdict: "same in both readings; the study gives no law for the elastic slip nu; ours is \
+                  proportional to the share of f N in use, in stage 3 with `--slip` and in \
+                  `winder_elastic_slip`; without it a package sticks or slides",
+        place: "`machinist studies walk --slip`; `winder_full`, `drives/winder_elastic_slip`, \
+                outputs `slip`",
         held: GROWTH,
     },
     Told {

@@ -69,6 +69,13 @@ pub(super) const CHECKS: &[Check] = &[
         measure: lagging,
     },
     Check {
+        name: "elastic slip at constant pressure, of packages of 30 to 60 mm, to its limit and beyond",
+        reference: "w by the share of f N in use, exponentially, then evenly slower, relative",
+        tolerance: 1e-9,
+        reason: "some thousand steps add up, and slipping begins within a tolerance",
+        measure: elastic_slip,
+    },
+    Check {
         name: "sensitivities over 0.1 s, the package leaving the drum",
         reference: "central differences of sixth order, over the largest of each",
         tolerance: 1e-6,
@@ -196,6 +203,45 @@ fn speeding(machine: &Machine) -> Result<Measured, CheckFailure> {
         }
     }
     Ok(counted(wrong, 0))
+}
+
+/// Compares speeds of a package that slips elastically, J w' = (f N nu/nu_e - resistance) R, with
+/// nu = 1 - R w/v: nu tends to nu_e resistance/(f N) exponentially. Where the resistance exceeds f N,
+/// it passes nu_e, and then w falls evenly.
+fn elastic_slip(machine: &Machine) -> Result<Measured, CheckFailure> {
+    const PRESSURE: f64 = 40.0;
+    const SPEED: f64 = 5.5;
+    let mut error = 0.0;
+    for (radius, tension, most) in
+        [(0.03_f64, 0.6, 0.04), (0.045, 4.0, 0.04), (0.06, 2.0, 0.01), (0.03, 9.0, 0.04)]
+    {
+        let mut settings = STEADY.to_vec();
+        settings.extend([
+            ("pair.package_radius", radius),
+            ("pair.tension", tension),
+            ("pair.greatest_slip", most),
+        ]);
+        let run = machine.simulation(&settings)?.until(0.5).points(101).rtol(1e-12);
+        let run = run.method(Method::Dop853).run()?;
+        let ring = radius.powi(4) - 0.03_f64.powi(4);
+        let inertia = 6e-4 + std::f64::consts::PI * ring * 0.15 * 350.0 / 2.0;
+        let limit = PAIR.friction * PRESSURE;
+        let resistance = tension + PRESSURE * (PAIR.support_arm + PAIR.rolling_arm) / radius;
+        let settled = most * resistance / limit;
+        let rate = limit * radius * radius / (inertia * most * SPEED);
+        let reached = if settled > most { -(1.0 - most / settled).ln() / rate } else { 1.0 };
+        let speeds: Vec<f64> = run
+            .times
+            .iter()
+            .map(|time| {
+                let slip = settled * (1.0 - (-rate * time.min(reached)).exp());
+                let beyond = (limit - resistance) * radius / inertia * (time - reached).max(0.0);
+                SPEED * (1.0 - slip) / radius + beyond
+            })
+            .collect();
+        error = worse(error, relative_distance(machine.column(&run, "pair.omega")?, &speeds));
+    }
+    Ok(Measured::error(error))
 }
 
 fn lagging(machine: &Machine) -> Result<Measured, CheckFailure> {

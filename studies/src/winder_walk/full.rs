@@ -40,6 +40,7 @@ pub(super) fn run(
         ("package_force", winder.package),
         ("holder.preload", winder.pressure(radius)),
         ("pair.tension", winder.tension),
+        ("pair.greatest_slip", winder.elastic_slip),
         ("pair.bobbin_radius", winder.radii.0),
         ("pair.package_radius", radius),
     ];
@@ -57,7 +58,7 @@ pub(super) fn run(
         open: share(column("layer.closed")?, |closed| closed < 0.5),
         slipping: is_slipping,
         // A sticking package moves with the drum except for errors of the run.
-        slip: if is_slipping > 0.0 { slip } else { 0.0 },
+        slip: if is_slipping > 0.0 || winder.elastic_slip > 0.0 { slip } else { 0.0 },
         ..Running::of(column("deflection")?, column("pressure")?)
     })
 }

@@ -92,6 +92,37 @@ fn a_pressure_that_grows_with_the_package_is_that_of_equation_15_at_every_stage(
 }
 
 #[test]
+fn elastic_slip_is_the_share_of_friction_in_use_in_the_last_stage() {
+    let bench = Winder::at_speed(2.2).expect("it has what it needs");
+    let still = Winder { force: 0.0, shape: 0.0, elastic_slip: 0.04, ..bench };
+    let machine = winder_full();
+    let run = |winder: &Winder| full::run(&machine, winder, 0.05).expect("it runs");
+    // Pn = 0.6 N, N = 40 N, f = 0.18, fa r + k = 1 mm.
+    let exact = 0.04 * (0.6 + 40.0 * 1e-3 / 0.05) / (0.18 * 40.0);
+    let found = run(&still);
+    // Speeds of the run err by some 1e-6 of their size, which the slip is the difference of.
+    assert!((found.slip - exact).abs() < 2e-6, "{} {exact}", found.slip);
+    assert!(found.slipping == 0.0);
+    let walk = Walk::of(&Winder { elastic_slip: 0.04, ..bench }).expect("it runs");
+    let slip = walk.stages[2].running.slip;
+    assert!(slip > exact && slip < 0.04, "{slip}");
+    assert!(Walk::verdict(&walk.stages[2]).contains("slips elastically"));
+}
+
+/// A package without elastic slip lags behind the drum while it has left it; one with elastic slip
+/// hardly does so in that time.
+#[test]
+fn elastic_slip_alone_moves_no_bobbin() {
+    let bench = Winder::at_speed(5.5).expect("it has what it needs");
+    let machine = winder_full();
+    let run = |winder: &Winder| full::run(&machine, winder, 0.03).expect("it runs");
+    let [stiff, elastic] = [0.0, 0.04].map(|elastic_slip| run(&Winder { elastic_slip, ..bench }));
+    assert!((elastic.amplitude / stiff.amplitude - 1.0).abs() < 1e-6);
+    assert!((elastic.open - stiff.open).abs() < 1e-12 && stiff.open > 0.0);
+    assert!(stiff.slipping > 0.0 && elastic.slipping == 0.0, "{elastic:?}");
+}
+
+#[test]
 fn an_irregular_package_shakes_every_stage_once_a_turn_of_its_own() {
     let still = Winder { force: 0.0, shape: 0.0, ..Winder::at_speed(2.2).expect("it has it") };
     let winder = Winder { package: 10.0, ..still };
@@ -119,6 +150,8 @@ fn what_makes_no_sense_is_named() {
         (Winder { speed: 1e9, ..bench }, "must not exceed 200"),
         (Winder { radii: (0.06, 0.03), ..bench }, "radius"),
         (Winder { tension: f64::NAN, ..bench }, "tension"),
+        (Winder { elastic_slip: -0.01, ..bench }, "elastic slip"),
+        (Winder { elastic_slip: 1.0, ..bench }, "must be below 1"),
     ] {
         assert!(winder.mistake().is_some_and(|text| text.contains(part)), "{part}");
     }

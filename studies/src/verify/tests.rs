@@ -107,6 +107,7 @@ fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
             "least pressure that turns packages of 25 to 60 mm, to a millionth",
             "drum that speeds up and brakes, packages of 30 to 60 mm, to a millionth",
             "package that lags behind, over 0.5 s, at half that pressure",
+            "elastic slip at constant pressure, of packages of 30 to 60 mm, to its limit and beyond",
         ]
     );
     assert_eq!(

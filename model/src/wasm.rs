@@ -51,6 +51,9 @@ pub struct Layout {
     pub state: usize,
     /// Parameters, to be written before a call.
     pub parameters: usize,
+    /// Slots of relations, live until they are written; see
+    /// [`RelationKind`](machinist_contract::RelationKind).
+    pub slots: usize,
     /// Results of the last call.
     pub results: usize,
 }
@@ -148,6 +151,7 @@ pub fn module(model: &Model, wanted: &[FunctionId]) -> Result<WasmModule, NotInW
     let layout = Layout {
         state: places.regions[Region::State as usize],
         parameters: places.regions[Region::Parameters as usize],
+        slots: places.slots(model),
         results: places.regions[Region::Results as usize],
     };
     Ok(WasmModule { bytes: module.finish(), layout })
@@ -232,6 +236,10 @@ impl Places {
         let tables = model.tables.iter().map(|table| take(numbers(table))).collect();
         Self { regions, tables, end }
     }
+
+    fn slots(&self, model: &Model) -> usize {
+        self.regions[Region::Parameters as usize] + 8 * model.slots().start
+    }
 }
 
 /// Functions of the host that programs call, each with its index and type.
@@ -300,8 +308,7 @@ fn data(model: &Model, places: &Places) -> DataSection {
         put(*place, &mut numbers.copied());
     }
     if !model.relations.is_empty() {
-        let slots = places.regions[Region::Parameters as usize] + 8 * model.slots().start;
-        put(slots, &mut model.relations.iter().map(|relation| relation.kind.live()));
+        put(places.slots(model), &mut model.relations.iter().map(|relation| relation.kind.live()));
     }
     section
 }

@@ -36,3 +36,5 @@ mod watch;
 
 pub use cli::{command, main};
 pub use config::KEYS as CONFIGURATION_KEYS;
+#[cfg(feature = "derive")]
+pub use report::Headless;

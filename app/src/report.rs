@@ -28,4 +28,5 @@ mod watched;
 mod winder_walk;
 
 pub use gather::{Extent, own, whole};
+pub use live::Headless;
 pub use watched::{Beside, Content, Ran, page, troubles};

@@ -26,7 +26,7 @@ const WAYS: [&[&str]; 3] = [
     &["--window-size=500,900"],
 ];
 
-/// Live pages with events, without, and with constraints; a page that is not live, with a field.
+/// Pages of machines with events, without, with constraints, and with a field.
 const PAGES: [(&str, &str); 4] = [
     ("specs/scenes/drives/winch.toml", "winch"),
     ("specs/scenes/parts/translational/mass.toml", "translational_mass"),

@@ -3,12 +3,13 @@
 
 mod moving;
 mod order;
+mod unrolled;
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use machinist::method::Method;
 use machinist::method::published::{ExplicitTable, RosenbrockTable, dop853, rodas5p, tsit5};
 use machinist::trajectory::Trajectory;
-use machinist_contract::RelationKind;
+use machinist_contract::{Reader, RelationKind};
 use machinist_model::functions::FunctionId;
 use machinist_model::wasm::{Layout, NotInWasm, WasmModule, module};
 use machinist_model::{Model, ModelSimulator, SparsityPattern, StateKind};
@@ -19,19 +20,22 @@ pub(super) use moving::Moving;
 
 use super::machine::Machine;
 use crate::number::exact;
+use unrolled::unrolled;
 
-/// Scripts of a live page, in the order of their dependencies.
-const SCRIPTS: [&str; 15] = [
+/// Scripts that run a machine, in the order of their dependencies.
+const ENGINE: [&str; 9] = [
     include_str!("live/machine.js"),
     include_str!("live/matrix.js"),
-    include_str!("live/stretch.js"),
-    include_str!("live/explicit.js"),
-    include_str!("live/rosenbrock.js"),
     include_str!("live/constraints.js"),
-    include_str!("live/equilibrium.js"),
-    include_str!("live/guards.js"),
+    include_str!("live/system.js"),
+    include_str!("live/steps.js"),
+    include_str!("live/roots.js"),
+    include_str!("live/relations.js"),
     include_str!("live/watch.js"),
     include_str!("live/run.js"),
+];
+/// Scripts that show it.
+const DISPLAY: [&str; 5] = [
     include_str!("live/chart.js"),
     include_str!("live/controls.js"),
     include_str!("live/tables.js"),
@@ -47,12 +51,11 @@ const IN_SIGHT: usize = 8;
 const MOST_POINTS: usize = 2001;
 
 /// Functions that every page runs. Some machines have more.
-const FUNCTIONS: [FunctionId; 14] = [
+const FUNCTIONS: [FunctionId; 13] = [
     FunctionId::InitialState,
     FunctionId::Discontinuities,
     FunctionId::Rate,
     FunctionId::Outputs,
-    FunctionId::PowerBalance,
     FunctionId::Guards,
     FunctionId::GuardRates,
     FunctionId::Resets,
@@ -65,6 +68,26 @@ const FUNCTIONS: [FunctionId; 14] = [
 ];
 /// Functions that only implicit methods call.
 const OF_IMPLICIT: [FunctionId; 2] = [FunctionId::RateJacobian, FunctionId::TimeDerivative];
+
+/// What a page needs to run a machine, for programs that do so without a page.
+#[derive(Debug, Clone)]
+pub struct Headless {
+    /// Scripts in the order of their dependencies.
+    pub engine: String,
+    /// Data of the machine, as JSON.
+    pub known: String,
+}
+
+impl Headless {
+    /// Returns the page's data and scripts for a model with its run.
+    ///
+    /// # Errors
+    /// A sentence that says why the machine cannot run in a page.
+    pub fn of(model: &Model, run: &Trajectory) -> Result<Self, String> {
+        let live = Live::of_run((model, &model.name), &Moving::default(), run)?;
+        Ok(Self { engine: ENGINE.concat(), known: live.known() })
+    }
+}
 
 /// Data and order of parameters of a live page.
 pub(super) struct Live {
@@ -90,12 +113,10 @@ struct Known {
     shows_states: bool,
     discontinuities: usize,
     events: Vec<Event>,
+    /// Number of guards of kinks, those of relations first.
     kinks: usize,
-    /// Indices of the kinks that are arguments of `floor`.
-    whole: Vec<usize>,
-    constraints: Vec<String>,
-    /// True if a constraint holds in some modes only.
-    holds_in_modes: bool,
+    relations: Vec<Relation>,
+    constraints: Vec<Constraint>,
     rate_jacobian: SparsityPattern,
     mass_matrix: SparsityPattern,
     constraint_matrix: SparsityPattern,
@@ -122,9 +143,21 @@ struct Equilibrium {
 struct State {
     name: String,
     scale: f64,
-    is_first_order: bool,
-    is_mode: bool,
+    kind: &'static str,
     is_given: bool,
+}
+
+#[derive(Serialize)]
+struct Relation {
+    kind: &'static str,
+    /// Kind of each reader and its index, if it has one.
+    readers: Vec<(&'static str, u32)>,
+}
+
+#[derive(Serialize)]
+struct Constraint {
+    name: String,
+    in_modes: bool,
 }
 
 #[derive(Serialize)]
@@ -141,6 +174,8 @@ struct Event {
     direction: &'static str,
     when: Vec<(u32, f64)>,
     sets: Vec<u32>,
+    /// True if the event only counts, so that no step ends there.
+    counts: bool,
 }
 
 #[derive(Serialize)]
@@ -172,24 +207,28 @@ impl Live {
     /// A sentence that says why the machine cannot run in a page.
     pub(super) fn of(machine: &Machine) -> Option<Result<Self, String>> {
         let run = machine.trajectory()?;
-        Some(Self::of_run(machine, run))
+        Some(Self::of_run((&machine.model, &machine.argument), &machine.moving, run))
     }
 
-    fn of_run(machine: &Machine, run: &Trajectory) -> Result<Self, String> {
-        let model = &machine.model;
+    fn of_run(
+        (model, argument): (&Model, &str),
+        moving: &Moving,
+        run: &Trajectory,
+    ) -> Result<Self, String> {
         let refused = |why: &dyn std::fmt::Display| format!("The page cannot run it: {why}.");
-        let (module, is_implicit) = modules(model).map_err(|error| refused(&error))?;
-        if model.starts_in_equilibrium && !(is_implicit && model.constraints.is_empty()) {
-            let why = "it starts in equilibrium, which pages look for without constraints only, \
-                       by a Jacobian that is not too large";
-            return Err(refused(&why));
+        if !model.fields.is_empty() {
+            let whole = unrolled(model).map_err(|why| refused(&why))?;
+            let moving = moving.moved(model.coordinates.len(), whole.coordinates.len());
+            return Self::of_run((&whole, argument), &moving, run);
         }
+        let (module, is_implicit) = modules(model).map_err(|error| refused(&error))?;
         if module.bytes.len() > LARGEST {
             let size = module.bytes.len() / 1000;
             return Err(refused(&format!("its equations would take {size} kB of the page")));
         }
         let order = order::by_effect(model, run);
-        Ok(Self { known: Known::of(machine, run, &module, is_implicit), order })
+        let known = Known::of((model, argument), moving, run, (&module, is_implicit));
+        Ok(Self { known, order })
     }
 
     /// Renders the sliders, which the script shows once the machine runs.
@@ -276,7 +315,7 @@ pub(super) fn data(known: &str) -> Markup {
 
 /// Returns the script that runs the machine of [`data`].
 pub(super) fn script() -> String {
-    format!("(() => {{\n\"use strict\";\n{}}})();\n", SCRIPTS.concat())
+    format!("(() => {{\n\"use strict\";\n{}{}}})();\n", ENGINE.concat(), DISPLAY.concat())
 }
 
 /// Renders a slider with its number and a reset. The script sets its range.
@@ -298,6 +337,10 @@ fn slider(key: &str, name: &str, unit: &str, doc: &str, value: f64) -> Markup {
 /// Compiles the module, with the functions of implicit methods if they fit. Returns whether they
 /// did.
 fn modules(model: &Model) -> Result<(WasmModule, bool), NotInWasm> {
+    // Divided fields have no Jacobian here.
+    if model.rate_jacobian.tape.results.is_empty() {
+        return module(model, &FUNCTIONS).map(|module| (module, false));
+    }
     let all: Vec<FunctionId> = FUNCTIONS.into_iter().chain(OF_IMPLICIT).collect();
     match module(model, &all) {
         Ok(whole) if whole.bytes.len() <= LARGEST => Ok((whole, true)),
@@ -307,13 +350,21 @@ fn modules(model: &Model) -> Result<(WasmModule, bool), NotInWasm> {
 }
 
 impl Known {
-    fn of(machine: &Machine, run: &Trajectory, module: &WasmModule, is_implicit: bool) -> Self {
-        let model = &machine.model;
+    fn of(
+        (model, argument): (&Model, &str),
+        moving: &Moving,
+        run: &Trajectory,
+        (module, is_implicit): (&WasmModule, bool),
+    ) -> Self {
         let state = |state: &machinist_model::State| State {
             name: state.quantity.name.path.clone(),
             scale: state.scale,
-            is_first_order: state.kind == StateKind::FirstOrder,
-            is_mode: state.kind == StateKind::Mode,
+            kind: match state.kind {
+                StateKind::Position(_) => "position",
+                StateKind::Velocity(_) => "velocity",
+                StateKind::FirstOrder => "first order",
+                StateKind::Mode => "mode",
+            },
             is_given: state.is_given,
         };
         let parameter = |parameter: &machinist_model::Parameter| Parameter {
@@ -322,11 +373,17 @@ impl Known {
             doc: parameter.quantity.doc.clone(),
             value: parameter.value,
         };
-        let event = |event: &machinist_model::Event| Event {
+        let simulator = ModelSimulator::interpreted(model.clone());
+        let event = |(index, event): (usize, &machinist_model::Event)| Event {
             name: event.name.path.clone(),
             direction: event.direction.name(),
             when: event.when.clone(),
             sets: event.sets.clone(),
+            counts: simulator.single().event(index).counts,
+        };
+        let constraint = |known: &machinist_model::Constraint| Constraint {
+            name: known.name.path.clone(),
+            in_modes: known.in_modes,
         };
         let outputs = model.wanted.iter().map(|output| output.name.path.clone());
         let states: Vec<State> = model.states.iter().map(state).collect();
@@ -339,7 +396,7 @@ impl Known {
         let is_tsit5 = matches!(run.method, Method::Tsit5 | Method::Tsit45);
         Self {
             name: model.name.clone(),
-            command: format!("machinist run {}", machine.argument),
+            command: format!("machinist run {argument}"),
             module: BASE64_STANDARD.encode(&module.bytes),
             layout: module.layout,
             coordinates: model.coordinates.len(),
@@ -348,17 +405,14 @@ impl Known {
             outputs,
             shows_states,
             discontinuities: model.discontinuities.results.len(),
-            events: model.events.iter().map(event).collect(),
+            events: model.events.iter().enumerate().map(event).collect(),
             kinks: model.kink_guards.results.len(),
-            whole: (0..model.relations.len())
-                .filter(|index| model.relations[*index].kind == RelationKind::Whole)
-                .collect(),
-            constraints: model.constraints.iter().map(|known| known.name.path.clone()).collect(),
-            holds_in_modes: model.constraints.iter().any(|known| known.in_modes),
+            relations: model.relations.iter().map(Relation::of).collect(),
+            constraints: model.constraints.iter().map(constraint).collect(),
             rate_jacobian: model.rate_jacobian.pattern.clone(),
             mass_matrix: model.mass_matrix.pattern.clone(),
             constraint_matrix: model.constraint_matrix.pattern.clone(),
-            moving: machine.moving.clone(),
+            moving: moving.clone(),
             methods: Methods {
                 explicit: if is_tsit5 { tsit5() } else { dop853() },
                 implicit: is_implicit.then(rodas5p),
@@ -380,6 +434,24 @@ impl Known {
             },
             equilibrium: model.starts_in_equilibrium.then(|| equilibrium(model, run)),
         }
+    }
+}
+
+impl Relation {
+    fn of(relation: &machinist_model::Relation) -> Self {
+        let reader = |reader: &Reader| match *reader {
+            Reader::Rate => ("rate", 0),
+            Reader::Event(index) => ("event", index),
+            Reader::Relation(index) => ("relation", index),
+            Reader::Below(index) => ("below", index),
+            Reader::Above(index) => ("above", index),
+        };
+        let kind = match relation.kind {
+            RelationKind::Branch => "branch",
+            RelationKind::Whole => "whole",
+            RelationKind::Zone => "zone",
+        };
+        Self { kind, readers: relation.readers.iter().map(reader).collect() }
     }
 }
 

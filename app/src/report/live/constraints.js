@@ -1,171 +1,132 @@
-// Constraints: back onto them by the shortest way as the mass matrix measures it, first in
-// position, then in velocity. The rate fulfils them; steps drift off by their errors. As the
-// engine does it, see its `constraints.rs`.
+// Constraints, g(q, t) = 0: states put back onto them by the shortest way as the mass matrix
+// measures it, first in position, then in velocity, and the start of a run on them.
 
 class Constraints {
   constructor(machine) {
-    const { known } = machine;
-    this.machine = machine;
-    this.count = machine.constraints;
-    this.coordinates = known.coordinates;
-    this.matrix = new Float64Array(this.count * this.coordinates);
-    this.mass = new Float64Array(this.coordinates ** 2);
-    this.residuals = new Float64Array(this.count);
-    this.factors = new Factors(this.coordinates + this.count);
+    const { coordinates, constraints } = machine.known;
+    const [n, m] = [coordinates, constraints.length];
+    Object.assign(this, { machine, n, m, factors: new Factors(n + m) });
+    this.mass = new Float64Array(n * n);
+    this.slopes = new Float64Array(m * n);
+    this.levels = [["constraint_values", 0], ["constraint_rates", n]];
+    this.holdsInModes = constraints.some(({ in_modes }) => in_modes);
   }
 
-  // Puts a state of a run back onto them.
-  project(time, state) {
-    this.putBack("constraint_values", 0, time, state);
-    this.putBack("constraint_rates", this.coordinates, time, state);
+  project(time, state, levels = this.levels) {
+    const ROUNDING = 1e-12;
+    for (const level of levels) {
+      let { residuals, off } = this.off(level, time, state);
+      for (let round = 0; round < 10 && !(largest(off) <= 4 * EPSILON); round++) {
+        const shift = this.shift(time, state, residuals);
+        const before = state.slice();
+        for (let index = 0; index < this.n; index++) state[level[1] + index] -= shift[index];
+        const next = this.off(level, time, state);
+        if (!(largest(next.off) < largest(off))) {
+          state.set(before);
+          break;
+        }
+        ({ residuals, off } = next);
+      }
+      const lost = off.findIndex((value) => !(value <= ROUNDING));
+      if (lost >= 0) throw new Stopped(time, `the state cannot be put back onto constraint ${this.name(lost)}`);
+    }
   }
 
-  // Puts its velocities back; what cannot be is told of by the next `project`.
+  // Puts velocities back; a failure is told once all events have happened.
   rest(time, state) {
+    if (!this.holdsInModes) return;
     const before = state.slice();
     try {
-      this.putBack("constraint_rates", this.coordinates, time, state);
+      this.project(time, state, [this.levels[1]]);
     } catch (error) {
       if (!(error instanceof Stopped)) throw error;
       state.set(before);
     }
   }
 
-  // Newton's iteration along the shortest way, while it gets nearer.
-  putBack(level, first, time, state) {
-    const ROUNDS = 10;
-    const ROUNDING = 1e-12;
-    let off = this.off(level, first, time, state);
-    for (let round = 0; round < ROUNDS && off > 4 * Number.EPSILON; round++) {
-      const shift = this.shift(time, state);
-      if (!shift) break;
-      const before = state.slice(first, first + this.coordinates);
-      for (let index = 0; index < this.coordinates; index++) state[first + index] -= shift[index];
-      const now = this.off(level, first, time, state);
-      if (!(now < off)) {
-        state.set(before, first);
-        break;
-      }
-      off = now;
-    }
-    // What is left is rounding, or the state is lost.
-    if (!(off <= ROUNDING)) {
-      throw new Stopped(time, `the state cannot be put back onto constraint ${this.worst}`);
-    }
+  name(row) {
+    return this.machine.known.constraints[row].name;
   }
 
-  // G and the residuals at a state; the largest of these, each over what its coordinates make
-  // of it when they move by their size.
-  off(level, first, time, state) {
-    const { machine, count, coordinates, matrix, residuals } = this;
-    machine.matrix("constraint_matrix", machine.known.constraint_matrix, time, state, matrix);
-    machine.call(level, time, state, residuals, count);
-    let most = 0;
-    for (let row = 0; row < count; row++) {
-      if (residuals[row] === 0) continue;
+  // Residuals of one level, also over what its coordinates make of them as they move by their sizes.
+  off([name, first], time, state) {
+    const { machine, n, m, slopes } = this;
+    machine.matrix("constraint_matrix", time, state, slopes);
+    const residuals = machine.values(name, time, state, m);
+    const off = residuals.map((value, row) => {
       let size = 0;
-      for (let column = 0; column < coordinates; column++) {
-        const { scale } = machine.known.states[first + column];
-        const slope = Math.abs(matrix[row * coordinates + column]);
-        size += slope * Math.max(scale, Math.abs(state[first + column]));
+      for (let k = 0; k < n; k++) {
+        size += Math.abs(slopes[row * n + k]) * Math.max(machine.scales[first + k], Math.abs(state[first + k]));
       }
-      const off = Math.abs(residuals[row]) / size;
-      if (!(off <= most)) [most, this.worst] = [off, machine.known.constraints[row]];
-    }
-    return most;
-  }
-
-  // Which constraints shift nothing: one that does not hold in these modes, and one that repeats
-  // those before it.
-  idle() {
-    // What is left of a row of length 1 by rounding, and more.
-    const NOTHING = 1e-9;
-    const { machine, count, coordinates, matrix } = this;
-    const basis = [];
-    const dot = (a, b) => a.reduce((sum, value, index) => sum + value * b[index], 0);
-    return Array.from({ length: count }, (_, row) => {
-      const slopes = matrix.subarray(row * coordinates, (row + 1) * coordinates);
-      let left = Array.from(slopes, (slope, column) => slope * machine.known.states[column].scale);
-      const whole = Math.sqrt(dot(left, left));
-      for (const direction of [...basis, ...basis]) {
-        const along = dot(left, direction);
-        left = left.map((value, index) => value - along * direction[index]);
-      }
-      const rest = Math.sqrt(dot(left, left));
-      if (rest <= NOTHING * whole) return true;
-      basis.push(left.map((value) => value / rest));
-      return false;
+      return value === 0 ? 0 : Math.abs(value) / size;
     });
+    return { residuals, off };
   }
 
-  // dq of M dq + G^T mu = 0, G dq = residuals.
-  shift(time, state) {
-    const { machine, count, coordinates, matrix, factors } = this;
-    const size = coordinates + count;
-    machine.matrix("mass_matrix", machine.known.mass_matrix, time, state, this.mass);
+  // dq of M dq + G^T mu = 0, G dq = residuals. A row that does not hold in these modes, or that
+  // follows from others, has no effect; rows that always hold come first.
+  shift(time, state, residuals) {
+    const { machine, n, m, factors, slopes } = this;
+    const size = n + m;
+    machine.matrix("mass_matrix", time, state, this.mass);
     factors.values.fill(0);
-    for (let row = 0; row < coordinates; row++) {
-      for (let column = 0; column < coordinates; column++) {
-        factors.values[row * size + column] = this.mass[row * coordinates + column];
-      }
-    }
-    const idle = this.idle();
-    for (let row = 0; row < count; row++) {
-      if (idle[row]) {
-        factors.values[(coordinates + row) * (size + 1)] = 1;
+    for (let row = 0; row < n; row++) factors.values.set(this.mass.subarray(row * n, row * n + n), row * size);
+    const right = new Float64Array(size);
+    const kept = this.holdsInModes ? this.independent() : null;
+    for (let row = 0, at = n; row < m; row++, at++) {
+      if (kept && !kept[row]) {
+        factors.values[at * (size + 1)] = 1;
         continue;
       }
-      for (let column = 0; column < coordinates; column++) {
-        const slope = matrix[row * coordinates + column];
-        factors.values[(coordinates + row) * size + column] = slope;
-        factors.values[column * size + coordinates + row] = slope;
-      }
+      right[at] = residuals[row];
+      for (let k = 0; k < n; k++) factors.values[at * size + k] = factors.values[k * size + at] = slopes[row * n + k];
     }
-    if (!factors.factor()) return null;
-    const solution = new Float64Array(size);
-    solution.set(this.residuals, coordinates);
-    factors.solve(solution);
-    return solution.every(Number.isFinite) ? solution : null;
+    return factors.factor() ? factors.solve(right) : right.fill(NaN);
   }
 
-  // A state on them, from guesses: what is given stays, the rest is solved for by the shortest
-  // moves that the sizes of states measure.
+  // Rows that hold in these modes and do not follow from others, of which those come first that
+  // always hold.
+  independent() {
+    const { machine, n, m, slopes } = this;
+    const isLate = (row) => machine.known.constraints[row].in_modes;
+    const order = range(m).sort((a, b) => isLate(a) - isLate(b) || a - b);
+    const units = perpendicular(order.map((row) =>
+      Array.from(slopes.subarray(row * n, row * n + n), (slope, k) => slope * machine.scales[k])), 1e-6);
+    return range(m).map((row) => units[order.indexOf(row)] !== null);
+  }
+
+  // Moves a guess onto the constraints: entries that the spec gives stay but for the tolerance.
   start(time, state) {
-    this.solve("constraint_values", 0, time, state);
-    this.solve("constraint_rates", this.coordinates, time, state);
+    const { machine, n, m } = this;
+    for (const [name, first] of this.levels) {
+      const given = state.slice();
+      const entries = range(n).map((k) => first + k);
+      const left = nearest(state, entries, entries.map((entry) => weightOf(machine, entry)), () =>
+        machine.live(name, time, state, m));
+      const isMoved = (entry) => machine.known.states[entry].is_given
+        && Math.abs(state[entry] - given[entry]) > machine.known.run.rtol * Math.max(machine.scales[entry], Math.abs(given[entry]));
+      const worst = left.indexOf(largest(left));
+      if (entries.some(isMoved) || !(left[worst] <= 1e-11)) {
+        throw new Stopped(time, `no start fulfils constraint ${this.name(Math.max(worst, 0))} with what is given`);
+      }
+    }
   }
+}
 
-  solve(level, first, time, state) {
-    const ROUNDS = 200;
-    const HALVINGS = 30;
-    const ROUNDING = 1e-13;
-    const { states } = this.machine.known;
-    const free = [...Array(this.coordinates).keys()].filter((index) => !states[first + index].is_given);
-    let off = this.off(level, first, time, state);
-    for (let round = 0; round < ROUNDS && off > ROUNDING; round++) {
-      const weighed = new Float64Array(this.count * free.length);
-      for (let row = 0; row < this.count; row++) {
-        free.forEach((column, k) => {
-          weighed[row * free.length + k] = this.matrix[row * this.coordinates + column] * states[first + column].scale;
-        });
-      }
-      const step = shortest(weighed, this.count, free.length, this.residuals);
-      const start = free.map((index) => state[first + index]);
-      const before = Math.hypot(...this.residuals);
-      let isBetter = false;
-      for (let halving = 0, share = 1; halving < HALVINGS && !isBetter; halving++, share *= 0.5) {
-        free.forEach((index, k) => { state[first + index] = start[k] - share * states[first + index].scale * step[k]; });
-        off = this.off(level, first, time, state);
-        isBetter = Math.hypot(...this.residuals) < before;
-      }
-      if (!isBetter) {
-        free.forEach((index, k) => { state[first + index] = start[k]; });
-        off = this.off(level, first, time, state);
-        break;
-      }
-    }
-    if (!(off <= 10 * ROUNDING)) {
-      throw new Stopped(time, `no start fulfils constraint ${this.worst} with what is given`);
-    }
-  }
+// What an entry of a start may move by: one that the spec gives moves only where nothing else can.
+function weightOf(machine, entry) {
+  return machine.scales[entry] * (machine.known.states[entry].is_given ? 1e-6 : 1);
+}
+
+// Moves a state into the equilibrium near it: q'' = 0 and z' = 0 on the constraints.
+function balance(system, time, state) {
+  const { machine, constraints } = system;
+  const { still, unknown } = machine.known.equilibrium;
+  const left = nearest(state, unknown, unknown.map((entry) => weightOf(machine, entry)), () => {
+    const rates = system.rates(time, state);
+    const levels = constraints?.levels ?? [];
+    return [...still.map((entry) => rates[entry]),
+      ...levels.flatMap(([name]) => [...machine.values(name, time, state, constraints.m)])];
+  });
+  if (!(largest(left) <= 1e-9)) throw new Stopped(time, "no equilibrium is found near that of the stored run");
 }

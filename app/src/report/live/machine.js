@@ -1,135 +1,90 @@
-// The machine's equations, as WebAssembly, on arrays of numbers.
+// The machine's equations, as WebAssembly, on arrays of numbers. Relations are held by slots: the
+// branch of a comparison, or the integer of a floor.
+
+const [BELOW, ABOVE] = [-Infinity, Infinity];
+
+class Stopped extends Error {
+  constructor(time, cause) {
+    super(cause);
+    this.time = time;
+  }
+}
 
 class Machine {
-  // What the page knows of the machine; `module` is what makes it run.
   static async of(known) {
     const bytes = Uint8Array.from(atob(known.module), (letter) => letter.charCodeAt(0));
-    const math = { ...Machine.HOST };
+    const math = Object.assign(Object.create(Math), { ln: Math.log, powf: Math.pow });
     const { instance } = await WebAssembly.instantiate(bytes, { math });
     return new Machine(known, instance.exports);
   }
 
-  static HOST = {
-    exp: Math.exp, ln: Math.log, powf: Math.pow, sin: Math.sin, cos: Math.cos, tan: Math.tan,
-    asin: Math.asin, acos: Math.acos, atan: Math.atan, sinh: Math.sinh, cosh: Math.cosh,
-    tanh: Math.tanh, floor: Math.floor,
-  };
-
   constructor(known, functions) {
-    this.known = known;
-    this.functions = functions;
-    const { layout, states, parameters } = known;
+    const { layout, states, parameters, relations } = known;
     const numbers = (place, count) => new Float64Array(functions.memory.buffer, place, count);
+    Object.assign(this, { known, functions, size: states.length });
     this.state = numbers(layout.state, states.length);
     this.parameters = numbers(layout.parameters, parameters.length);
+    this.slots = numbers(layout.slots, relations.length);
     this.results = numbers(layout.results);
-    this.size = states.length;
-    this.events = known.events.length;
-    this.kinks = known.kinks;
-    this.constraints = known.constraints.length;
-    this.work = {};
-    this.restart();
+    this.open = relations.map(({ kind }) => (kind === "whole" ? Infinity : 0));
+    this.scales = states.map(({ scale }) => scale);
+    this.isMode = states.map(({ kind }) => kind === "mode");
   }
 
-  // Counts from zero.
-  restart() {
-    this.work = { steps: 0, rejected: 0, rates: 0, jacobians: 0, factorizations: 0, switches: 0 };
-  }
-
-  // Runs are at these parameters from now on.
-  set(parameters) {
+  // Begins a run with these parameters and all relations live.
+  begin(parameters) {
+    this.work = { steps: 0, rejected: 0, rates: 0, jacobians: 0, switches: 0 };
     this.parameters.set(parameters);
+    this.slots.set(this.open);
     this.functions.prepare(0);
   }
 
-  call(name, time, state, into, count, offset = 0) {
-    const own = this.state;
-    for (let index = 0; index < own.length; index++) own[index] = state[index];
+  // Results of a function; the machine may lack it where they are none.
+  values(name, time, state, count) {
+    return count === 0 ? new Float64Array(0) : this.call(name, time, state).slice(0, count);
+  }
+
+  // The same in the memory of the module, until the next call.
+  call(name, time, state) {
+    this.state.set(state);
     this.functions[name](time);
-    for (let index = 0; index < count; index++) into[offset + index] = this.results[index];
+    return this.results;
+  }
+
+  // The same with relations as the state has them, whatever is held.
+  live(name, time, state, count) {
+    const held = this.slots.slice();
+    this.slots.set(this.open);
+    const found = this.values(name, time, state, count);
+    this.slots.set(held);
+    return found;
   }
 
   rate(time, state, into) {
     this.work.rates++;
-    this.call("rate", time, state, into, this.size);
-  }
-
-  timeDerivative(time, state, into) {
-    this.call("time_derivative", time, state, into, this.size);
+    const rate = this.call("rate", time, state);
+    for (let index = 0; index < into.length; index++) into[index] = rate[index];
   }
 
   // A dense matrix, row after row; what is not in the pattern stays zero.
-  matrix(name, pattern, time, state, into) {
-    this.call(name, time, state, this.results, 0);
-    const { entries, columns } = pattern;
-    for (let index = 0; index < entries.length; index++) {
-      const [row, column] = entries[index];
-      into[row * columns + column] = this.results[index];
-    }
+  matrix(name, time, state, into) {
+    const { entries, columns } = this.known[name];
+    this.values(name, time, state, entries.length).forEach((value, index) => {
+      into[entries[index][0] * columns + entries[index][1]] = value;
+    });
+    return into;
   }
 
-  jacobian(time, state, into) {
-    this.work.jacobians++;
-    this.matrix("rate_jacobian", this.known.rate_jacobian, time, state, into);
+  kinks(name, time, state) {
+    return this.values(name, time, state, this.known.kinks);
   }
 
-  initial() {
-    const state = new Float64Array(this.size);
-    this.functions.initial_state(0);
-    state.set(this.results.subarray(0, this.size));
-    return state;
+  outputs(time, state) {
+    if (this.known.shows_states) return state;
+    return this.live("outputs", time, state, this.known.outputs.length);
   }
 
-  // Times at which the rate jumps.
-  jumps() {
-    this.functions.discontinuities(0);
-    return [...this.results.subarray(0, this.known.discontinuities)];
-  }
-
-  outputs(time, state, into) {
-    if (this.known.shows_states) into.set(state);
-    else this.call("outputs", time, state, into, this.known.outputs.length);
-  }
-
-  // Guards of events, then of kinks.
-  guards(time, state, into) {
-    if (this.events) this.call("guards", time, state, into, this.events);
-    if (this.kinks) this.call("kink_guards", time, state, into, this.kinks, this.events);
-    for (const kink of this.known.whole) {
-      into[this.events + kink] = Machine.atWholes(into[this.events + kink])[0];
-    }
-  }
-
-  // Returns a function that crosses zero where an argument of floor is an integer, and its slope.
-  static atWholes(argument) {
-    const whole = Math.floor(argument);
-    const way = whole % 2 === 0 ? 1 : -1;
-    const angle = Math.PI * (argument - whole);
-    return [way * Math.sin(angle), way * Math.PI * Math.cos(angle)];
-  }
-
-  guardRates(time, state, into) {
-    if (this.events) this.call("guard_rates", time, state, into, this.events);
-    if (!this.kinks) return;
-    const { whole } = this.known;
-    const guards = new Float64Array(whole.length ? this.kinks : 0);
-    if (whole.length) this.call("kink_guards", time, state, guards, this.kinks);
-    this.call("kink_rates", time, state, into, this.kinks, this.events);
-    for (const kink of whole) into[this.events + kink] *= Machine.atWholes(guards[kink])[1];
-  }
-
-  resets(time, state, into) {
-    this.call("resets", time, state, into, into.length);
-  }
-
-  // Power supplied and power dissipated.
-  powers(time, state) {
-    const balance = [0, 0, 0];
-    this.call("power_balance", time, state, balance, 3);
-    return balance.slice(1);
-  }
-
-  nameOf(index) {
-    return this.known.states[index].name;
+  name(entry) {
+    return this.known.states[entry].name;
   }
 }

@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::report::schematic::drawn;
 
 /// Moving elements with their entries of the state.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Default, Serialize)]
 pub(in crate::report) struct Moving {
     parts: Vec<MovingPart>,
     bodies: Vec<Body>,
@@ -60,6 +60,17 @@ impl Moving {
         });
         let bodies = scene.instances.iter().filter_map(|it| joined.body(scene, model, it));
         Self { parts: parts.collect(), bodies: bodies.collect() }
+    }
+
+    /// Returns the elements of a machine with more coordinates behind its own.
+    pub(super) fn moved(&self, own: usize, all: usize) -> Self {
+        let by =
+            |entry: u32| if (entry as usize) < own { entry } else { entry + (all - own) as u32 };
+        let mut moved = self.clone();
+        for MovingPart { by: track, .. } in &mut moved.parts {
+            *track = Track { position: track.position.map(by), velocity: track.velocity.map(by) };
+        }
+        moved
     }
 
     pub(in crate::report) fn is_empty(&self) -> bool {

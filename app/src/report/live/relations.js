@@ -1,0 +1,153 @@
+// Relations: the branch of each, whether it is active, and surfaces along which the motion slides.
+// A relation at zero takes the side to which g' on both sides points, or g'' where g' vanishes; the
+// motion slides where both point at the surface.
+
+class Relations {
+  constructor(system) {
+    Object.assign(this, { system, machine: system.machine, all: system.machine.known.relations });
+    this.active = this.all.map(() => false);
+    // Guard and time of the last change of each.
+    this.atChange = [];
+    this.times = [];
+  }
+
+  isSliding(relation) {
+    return this.system.slides.some((slide) => slide.relation === relation);
+  }
+
+  slide(slides) {
+    slides.forEach(({ relation }) => { this.machine.slots[relation] = BELOW; });
+    this.system.slides = slides.slice().sort((a, b) => a.relation - b.relation);
+  }
+
+  // Settles all at a state at which some change. `isWithin` tells of a guard too near to zero.
+  settle(time, state, armed, changes = [], isWithin = () => false) {
+    const isLeft = ({ relation }) => changes.some((change) => change.relation === relation);
+    const slides = this.system.slides.filter((slide) => !isLeft(slide));
+    const zero = this.takeSides(time, state, changes, slides, isWithin);
+    this.findActive(armed);
+    const isActive = ({ relation }) => this.active[relation];
+    this.leaveOrSlide(time, state, slides.filter(isActive), zero.filter(isActive));
+    this.findActive(armed);
+  }
+
+  // Takes the sides of guards, each after those that it reads. Returns branches at zero, with the
+  // slots to which they were going.
+  takeSides(time, state, changes, slides, isWithin) {
+    const { slots } = this.machine;
+    const before = this.machine.kinks("kink_guards", time, state);
+    let guards = before;
+    const zero = [];
+    this.all.forEach(({ kind }, relation) => {
+      if (kind === "zone" || slides.some((slide) => slide.relation === relation)) return;
+      const [guard, slot] = [guards[relation], slots[relation]];
+      const hasJumped = kind === "branch" && guard !== before[relation];
+      const change = hasJumped ? undefined : changes.find((it) => it.relation === relation);
+      if (!change && this.atChange[relation] === guard) return;
+      let next = guard < 0 ? BELOW : ABOVE;
+      if (kind === "whole") {
+        next = Math.floor(guard);
+        const isFalling = () => this.machine.kinks("kink_rates", time, state)[relation] < 0;
+        if (change && Math.abs(guard - change.slot - 0.5) <= 1) next = change.slot;
+        else if (guard === next && isFalling()) next--;
+      } else if (change) {
+        next = change.slot;
+        // One that changes again at once was seen to leave for that side.
+        const isAgain = Math.abs(time - this.times[relation]) <= 4 * EPSILON * Math.abs(time);
+        this.times[relation] = time;
+        if (!change.leaves && !isAgain) zero.push({ relation, toward: next });
+      } else if (guard === 0) {
+        next = slot || ABOVE;
+        zero.push({ relation, toward: next });
+      } else if (slot && isWithin(relation, guard)) {
+        next = slot;
+      }
+      if (change) this.atChange[relation] = guard;
+      if (next === slot) return;
+      slots[relation] = next;
+      guards = this.machine.kinks("kink_guards", time, state);
+    });
+    return zero;
+  }
+
+  // One whose readers are all on branches that are not taken, or events that are not armed, ends
+  // no step.
+  findActive(armed) {
+    const found = [];
+    const isTaken = ([reader, of]) => {
+      if (reader === "rate") return true;
+      if (reader === "event") return armed[of];
+      const isThere = reader === "relation" || (this.machine.slots[of] < 0) === (reader === "below") || this.isSliding(of);
+      return isThere && isActive(of);
+    };
+    const isActive = (relation) => {
+      if (found[relation] === undefined) {
+        found[relation] = true;
+        found[relation] = this.all[relation].readers.some(isTaken);
+      }
+      return found[relation];
+    };
+    this.active = this.all.map((_, relation) => isActive(relation));
+  }
+
+  leaveOrSlide(time, state, slides, zero) {
+    this.slide(slides);
+    const all = [...slides.map(({ relation }) => ({ relation, toward: BELOW })), ...zero];
+    // Each may change in turn, and once more.
+    for (let round = 0; round < 2 * all.length + 2; round++) {
+      if (!all.filter((one) => this.leave(time, state, one)).length) return;
+    }
+    throw this.chatters(time, all[0].relation);
+  }
+
+  // Lets one leave its surface or slide along it; whether that changes anything.
+  leave(time, state, { relation, toward }) {
+    const { system, machine } = this;
+    const { slots } = machine;
+    const before = slots[relation];
+    const own = system.slides.find((slide) => slide.relation === relation);
+    this.slide(system.slides.filter((slide) => slide !== own));
+    const [below, above] = [BELOW, ABOVE].map((slot) => {
+      slots[relation] = slot;
+      const rate = system.blended("kink_rates", time, state, machine.known.kinks)[relation];
+      const bend = system.bend(relation, time, state, system.rates(time, state));
+      // A rate that turns before any time has passed is rounding of zero.
+      const isSecond = !(Math.abs(rate) > 4 * EPSILON * Math.abs(time * bend));
+      return { way: Math.sign(isSecond ? bend : rate), isSecond };
+    });
+    if (below.way > 0 && above.way < 0) {
+      const isSecond = below.isSecond && above.isSecond;
+      return this.slideAlong(time, state, { relation, isSecond }, own, toward);
+    }
+    slots[relation] = toward;
+    if (below.way >= 0 && above.way > 0) slots[relation] = ABOVE;
+    if (below.way < 0 && above.way <= 0) slots[relation] = BELOW;
+    return own !== undefined || slots[relation] !== before;
+  }
+
+  slideAlong(time, state, slide, own, toward) {
+    const { system, machine } = this;
+    const before = system.slides;
+    const inertia = [BELOW, ABOVE].map((slot) => {
+      machine.slots[slide.relation] = slot;
+      return ["mass_matrix", "constraint_matrix"].map((name) =>
+        machine.values(name, time, state, machine.known[name].entries.length).join());
+    });
+    if (inertia[0].join() !== inertia[1].join()) throw this.chatters(time, slide.relation);
+    this.slide([...before, slide]);
+    const { alphas } = system.combination(time, state);
+    const isShare = (alpha) => alpha >= -1e-9 && alpha <= 1 + 1e-9;
+    // With several surfaces, no share of the rates may stay on all of them.
+    if (before.length && !alphas.every(isShare)) {
+      this.slide(before);
+      machine.slots[slide.relation] = toward;
+      return own !== undefined;
+    }
+    if (!alphas.every(Number.isFinite)) throw this.chatters(time, slide.relation);
+    return own?.isSecond !== slide.isSecond;
+  }
+
+  chatters(time, relation) {
+    return new Stopped(time, `the motion cannot go on along switching surface ${relation + 1}: it chatters`);
+  }
+}

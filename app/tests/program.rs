@@ -9,6 +9,7 @@ mod campbell;
 mod cli;
 mod cli_sweep;
 mod configuration;
+mod conformance;
 mod csv;
 mod cycle;
 mod deriving;

@@ -53,6 +53,8 @@ impl Case {
     fn of(name: String, mut model: Model, share: f64) -> Self {
         model.run.until = model.run.from + share * (model.run.until - model.run.from);
         model.run.points = POINTS;
+        // Where the scene is content with less, methods differ by more.
+        model.run.rtol = model.run.rtol.min(1e-8);
         model.run.times.clear();
         let simulator = ModelSimulator::new(model.clone());
         let divided = FieldSimulator::new(simulator.with_fields(), Discretisation::default());
@@ -212,7 +214,9 @@ const FIELDS: [&str; 6] = [
 #[test]
 fn fields_run_alike_in_a_page() {
     // Slopes at ports oscillate fast, and are known a hundred times less accurately than motions.
-    let cases = scenes("specs/scenes", |name| FIELDS.contains(&name), 0.05);
+    // The wave of one does not reach its wall within this share of the run.
+    let is_meant = |name: &str| FIELDS.contains(&name) && name != "shaft_step_torque.toml";
+    let cases = scenes("specs/scenes", is_meant, 0.05);
     assert_all_alike(&cases, 1e-3);
 }
 

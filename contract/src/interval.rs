@@ -259,11 +259,7 @@ impl Real for Interval {
         if self.is_within(-1.0, 1.0) { self.increasing(Real::asin) } else { Self::WHOLE }
     }
     fn acos(self) -> Self {
-        if self.is_within(-1.0, 1.0) {
-            -(-self).increasing(|x| -Real::acos(-x))
-        } else {
-            Self::WHOLE
-        }
+        if self.is_within(-1.0, 1.0) { (-self).increasing(|x| Real::acos(-x)) } else { Self::WHOLE }
     }
     fn atan(self) -> Self {
         self.increasing(Real::atan)

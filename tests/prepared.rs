@@ -185,13 +185,24 @@ fn differences(twin: &dyn Simulator<DoubleDouble>, at: &Place) -> [DMatrix<f64>;
             let value = given[varied][column];
             let size = value.to_f64().abs();
             let step = 1e-10 * if size > 0.0 { size } else { 1.0 };
-            let [ahead, behind] = [step, -step].map(|step| {
+            let [ahead, here, behind] = [step, 0.0, -step].map(|step| {
                 given[varied][column] = value + DoubleDouble::literal(step);
                 rate(&given)
             });
             given[varied][column] = value;
-            for (row, (ahead, behind)) in ahead.into_iter().zip(behind).enumerate() {
-                matrix[(row, column)] = (ahead - behind).to_f64() / (2.0 * step);
+            for (row, here) in here.into_iter().enumerate() {
+                let sides =
+                    [(ahead[row] - here), (here - behind[row])].map(|by| by.to_f64() / step);
+                let [ahead, behind] = sides;
+                // A number that is 0 may switch a law on. The law that holds is the one on the side
+                // on which the rate does not jump.
+                let change = step * ahead.abs().max(behind.abs());
+                let jumps = size == 0.0 && change > 1e-6 * (1.0 + here.to_f64().abs());
+                matrix[(row, column)] = match jumps {
+                    true if ahead.abs() < behind.abs() => ahead,
+                    true => behind,
+                    false => 0.5 * (ahead + behind),
+                };
             }
         }
         matrix

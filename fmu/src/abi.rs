@@ -106,6 +106,17 @@ impl Host {
         }
     }
 
+    /// Logs that no instance was made. FMI 3.0 messages have no name then.
+    fn refuse(&self, message: &str) {
+        let message = format!("not instantiated: {message}");
+        match self.log {
+            Some(Log::Fmi3(log)) => {
+                tell(log, self.environment(), Status::Error, ERRORS, &message);
+            }
+            _ => self.tell(Status::Error, ERRORS, &message),
+        }
+    }
+
     fn tell_of_events(&self, time: f64, events: &[String]) {
         if self.wants_events.load(Ordering::Relaxed) {
             for event in events {

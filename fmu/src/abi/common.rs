@@ -2,15 +2,15 @@
 
 use std::ffi::{CString, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::ptr;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use super::{
-    Boolean, CATEGORIES, ERRORS, EVENTS, Environment, Handle, Host, INSTANCES, IntermediateUpdate,
-    Log, LogMessage, Status, Text, ValueReference, exported, message_of, put, read, string, tell,
-    with, with_held,
+    Boolean, CATEGORIES, EVENTS, Environment, Handle, Host, INSTANCES, IntermediateUpdate, Log,
+    LogMessage, Status, Text, ValueReference, exported, message_of, put, read, string, with,
+    with_held,
 };
 use crate::instance::{Instance, Interface, Refusal};
 use crate::resource::Machine;
@@ -31,29 +31,76 @@ struct Asked {
 /// # Safety
 /// Strings are null or end with a zero.
 unsafe fn instantiate(asked: &Asked, interface: Interface) -> Handle {
-    let Asked { environment, log, .. } = *asked;
-    let made = catch_unwind(AssertUnwindSafe(|| {
-        // SAFETY: guaranteed by the caller.
-        let [name, token, resources] =
-            [asked.name, asked.token, asked.resources].map(|text| unsafe { string(text) });
+    // SAFETY: guaranteed by the caller.
+    let [name, token, resources] =
+        [asked.name, asked.token, asked.resources].map(|text| unsafe { string(text) });
+    let name = CString::new(name.unwrap_or_default()).unwrap_or_default();
+    let host = Host::new(asked.environment, asked.log.map(Log::Fmi3), asked.update, name);
+    create(host, asked.logging != 0, || {
         let token = token.ok_or_else(|| "there is no instantiation token".to_owned())?;
         let folder = resources.ok_or_else(|| "there is no resource path".to_owned())?;
-        let machine = Machine::load(&PathBuf::from(folder), &token).map_err(|e| e.to_string())?;
-        let instance = Instance::new(Arc::new(machine), interface);
-        let name = CString::new(name.unwrap_or_default()).unwrap_or_default();
-        let host = Host::new(environment, log.map(Log::Fmi3), asked.update, name);
-        host.wants_events.store(asked.logging != 0, Ordering::Relaxed);
-        Ok(INSTANCES.hold(instance, host))
-    }));
-    let message: String = match made {
-        Ok(Ok(handle)) => return ptr::without_provenance_mut::<c_void>(handle),
+        load(&PathBuf::from(folder), &token, interface)
+    })
+}
+
+/// Returns a new instance of the machine of a resource folder.
+pub(super) fn load(folder: &Path, token: &str, interface: Interface) -> Result<Instance, String> {
+    let machine = Machine::load(folder, token).map_err(|error| error.to_string())?;
+    Ok(Instance::new(Arc::new(machine), interface))
+}
+
+/// Gives an instance to a host. Returns null and logs a message to the host on failure.
+pub(super) fn create(
+    host: Host,
+    wants_events: bool,
+    make: impl FnOnce() -> Result<Instance, String>,
+) -> Handle {
+    let message = match catch_unwind(AssertUnwindSafe(make)) {
+        Ok(Ok(instance)) => {
+            host.wants_events.store(wants_events, Ordering::Relaxed);
+            return ptr::without_provenance_mut::<c_void>(INSTANCES.hold(instance, host));
+        }
         Ok(Err(message)) => message,
         Err(panic) => message_of(&*panic).to_owned(),
     };
-    if let Some(log) = log {
-        tell(log, environment, Status::Error, ERRORS, &format!("not instantiated: {message}"));
-    }
+    host.refuse(&message);
     ptr::null_mut()
+}
+
+/// Sets the categories of messages that the host wants.
+///
+/// # Safety
+/// As [`read`]; strings are null or end with a zero.
+pub(super) unsafe fn set_logging(
+    instance: Handle,
+    call: &str,
+    is_on: bool,
+    (categories, count): (*const Text, usize),
+) -> Status {
+    with_held(instance, call, |held| {
+        // SAFETY: guaranteed by the caller.
+        let names = unsafe { read(categories, count) }?;
+        let mut wants_events = names.is_empty();
+        for name in names {
+            // SAFETY: guaranteed by the caller.
+            let name = unsafe { string(*name) }.unwrap_or_default();
+            if !CATEGORIES.iter().any(|(known, _)| *known == name) {
+                return Err(Refusal::argument(format!("there is no category `{name}`")));
+            }
+            wants_events |= name == EVENTS;
+        }
+        held.host.wants_events.store(is_on && wants_events, Ordering::Relaxed);
+        Ok(())
+    })
+}
+
+/// Puts an instance back to its state after instantiation.
+pub(super) fn reset(instance: Handle, call: &str) -> Status {
+    with_held(instance, call, |held| {
+        held.lock().reset()?;
+        held.host.is_broken.store(false, Ordering::Relaxed);
+        Ok(())
+    })
 }
 
 exported! {
@@ -126,10 +173,9 @@ exported! {
         _lockPreemption: *const c_void,
         _unlockPreemption: *const c_void,
     ) -> Handle {
-        if let Some(log) = logMessage {
-            let message = "not instantiated: there is no scheduled execution";
-            tell(log, instanceEnvironment, Status::Error, ERRORS, message);
-        }
+        let host =
+            Host::new(instanceEnvironment, logMessage.map(Log::Fmi3), None, CString::default());
+        host.refuse("there is no scheduled execution");
         ptr::null_mut()
     }
 
@@ -143,21 +189,9 @@ exported! {
         nCategories: usize,
         categories: *const Text,
     ) -> Status {
-        with_held(instance, "fmi3SetDebugLogging", |held| {
-            // SAFETY: the host guarantees that its pointers are valid.
-            let names = unsafe { read(categories, nCategories) }?;
-            let mut wants_events = names.is_empty();
-            for name in names {
-                // SAFETY: the host guarantees that its pointers are valid.
-                let name = unsafe { string(*name) }.unwrap_or_default();
-                if !CATEGORIES.iter().any(|(known, _)| *known == name) {
-                    return Err(Refusal::argument(format!("there is no category `{name}`")));
-                }
-                wants_events |= name == EVENTS;
-            }
-            held.host.wants_events.store(loggingOn != 0 && wants_events, Ordering::Relaxed);
-            Ok(())
-        })
+        let categories = (categories, nCategories);
+        // SAFETY: the host guarantees that its pointers are valid.
+        unsafe { set_logging(instance, "fmi3SetDebugLogging", loggingOn != 0, categories) }
     }
 
     fn fmi3EnterInitializationMode(
@@ -216,10 +250,6 @@ exported! {
     }
 
     fn fmi3Reset(instance: Handle) -> Status {
-        with_held(instance, "fmi3Reset", |held| {
-            held.lock().reset()?;
-            held.host.is_broken.store(false, Ordering::Relaxed);
-            Ok(())
-        })
+        reset(instance, "fmi3Reset")
     }
 }

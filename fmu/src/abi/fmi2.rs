@@ -4,19 +4,16 @@
 //! steps.
 
 use std::ffi::{CString, c_char, c_int, c_void};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::ptr;
-use std::sync::Arc;
-use std::sync::atomic::Ordering;
 
+use super::common::{create, load, reset, set_logging};
 use super::{
-    CATEGORIES, ERRORS, EVENTS, Environment, Handle, Host, INSTANCES, Log, StateHandle, Status,
-    Text, ValueReference, exported, fmi3FreeFMUState, fmi3FreeInstance, fmi3GetFMUState,
-    fmi3SetFMUState, message_of, put, read, string, with, with_held, write,
+    Environment, Handle, Host, Log, StateHandle, Status, Text, ValueReference, exported,
+    fmi3FreeFMUState, fmi3FreeInstance, fmi3GetFMUState, fmi3SetFMUState, put, read, string, with,
+    with_held, write,
 };
 use crate::instance::{Experiment, Instance, Interface, Phase, Refusal, Type};
-use crate::resource::Machine;
 
 /// `fmi2Boolean`.
 pub type Boolean2 = c_int;
@@ -149,7 +146,8 @@ exported! {
         let [name, token, location] = [instanceName, fmuGUID, fmuResourceLocation]
             .map(|text| unsafe { string(text) });
         let name = CString::new(name.unwrap_or_default()).unwrap_or_default();
-        let made = catch_unwind(AssertUnwindSafe(|| {
+        let host = Host::new(environment, logger.map(Log::Fmi2), None, name);
+        create(host, loggingOn != 0, || {
             let token = token.ok_or_else(|| "there is no GUID".to_owned())?;
             let location = location.ok_or_else(|| "there is no resource location".to_owned())?;
             let interface = match fmuType {
@@ -157,23 +155,8 @@ exported! {
                 CO_SIMULATION => Interface::CoSimulation { event_mode: false, early_return: false },
                 other => return Err(format!("there is no interface of type {other}")),
             };
-            let folder = folder_of(&location)?;
-            let machine = Machine::load(&folder, &token).map_err(|error| error.to_string())?;
-            let instance = Instance::new(Arc::new(machine), interface);
-            let host = Host::new(environment, logger.map(Log::Fmi2), None, name.clone());
-            host.wants_events.store(loggingOn != 0, Ordering::Relaxed);
-            Ok(INSTANCES.hold(instance, host))
-        }));
-        let message: String = match made {
-            Ok(Ok(handle)) => return ptr::without_provenance_mut::<c_void>(handle),
-            Ok(Err(message)) => message,
-            Err(panic) => message_of(&*panic).to_owned(),
-        };
-        if let Some(logger) = logger {
-            let host = Host::new(environment, Some(Log::Fmi2(logger)), None, name);
-            host.tell(Status::Error, ERRORS, &format!("not instantiated: {message}"));
-        }
-        ptr::null_mut()
+            load(&folder_of(&location)?, &token, interface)
+        })
     }
 
     fn fmi2FreeInstance(c: Handle) -> () {
@@ -187,21 +170,9 @@ exported! {
         nCategories: usize,
         categories: *const Text,
     ) -> Status {
-        with_held(c, "fmi2SetDebugLogging", |held| {
-            // SAFETY: the host guarantees that its pointers are valid.
-            let names = unsafe { read(categories, nCategories) }?;
-            let mut wants_events = names.is_empty();
-            for name in names {
-                // SAFETY: the host guarantees that its pointers are valid.
-                let name = unsafe { string(*name) }.unwrap_or_default();
-                if !CATEGORIES.iter().any(|(known, _)| *known == name) {
-                    return Err(Refusal::argument(format!("there is no category `{name}`")));
-                }
-                wants_events |= name == EVENTS;
-            }
-            held.host.wants_events.store(loggingOn != 0 && wants_events, Ordering::Relaxed);
-            Ok(())
-        })
+        let categories = (categories, nCategories);
+        // SAFETY: the host guarantees that its pointers are valid.
+        unsafe { set_logging(c, "fmi2SetDebugLogging", loggingOn != 0, categories) }
     }
 
     fn fmi2SetupExperiment(
@@ -235,11 +206,7 @@ exported! {
     }
 
     fn fmi2Reset(c: Handle) -> Status {
-        with_held(c, "fmi2Reset", |held| {
-            held.lock().reset()?;
-            held.host.is_broken.store(false, Ordering::Relaxed);
-            Ok(())
-        })
+        reset(c, "fmi2Reset")
     }
 
     fn fmi2GetReal(c: Handle, vr: *const ValueReference, nvr: usize, value: *mut f64) -> Status {

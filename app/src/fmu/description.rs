@@ -100,22 +100,30 @@ impl Description<'_> {
             // Modes are integers.
             return element.with_some("start", variable.start.map(|start| start as i32));
         }
-        let mut element = element.with_some("unit", unit_of(&variable.unit));
-        if let Some(nominal) = variable.nominal {
-            element = element.with_number("nominal", nominal);
-        }
-        if let Some(start) = variable.start {
-            element = element.with_number("start", start);
-        }
-        match variable.kind {
-            Kind::Derivative(entry) => {
-                element.with_some("derivative", self.variables.reference(Kind::State(entry)))
-            }
-            Kind::State(entry) if is_set(self.machine.model(), entry) => {
-                element.with("reinit", true)
-            }
-            _ => element,
-        }
+        let element = element.with_some("unit", unit_of(&variable.unit));
+        let state = |entry| self.variables.reference(Kind::State(entry));
+        with_numbers(element, self.machine.model(), variable, state)
+    }
+}
+
+/// Adds the typical size and the start value of a continuous variable, the state of a derivative,
+/// and a mark for a state that jumps. `state` returns the reference of an entry of the state.
+pub fn with_numbers<T: ToString>(
+    mut element: Element,
+    model: &Model,
+    variable: &Variable,
+    state: impl FnOnce(usize) -> Option<T>,
+) -> Element {
+    if let Some(nominal) = variable.nominal {
+        element = element.with_number("nominal", nominal);
+    }
+    if let Some(start) = variable.start {
+        element = element.with_number("start", start);
+    }
+    match variable.kind {
+        Kind::Derivative(entry) => element.with_some("derivative", state(entry)),
+        Kind::State(entry) if is_set(model, entry) => element.with("reinit", true),
+        _ => element,
     }
 }
 
@@ -158,7 +166,7 @@ pub fn needs_completed_steps(model: &Model, variables: &Variables) -> bool {
 }
 
 /// Returns whether events or projection onto constraints may change a state.
-pub fn is_set(model: &Model, entry: usize) -> bool {
+fn is_set(model: &Model, entry: usize) -> bool {
     let is_set = model.events.iter().any(|event| event.sets.contains(&(entry as u32)));
     is_set || !model.constraints.is_empty()
 }

@@ -7,8 +7,8 @@ use machinist_fmu::resource::Machine;
 use machinist_fmu::variables::{Kind, Variable, Variables};
 
 use super::description::{
-    TOOL, causality, declared_type, definitions, description_of, experiment, initial, is_set,
-    needs_completed_steps, variability,
+    TOOL, causality, declared_type, definitions, description_of, experiment, initial,
+    needs_completed_steps, variability, with_numbers,
 };
 use super::quantity::{MODE, MODE_DOC, Type, types, unit_of, units};
 use super::structure::{List, Structure, Unknown, joined};
@@ -112,25 +112,11 @@ impl Description2<'_> {
             let start = variable.start.map(|start| start as i32);
             return Element::new("Integer").with("declaredType", MODE).with_some("start", start);
         }
-        let mut element = Element::new("Real")
+        let element = Element::new("Real")
             .with_some("declaredType", declared_type(variable))
             .with_some("unit", unit_of(&variable.unit));
-        if let Some(nominal) = variable.nominal {
-            element = element.with_number("nominal", nominal);
-        }
-        if let Some(start) = variable.start {
-            element = element.with_number("start", start);
-        }
-        match variable.kind {
-            Kind::Derivative(entry) => {
-                let state = self.variables.reference(Kind::State(entry));
-                element.with_some("derivative", state.and_then(|state| self.index(state)))
-            }
-            Kind::State(entry) if is_set(self.machine.model(), entry) => {
-                element.with("reinit", true)
-            }
-            _ => element,
-        }
+        let state = |entry| self.index(self.variables.reference(Kind::State(entry))?);
+        with_numbers(element, self.machine.model(), variable, state)
     }
 
     fn structure(&self) -> Vec<Element> {

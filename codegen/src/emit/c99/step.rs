@@ -218,9 +218,7 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
             scene.filled(&JUMPS.replace("PROJECT\n", &put_back))
         }
         (false, _) => {
-            let held = project(scene, 4, "machine->time", "&machine->state");
-            let hosted = EVENTS_HOSTED.replace("HOLD\n", &held);
-            let hosted = scene.filled(&with_library_names(&hosted, scene.options.real));
+            let hosted = scene.filled(&with_library_names(EVENTS_HOSTED, scene.options.real));
             format!("{}\n{hosted}", events(scene))
         }
     });

@@ -118,15 +118,12 @@ void scene_settle(scene_machine_t *machine)
     look(machine, R(0.0), passed);
 }
 
-/* Gives new values where guards have passed zero, at the end of a part of a step. */
-static int happen(scene_machine_t *machine, scene_real_t h, int passed[SCENE_EVENTS])
+/* Applies the events whose guards have passed zero. Gives how many happened. */
+static int apply_passed(scene_machine_t *machine, const int passed[SCENE_EVENTS])
 {
-    scene_real_t before[SCENE_EVENTS];
-    int asked[SCENE_EVENTS];
     int happened = 0;
     size_t event;
 
-    scene_guards(machine->time, &machine->state, &machine->p, &machine->c, before);
     for (event = 0u; event < SCENE_EVENTS; ++event) {
         if ((passed[event] != 0)
             && (scene_is_watched((unsigned int)event, &machine->state) != 0)) {
@@ -136,6 +133,19 @@ static int happen(scene_machine_t *machine, scene_real_t h, int passed[SCENE_EVE
         }
     }
 HOLD
+    return happened;
+}
+
+/* Gives new values where guards have passed zero, at the end of a part of a step. */
+static int happen(scene_machine_t *machine, scene_real_t h, int passed[SCENE_EVENTS])
+{
+    scene_real_t before[SCENE_EVENTS];
+    int asked[SCENE_EVENTS];
+    int happened;
+    size_t event;
+
+    scene_guards(machine->time, &machine->state, &machine->p, &machine->c, before);
+    happened = apply_passed(machine, passed);
     for (event = 0u; event < SCENE_EVENTS; ++event) {
         asked[event] = (machine->side[event] == 0)
             || ((passed[event] == 0) && (is_beyond(event, before[event]) == 0));

@@ -31,7 +31,7 @@ int scene_happen(scene_machine_t *machine, const scene_real_t guards[SCENE_EVENT
 {
     scene_real_t before[SCENE_EVENTS], after[SCENE_EVENTS];
     int passed[SCENE_EVENTS], asked[SCENE_EVENTS], is_at_zero[SCENE_EVENTS];
-    int happened = 0;
+    int happened;
     size_t event;
 
     if (pass_or_touch(machine, guards, passed) == 0) {
@@ -39,15 +39,7 @@ int scene_happen(scene_machine_t *machine, const scene_real_t guards[SCENE_EVENT
         return 0;
     }
     scene_guards(machine->time, &machine->state, &machine->p, &machine->c, before);
-    for (event = 0u; event < SCENE_EVENTS; ++event) {
-        if ((passed[event] != 0)
-            && (scene_is_watched((unsigned int)event, &machine->state) != 0)) {
-            scene_apply((unsigned int)event, machine->time, &machine->state, &machine->p,
-                        &machine->c);
-            ++happened;
-        }
-    }
-HOLD
+    happened = apply_passed(machine, passed);
     /* A guard that an event brings into play at zero is not beyond by rounding: it waits on the
      * near side, or the event would be undone at once. */
     scene_guards(machine->time, &machine->state, &machine->p, &machine->c, after);

@@ -110,11 +110,10 @@ impl Interval {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    fn hull_of(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
-        let start = [f64::INFINITY, f64::NEG_INFINITY];
-        values.into_iter().try_fold(start, |[low, high], value| {
-            (!value.is_nan()).then(|| [low.min(value), high.max(value)])
-        })
+    /// Returns the smallest interval with these numbers; all numbers if one is NaN.
+    fn hull_of(values: impl IntoIterator<Item = f64>) -> Self {
+        let nothing = Self { low: f64::INFINITY, high: f64::NEG_INFINITY };
+        values.into_iter().fold(nothing, |hull, value| hull.hull(Self::of(value)))
     }
 
     /// Returns cosines of the numbers less a shift.
@@ -171,8 +170,8 @@ impl Mul for Interval {
     fn mul(self, other: Self) -> Self {
         let Self { low: a, high: b } = self;
         let Self { low: c, high: d } = other;
-        Self::hull_of([a * c, a * d, b * c, b * d])
-            .map_or(Self::WHOLE, |[low, high]| Self::outwards(low, high))
+        let Self { low, high } = Self::hull_of([a * c, a * d, b * c, b * d]);
+        Self::outwards(low, high)
     }
 }
 
@@ -184,8 +183,8 @@ impl Div for Interval {
         if c <= 0.0 && d >= 0.0 {
             return Self::WHOLE;
         }
-        Self::hull_of([a / c, a / d, b / c, b / d])
-            .map_or(Self::WHOLE, |[low, high]| Self::outwards(low, high))
+        let Self { low, high } = Self::hull_of([a / c, a / d, b / c, b / d]);
+        Self::outwards(low, high)
     }
 }
 
@@ -222,8 +221,8 @@ impl Real for Interval {
         }
         let corners = [self.low, self.high]
             .map(|base| [exponent.low, exponent.high].map(|exponent| Real::powf(base, exponent)));
-        Self::hull_of(corners.into_iter().flatten())
-            .map_or(Self::WHOLE, |[low, high]| Self::about(low, high))
+        let Self { low, high } = Self::hull_of(corners.into_iter().flatten());
+        Self::about(low, high)
     }
     fn sqrt(self) -> Self {
         if self.low < 0.0 { Self::WHOLE } else { self.increasing(Real::sqrt) }

@@ -96,6 +96,9 @@ impl Watch<'_> {
             return Ok(());
         }
         let passings = self.passings_of_counters(inner, method, until);
+        if passings.is_empty() {
+            return Ok(());
+        }
         let mut state = inner.start.clone();
         let mut latest = inner.counters.before.clone();
         for (time, index) in passings {

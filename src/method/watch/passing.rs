@@ -185,15 +185,13 @@ impl Parts {
             std::mem::swap(&mut self.start, &mut self.end);
         } else {
             self.state.copy_from_slice(start);
-            let mut look = std::mem::take(&mut self.start);
-            self.look_at(step.system, from, &mut look);
-            self.start = look;
+            let old = std::mem::take(&mut self.start);
+            self.start = self.look_at(step.system, from, old);
             self.note_look(false);
         }
         self.state.copy_from_slice(step.method.end());
-        let mut look = std::mem::take(&mut self.end);
-        self.look_at(step.system, until, &mut look);
-        self.end = look;
+        let old = std::mem::take(&mut self.end);
+        self.end = self.look_at(step.system, until, old);
         self.note_look(true);
         let span = until - from;
         for index in 0..self.watched.len() {
@@ -232,13 +230,13 @@ impl Parts {
     pub(super) fn renew_end(&mut self, system: &System<'_>, time: f64, state: &[f64]) {
         if self.end.time.to_bits() == time.to_bits() {
             self.state.copy_from_slice(state);
-            let mut look = std::mem::take(&mut self.end);
-            self.look_at(system, time, &mut look);
-            self.end = look;
+            let old = std::mem::take(&mut self.end);
+            self.end = self.look_at(system, time, old);
         }
     }
 
-    fn look_at(&mut self, system: &System<'_>, time: f64, look: &mut Look) {
+    /// Evaluates guards at a time, in the memory of a look that is not needed any more.
+    fn look_at(&mut self, system: &System<'_>, time: f64, mut look: Look) -> Look {
         self.follow(system, time);
         let at = within(time, self.ends);
         let Self { sources, watched, state, .. } = self;
@@ -249,6 +247,7 @@ impl Parts {
         look.values.extend(watched.iter().map(|watched| sources.value(system, *watched)));
         sources.take_rates(system, at, state);
         look.rates.extend(watched.iter().map(|watched| sources.rate(*watched)));
+        look
     }
 
     /// Estimates the changes of guards by rounding of states, which may be far larger than the
@@ -489,11 +488,10 @@ impl Parts {
         start: &[f64],
     ) -> bool {
         let (from, until) = (self.start.time, self.end.time);
-        let [mut begin, mut end] = [Look::default(), Look::default()];
         self.state.copy_from_slice(start);
-        self.look_at(step.system, from, &mut begin);
+        let begin = self.look_at(step.system, from, Look::default());
         self.state.copy_from_slice(step.method.end());
-        self.look_at(step.system, until, &mut end);
+        let end = self.look_at(step.system, until, Look::default());
         let kept = (
             std::mem::replace(&mut self.start, begin),
             std::mem::replace(&mut self.end, end),

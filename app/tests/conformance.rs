@@ -53,7 +53,7 @@ impl Case {
     fn of(name: String, mut model: Model, share: f64) -> Self {
         model.run.until = model.run.from + share * (model.run.until - model.run.from);
         model.run.points = POINTS;
-        // Where the scene is content with less, methods differ by more.
+        // Methods differ by more at the looser tolerances of some scenes.
         model.run.rtol = model.run.rtol.min(1e-8);
         model.run.times.clear();
         let simulator = ModelSimulator::new(model.clone());

@@ -374,7 +374,7 @@ impl OneStep for ExplicitSteps<'_> {
         }
     }
 
-    /// By the rates of the stages, which lie all over the step; twice the largest covers those in
+    /// Uses the rates of the stages, which lie all over the step; twice the largest covers those in
     /// between.
     fn reach(&mut self, _within: [f64; 2], _start: &[f64], reach: &mut [f64]) {
         reach.fill(0.0);

@@ -35,7 +35,7 @@ pub(crate) trait OneStep {
 
     /// Computes how far each state may be from its start anywhere within the current step.
     ///
-    /// By default from the dense output at quarters of the step. A step resolves the motion, so
+    /// The default takes the dense output at quarters of the step. A step resolves the motion, so
     /// twice the largest distance seen there covers what lies between.
     fn reach(&mut self, [from, until]: [f64; 2], start: &[f64], reach: &mut [f64]) {
         const SHARES: [f64; 3] = [0.25, 0.5, 0.75];

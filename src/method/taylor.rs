@@ -282,7 +282,7 @@ impl OneStep for TaylorSteps<'_> {
         }
     }
 
-    /// By the sizes of all terms of the polynomial.
+    /// Adds the sizes of all terms of the polynomial.
     fn reach(&mut self, _within: [f64; 2], _start: &[f64], reach: &mut [f64]) {
         let reach = &mut reach[..self.states];
         reach.fill(0.0);

@@ -14,7 +14,7 @@ use super::zip::archive;
 use crate::cli::scene::CUTTING;
 use crate::failure::{Failure, did_you_mean};
 
-/// What runs the model of an archive.
+/// Code that runs the model of an archive.
 pub enum Content {
     /// The library, with the model as a resource.
     Library(Library),

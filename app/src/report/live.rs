@@ -69,7 +69,7 @@ const FUNCTIONS: [FunctionId; 13] = [
 /// Functions that only implicit methods call.
 const OF_IMPLICIT: [FunctionId; 2] = [FunctionId::RateJacobian, FunctionId::TimeDerivative];
 
-/// What a page needs to run a machine, for programs that do so without a page.
+/// Scripts and data that run a machine as its page does, for programs without a page.
 #[derive(Debug, Clone)]
 pub struct Headless {
     /// Scripts in the order of their dependencies.

@@ -9,7 +9,7 @@ use crate::process::{REPOSITORY, answer, assert_refused, machinist};
 /// Files of an archive with sources.
 struct Sources {
     files: Vec<(String, Vec<u8>)>,
-    /// What the program prints.
+    /// Output of the program.
     said: String,
 }
 
@@ -118,7 +118,7 @@ fn a_smaller_step_has_a_smaller_error() {
         words.split(' ').next().expect("a number").parse::<f64>().expect("a number")
     };
     let (coarse, fine) = (error("2ms"), error("1ms"));
-    // Of fourth order.
+    // The method has order four.
     assert!(fine < coarse / 8.0, "{coarse:e} {fine:e}");
 }
 

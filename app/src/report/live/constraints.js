@@ -113,7 +113,8 @@ class Constraints {
   }
 }
 
-// What an entry of a start may move by: one that the spec gives moves only where nothing else can.
+// Weight of the moves of an entry of a start: one that the spec gives moves only where nothing else
+// can.
 function weightOf(machine, entry) {
   return machine.scales[entry] * (machine.known.states[entry].is_given ? 1e-6 : 1);
 }

@@ -78,7 +78,7 @@ class Looks {
     return isKept ? this.keep(time, values) : values;
   }
 
-  // What of a function may be rounding of the values that it compares.
+  // Rounding error of a function, as that of the values that it compares.
   rounding(index) {
     return ROUNDINGS * EPSILON * Math.max(this.sizes[index], this.noise[index]);
   }

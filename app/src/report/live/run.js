@@ -7,7 +7,7 @@ const STIFF_STEPS = 15;
 const EASY_STEPS = 6;
 
 class Run {
-  // Of parameters, its ends and the number of its output times, equally spaced unless given.
+  // `run` holds parameters, both ends and the number of output times, equally spaced unless given.
   constructor(machine, { parameters, from, until, points, times }) {
     const { known } = machine;
     machine.begin(parameters);
@@ -128,7 +128,7 @@ class Run {
       }
       const rest = until - time;
       const limited = Math.min(step, watch?.longest ?? Infinity);
-      // What is left is halved rather than cut into a step and a sliver.
+      // The rest is halved rather than cut into a step and a sliver.
       const tried = limited >= 0.99 * rest ? rest : 2 * limited > rest ? rest / 2 : limited;
       const now = tried === rest ? until : time + tried;
       let error = method.attempt(tried);

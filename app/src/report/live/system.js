@@ -36,7 +36,7 @@ class System {
       above.reduce((sum, side, k) => sum + alphas[k] * (side[index] - value), value));
   }
 
-  // What `call` gives above each surface, below all others.
+  // Results of `call` above each surface, below all others.
   above(call) {
     const { slots } = this.machine;
     return this.slides.map(({ relation }) => {

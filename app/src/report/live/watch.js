@@ -1,7 +1,7 @@
 // Watches guards while a method steps, and applies events and changes of branches where one passes
 // zero. The rules are those of the engine, see its `watch.rs`.
 
-// So many events within this share of the run are taken for endless ones (Zeno).
+// Number of events within this share of the run that count as endless (Zeno).
 const ENDLESS = 50;
 const NO_TIME = 1e-10;
 const KINDS = { branch: ["branch", "fromBelow", "fromAbove"], whole: ["low", "high"], zone: ["zone", "nearest"] };
@@ -215,7 +215,7 @@ class Watch {
     return { time, residual, rate };
   }
 
-  // Whether a step is too long for a zone, once it shows where the motion is nearest.
+  // Tells if a step is too long for a zone, once it shows where the motion is nearest.
   isTooLong(tried) {
     if (this.list[this.first].kind !== "nearest" || this.longest < Infinity) return false;
     this.longest = (this.outcomes[this.first].time - this.entered) / 16;
@@ -246,12 +246,12 @@ class Watch {
     }
   }
 
-  // What a guard at rest may change by.
+  // Greatest change of a guard at rest.
   rest(index) {
     return Math.max(1e-9 * this.looks.sizes[index], this.looks.rounding(index));
   }
 
-  // What happens at a time that a step reached, with all else that passed zero until then.
+  // Marks guards that pass zero at a time that a step reached, and all that did so before.
   happening(time, state) {
     const near = ROUNDINGS * EPSILON * Math.max(Math.abs(time), Math.abs(this.time));
     const { time: first } = this.outcomes[this.first];
@@ -288,7 +288,7 @@ class Watch {
       (this.isArmed(index, state) ? passed : left).push(index);
       if (!isApproached(index)) turned.push(index);
     }
-    // What is beyond zero now was moved there by the events.
+    // The events moved guards that are beyond zero only now.
     const isAsked = (index) => !this.sides[index]
       || (!this.isBeyond(index, before[index]) && !passed.includes(index) && !left.includes(index));
     const asked = range(this.events.length).filter(isAsked);
@@ -369,7 +369,7 @@ class Watch {
     }
   }
 
-  // Whether an event would leave its mode.
+  // Tells if an event would leave its mode.
   isEnded(index, time, state, isStart) {
     const after = state.slice();
     this.apply(index, time, after);

@@ -198,7 +198,7 @@ impl Sources<'_> {
     /// Decides the conditions of a snippet.
     fn resolved(&self, snippet: &str) -> String {
         let mut text = String::with_capacity(snippet.len());
-        // Whether each open condition is kept.
+        // True for each open condition that is kept.
         let mut open: Vec<bool> = Vec::new();
         for line in snippet.lines() {
             if let Some(name) = line.strip_prefix("#ifdef ") {

@@ -471,7 +471,7 @@ fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte serializedSta
     return fmi2OK;
 }
 
-/* What the description does not offer. */
+/* Functions that the description does not offer. */
 
 static fmi2Status none(fmi2Component c, size_t count)
 {

@@ -1,4 +1,4 @@
-/* What the description does not offer. */
+/* Functions that the description does not offer. */
 
 static fmi3Status none(fmi3Instance instance, size_t count)
 {

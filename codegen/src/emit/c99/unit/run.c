@@ -80,7 +80,7 @@ int scene_unit_update(scene_unit_t *unit, int *has_moved, double *next)
 }
 
 #ifdef SCENE_CONSTRAINTS
-/* How far the state is off the constraints: the shift that puts it back, relative to the typical
+/* Distance of the state from the constraints: the shift that puts it back, relative to the typical
  * sizes of states. */
 static double off_constraints(const scene_unit_t *unit)
 {

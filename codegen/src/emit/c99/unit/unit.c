@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What a variable is. */
+/* Kinds of variables. */
 enum { TIME, STATE, DERIVATIVE, MODE, PARAMETER, OUTPUT, INDICATOR, STEP };
 
 /* In which modes the host may set a variable. */
@@ -141,7 +141,7 @@ static void find_jumps(scene_unit_t *unit)
 
 #endif
 #ifdef SCENE_EVENTS
-/* How near a host finds the zero of a guard [s]. */
+/* Error of the time at which a host finds the zero of a guard [s]. */
 static double nearness(const scene_unit_t *unit)
 {
     return 1e-9 * (fabs(unit->machine.time) + unit->span);
@@ -160,7 +160,7 @@ static void shifted_guards(const scene_unit_t *unit, double guards[SCENE_EVENTS]
     }
 }
 
-/* How much rounding of time and state changes guards: the change by a small relative shift of each,
+/* Changes of guards by rounding of time and state: the change by a small relative shift of each,
  * scaled to 64 roundings. */
 static void find_noise(const scene_unit_t *unit, double noise[SCENE_EVENTS])
 {

@@ -10,7 +10,7 @@
 #define SCENE_CONTINUOUS_STATES CONTINUOUS_COUNTu
 #define SCENE_INDICATORS INDICATOR_COUNTu
 
-/* What identifies these sources, as in the model description. */
+/* Identifier of these sources, as in the model description. */
 #define SCENE_TOKEN "TOKEN_TEXT"
 
 /* Length of the longest message, with its end. */

@@ -13,10 +13,11 @@ use machinist::linear_analysis::{Place, operating_point};
 use machinist_codegen::emit::c99::{C99Options, Real, StepCalls, emit, needs_start, step_calls};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
-use machinist_contract::fixed_step::{Clock, FixedSteps, Room, StepMethod};
+use machinist_contract::fixed_step::StepMethod;
 use machinist_model::evaluate::{Evaluator, Inputs};
-use machinist_model::{Elimination, Model, ModelSimulator, Tape};
+use machinist_model::{Model, ModelSimulator, Tape};
 
+use crate::fixed_steps::{adaptive, difference, steps_in_rust};
 use crate::own_scene::{model_of_specs, scenes_to_try};
 use crate::wasm::{assert_same, expected};
 use compiler::{Compiler, Program};
@@ -106,25 +107,6 @@ fn end_of(program: &Program, model: &Model, steps: usize) -> (Vec<f64>, f64) {
     (state.clone(), events)
 }
 
-/// Returns the largest difference of two states, each entry over its typical size.
-fn difference(model: &Model, a: &[f64], b: &[f64]) -> f64 {
-    let entries = model.states.iter().zip(a).zip(b);
-    entries.fold(0.0, |most: f64, ((state, a), b)| {
-        let off = (a - b).abs() / state.scale;
-        if off <= most { most } else { off }
-    })
-}
-
-/// Returns the state at the end of an adaptive run, and the number of events after its start.
-fn adaptive(model: &Model) -> (Vec<f64>, usize) {
-    let simulator = ModelSimulator::new(model.clone());
-    let run = Simulation::new(&simulator).rtol(1e-11).run().expect("a run");
-    let last = |column: &machinist::trajectory::Column| *column.values.last().expect("a value");
-    let states = run.of_kind(machinist::trajectory::ColumnKind::State).map(last).collect();
-    let later = run.switches.iter().filter(|switch| switch.time > model.run.from);
-    (states, later.count())
-}
-
 #[test]
 fn steps_of_emitted_c_converge_to_the_adaptive_run_with_their_order() {
     let Some(compiler) = Compiler::found().map(Compiler::plain) else { return };
@@ -172,40 +154,6 @@ fn steps_of_emitted_c_find_the_events_of_the_adaptive_run() {
     }
 }
 
-/// Returns time and state after each step of the contract, from a start.
-fn steps_in_rust(
-    model: &Model,
-    method: StepMethod,
-    (start, step, steps): (&[f64], f64, usize),
-) -> Vec<Vec<f64>> {
-    let simulator = ModelSimulator::interpreted(model.clone());
-    let parameters: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
-    let mut constants = vec![0.0; Simulator::<f64>::constants(&simulator)];
-    simulator.prepare(&parameters, &mut constants);
-    let states = model.states.len();
-    let elimination = Elimination::new(states, &model.rate_jacobian.pattern.entries);
-    let machine = FixedSteps {
-        simulator: &simulator,
-        parameters: &parameters,
-        constants: &constants,
-        method: method.with(elimination.borrowed()),
-        parts_a_step: FixedSteps::<f64>::enough_parts(&simulator),
-    };
-    let [numbers, signs] = machine.room();
-    let (mut numbers, mut signs) = (vec![f64::NAN; numbers], vec![0; signs]);
-    let mut room = Room { numbers: &mut numbers, signs: &mut signs };
-    let mut state = start.to_vec();
-    let mut clock = Clock::new(model.run.from);
-    machine.settle(clock.time(), &mut state, &mut room);
-    let mut rows = vec![state.clone()];
-    for _ in 0..steps {
-        machine.step(clock.time(), step, &mut state, &mut room);
-        clock.pass(step);
-        rows.push(state.clone());
-    }
-    rows
-}
-
 #[test]
 fn steps_of_emitted_c_give_the_bits_of_steps_in_rust() {
     let Some(compiler) = Compiler::found().map(Compiler::plain) else { return };
@@ -229,7 +177,7 @@ fn steps_of_emitted_c_give_the_bits_of_steps_in_rust() {
             });
             let program = compiled(&compiler, &model, &options);
             let of_c = program.run(step, steps, model.states.len());
-            let of_rust = steps_in_rust(&model, method, (&start, step, steps));
+            let (of_rust, _) = steps_in_rust(&model, method, (&start, step, steps));
             for (index, ((_, found, _), wanted)) in of_c.iter().zip(&of_rust).enumerate() {
                 assert_same(&format!("{name} by {method:?}: step {index}"), found, wanted);
             }

@@ -13,6 +13,7 @@ struct Guards<'w, R> {
 struct Watch<'w, R> {
     sides: &'w mut [i8],
     passed: &'w mut [i8],
+    /// 1 if an event may happen at once, [`WAITS`] if its guard counts as before zero.
     asked: &'w mut [i8],
     shares: &'w mut [R],
     before: &'w mut [R],
@@ -21,6 +22,9 @@ struct Watch<'w, R> {
     trial: &'w mut [R],
     values: &'w mut [R],
 }
+
+/// Marks an event that waits: it would only undo one that has just happened.
+const WAITS: i8 = -1;
 
 /// Returns 1 for a positive number, -1 for a negative one, else 0.
 fn sign_of<R: StepNumber>(x: R) -> i8 {
@@ -158,7 +162,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
             let mut found = false;
             for event in 0..events {
                 let (guard, rate) = (watch.end.values[event], watch.end.rates[event]);
-                if watch.asked[event] == 0
+                if watch.asked[event] != 1
                     || !self.ends_its_mode(event)
                     || !self.is_watched(event, state)
                     || !self.is_beyond(event, guard)
@@ -192,6 +196,8 @@ impl<R: StepNumber> FixedSteps<'_, R> {
             let side = sign_of(guard);
             watch.sides[event] = if !self.is_watched(event, state) {
                 0
+            } else if watch.asked[event] == WAITS {
+                -self.direction(event)
             } else if watch.passed[event] != 0 || side == 0 {
                 sign_of(rate)
             } else if watch.sides[event] == 0
@@ -203,6 +209,22 @@ impl<R: StepNumber> FixedSteps<'_, R> {
                 side
             };
         }
+    }
+
+    /// Reports whether an event would return to a mode that another has just ended. Both guards
+    /// are at zero then, and only rounding can have taken this one beyond: the other event would
+    /// happen again.
+    fn undoes(&self, event: usize, time: R, state: &[R], watch: &mut Watch<'_, R>) -> bool {
+        if !self.ends_its_mode(event) || !self.is_watched(event, state) {
+            return false;
+        }
+        watch.trial.copy_from_slice(state);
+        self.apply(event, time, watch.trial, watch.values);
+        (0..self.simulator.events()).any(|ended| {
+            watch.passed[ended] != 0
+                && self.ends_its_mode(ended)
+                && self.is_watched(ended, watch.trial)
+        })
     }
 
     /// Resets the state where guards have crossed zero, at the end of a part of a step.
@@ -226,6 +248,9 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         for event in 0..events {
             let is_new = watch.passed[event] == 0 && !self.is_beyond(event, watch.before[event]);
             watch.asked[event] = i8::from(watch.sides[event] == 0 || is_new);
+            if watch.sides[event] == 0 && self.undoes(event, time, state, watch) {
+                watch.asked[event] = WAITS;
+            }
         }
         happened += self.settle_asked((time, h), state, watch, scratch);
         self.look((time, h), state, watch);

@@ -101,8 +101,7 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
 /// Returns the declarations of the functions for hosts that integrate by a method of their own.
 fn hosted(scene: &Scene<'_>) -> String {
     let (real, machine) = (scene.real(), scene.public("machine_t"));
-    let [guards, noise] = ["guards", "noise"]
-        .map(|name| format!("const {real} {name}[{}]", scene.macro_name("EVENTS")));
+    let guards = format!("const {real} guards[{}]", scene.macro_name("EVENTS"));
     let [is_due, happen, follow] = ["is_due", "happen", "follow"].map(|name| scene.public(name));
     let heads = [
         (
@@ -112,9 +111,8 @@ fn hosted(scene: &Scene<'_>) -> String {
         ),
         (
             "Makes the events of such guards happen at the present time and state. A guard that \
-             comes back within h [s], or is no larger than its noise, is at zero. Gives their \
-             number.",
-            format!("int {happen}({machine} *machine, {guards}, {noise}, {real} h)"),
+             comes back within h [s] is at zero. Gives their number.",
+            format!("int {happen}({machine} *machine, {guards}, {real} h)"),
         ),
         (
             "Keeps on which side of zero guards are, after a step without events.",

@@ -1,3 +1,6 @@
+/* An event that waits: it would only undo one that has just happened. */
+#define WAITS (-1)
+
 /* 1 of a number above zero, -1 below, 0 else. */
 static int sign_of(scene_real_t x)
 {
@@ -60,7 +63,7 @@ static int settle(scene_machine_t *machine, scene_real_t h, int asked[SCENE_EVEN
         scene_guard_rates(machine->time, &machine->state, &machine->p, &machine->c, rates);
         for (event = 0u; (event < SCENE_EVENTS) && (found == 0); ++event) {
             scene_state_t trial = machine->state;
-            if ((asked[event] == 0) || (ends_its_mode[event] == 0)
+            if ((asked[event] != 1) || (ends_its_mode[event] == 0)
                 || (scene_is_watched((unsigned int)event, &trial) == 0)
                 || (is_beyond(event, guards[event]) == 0)
                 || (comes_back(guards[event], rates[event], h) != 0)) {
@@ -82,8 +85,10 @@ HOLD
     return happened;
 }
 
-/* Sees on which side of zero every guard is after events: `passed` have just happened. */
-static void look(scene_machine_t *machine, scene_real_t h, const int passed[SCENE_EVENTS])
+/* Sees on which side of zero every guard is after events: `passed` have just happened, and those
+ * that wait count as before zero. */
+static void look(scene_machine_t *machine, scene_real_t h, const int passed[SCENE_EVENTS],
+                 const int asked[SCENE_EVENTS])
 {
     scene_real_t guards[SCENE_EVENTS], rates[SCENE_EVENTS];
     size_t event;
@@ -94,6 +99,8 @@ static void look(scene_machine_t *machine, scene_real_t h, const int passed[SCEN
         int side = sign_of(guards[event]);
         if (scene_is_watched((unsigned int)event, &machine->state) == 0) {
             side = 0;
+        } else if (asked[event] == WAITS) {
+            side = -directions[event];
         } else if ((passed[event] != 0) || (side == 0)) {
             side = sign_of(rates[event]);
         } else if ((machine->side[event] == 0) && (is_beyond(event, guards[event]) != 0)
@@ -115,7 +122,7 @@ void scene_settle(scene_machine_t *machine)
         machine->side[event] = 0;
     }
     (void)settle(machine, R(0.0), asked);
-    look(machine, R(0.0), passed);
+    look(machine, R(0.0), passed, asked);
 }
 
 /* Applies the events whose guards have passed zero. Gives how many happened. */
@@ -136,8 +143,28 @@ HOLD
     return happened;
 }
 
+/* Whether an event would return to a mode that another has just ended. Both guards are at zero
+ * then, and only rounding can have taken this one beyond: the other event would happen again. */
+static int undoes(const scene_machine_t *machine, size_t event, const int passed[SCENE_EVENTS])
+{
+    scene_state_t trial = machine->state;
+    size_t ended;
+
+    if ((ends_its_mode[event] == 0) || (scene_is_watched((unsigned int)event, &trial) == 0)) {
+        return 0;
+    }
+    scene_apply((unsigned int)event, machine->time, &trial, &machine->p, &machine->c);
+    for (ended = 0u; ended < SCENE_EVENTS; ++ended) {
+        if ((passed[ended] != 0) && (ends_its_mode[ended] != 0)
+            && (scene_is_watched((unsigned int)ended, &trial) != 0)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* Gives new values where guards have passed zero, at the end of a part of a step. */
-static int happen(scene_machine_t *machine, scene_real_t h, int passed[SCENE_EVENTS])
+static int happen(scene_machine_t *machine, scene_real_t h, const int passed[SCENE_EVENTS])
 {
     scene_real_t before[SCENE_EVENTS];
     int asked[SCENE_EVENTS];
@@ -149,9 +176,12 @@ static int happen(scene_machine_t *machine, scene_real_t h, int passed[SCENE_EVE
     for (event = 0u; event < SCENE_EVENTS; ++event) {
         asked[event] = (machine->side[event] == 0)
             || ((passed[event] == 0) && (is_beyond(event, before[event]) == 0));
+        if ((machine->side[event] == 0) && (undoes(machine, event, passed) != 0)) {
+            asked[event] = WAITS;
+        }
     }
     happened += settle(machine, h, asked);
-    look(machine, h, passed);
+    look(machine, h, passed, asked);
     return happened;
 }
 

@@ -26,39 +26,15 @@ int scene_is_due(const scene_machine_t *machine, const scene_real_t guards[SCENE
     return pass_or_touch(machine, guards, passed);
 }
 
-int scene_happen(scene_machine_t *machine, const scene_real_t guards[SCENE_EVENTS],
-                 const scene_real_t noise[SCENE_EVENTS], scene_real_t h)
+int scene_happen(scene_machine_t *machine, const scene_real_t guards[SCENE_EVENTS], scene_real_t h)
 {
-    scene_real_t before[SCENE_EVENTS], after[SCENE_EVENTS];
-    int passed[SCENE_EVENTS], asked[SCENE_EVENTS], is_at_zero[SCENE_EVENTS];
-    int happened;
-    size_t event;
+    int passed[SCENE_EVENTS];
 
     if (pass_or_touch(machine, guards, passed) == 0) {
         scene_follow(machine, guards);
         return 0;
     }
-    scene_guards(machine->time, &machine->state, &machine->p, &machine->c, before);
-    happened = apply_passed(machine, passed);
-    /* A guard that an event brings into play at zero is not beyond by rounding: it waits on the
-     * near side, or the event would be undone at once. */
-    scene_guards(machine->time, &machine->state, &machine->p, &machine->c, after);
-    for (event = 0u; event < SCENE_EVENTS; ++event) {
-        is_at_zero[event] = (passed[event] == 0) && (machine->side[event] == 0)
-            && (directions[event] != 0) && (fabs(after[event]) <= noise[event]);
-        asked[event] = (is_at_zero[event] == 0)
-            && ((machine->side[event] == 0)
-                || ((passed[event] == 0) && (is_beyond(event, before[event]) == 0)));
-    }
-    happened += settle(machine, h, asked);
-    look(machine, h, passed);
-    for (event = 0u; event < SCENE_EVENTS; ++event) {
-        if ((is_at_zero[event] != 0)
-            && (scene_is_watched((unsigned int)event, &machine->state) != 0)) {
-            machine->side[event] = (signed char)-directions[event];
-        }
-    }
-    return happened;
+    return happen(machine, h, passed);
 }
 
 void scene_follow(scene_machine_t *machine, const scene_real_t guards[SCENE_EVENTS])

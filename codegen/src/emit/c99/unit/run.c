@@ -43,7 +43,7 @@ int scene_unit_update(scene_unit_t *unit, int *has_moved, double *next)
     const scene_state_t before = unit->machine.state;
     size_t k;
 #ifdef SCENE_EVENTS
-    double guards[SCENE_EVENTS], noise[SCENE_EVENTS];
+    double guards[SCENE_EVENTS];
     double now;
 #endif
 
@@ -61,8 +61,7 @@ int scene_unit_update(scene_unit_t *unit, int *has_moved, double *next)
     now = unit->machine.time;
     unit->machine.time = time_of(unit);
     shifted_guards(unit, guards);
-    find_noise(unit, noise);
-    (void)scene_happen(&unit->machine, guards, noise, nearness(unit));
+    (void)scene_happen(&unit->machine, guards, nearness(unit));
     unit->machine.time = now;
 #endif
     look(unit);

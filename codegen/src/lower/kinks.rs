@@ -121,7 +121,7 @@ pub fn kinks(graph: &mut Graph, places: &Places<'_>, given: &Given<'_>) -> Kinks
         for time in search.features(graph, id, (given.tables, span)) {
             found.add_time(time);
         }
-        if let Some(argument) = recurring(&search, graph, id, given) {
+        for argument in recurring(&search, graph, id, given) {
             let turns = along(graph, rate, &[argument])[0];
             found.add(graph, &mut search, turns);
         }

@@ -204,3 +204,71 @@ fn a_mass_that_jumps_with_its_velocity_is_refused() {
     let refused = Simulation::new(&machine).method(Method::Dop853).run().expect_err("no law");
     assert!(refused.to_string().contains("comparison of velocities"), "{refused}");
 }
+
+/// Force of a damper over its velocity, or of a spring over its position, with corners at -1 and 1
+/// (m/s or m): a table, and the same law by comparisons.
+const LAW: [&str; 2] = [
+    r#"table("law.csv", "force", ARGUMENT/(1 UNIT), "linear")"#,
+    "(ARGUMENT + max(ARGUMENT - 1 UNIT, 0) + min(ARGUMENT + 1 UNIT, 0))*1 [N]/(1 UNIT)",
+];
+
+/// Returns a cart with a pendulum, whose inertia varies with its angle, and with a law of force.
+fn cart(law: &str, argument: &str, unit: &str) -> ModelSimulator {
+    let law = law.replace("ARGUMENT", argument).replace("UNIT", unit);
+    let scene = format!(
+        r#"
+        [scene]
+        name = "cart"
+        [units.u]
+        unit = "u"
+        [initial]
+        "u.phi" = 2.0
+        [run]
+        until = 5.0
+        points = 51
+        rtol = 1e-9
+        method = "auto"
+        [define.u.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.u.coordinates.phi]
+        unit = "rad"
+        [define.u.parameters]
+        m = {{ value = 1.0, unit = "kg" }}
+        l = {{ value = 1.0, unit = "m" }}
+        k = {{ value = 10.0, unit = "N/m" }}
+        [define.u.energy]
+        kinetic = "m*v^2/2 + m*(v^2 + 2*v*phi_dot*l*cos(phi) + (l*phi_dot)^2)/2"
+        potential = "-m*9.81 [m/s^2]*l*cos(phi) + k*x^2/2"
+        [[define.u.forces]]
+        coordinate = "x"
+        expression = '-{law}'
+        "#
+    );
+    let table = "at [1],force [N]\n-3,-5\n-1,-1\n1,1\n3,5\n";
+    of_files(&[("cart.toml", &scene), ("law.csv", table)], Keep::All)
+}
+
+#[test]
+fn a_smooth_inertia_does_not_jump_at_the_corners_of_a_law_of_force() {
+    for (argument, unit) in [("v", "[m/s]"), ("x", "[m]")] {
+        let [by_table, by_branches] = LAW.map(|law| cart(law, argument, unit));
+        for method in OWN {
+            let run = |machine| {
+                let mut run = Simulation::new(machine).method(method);
+                if !matches!(method, Method::Rodas5p | Method::Taylor) {
+                    run = run.sensitivities(&["u.k"]).expect("a parameter");
+                }
+                run.run().expect("it runs")
+            };
+            let [found, wanted] = [run(&by_table), run(&by_branches)];
+            for (column, expected) in found.columns.iter().zip(&wanted.columns) {
+                let scale = expected.values.iter().fold(1.0, |most: f64, x| most.max(x.abs()));
+                for (value, wanted) in column.values.iter().zip(&expected.values) {
+                    let what = format!("{argument}, {method}, {}", column.name);
+                    assert_near(*value, *wanted, 2e-6 * scale, &what);
+                }
+            }
+        }
+    }
+}

@@ -330,6 +330,11 @@ pub trait Describe {
     fn kinks(&self) -> usize {
         0
     }
+    /// Reports whether the kinetic energy may jump at kinks that are no relations, such as the
+    /// corners of a table: by default not. Velocities jump there.
+    fn inertia_has_corners(&self) -> bool {
+        false
+    }
     /// Returns the number of relations that steps hold, by default 0. Their guards are the first of
     /// the guards of kinks, each after those that it reads. Their slots may follow the parameters
     /// wherever parameters are taken.

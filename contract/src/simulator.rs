@@ -15,10 +15,10 @@
 /// ```
 ///
 /// Parts are optional features of a machine, each followed by a semicolon: `coordinates` (see
-/// `coordinates!`), `events`, `constraints`, `equilibrium`, `kinks COUNT`, `relations`, `prepared`
-/// (see `constants!`), `series LANES` or `series LANES Bends` (that many sums of products per
-/// order), and `linear`. `prepared` takes `jacobians_at_once` if `prepared_jacobians` computes both
-/// Jacobians, else `jacobians_apart`.
+/// `coordinates!`), `events`, `constraints`, `equilibrium`, `kinks COUNT`, `inertia_corners`,
+/// `relations`, `prepared` (see `constants!`), `series LANES` or `series LANES Bends` (that many
+/// sums of products per order), and `linear`. `prepared` takes `jacobians_at_once` if
+/// `prepared_jacobians` computes both Jacobians, else `jacobians_apart`.
 #[macro_export]
 macro_rules! simulator {
     (
@@ -159,6 +159,11 @@ macro_rules! __describe_part {
         }
         fn relation(&self, index: usize) -> $crate::Relation<'_> {
             RELATION_ROWS[index]
+        }
+    };
+    (inertia_corners) => {
+        fn inertia_has_corners(&self) -> bool {
+            true
         }
     };
     (equilibrium) => {

@@ -1,7 +1,7 @@
 //! Facts that the tapes of a model imply for every state: values that depend on parameters only.
 
 use crate::evaluate::{Evaluator, Inputs, call};
-use crate::{Model, Op, Requirement, Tape, What, needed_nodes};
+use crate::{Function, Model, NodeId, Op, Requirement, Tape, What, needed_nodes};
 
 impl Model {
     /// Returns the first requirement that the given parameters do not fulfil, with its value.
@@ -40,8 +40,36 @@ impl Model {
             return None;
         }
         let known = known(tape, parameters);
-        let is_zero = |node: crate::NodeId| known[node.0 as usize] == Some(0.0);
+        let is_zero = |node: NodeId| known[node.0 as usize] == Some(0.0);
         Some(is_zero(supplied) && is_zero(dissipated))
+    }
+
+    /// Returns true if the kinetic energy reads a table, or a comparison that steps do not hold:
+    /// velocities may jump where these have corners, although no relation changes.
+    #[must_use]
+    pub fn inertia_has_corners(&self) -> bool {
+        let kinetic = Tape {
+            nodes: self.energy.nodes.clone(),
+            results: self.energy.results.iter().take(1).copied().collect(),
+        };
+        let motion = self.motion.iter().map(|motion| &motion.tape);
+        motion.chain([&kinetic, &self.mass_matrix.tape]).any(|tape| {
+            let is_held = |id: NodeId| match tape[id].op {
+                Op::Add(a, b) | Op::Sub(a, b) => {
+                    [a, b].iter().any(|id| matches!(tape[*id].op, Op::Held(_)))
+                }
+                op => matches!(op, Op::Held(_)),
+            };
+            let mut nodes = tape.nodes.iter().zip(needed_nodes(tape));
+            nodes.any(|(node, is_needed)| {
+                let has_corners = match node.op {
+                    Op::Table { .. } | Op::Call(Function::Abs | Function::Floor, _) => true,
+                    Op::SelectLess { lhs, .. } => !is_held(lhs),
+                    _ => false,
+                };
+                is_needed && has_corners
+            })
+        })
     }
 
     /// Returns for each event whether it only counts: between events the entries that it sets are
@@ -78,7 +106,7 @@ impl Model {
 fn known(tape: &Tape, parameters: &[f64]) -> Vec<Option<f64>> {
     let mut known: Vec<Option<f64>> = Vec::with_capacity(tape.nodes.len());
     for node in &tape.nodes {
-        let of = |id: crate::NodeId| known[id.0 as usize];
+        let of = |id: NodeId| known[id.0 as usize];
         let is_zero = |id| of(id) == Some(0.0);
         let value = match node.op {
             Op::Literal(value) => Some(value),
@@ -114,7 +142,7 @@ fn known(tape: &Tape, parameters: &[f64]) -> Vec<Option<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Bound, Function, Node, NodeId};
+    use crate::{Bound, Node};
 
     fn tape(ops: &[Op], results: &[u32]) -> Tape {
         let nodes = ops.iter().map(|op| Node { op: *op, name: None }).collect();

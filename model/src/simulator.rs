@@ -48,6 +48,7 @@ pub struct ModelSimulator {
     fields: Box<[field::PointFunctions]>,
     /// For each event, whether it only counts.
     counters: Box<[bool]>,
+    inertia_has_corners: bool,
 }
 
 impl ModelSimulator {
@@ -88,6 +89,7 @@ impl ModelSimulator {
                 .map(|field| field::PointFunctions::new(&model, field))
                 .collect(),
             counters: model.counters().into(),
+            inertia_has_corners: model.inertia_has_corners(),
             model,
         }
     }
@@ -424,6 +426,9 @@ impl Describe for ModelSimulator {
     }
     fn kinks(&self) -> usize {
         self.model.kink_guards.results.len()
+    }
+    fn inertia_has_corners(&self) -> bool {
+        self.inertia_has_corners
     }
     fn relations(&self) -> usize {
         self.model.relations.len()

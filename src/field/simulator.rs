@@ -139,6 +139,9 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
     fn kinks(&self) -> usize {
         self.scene().kinks()
     }
+    fn inertia_has_corners(&self) -> bool {
+        self.scene().inertia_has_corners()
+    }
     fn relations(&self) -> usize {
         self.scene().relations()
     }

@@ -64,12 +64,14 @@ fn simulator(scene: &Scene<'_>, series: Option<&Series>) -> Result<Vec<String>, 
     ));
     let jumps = model.discontinuities.results.len();
     rows.push(format!("quadratures {}, discontinuities {jumps};", model.quadratures));
+    let has_borders = model.kink_guards.results.len() > model.relations.len();
     let at_once = scene.gives_jacobians_at_once();
     let parts = [
         ("coordinates;", !model.is_whole()),
         ("events;", !model.events.is_empty()),
         ("constraints;", !model.constraints.is_empty()),
         ("equilibrium;", model.starts_in_equilibrium),
+        ("inertia_corners;", has_borders && model.inertia_has_corners()),
         ("prepared;", !scene.prepare.is_empty()),
         ("jacobians_at_once;", at_once),
         ("jacobians_apart;", !scene.prepare.is_empty() && !at_once),

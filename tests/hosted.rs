@@ -4,8 +4,11 @@ use std::cell::RefCell;
 
 use machinist::hosted::{Beginning, Hosted, Reached, Standing};
 use machinist::{Method, Simulation};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
 use machinist_scenes::scenes::find_f64;
+
+use crate::own_scene::of_specs;
 
 fn scene(name: &str) -> &'static dyn Simulator<f64> {
     find_f64(name).expect("a built-in scene")
@@ -62,6 +65,32 @@ fn pieces_make_up_the_run() {
             let found = standing.state[index];
             let size = simulator.state_scale(index).max(exact.abs());
             assert!((found - exact).abs() < 1e-6 * size, "{name} {index}: {found}, {exact}");
+        }
+    }
+}
+
+#[test]
+fn a_piece_may_start_at_a_jump_in_time() {
+    // A controller whose output is limited from the jump on; friction, a lossy gear, a rope.
+    for (name, jump, until) in
+        [("drives/winch", 0.2_f64, 0.4), ("parts/control/pid_controller", 0.2, 1.0)]
+    {
+        let machine = of_specs(name, Keep::All);
+        let simulator: &dyn Simulator<f64> = machine.single();
+        let parameters = parameters(simulator);
+        let exact = last_state(simulator, until);
+        for ends in [vec![jump], vec![0.5 * jump, jump, 1.1 * jump], vec![jump.next_up()]] {
+            let hosted = Hosted::new(simulator, &parameters);
+            let mut standing = begun(&hosted, simulator, until);
+            for to in ends.into_iter().chain([until]) {
+                let reached = hosted.carry(&mut standing, to, (Method::Auto, false), &|_, _| false);
+                assert_eq!(reached.expect("it goes on"), Reached::End);
+            }
+            for (index, exact) in exact.iter().enumerate() {
+                let found = standing.state[index];
+                let size = simulator.state_scale(index).max(exact.abs());
+                assert!((found - exact).abs() < 1e-5 * size, "{name} {index}: {found}, {exact}");
+            }
         }
     }
 }

@@ -351,8 +351,7 @@ impl<'a> Watch<'a> {
     fn look_over_dips(&self, inner: &mut Inner, step: &mut Step<'_, '_>) {
         for index in self.system.simulator().events()..self.watched.len() {
             let Outcome::Passes { time, from } = inner.outcomes[index] else { continue };
-            let is_first_step = |zero: &Zero| zero.time.to_bits() == inner.time.to_bits();
-            let was_zero = inner.zeros[index].as_ref().is_some_and(is_first_step);
+            let was_zero = inner.zeros[index].is_some_and(|zero| zero.is_at(inner.time));
             if !was_zero || self.watched[index].is_border() {
                 continue;
             }

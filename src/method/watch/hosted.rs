@@ -15,7 +15,7 @@ use std::collections::VecDeque;
 use machinist_contract::{Direction, RelationKind, Simulator};
 use serde::{Deserialize, Serialize};
 
-use super::passing::{AT_REST, is_wanted};
+use super::passing::{AT_REST, Zero, is_wanted};
 use super::settle::is_beyond;
 use super::{Problem, ROUNDINGS, Side, Stopped, Switch, System, Watch, Watched};
 use crate::error::StopCause;
@@ -35,6 +35,8 @@ pub(crate) struct Memory {
     slots: Vec<f64>,
     /// Relations along whose surfaces the motion slides; true if by the second derivative.
     slides: Vec<(usize, bool)>,
+    /// Guards that were zero but for rounding at the last change.
+    zeros: Vec<Option<Zero>>,
 }
 
 impl Memory {
@@ -42,7 +44,8 @@ impl Memory {
     pub(crate) fn fits(&self, simulator: &dyn Simulator<f64>) -> bool {
         let count = Watched::all(simulator).len();
         let happening = self.happening.iter().flat_map(|(_, guards)| guards);
-        [self.sides.len(), self.slack.len(), self.sizes.len()] == [count; 3]
+        let counts = [self.sides.len(), self.slack.len(), self.sizes.len(), self.zeros.len()];
+        counts == [count; 4]
             && happening.into_iter().all(|guard| *guard < count)
             && (count == 0 || self.slots.len() == simulator.relations())
             && self.slides.iter().all(|(relation, _)| *relation < simulator.relations())
@@ -158,8 +161,9 @@ impl<'a> Watch<'a> {
         }
         let watch = Self::with(problem, sides, latest, &problem.initial);
         watch.inner.borrow_mut().parts.sizes_mut().clone_from(&memory.sizes);
+        watch.inner.borrow_mut().zeros.clone_from(&memory.zeros);
         memory.hold(problem.system);
-        watch.resume_relations(problem.from, &problem.initial);
+        watch.find_active(&problem.initial);
         Some(watch)
     }
 
@@ -168,9 +172,10 @@ impl<'a> Watch<'a> {
         let (slots, slides) = self.slots_and_slides();
         let mut inner = self.inner.into_inner();
         let sizes = std::mem::take(inner.parts.sizes_mut());
-        let (sides, latest, happening) = (inner.sides, inner.latest, inner.happening);
+        let (sides, zeros) = (inner.sides, inner.zeros);
+        let (latest, happening) = (inner.latest, inner.happening);
         let slack = vec![0.0; sides.len()];
-        Memory { sides, slack, latest, happening, sizes, slots, slides }
+        Memory { sides, slack, latest, happening, sizes, slots, slides, zeros }
     }
 
     /// Returns the slots and the surfaces along which the motion slides.
@@ -236,6 +241,7 @@ impl<'a> Watch<'a> {
             }
             if found.is_empty() {
                 memory.sides.clone_from(&self.inner.borrow().sides);
+                memory.zeros.clone_from(&self.inner.borrow().zeros);
                 memory.latest.clone_from(&self.inner.borrow().latest);
                 (memory.slots, memory.slides) = self.slots_and_slides();
                 return Ok(());
@@ -253,8 +259,9 @@ impl<'a> Watch<'a> {
     /// Determines the sides of guards that are zero at the start of a run of a host.
     pub(crate) fn set_out(&self, time: f64, state: &mut [f64]) -> Result<Memory, Stopped> {
         let sides = self.inner.borrow().sides.clone();
+        let zeros = self.inner.borrow().zeros.clone();
         let [slack, sizes] = [(); 2].map(|()| vec![0.0; sides.len()]);
-        let mut memory = Memory { sides, slack, sizes, ..Memory::default() };
+        let mut memory = Memory { sides, slack, sizes, zeros, ..Memory::default() };
         let found = self.leave_zero(&mut memory, time, state);
         self.follow(found, &mut memory, time, state)?;
         Ok(memory)
@@ -305,7 +312,7 @@ impl<'a> Watch<'a> {
         let mut found = Vec::new();
         let count = memory.sides.len();
         for index in 0..count {
-            let zero = self.inner.borrow().zeros[index];
+            let zero = self.inner.borrow().zeros[index].filter(|zero| zero.is_at(time));
             if let (Side::Known(side), Some(zero), true) =
                 (self.inner.borrow().sides[index], zero, self.is_kink(index))
             {

@@ -11,6 +11,7 @@
 //! then. The quotient has the same sign and the other roots.
 
 use machinist_contract::Direction;
+use serde::{Deserialize, Serialize};
 
 use super::super::System;
 use super::super::one_step::OneStep;
@@ -99,11 +100,18 @@ impl Turns {
 }
 
 /// A guard that was zero but for rounding at a time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Zero {
     pub(super) time: f64,
     pub(super) residual: f64,
     pub(super) rate: f64,
+}
+
+impl Zero {
+    /// Returns true at the time at which the guard was zero.
+    pub(super) fn is_at(self, time: f64) -> bool {
+        self.time.to_bits() == time.to_bits()
+    }
 }
 
 /// A guard to evaluate.

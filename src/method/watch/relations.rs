@@ -54,20 +54,6 @@ impl Relations {
 }
 
 impl Watch<'_> {
-    /// Continues with relations as they are held.
-    pub(super) fn resume_relations(&self, time: f64, state: &[f64]) {
-        self.find_active(state);
-        let sides = self.inner.borrow().sides.clone();
-        self.take_sides_of_kinks(time, state, &[]);
-        // The state of events and borders is kept.
-        let inner = &mut *self.inner.borrow_mut();
-        for (index, side) in sides.into_iter().enumerate() {
-            if matches!(self.watched[index], Watched::Event(_)) || self.watched[index].is_border() {
-                inner.sides[index] = side;
-            }
-        }
-    }
-
     fn relations(&self) -> usize {
         self.system.simulator().relations()
     }
@@ -204,7 +190,7 @@ impl Watch<'_> {
 
     /// Finds the relations that are active in the modes of a state: outer ones before those on
     /// their branches.
-    fn find_active(&self, state: &[f64]) {
+    pub(super) fn find_active(&self, state: &[f64]) {
         let count = self.relations();
         let mut active: Vec<Option<bool>> = vec![None; count];
         let armed: Vec<bool> = (0..self.system.simulator().events())

@@ -198,6 +198,51 @@ fn encoders_on_a_swinging_mass_miss_no_line_however_long_steps_are() {
     }
 }
 
+/// A mass on a hardening spring with a force over time, and a tick at each line of its path.
+fn swing_with_ticks(tick: &str) -> ModelSimulator {
+    mass(
+        "\"u.x\" = -0.23\n\"u.v\" = -1.49",
+        &format!("{}{tick}", force("-17 [N/m]*x - 170 [N/m^3]*x^3 - 1 [N]*cos(8 [1/s]*t)")),
+    )
+}
+
+#[test]
+fn ticks_that_the_motion_reads_happen_once_however_long_steps_are() {
+    let until = 8.0;
+    // The path without ticks, which do not change it.
+    let path = swing_with_ticks("");
+    let path = Simulation::new(&path).rtol(1e-12).until(until).points(400_001);
+    let path = path.run().expect("a run");
+    let path = path.column("u.x").expect("a column");
+    let swing = swing_with_ticks(
+        r#"
+        [define.u.parameters]
+        pitch = { value = 0.01, unit = "m" }
+        [define.u.states]
+        side = { unit = "1", rate = "piecewise(mod(n, 8) < 4, 1 [1/s], -1 [1/s])" }
+        [define.u.modes.n]
+        [define.u.events.tick]
+        guard = "sin(x/pitch) - 0.5"
+        direction = "rising"
+        set = { n = "n + 1" }
+        "#,
+    );
+    for pitch in [0.003, 0.005, 0.0069, 0.01, 0.014] {
+        let guard = |x: f64| (x / pitch).sin() - 0.5;
+        let is_line = |pair: &&[f64]| guard(pair[0]) < 0.0 && guard(pair[1]) >= 0.0;
+        let lines = path.windows(2).filter(is_line).count();
+        for method in OWN {
+            for rtol in [1e-6, 3e-7, 1e-7, 1e-9] {
+                let run = Simulation::new(&swing).method(method).rtol(rtol).until(until);
+                let run = run.parameter("u.pitch", pitch).expect("a parameter");
+                let run = run.max_steps(1_000_000).run().expect("a run");
+                let what = format!("{method} at {rtol:e}, {pitch} m");
+                assert_near(last(&run, "u.n"), lines as f64, 0.5, &what);
+            }
+        }
+    }
+}
+
 #[test]
 fn a_guard_that_is_zero_on_a_branch_happens_where_it_leaves_zero() {
     let machine = mass(

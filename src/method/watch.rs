@@ -370,7 +370,11 @@ impl<'a> Watch<'a> {
         for (index, outcome) in inner.outcomes.iter().enumerate() {
             let (guard, rate) = inner.parts.at(self.system, time, end, index);
             match *outcome {
-                Outcome::Passes { time: passing, .. } if passing <= first + near => {
+                Outcome::Passes { time: passing, from } if passing <= first + near => {
+                    // It may have crossed the other way within the step.
+                    if let side @ Side::Known(_) = &mut inner.sides[index] {
+                        *side = Side::Known(from);
+                    }
                     happening.push(index);
                 }
                 Outcome::Passes { from, .. } if inner.sides[index] != Side::Known(from) => {

@@ -282,7 +282,9 @@ impl<'a> Hosted<'a> {
         let problem = self.problem(&system, &next, next.span.1);
         if let Some(watch) = Watch::resume(&problem, &memory) {
             let switches = if next.is_stepped {
-                watch.happen(&mut memory, time, &mut state)?;
+                let room = AT_ONCE * f64::EPSILON * time.abs();
+                let is_jump = (time - next.ends.0).abs() <= room;
+                watch.happen(&mut memory, (time, is_jump), &mut state)?;
                 watch.into_switches()
             } else {
                 watch.go_through(&mut memory, time, &mut state)?

@@ -617,8 +617,12 @@ impl<'a> Watch<'a> {
         stretch: &Stretch<'_>,
         state: &mut [f64],
     ) -> Result<(), Stopped> {
-        let time = stretch.within(stretch.from);
         self.inner.borrow_mut().parts.ends = (stretch.from, stretch.until);
+        self.settle_at_jump(stretch.within(stretch.from), state)
+    }
+
+    /// Settles relations just behind a jump in time.
+    fn settle_at_jump(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
         if self.system.simulator().relations() == 0 {
             return Ok(());
         }

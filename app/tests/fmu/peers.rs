@@ -1,5 +1,7 @@
 //! Validation and simulation of archives by FMPy, if Python has it.
 
+use std::ffi::OsStr;
+use std::path::Path;
 use std::process::{Command, Output};
 
 use machinist_scenes::scenes;
@@ -7,8 +9,8 @@ use machinist_scenes::scenes;
 use super::archives::library;
 use crate::process::{REPOSITORY, answer, machinist};
 
-/// Scenes with events, constraints, modes, inputs of time, fields.
-const SCENES: [&str; 7] = [
+/// Scenes with events, constraints, modes, inputs of time, fields, limits that jump with time.
+const SCENES: [&str; 8] = [
     "saw_gin",
     "stick_slip",
     "bouncing_mass",
@@ -16,6 +18,7 @@ const SCENES: [&str; 7] = [
     "winder_holder_drop",
     "four_bar",
     "shaft_with_rotors",
+    "specs/scenes/parts/control/pid_controller.toml",
 ];
 
 /// Form of an archive.
@@ -60,13 +63,14 @@ fn fmpy_validates_and_simulates_what_is_exported() {
     let built_in = [scenes::NAMES, scenes::FIELD_NAMES].concat();
     let all = if wanted == "all" { built_in } else { wanted.split(',').collect() };
     for (place, scene) in all.into_iter().enumerate() {
-        let csv = folder.path().join(scene).with_extension("csv");
+        let name = Path::new(scene).file_stem().and_then(OsStr::to_str).expect("a name");
+        let csv = folder.path().join(name).with_extension("csv");
         let table = csv.to_str().expect("a plain path");
         answer(machinist(REPOSITORY, &["run", scene, "--rtol", "1e-10", "--out", table]));
         let has_fields = scenes::FIELD_NAMES.contains(&scene);
         for Form { version, is_source } in forms(place, named.is_ok(), has_fields) {
             let kind = if is_source { "sources" } else { "library" };
-            let archive = folder.path().join(format!("{scene}_{kind}_{version}.fmu"));
+            let archive = folder.path().join(format!("{name}_{kind}_{version}.fmu"));
             let mut export = vec!["fmu", scene, "--fmi", version, "-o"];
             export.push(archive.to_str().expect("a plain path"));
             let library = library.to_str().expect("a plain path");

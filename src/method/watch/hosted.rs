@@ -216,13 +216,16 @@ impl<'a> Watch<'a> {
     }
 
     /// Applies the events at a state to which the host has stepped, until no more events follow at
-    /// this time. The state is then on the constraints.
+    /// this time. Relations that jump with time change first. The state is then on the constraints.
     pub(crate) fn happen(
         &self,
         memory: &mut Memory,
-        time: f64,
+        (time, is_jump): (f64, bool),
         state: &mut [f64],
     ) -> Result<(), Stopped> {
+        if is_jump {
+            self.settle_at_jump(time, state)?;
+        }
         let found = self.passed(memory, time, state);
         self.follow(found, memory, time, state)
     }

@@ -26,6 +26,7 @@ pub mod plot;
 mod progress;
 #[cfg(feature = "derive")]
 mod report;
+mod rounding;
 mod spec_source;
 mod spectrum;
 mod trials;

@@ -4,6 +4,7 @@
 mod linear;
 mod map;
 mod panel;
+mod raster;
 pub(crate) mod ruler;
 
 use std::fs;
@@ -22,6 +23,7 @@ use machinist::error::did_you_mean;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 pub use map::plot_map;
 use panel::Panel;
+use raster::Raster;
 use ruler::Axis;
 
 const WIDTH: u32 = 1000;
@@ -68,7 +70,7 @@ pub enum PlotError {
     },
 }
 
-/// Draws the named columns over time as stacked panels, one for each unit, into an `.svg` or `.png`
+/// Draws the named columns over time as stacked panels, one for each unit and size, into an `.svg` or `.png`
 /// file. Without names, draws all outputs, or all states if the scene has no outputs.
 ///
 /// With more than 2000 points, the least and the greatest of each bin are drawn, so that spikes
@@ -101,27 +103,48 @@ struct Picture<'a> {
     panels: Vec<Panel<'a>>,
 }
 
-/// Groups columns of one unit into a panel, in the order of first appearance.
+/// Ratio of sizes from which curves of one unit have panels of their own: the smaller one would be
+/// a flat line.
+const FLAT: f64 = 50.0;
+
+/// Groups columns of one unit and of like size, in the order of first appearance.
+pub(crate) fn alike<'a>(columns: impl IntoIterator<Item = &'a Column>) -> Vec<Vec<&'a Column>> {
+    let size = |column: &Column| {
+        let sizes = column.values.iter().map(|value| value.abs());
+        sizes.filter(|size| size.is_finite()).fold(0.0, f64::max)
+    };
+    let mut groups: Vec<(f64, Vec<&Column>)> = Vec::new();
+    for column in columns {
+        let own = size(column);
+        // Zero fits any size.
+        let fits = |of: f64| own == 0.0 || of == 0.0 || (of / own).max(own / of) < FLAT;
+        let same = groups.iter_mut().find(|(of, same)| same[0].unit == column.unit && fits(*of));
+        match same {
+            Some((of, same)) => {
+                *of = of.max(own);
+                same.push(column);
+            }
+            None => groups.push((own, vec![column])),
+        }
+    }
+    groups.into_iter().map(|(_, same)| same).collect()
+}
+
+/// Returns a panel for each group of columns that are alike.
 fn panels<'a>(
     trajectory: &'a Trajectory,
     names: &[&str],
     [horizontal, vertical]: &'a [Axis; 2],
 ) -> Result<Vec<Panel<'a>>, PlotError> {
-    let mut panels: Vec<Panel<'a>> = Vec::new();
-    for column in chosen(trajectory, names)? {
-        match panels.iter_mut().find(|panel| panel.unit == column.unit) {
-            Some(panel) => panel.columns.push(column),
-            None => panels.push(Panel {
-                unit: &column.unit,
-                places: &trajectory.times,
-                columns: vec![column],
-                horizontal,
-                vertical,
-                marks: Vec::new(),
-            }),
-        }
-    }
-    Ok(panels)
+    let panel = |columns: Vec<&'a Column>| Panel {
+        unit: &columns[0].unit,
+        places: &trajectory.times,
+        columns,
+        horizontal,
+        vertical,
+        marks: Vec::new(),
+    };
+    Ok(alike(chosen(trajectory, names)?).into_iter().map(panel).collect())
 }
 
 fn chosen<'a>(trajectory: &'a Trajectory, names: &[&str]) -> Result<Vec<&'a Column>, PlotError> {
@@ -169,7 +192,8 @@ fn png(picture: &impl Drawn) -> Result<Vec<u8>, PlotError> {
     let (width, height) = picture.size();
     let mut pixels = vec![0; width as usize * height as usize * 3];
     {
-        let area = BitMapBackend::with_buffer(&mut pixels, (width, height)).into_drawing_area();
+        let bitmap = BitMapBackend::with_buffer(&mut pixels, (width, height));
+        let area = Raster(bitmap).into_drawing_area();
         picture.draw(&area).map_err(|error| drawing(&error))?;
     }
     let (width, height, pixels) = averaged(&pixels, width, height);
@@ -248,6 +272,30 @@ fn text(size: u32, color: RGBColor) -> TextStyle<'static> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn curves_share_a_panel_if_their_units_and_sizes_are_alike() {
+        let column = |name: &str, unit: &str, value: f64| Column {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            kind: ColumnKind::Output,
+            doc: String::new(),
+            values: vec![0.0, -value, f64::NAN],
+        };
+        let all = [
+            column("force", "N", 8000.0),
+            column("pull", "N", 900.0),
+            column("twist", "rad", 1e-3),
+            column("friction", "N", 2.0),
+            column("none", "N", 0.0),
+            column("angle", "rad", 30.0),
+        ];
+        let groups = alike(&all).into_iter();
+        let names = groups.map(|same| same.iter().map(|c| c.name.as_str()).collect::<Vec<_>>());
+        let expected: [&[&str]; 4] =
+            [&["force", "pull", "none"], &["twist"], &["friction"], &["angle"]];
+        assert_eq!(names.collect::<Vec<_>>(), expected);
+    }
 
     #[test]
     fn the_font_that_plots_carry_parses() {

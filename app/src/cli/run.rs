@@ -28,6 +28,7 @@ use crate::interrupt;
 use crate::number::number;
 use crate::parquet;
 use crate::progress::during;
+use crate::rounding::Rounding;
 use compare::{Other, Others};
 #[cfg(not(feature = "derive"))]
 use fixed::Fixed;
@@ -397,7 +398,7 @@ impl RunCommand {
         let shown = |column: &&Column| !self.columns.is_empty() || is_short(trajectory, column);
         let rows = trajectory.columns.iter().filter(shown).map(|column| {
             let error = error::cell(trajectory, column);
-            summary_row(column).into_iter().chain(error).collect::<Vec<_>>()
+            summary_row(trajectory, column).into_iter().chain(error).collect::<Vec<_>>()
         });
         text.push_str(&columns(&std::iter::once(header).chain(rows).collect::<Vec<_>>(), 2));
         for file in [&self.out, &self.plot].into_iter().flatten() {
@@ -432,10 +433,11 @@ fn is_short(trajectory: &Trajectory, column: &Column) -> bool {
         || trajectory.of_kind(ColumnKind::State).all(|state| state.name != column.name)
 }
 
-fn summary_row(column: &Column) -> [String; 5] {
-    let least = column.values.iter().copied().fold(f64::INFINITY, f64::min);
-    let greatest = column.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let last = column.values.last().copied().unwrap_or(f64::NAN);
+fn summary_row(trajectory: &Trajectory, column: &Column) -> [String; 5] {
+    let values = Rounding::of(trajectory).rid(column);
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let last = values.last().copied().unwrap_or(f64::NAN);
     let [last, least, greatest] = [last, least, greatest].map(|value| number(value, 6));
     [column.name.clone(), column.unit.clone(), last, least, greatest]
 }

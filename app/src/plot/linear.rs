@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::panel::{Mark, Panel};
 use super::ruler::Axis;
-use super::{Picture, PlotError};
+use super::{Picture, PlotError, alike};
 use machinist::linear_analysis::{Campbell, Linearization, Mode, ModeKind, Response};
 use machinist::trajectory::{Column, ColumnKind};
 
@@ -104,7 +104,25 @@ pub fn plot_branch(
     Picture { title: texts[0], subtitle: texts[1].to_owned(), panels }.write(path)
 }
 
-/// Draws amplitudes over frequency, columns of one unit in one panel, into an `.svg` or `.png`
+/// Smallest amplitude that counts as a line in a plot, relative to the largest of the column.
+const LINE: f64 = 2e-3;
+/// Room on the right of the last line, relative to its frequency.
+const ROOM: f64 = 0.25;
+
+/// Returns the number of values up to the last line that is visible in a plot, with room on its
+/// right. The mean, which comes first, is no line.
+fn with_lines(columns: &[Column]) -> usize {
+    let last = |column: &Column| {
+        let lines = column.values.get(1..).unwrap_or_default();
+        let largest = lines.iter().copied().fold(0.0, f64::max);
+        lines.iter().rposition(|line| *line > LINE * largest).map_or(0, |last| last + 1)
+    };
+    let last = columns.iter().map(last).max().unwrap_or(0);
+    let all = columns.iter().map(|column| column.values.len()).max().unwrap_or(0);
+    if last == 0 { all } else { (last + 2 + (ROOM * last as f64) as usize).min(all) }
+}
+
+/// Draws amplitudes over frequency up to the last visible line, columns alike in one panel, into an `.svg` or `.png`
 /// file; `texts` are title and subtitle.
 ///
 /// # Errors
@@ -116,13 +134,13 @@ pub fn plot_spectrum(
     path: &Path,
 ) -> Result<(), PlotError> {
     let axes = [Axis::Linear("frequency [Hz]".into()), Axis::Linear("".into())];
-    let mut panels: Vec<Panel<'_>> = Vec::new();
-    for column in columns {
-        match panels.iter_mut().find(|panel| panel.unit == column.unit) {
-            Some(panel) => panel.columns.push(column),
-            None => panels.push(over(frequencies, vec![column], [&axes[0], &axes[1]])),
-        }
-    }
+    let shown = with_lines(columns).min(frequencies.len());
+    let cropped =
+        |column: &Column| Column { values: column.values[..shown].to_vec(), ..column.clone() };
+    let columns: Vec<Column> = columns.iter().map(cropped).collect();
+    let panels = alike(columns.iter()).into_iter();
+    let panels = panels.map(|same| over(&frequencies[..shown], same, [&axes[0], &axes[1]]));
+    let panels = panels.collect();
     Picture { title: texts[0], subtitle: texts[1].to_owned(), panels }.write(path)
 }
 
@@ -245,4 +263,22 @@ fn over<'a>(
 ) -> Panel<'a> {
     let unit = columns.first().map_or("", |column| column.unit.as_str());
     Panel { unit, places, columns, horizontal, vertical, marks: Vec::new() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spectrum_is_shown_up_to_its_last_line() {
+        let of = |line: usize| {
+            let mut values = vec![1e-6; 1000];
+            (values[0], values[5], values[line]) = (f64::NAN, 2.0, 0.1);
+            column("x", "m", values)
+        };
+        assert_eq!(with_lines(&[of(40)]), 52);
+        assert_eq!(with_lines(&[of(40), of(100)]), 127);
+        assert_eq!(with_lines(&[of(990)]), 1000);
+        assert_eq!(with_lines(&[column("x", "m", vec![0.0; 8])]), 8);
+    }
 }

@@ -1,33 +1,37 @@
 //! Equations as MathML.
 
+mod wrapped;
+
 use machinist_codegen::emit::document::Equation;
 use maud::{Markup, PreEscaped, html};
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Parser, Storage, push_mathml};
 
-/// Renders a group of equations under a heading, aligned at their equals signs.
+/// Renders a group of equations under a heading. Long equations wrap to the width of the page.
 pub fn section(heading: &str, equations: &[Equation]) -> Markup {
     html! {
         @if !equations.is_empty() {
             h3 { (heading) }
-            div.scroll {
-                table.equations {
-                    @for equation in equations { (row(equation)) }
+            dl.equations {
+                @for equation in equations {
+                    dt { (meaning(equation)) }
+                    dd.scroll { (formula(equation)) }
                 }
             }
         }
     }
 }
 
-fn row(equation: &Equation) -> Markup {
+fn formula(equation: &Equation) -> Markup {
+    let Equation { left, right, unit, .. } = equation;
+    let mut pieces = wrapped::pieces(left);
+    if let Some(last) = pieces.last_mut() {
+        last.push_str(" = ");
+    }
+    pieces.extend(wrapped::pieces(right));
     html! {
-        tr.meaning { td colspan="4" { (meaning(equation)) } }
-        tr {
-            td.left { (math(&equation.left)) }
-            td { (math("=")) }
-            td.right { (math(&equation.right)) }
-            td.unit { @if !equation.unit.is_empty() && equation.unit != "1" { (equation.unit) } }
-        }
+        @for piece in &pieces { (math(piece)) wbr; }
+        @if !unit.is_empty() && unit != "1" { span.unit { (unit) } }
     }
 }
 

@@ -12,6 +12,8 @@ use chart::{Colour, Frame, Panel, figure, keys, legend};
 
 /// Number of points above which only the least and greatest of each bin are drawn.
 const MAX_POINTS: usize = 1600;
+/// Maximum number of curves of a small plot.
+const MOST_SMALL: usize = 3;
 /// Rows of a field's picture.
 const ROWS: usize = 120;
 
@@ -42,6 +44,20 @@ pub fn over_time(id: &str, times: &[f64], columns: &[&Column], caption: &Markup)
     // All figures of a scene share the time at the pointer.
     let scene = id.split('-').next();
     figure(id, &[panel], &legend, scene, caption)
+}
+
+/// Plots columns of one unit over time in small, without numbers along the axes.
+pub fn thumbnail(times: &[f64], columns: &[&Column]) -> Markup {
+    let (Some(first), Some(end)) = (columns.first(), times.last()) else { return html! {} };
+    let columns = &columns[..columns.len().min(MOST_SMALL)];
+    let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
+    let titles = [format!("{} s", number(*end, 3)), in_brackets(&first.unit).trim().to_owned()];
+    let curves: Vec<(Vec<f64>, Vec<f64>)> =
+        columns.iter().map(|column| reduced(times, &column.values)).collect();
+    html! {
+        (legend(names.iter().copied()))
+        (chart::small(&names.join(", "), &titles, &curves))
+    }
 }
 
 /// Plots the error over run time, and beside it the error over tolerance, a curve for each method.

@@ -8,7 +8,7 @@ use super::gather::{Report, page_of};
 use super::machine::Machine;
 use super::page::{Page, section};
 use super::verification::badge;
-use super::{licences, schematic, verification};
+use super::{figure, key, licences, schematic, verification};
 
 /// Command that makes the report.
 const COMMAND: &str = "cargo run --release -- report";
@@ -41,7 +41,7 @@ fn card(machine: &Machine) -> Markup {
     let tally = machine.tally();
     html! {
         a.card href=(page_of(machine.name())) {
-            div.picture { (schematic::drawing(&machine.schematic)) }
+            div.picture { (picture(machine)) }
             h3 { (machine.title()) }
             p.muted { code { (machine.name()) } }
             dl {
@@ -49,6 +49,16 @@ fn card(machine: &Machine) -> Markup {
             }
             p { (badge(tally.is_clean())) " " (of_card(tally)) }
         }
+    }
+}
+
+/// Renders the curves of the quantity that loads the machine most; without a run, the drawing.
+fn picture(machine: &Machine) -> Markup {
+    let run = machine.trajectory();
+    let curves = run.map(|run| (run, key::foremost(run))).filter(|(_, curves)| !curves.is_empty());
+    match curves {
+        Some((run, curves)) => figure::thumbnail(&run.times, &curves),
+        None => schematic::drawing(&machine.schematic),
     }
 }
 

@@ -5,6 +5,8 @@ use maud::{Markup, html};
 
 use super::modes::Modes;
 use crate::number::number;
+use crate::plot::alike;
+use crate::rounding::Rounding;
 
 /// Distance from its final value within which an output counts as at rest, relative to its range.
 const REST: f64 = 0.02;
@@ -46,7 +48,7 @@ pub fn figures(run: &Trajectory, modes: Option<&Modes>) -> Vec<Figure> {
         figures.push(Figure { what: what.to_owned(), value, note });
     };
     for units in [&LOADS[..], &SPEEDS] {
-        if let Some((column, value, time)) = units.iter().find_map(|unit| greatest(run, unit)) {
+        if let Some((column, value, time)) = units.iter().find_map(|unit| greatest_of(run, unit)) {
             let value = format!("{} {}", number(value, 4), column.unit);
             let what = format!("greatest {}", column.name.replace('_', " "));
             say(&what, value, format!("at {} s", number(time, 3)));
@@ -79,8 +81,22 @@ pub(super) fn shown(run: &Trajectory) -> impl Iterator<Item = &Column> {
     run.of_kind(if has_outputs { ColumnKind::Output } else { ColumnKind::State })
 }
 
+/// Returns the curves to show if there is room for one plot: those alike with the greatest load, or
+/// with the greatest speed if there are no loads, else the first that move.
+pub(super) fn foremost(run: &Trajectory) -> Vec<&Column> {
+    let greatest = [&LOADS[..], &SPEEDS].into_iter().flatten();
+    let mut greatest = greatest.filter_map(|unit| greatest_of(run, unit));
+    let moves = |column: &&Column| column.values.iter().any(|value| *value != column.values[0]);
+    let named = greatest.find(|(column, ..)| moves(column)).map(|(column, ..)| &column.name);
+    let mut groups = alike(shown(run).filter(moves)).into_iter();
+    let is_named = |group: &Vec<&Column>| {
+        named.is_none_or(|name| group.iter().any(|column| column.name == *name))
+    };
+    groups.find(is_named).unwrap_or_default()
+}
+
 /// Returns the value largest in size among the columns of a unit, with its column and time.
-fn greatest<'a>(run: &'a Trajectory, unit: &str) -> Option<(&'a Column, f64, f64)> {
+fn greatest_of<'a>(run: &'a Trajectory, unit: &str) -> Option<(&'a Column, f64, f64)> {
     let columns = shown(run).filter(|column| column.unit == unit);
     let all = columns.flat_map(|column| {
         column.values.iter().zip(&run.times).map(move |(value, time)| (column, *value, *time))
@@ -121,8 +137,9 @@ pub fn table(run: &Trajectory) -> Markup {
 }
 
 fn row(run: &Trajectory, column: &Column) -> Markup {
+    let rid = Rounding::of(run).rid(column);
     let end = |value: Option<&f64>| number(value.copied().unwrap_or(f64::NAN), 5);
-    let values = || column.values.iter().zip(&run.times).filter(|(value, _)| value.is_finite());
+    let values = || rid.iter().zip(&run.times).filter(|(value, _)| value.is_finite());
     let by = |a: &(&f64, &f64), b: &(&f64, &f64)| a.0.total_cmp(b.0);
     let extreme = |found: Option<(&f64, &f64)>| {
         let (value, time) = found.unwrap_or((&f64::NAN, &f64::NAN));
@@ -133,8 +150,8 @@ fn row(run: &Trajectory, column: &Column) -> Markup {
     html! {
         tr data-output=(column.name) {
             td { code { (column.name) } }
-            td.number { (end(column.values.first())) }
-            td.number { (end(column.values.last())) }
+            td.number { (end(rid.first())) }
+            td.number { (end(rid.last())) }
             (extreme(values().min_by(by)))
             (extreme(values().max_by(by)))
             td.unit { (column.unit) }
@@ -162,7 +179,7 @@ mod tests {
     #[test]
     fn the_greatest_load_is_found_with_its_time() {
         let run = run(0.5);
-        let (column, value, time) = greatest(&run, "N m").expect("a torque");
+        let (column, value, time) = greatest_of(&run, "N m").expect("a torque");
         let values = &run.find(&column.name).expect("a column").values;
         let at = run.times.partition_point(|known| *known < time);
         assert!((values[at] - value).abs() < 1e-12 * value.abs());

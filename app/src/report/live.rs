@@ -17,6 +17,7 @@ use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
 pub(super) use moving::Moving;
+pub(super) use order::by_run;
 
 use super::machine::Machine;
 use crate::number::exact;
@@ -207,7 +208,11 @@ impl Live {
     /// A sentence that says why the machine cannot run in a page.
     pub(super) fn of(machine: &Machine) -> Option<Result<Self, String>> {
         let run = machine.trajectory()?;
-        Some(Self::of_run((&machine.model, &machine.argument), &machine.moving, run))
+        let live = Self::of_run((&machine.model, &machine.argument), &machine.moving, run);
+        Some(live.map(|live| match &machine.order {
+            Some(order) => Self { order: order.clone(), ..live },
+            None => live,
+        }))
     }
 
     fn of_run(
@@ -226,7 +231,7 @@ impl Live {
             let size = module.bytes.len() / 1000;
             return Err(refused(&format!("its equations would take {size} kB of the page")));
         }
-        let order = order::by_effect(model, run);
+        let order = order::at_once(model, run);
         let known = Known::of((model, argument), moving, run, (&module, is_implicit));
         Ok(Self { known, order })
     }

@@ -19,7 +19,7 @@ use machinist_studies::work_precision::WorkPrecision;
 use super::fields;
 use super::gather::Extent;
 use super::key::{self, Figure};
-use super::live::Moving;
+use super::live::{Moving, by_run};
 use super::modes::{self, Modes, NoModes};
 use super::schematic::Schematic;
 use crate::explain::Explanation;
@@ -46,6 +46,8 @@ pub(super) struct Machine {
     pub(super) modes: Option<Result<Modes, NoModes>>,
     /// Fields over time, if there are any.
     pub(super) along: Vec<fields::Along>,
+    /// Parameters in the order of their effect on the run, once computed.
+    pub(super) order: Option<Vec<usize>>,
     pub(super) verdicts: Vec<Verdict>,
     pub(super) work_precision: Option<WorkPrecision>,
 }
@@ -81,6 +83,9 @@ impl Machine {
         let outline = Outline { model: stages.needed().clone(), latex, dependencies };
         let mut machine = Self::ran(outline, source, &source.read()?, ways, extent.time_limit)?;
         // A machine that does not run is not timed.
+        if machine.model.fields.is_empty() {
+            machine.order = machine.trajectory().map(|run| by_run(&machine.model, run));
+        }
         machine.explain(source, stages, extent.with_times && machine.run.is_ok())?;
         Ok(machine)
     }
@@ -156,6 +161,7 @@ impl Machine {
             modes,
             along,
             model,
+            order: None,
             verdicts: Vec::new(),
             work_precision: None,
         })

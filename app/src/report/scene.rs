@@ -13,6 +13,7 @@ use super::{equations, fields, figure, key, modes, reduction, schematic, verific
 use crate::cli::specs::{Cost, costs};
 use crate::explain::Explanation;
 use crate::number::{exact, number};
+use crate::plot::alike;
 
 /// Page of a machine in pieces.
 pub(super) struct Pieces {
@@ -97,10 +98,25 @@ fn header(machine: &Machine) -> Markup {
             h1 { (model.title) }
             p.muted { code { (model.name) } }
             @for paragraph in machine.doc.split("\n\n") { p { (prose(paragraph)) } }
-            @if !model.source.is_empty() { p.muted { "Source: " (prose(&model.source)) } }
+            (sources(&model.source))
             dl.strip {
                 @if !machine.verdicts.is_empty() { (verification::entry(machine.tally())) }
                 @for figure in machine.figures() { (figure.entry()) }
+            }
+        }
+    }
+}
+
+/// Renders the source of a scene, or those of its parts, one a line.
+fn sources(text: &str) -> Markup {
+    let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
+    html! {
+        @match lines.as_slice() {
+            [] => {}
+            [only] => p.muted { "Source: " (prose(only)) },
+            _ => details.muted {
+                summary { "Sources of " (lines.len()) " parts" }
+                ul { @for line in lines { li { (prose(line)) } } }
             }
         }
     }
@@ -175,6 +191,7 @@ fn motion(document: &Document) -> Markup {
         (equations::section("Energies", &document.energies))
         (equations::section("Coordinates", &document.motion))
         (equations::section("First-order states", &document.first_order))
+        (equations::section("Constraints", &document.constraints))
         (equations::section("Events", &document.events))
         (equations::section("With", &document.helpers))
         (equations::section("Outputs", &document.outputs))
@@ -270,7 +287,7 @@ fn run(
             Some(Err(why)) => p.muted { (why) },
             None => {}
         }
-        @for (index, group) in by_unit(trajectory).iter().enumerate() {
+        @for (index, group) in alike(key::shown(trajectory)).iter().enumerate() {
             (figure::over_time(
                 &format!("{}-outputs-{index}", machine.name()),
                 &trajectory.times,
@@ -307,18 +324,6 @@ fn switches(trajectory: &Trajectory) -> Markup {
             }
         }
     }
-}
-
-/// Groups columns by unit, so that those of one unit share a figure.
-fn by_unit(trajectory: &Trajectory) -> Vec<Vec<&Column>> {
-    let mut groups: Vec<Vec<&Column>> = Vec::new();
-    for column in key::shown(trajectory) {
-        match groups.iter_mut().find(|group| group[0].unit == column.unit) {
-            Some(group) => group.push(column),
-            None => groups.push(vec![column]),
-        }
-    }
-    groups
 }
 
 /// Renders `motor_speed: angular speed of the rotor; ...`

@@ -188,6 +188,43 @@ pub(super) fn figure(
     }
 }
 
+/// Size of a small plot.
+const SMALL: [f64; 2] = [280.0, 96.0];
+
+/// Renders a small plot: curves over time, the unit and the last time.
+pub(super) fn small(
+    name: &str,
+    [last, unit]: &[String; 2],
+    curves: &[(Vec<f64>, Vec<f64>)],
+) -> Markup {
+    let [width, height] = SMALL;
+    let across: Vec<f64> = curves.iter().flat_map(|(x, _)| x.clone()).collect();
+    let up: Vec<f64> = curves.iter().flat_map(|(_, y)| y.clone()).collect();
+    let axis = Axis::Linear("".into());
+    let (across, up) = (axis.along(&extent(&across)), axis.around(up.into_iter()));
+    let base = (0.0..=1.0).contains(&up.share(0.0)).then(|| tenth((1.0 - up.share(0.0)) * height));
+    let path = |(x, y): &(Vec<f64>, Vec<f64>)| {
+        let points = x.iter().zip(y).filter(|(x, y)| x.is_finite() && y.is_finite());
+        let points = points.map(|(x, y)| {
+            let at = (across.share(*x) * width, (1.0 - up.share(*y)) * height);
+            format!("{} {}", tenth(at.0), tenth(at.1))
+        });
+        let mut points: Vec<String> = points.collect();
+        points.dedup();
+        format!("M{}", points.join("L"))
+    };
+    html! {
+        svg.small viewBox={ "0 0 " (width) " " (height) } role="img" aria-label=(name) {
+            @if let Some(y) = base { line.grid x1="0" x2=(width) y1=(y) y2=(y) {} }
+            @for (index, curve) in curves.iter().enumerate() {
+                path d=(path(curve)) stroke=(colour(index)) {}
+            }
+            text x="2" y="11" { (unit) }
+            text.end x=(width - 2.0) y=(height - 4.0) { (last) }
+        }
+    }
+}
+
 /// Renders names beside the colours of their lines.
 pub(super) fn legend<'a>(names: impl Iterator<Item = &'a str>) -> Markup {
     let colours = (0..).map(|index| colour(index).to_owned());

@@ -27,17 +27,20 @@ class Tables {
       cells.forEach((cell) => { cell.textContent = "none"; });
       return;
     }
+    const [low, high] = extent([values]);
+    // As in the stored table, rounding is zero.
+    const least = 1e-14 * Math.max(Math.abs(low), Math.abs(high));
+    const rid = (value) => (Math.abs(value) < least ? 0 : value);
     [values[0], values[values.length - 1]].forEach((value, index) => {
-      cells[index].textContent = shown(value);
+      cells[index].textContent = shown(rid(value));
       // All its digits, where one points at it.
       cells[index].title = String(value);
     });
-    const [low, high] = extent([values]);
     [low, high].forEach((value, index) => {
       const at = document.createElement("div");
       at.className = "muted";
       at.textContent = `at ${shown(times[values.indexOf(value)], 4)} s`;
-      cells[2 + index].replaceChildren(shown(value), at);
+      cells[2 + index].replaceChildren(shown(rid(value)), at);
     });
   }
 }

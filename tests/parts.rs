@@ -6,6 +6,8 @@ mod controllers;
 mod driven_friction;
 mod drives;
 mod friction;
+mod heat;
+mod hoisting;
 mod hydraulics;
 mod laws;
 mod losses;
@@ -13,6 +15,7 @@ mod planar;
 mod shaken_friction;
 mod shapes;
 mod shared_friction;
+mod terminals;
 mod winches;
 
 use std::path::{Path, PathBuf};
@@ -31,8 +34,16 @@ const METHODS: [Method; 5] =
     [Method::Dop853, Method::Tsit5, Method::Radau, Method::Rodas5p, Method::Auto];
 
 /// Folders of standard parts.
-const FOLDERS: [&str; 7] =
-    ["control", "electrical", "hydraulic", "planar", "rotational", "sources", "translational"];
+const FOLDERS: [&str; 8] = [
+    "control",
+    "electrical",
+    "hydraulic",
+    "planar",
+    "rotational",
+    "sources",
+    "thermal",
+    "translational",
+];
 
 fn parts() -> impl Iterator<Item = &'static LibraryUnit> {
     LIBRARY.iter().filter(|unit| unit.example.is_some())

@@ -114,6 +114,50 @@ fn a_new_crate_is_the_example_under_another_name() {
 }
 
 #[test]
+fn a_machine_of_standard_parts_is_where_a_new_spec_starts_from() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for machine in ["winch", "press", "robot", "pendulum", "motor"] {
+        let name = format!("my-{machine}");
+        let said = answer(folder.path(), &["new", &name, "--from", machine]);
+        assert!(said.contains(&format!("wrote {name}.toml")), "{said}");
+        let shown = answer(folder.path(), &["show", &format!("{name}.toml")]);
+        assert!(shown.starts_with(&format!("my_{machine}: ")), "{shown}");
+    }
+    let run = answer(folder.path(), &["run", "my-robot.toml", "--until", "0.2"]);
+    assert!(run.contains("elbow"), "{run}");
+    assert_eq!(files_in(folder.path()).len(), 5);
+    let list = answer(folder.path(), &["list"]);
+    assert!(list.contains("wind_turbine") && list.contains("machinist parts"), "{list}");
+    let by_name = answer(folder.path(), &["run", "wind_turbine", "--until", "1"]);
+    assert!(by_name.contains("shaft_torque"), "{by_name}");
+    let words = ["there is no machine `wich`", "did you mean `winch`?", "washing_machine"];
+    assert_refused(folder.path(), &["new", "x", "--from", "wich"], &words);
+    assert_refused(folder.path(), &["new", "my-motor", "--from", "motor"], &["exists already"]);
+}
+
+#[test]
+fn parts_are_found_by_words_people_use() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let found = [
+        ("hoist", "rotational/rope_drum"),
+        ("conveyor", "rotational/conveyor"),
+        ("hinge", "planar/revolute"),
+        ("dry friction", "rotational/bearing_friction"),
+        ("battery", "electrical/battery"),
+        ("Worm gear", "rotational/lossy_gear"),
+        ("freewheel", "rotational/one_way_clutch"),
+        ("shock absorber", "translational/spring_damper"),
+        ("rope_drum", "rotational/rope_drum"),
+    ];
+    for (words, part) in found {
+        let list = answer(folder.path(), &["parts", words]);
+        assert!(list.lines().any(|line| line.starts_with(part)), "{words}: {list}");
+    }
+    let shown = answer(folder.path(), &["parts", "show", "rope_drum"]);
+    assert!(shown.contains("Also found by: hoist, winch"), "{shown}");
+}
+
+#[test]
 fn a_new_spec_runs_and_passes_its_check_at_once() {
     let folder = tempfile::tempdir().expect("a folder");
     answer(folder.path(), &["new", "my-hoist", "--spec-only"]);

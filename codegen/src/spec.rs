@@ -196,6 +196,8 @@ pub struct UnitSpec {
     pub doc: String,
     /// Source of the equations.
     pub source: String,
+    /// Other words for the part, by which `machinist parts` finds it.
+    pub synonyms: Vec<String>,
     /// Its symbol in drawings, if given.
     pub symbol: Option<Symbol>,
     /// Generalized coordinates.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use machinist_codegen::scene::compose;
 use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_codegen::spec::diagnostic::Diagnostics;
-use machinist_codegen::spec::library::{LibraryScene, SCENES};
+use machinist_codegen::spec::library::{LibraryScene, MACHINES, SCENES};
 use machinist_codegen::spec::{SceneSpec, load_library_scene, load_scene};
 
 /// Returns a system without the paths of its files.
@@ -20,7 +20,8 @@ fn system(spec: Result<SceneSpec, Diagnostics>) -> LagrangianSystem {
 fn every_scene_of_the_folder_comes_with_machinist_and_is_the_same_without_its_files() {
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
     let mut found = 0;
-    for folder in [scenes.clone(), scenes.join("bench")] {
+    let folders = ["bench", "drives", "gallery"].map(|folder| scenes.join(folder));
+    for folder in std::iter::once(scenes).chain(folders) {
         for entry in std::fs::read_dir(folder).expect("a folder") {
             let path = entry.expect("an entry").path();
             if path.extension().is_none_or(|ending| ending != "toml") {
@@ -35,5 +36,5 @@ fn every_scene_of_the_folder_comes_with_machinist_and_is_the_same_without_its_fi
             found += 1;
         }
     }
-    assert_eq!(found, SCENES.len());
+    assert_eq!(found, SCENES.len() + MACHINES.len());
 }

@@ -1,9 +1,11 @@
-//! `machinist list`: the scenes that are built in.
+//! `machinist list`: the scenes and machines that are built in.
 
 use clap::Args;
 use machinist_scenes::scenes;
 
 use super::output::{columns, print};
+use super::scene::machines;
+use super::table::SECTION;
 use crate::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -20,6 +22,21 @@ impl List {
             found.map(|scene| row(scene.name(), scene.title())).collect();
         rows.extend(with_fields.map(|scene| row(scene.name(), scene.title())));
         rows.sort();
-        print(&columns(&rows, 2))
+        let emitted = columns(&rows, 2);
+        let machines: Vec<[String; 2]> = machines().map(|[name, title]| row(name, title)).collect();
+        if machines.is_empty() {
+            return print(&emitted);
+        }
+        print(&format!(
+            "Emitted simulators\n{}\nMachines of standard parts, derived when they run\n{}\n\
+             Every standard part has an example: `machinist parts`, `machinist parts show NAME`.\n\
+             `machinist new NAME --from MACHINE` starts from one of the machines.\n",
+            indented(&emitted),
+            indented(&columns(&machines, 2)),
+        ))
     }
+}
+
+fn indented(rows: &str) -> String {
+    rows.lines().fold(String::new(), |text, line| text + SECTION + line + "\n")
 }

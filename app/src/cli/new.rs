@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use machinist_codegen::emit::rust::type_name;
+use machinist_codegen::spec::library::{LibraryScene, MACHINES};
 use machinist_codegen::spec::scene_name_mistake;
 
 use super::output::print;
-use crate::failure::Failure;
+use crate::failure::{Failure, did_you_mean};
 
 /// File of `examples/own_machine`, a crate that is tested by itself. Its names are replaced by
 /// those of a new crate. The packed crate holds the file under another name, because Cargo does not
@@ -73,20 +74,46 @@ pub struct New {
     /// Write only the spec, as the file NAME.toml
     #[arg(long)]
     spec_only: bool,
+    /// Start from a machine of standard parts, as the file NAME.toml; `machinist list` shows all
+    /// of them
+    #[arg(long, value_name = "winch|press|robot|pendulum|motor|...")]
+    from: Option<String>,
 }
 
 impl New {
     pub fn execute(&self) -> Result<(), Failure> {
         let names = Names::of(&self.name)?;
+        if let Some(machine) = &self.from {
+            return from_machine(&names, machine);
+        }
         if self.spec_only {
             let file = format!("{}.toml", names.package);
             write_new_file(Path::new(&file), &names.put_in(SPEC.1))?;
-            return print(&spec_written(&file));
+            return print(&spec_written(&file, "hoist"));
         }
         let sources = sources();
         write_new_folder(Path::new(&names.package), &files(&names, sources.as_deref()))?;
         print(&crate_written(&names, sources.as_deref()))
     }
+}
+
+/// Writes the spec of a machine that comes with Machinist, under a new name.
+fn from_machine(names: &Names, machine: &str) -> Result<(), Failure> {
+    let is_meant = |scene: &&LibraryScene| scene.name.split('_').next() == Some(machine);
+    let exact = MACHINES.iter().find(|scene| scene.name == machine);
+    let Some(scene) = exact.or_else(|| MACHINES.iter().find(is_meant)) else {
+        let known = MACHINES.iter().map(|scene| scene.name);
+        let all: Vec<&str> = known.clone().collect();
+        let message = format!("there is no machine `{}` to start from", machine.escape_debug());
+        let hint = did_you_mean(machine, known);
+        let help = format!("{hint}\nthe machines are {}", all.join(", "));
+        return Err(Failure::input(message, help.trim_start()));
+    };
+    let own = format!("name = \"{}\"", scene.name);
+    let new = format!("name = \"{}\"", names.scene);
+    let file = format!("{}.toml", names.package);
+    write_new_file(Path::new(&file), &scene.text.replacen(&own, &new, 1))?;
+    print(&spec_written(&file, scene.name))
 }
 
 /// Names of a new crate, its scene and the scene's type.
@@ -222,12 +249,15 @@ fn write_new_folder(folder: &Path, files: &[(String, String)]) -> Result<(), Fai
     Ok(())
 }
 
-fn spec_written(file: &str) -> String {
+fn spec_written(file: &str, machine: &str) -> String {
+    let article = if machine.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
     format!(
-        "wrote {file}: a hoist, to be made into a machine of your own\n\n\
+        "wrote {file}: {article} {}, to be made into a machine of your own\n\n\
          machinist show {file}\n\
+         machinist watch {file}\n\
          machinist run {file} --plot {}\n\
          machinist verify {file}\n",
+        machine.replace('_', " "),
         file.replace(".toml", ".svg")
     )
 }

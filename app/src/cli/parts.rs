@@ -19,7 +19,8 @@ const MENDING_COMMAND: &str = "cargo run --release -- parts --page docs/book/src
 pub struct Parts {
     #[command(subcommand)]
     what: Option<What>,
-    /// List only parts whose name, title, text, ports or parameters contain all of these words
+    /// List only parts whose name, title, synonyms, text, ports or parameters contain all of these
+    /// words
     #[arg(value_name = "WORD")]
     words: Vec<String>,
     /// Write all parts to a page in Markdown
@@ -59,7 +60,8 @@ fn card(unit: &LibraryUnit) -> Result<Card, Failure> {
 }
 
 fn list(words: &[String]) -> Result<(), Failure> {
-    let words: Vec<String> = words.iter().map(|word| word.to_lowercase()).collect();
+    let words: Vec<String> =
+        words.iter().map(|word| word.to_lowercase().replace('_', " ")).collect();
     let mut rows = Vec::new();
     for unit in standard() {
         let card = card(unit)?;
@@ -81,9 +83,11 @@ fn searched(card: &Card) -> String {
     let parameters = card.parameters.iter().flat_map(|[name, _, _, doc]| [name, doc]);
     let inputs = card.inputs.iter().flat_map(|[name, _, doc]| [name, doc]);
     let named = [&card.name, &card.title, &card.doc, &card.source].into_iter();
+    let named = named.chain(&card.synonyms);
     let all: Vec<&str> =
         named.chain(ports).chain(parameters).chain(inputs).map(String::as_str).collect();
-    all.join(" ").to_lowercase()
+    // The words of names are separated by an underscore, and those of phrases by a space.
+    all.join(" ").to_lowercase().replace('_', " ")
 }
 
 fn show(name: &str) -> Result<(), Failure> {
@@ -113,6 +117,10 @@ fn plain(card: &Card) -> String {
         format!("{}: {}", card.name, card.title),
         card.doc.clone(),
         format!("Source: {}", card.source),
+        match card.synonyms.as_slice() {
+            [] => String::new(),
+            synonyms => format!("Also found by: {}", synonyms.join(", ")),
+        },
     ];
     let mut text: String = paragraphs.iter().flat_map(|text| text.lines()).map(paragraph).collect();
     let formula = |line: String| indented(&line, "", width() - SECTION.len());

@@ -328,6 +328,9 @@ fn of_bench(name: &str) -> Option<&'static dyn Twin> {
 
 /// Folder of scenes.
 pub const SCENES: &str = "specs/scenes";
+/// Subfolders of machines of standard parts.
+pub const DRIVES: &str = "drives";
+const GALLERY: &str = "gallery";
 /// Subfolder of scenes for benchmarks, also below the folder of emitted files.
 pub const BENCH: &str = "bench";
 
@@ -338,8 +341,9 @@ fn spec_of(argument: &str) -> Result<SpecSource, Failure> {
         return Ok(SpecSource::File(PathBuf::from(argument)));
     }
     let file = format!("{argument}.toml");
-    let places = [Path::new(SCENES).join(&file), Path::new(SCENES).join(BENCH).join(&file)];
-    if let Some(found) = places.into_iter().find(|place| place.is_file()) {
+    let folders = ["", BENCH, DRIVES, GALLERY].into_iter();
+    let mut places = folders.map(|folder| Path::new(SCENES).join(folder).join(&file));
+    if let Some(found) = places.find(|place| place.is_file()) {
         return Ok(SpecSource::File(found));
     }
     if has_built_in_spec(argument) {
@@ -359,6 +363,24 @@ fn has_built_in_spec(name: &str) -> bool {
     scenes::NAMES.contains(&name) || scenes::FIELD_NAMES.contains(&name)
 }
 
+/// Returns the machines of standard parts whose specs are built in, by name and title.
+#[cfg(feature = "derive")]
+pub fn machines() -> impl Iterator<Item = [&'static str; 2]> + Clone {
+    let title = |text: &'static str| {
+        let line = text.lines().find_map(|line| line.strip_prefix("title = \""));
+        line.and_then(|line| line.strip_suffix('"')).unwrap_or_default()
+    };
+    machinist_codegen::spec::library::MACHINES
+        .iter()
+        .map(move |machine| [machine.name, title(machine.text)])
+}
+
+/// This build has no specs.
+#[cfg(not(feature = "derive"))]
+pub fn machines() -> impl Iterator<Item = [&'static str; 2]> + Clone {
+    std::iter::empty()
+}
+
 /// Extension of model files.
 pub const MODEL_ENDING: &str = "model";
 
@@ -375,8 +397,8 @@ fn unknown(name: &str) -> Failure {
     if Path::new(&file).is_file() {
         return Failure::input(message, format!("there is a file of this name: write `{file}`"));
     }
-    let names = scenes::NAMES.iter().chain(scenes::FIELD_NAMES);
-    let hint = did_you_mean(name, names.copied());
+    let names = scenes::NAMES.iter().chain(scenes::FIELD_NAMES).copied();
+    let hint = did_you_mean(name, names.chain(machines().map(|[name, _]| name)));
     let help = format!(
         "{hint}\n`machinist list` shows all scenes; a path that ends in `.toml` names a scene file"
     );

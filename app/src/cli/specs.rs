@@ -8,8 +8,7 @@ use machinist_model::operations;
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
 
-/// Subfolder of scenes with machines made only of standard parts.
-pub const DRIVES: &str = "drives";
+pub use super::scene::DRIVES;
 
 /// Returns all scene files of a folder, sorted by name.
 pub fn scene_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {

@@ -20,6 +20,8 @@ pub struct Card {
     pub doc: String,
     /// Source of its equations.
     pub source: String,
+    /// Other words for the part.
+    pub synonyms: Vec<String>,
     /// Ports: name, kind and displacement.
     pub ports: Vec<[String; 3]>,
     /// Connectors: name, and the ports they group.
@@ -105,6 +107,7 @@ impl Reader {
             title: spec.title.clone(),
             doc: one_line(&spec.doc),
             source: one_line(&spec.source),
+            synonyms: spec.synonyms.clone(),
             ports: spec.ports.iter().map(port).chain(spec.exposed.iter().map(exposed)).collect(),
             connectors: spec.connectors.iter().map(connector).collect(),
             parts: spec.inside.instances.iter().map(|part| self.part(part)).collect(),

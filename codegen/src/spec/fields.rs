@@ -150,6 +150,19 @@ impl<'a> Fields<'a> {
         }
     }
 
+    /// Reads a list of strings, empty if absent.
+    pub fn texts(&mut self, key: &'static str) -> Vec<String> {
+        let items = match self.take(key) {
+            None => return Vec::new(),
+            Some(Spanned { value: Tree::List(items), .. }) => items,
+            Some(tree) => {
+                self.wrong::<()>(tree, key, "a list of strings, [\"...\"]");
+                return Vec::new();
+            }
+        };
+        items.iter().filter_map(|item| self.as_text(item, key)).map(|text| text.value).collect()
+    }
+
     /// Reads a string, empty if absent.
     pub fn text(&mut self, key: &'static str) -> String {
         match self.take(key) {

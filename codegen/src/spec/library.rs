@@ -77,14 +77,20 @@ pub const LIBRARY: &[LibraryUnit] = &[
     part!("control/rate_limiter"),
     part!("control/relay"),
     part!("electrical/amplifier"),
+    part!("electrical/battery"),
     part!("electrical/capacitor"),
+    part!("electrical/chopper"),
     part!("electrical/converter"),
     part!("electrical/current_source"),
+    part!("electrical/dc_machine"),
     part!("electrical/dc_motor"),
     part!("electrical/ground"),
+    part!("electrical/heated_resistor"),
     part!("electrical/induction_motor"),
     part!("electrical/inductor"),
     part!("electrical/pmsm"),
+    part!("electrical/pmsm_machine"),
+    part!("electrical/rectifier"),
     part!("electrical/resistor"),
     part!("electrical/voltage_source"),
     part!("hydraulic/cylinder"),
@@ -114,12 +120,16 @@ pub const LIBRARY: &[LibraryUnit] = &[
     part!("rotational/cardan"),
     part!("rotational/chain"),
     part!("rotational/clutch"),
+    part!("rotational/conveyor"),
     part!("rotational/damper"),
     part!("rotational/differential"),
+    part!("rotational/end_stops"),
     part!("rotational/fixed"),
     part!("rotational/fluid_coupling"),
     part!("rotational/gear"),
+    part!("rotational/gear_drive"),
     part!("rotational/gearbox"),
+    part!("rotational/heated_friction"),
     part!("rotational/inertia"),
     part!("rotational/lossy_gear"),
     part!("rotational/lugre_friction"),
@@ -127,6 +137,7 @@ pub const LIBRARY: &[LibraryUnit] = &[
     part!("rotational/one_way_clutch"),
     part!("rotational/planetary"),
     part!("rotational/rack"),
+    part!("rotational/rope_drum"),
     part!("rotational/screw"),
     part!("rotational/slipping_belt"),
     part!("rotational/smooth_friction"),
@@ -148,6 +159,10 @@ pub const LIBRARY: &[LibraryUnit] = &[
     part!("sources/relative_torque"),
     part!("sources/speed"),
     part!("sources/torque"),
+    part!("thermal/conductor"),
+    part!("thermal/convection"),
+    part!("thermal/heat_capacitor"),
+    part!("translational/anchor"),
     part!("translational/brake"),
     part!("translational/capstan"),
     part!("translational/damper"),
@@ -156,7 +171,9 @@ pub const LIBRARY: &[LibraryUnit] = &[
     part!("translational/fixed"),
     part!("translational/friction"),
     part!("translational/gear"),
+    part!("translational/hoisted_load"),
     part!("translational/lever"),
+    part!("translational/long_mass"),
     part!("translational/lugre_friction"),
     part!("translational/mass"),
     part!("translational/nonlinear_spring"),
@@ -165,6 +182,7 @@ pub const LIBRARY: &[LibraryUnit] = &[
     part!("translational/smooth_friction"),
     part!("translational/spring"),
     part!("translational/spring_damper"),
+    part!("translational/weight"),
 ];
 
 /// A scene that comes with Machinist.
@@ -182,7 +200,7 @@ impl LibraryScene {
     /// Finds the scene of a name.
     #[must_use]
     pub fn find(name: &str) -> Option<&'static Self> {
-        SCENES.iter().find(|scene| scene.name == name)
+        SCENES.iter().chain(MACHINES).find(|scene| scene.name == name)
     }
 }
 
@@ -194,6 +212,20 @@ macro_rules! scene {
             text: include_str!(concat!(env!("MACHINIST_SPECS"), "/scenes/", $name, ".toml")),
         }
     };
+    (in $folder:literal, $name:literal) => {
+        LibraryScene {
+            name: $name,
+            label: concat!("scenes/", $folder, "/", $name, ".toml"),
+            text: include_str!(concat!(
+                env!("MACHINIST_SPECS"),
+                "/scenes/",
+                $folder,
+                "/",
+                $name,
+                ".toml"
+            )),
+        }
+    };
     (bench $name:literal) => {
         LibraryScene {
             name: $name,
@@ -203,7 +235,26 @@ macro_rules! scene {
     };
 }
 
-/// All scenes that come with Machinist: those in `specs/scenes` and in its folder `bench`.
+/// Machines of standard parts that come with Machinist and are derived when they run: those in the
+/// folders `drives` and `gallery` of `specs/scenes`.
+pub const MACHINES: &[LibraryScene] = &[
+    scene!(in "drives", "press"),
+    scene!(in "drives", "shaft_crank"),
+    scene!(in "drives", "winch"),
+    scene!(in "drives", "winder_elastic_slip"),
+    scene!(in "gallery", "bicycle"),
+    scene!(in "gallery", "conveyor"),
+    scene!(in "gallery", "crane"),
+    scene!(in "gallery", "engine"),
+    scene!(in "gallery", "motor"),
+    scene!(in "gallery", "pendulum"),
+    scene!(in "gallery", "pump"),
+    scene!(in "gallery", "robot_arm"),
+    scene!(in "gallery", "washing_machine"),
+    scene!(in "gallery", "wind_turbine"),
+];
+
+/// All emitted scenes that come with Machinist: those in `specs/scenes` and in its folder `bench`.
 pub const SCENES: &[LibraryScene] = &[
     scene!("bouncing_mass"),
     scene!("contact_oscillator"),

@@ -29,7 +29,7 @@ pub fn read(
 ) -> UnitSpec {
     let mut fields = Fields::open(tree, format!("unit {}", quoted(name)), found);
     let header = if whole { fields.require("unit") } else { fields.take("unit") };
-    let ([title, doc, source], symbol) =
+    let Header { texts: [title, doc, source], synonyms, symbol } =
         header.map(|tree| self::header(tree, fields.found())).unwrap_or_default();
     let mut coordinates = each(&mut fields, "coordinates", coordinate);
     let distributed = each(&mut fields, "fields", distributed::field);
@@ -73,6 +73,7 @@ pub fn read(
         title,
         doc,
         source,
+        synonyms,
         symbol,
         coordinates,
         fields: distributed,
@@ -107,13 +108,23 @@ pub fn each<T>(
     entries.iter().filter_map(|entry| read(entry, fields.found())).collect()
 }
 
-fn header(tree: &Spanned<Tree>, found: &mut Findings) -> ([String; 3], Option<Symbol>) {
+/// The table `[unit]`.
+#[derive(Default)]
+struct Header {
+    /// Title, description and source.
+    texts: [String; 3],
+    synonyms: Vec<String>,
+    symbol: Option<Symbol>,
+}
+
+fn header(tree: &Spanned<Tree>, found: &mut Findings) -> Header {
     let mut fields = Fields::open(tree, "[unit]".to_owned(), found);
     fields.name("name");
     let texts = ["title", "doc", "source"].map(|key| fields.text(key));
+    let synonyms = fields.texts("synonyms");
     let symbol = fields.take("symbol").and_then(|tree| fields.as_text(tree, "symbol"));
     fields.close();
-    (texts, symbol.and_then(|name| self::symbol(&name, found)))
+    Header { texts, synonyms, symbol: symbol.and_then(|name| self::symbol(&name, found)) }
 }
 
 fn symbol(name: &Spanned<String>, found: &mut Findings) -> Option<Symbol> {

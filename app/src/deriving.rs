@@ -18,6 +18,7 @@ use machinist::constraints::{self, Lasting};
 use machinist_algebra::cas::Algebra;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::{self, Derivation};
+use machinist_codegen::scene::compose;
 use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_codegen::spec::diagnostic::{Diagnostic, Diagnostics};
 use machinist_model::file::Stamped;
@@ -51,6 +52,8 @@ pub struct Request {
     pub dropped: Vec<(String, Vec<String>)>,
     /// Coordinates on which a test force of zero acts, as a parameter.
     pub test_forces: Vec<String>,
+    /// Inputs of units that become parameters.
+    pub opened: Vec<String>,
 }
 
 /// Algebra for all further derivations in this process, if the user names one.
@@ -121,12 +124,13 @@ impl Request {
             purpose: Purpose::Running,
             dropped: Vec::new(),
             test_forces: Vec::new(),
+            opened: Vec::new(),
         }
     }
 
     /// Reads the system of the scene and applies the request's changes.
     fn system(&self) -> Result<LagrangianSystem, Diagnostics> {
-        let mut system = self.scene.system()?;
+        let mut system = self.opened_system()?;
         if let Some(rigid) = &self.rigid {
             system.freeze.rigid.clone_from(rigid);
         }
@@ -140,6 +144,18 @@ impl Request {
             }
         }
         Ok(system)
+    }
+
+    /// Reads the system of the scene, with parameters in place of the opened inputs.
+    fn opened_system(&self) -> Result<LagrangianSystem, Diagnostics> {
+        let mut spec = self.scene.read()?;
+        for input in &self.opened {
+            if spec.open_input(input).is_none() {
+                let message = format!("there is no input `{input}` to open");
+                return Err(Diagnostic::of_file("", message, "").into());
+            }
+        }
+        compose(&spec)
     }
 
     /// Derives the requested model or equations of the system that was read.

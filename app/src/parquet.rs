@@ -45,6 +45,15 @@ pub struct Column {
 }
 
 impl Column {
+    /// Returns the head of the column in every CSV table: `twist [rad]`, or the name alone of what
+    /// has no unit.
+    pub fn head(&self) -> String {
+        match &self.unit {
+            Some(unit) => format!("{} [{unit}]", self.name),
+            None => self.name.clone(),
+        }
+    }
+
     /// Creates a column of numbers in a unit.
     pub fn numbers(name: impl Into<String>, unit: &str, values: Vec<f64>) -> Self {
         let (name, unit) = (name.into(), Some(unit.to_owned()));

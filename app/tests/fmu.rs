@@ -13,3 +13,5 @@ mod runs;
 mod sources;
 mod starts;
 mod states;
+
+pub use host::unpacked;

@@ -22,6 +22,7 @@ mod improve;
 mod linearize;
 mod lists;
 mod live;
+mod opened;
 mod options;
 mod process;
 mod reduced;

@@ -564,7 +564,8 @@ fn checks_of_outputs_change_no_equation() {
 
 #[test]
 fn examples_of_rotational_parts_pass_their_automatic_checks() {
-    pass_their_checks(&["parts/control", "parts/hydraulic", "parts/rotational"], "plain");
+    let folders = ["parts/control", "parts/hydraulic", "parts/rotational", "parts/thermal"];
+    pass_their_checks(&folders, "plain");
 }
 
 #[test]
@@ -575,7 +576,7 @@ fn examples_of_other_parts_pass_their_automatic_checks() {
 
 #[test]
 fn machines_of_parts_pass_their_automatic_checks() {
-    pass_their_checks(&["drives", "linkages", "msl"], "symbolica");
+    pass_their_checks(&["drives", "gallery", "linkages", "msl"], "symbolica");
 }
 
 /// Checks every scene in folders of `specs/scenes`, derived by an algebra.

@@ -22,6 +22,7 @@ pub mod library;
 mod loader;
 pub mod measure;
 mod names;
+mod opened;
 pub mod rewrite;
 mod scatter;
 mod scene;

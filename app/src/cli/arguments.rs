@@ -20,7 +20,7 @@ use serde_json::{Value, json};
 
 use super::amount::{Amount, assignment, plain, time};
 #[cfg(feature = "derive")]
-use super::scene::{Given, stamped};
+use super::scene::{Given, stamped_opened};
 use super::scene::{Loading, Scene};
 use super::settings::{TIME_LIMIT, time_limit, with_method, with_parameters};
 use crate::config;
@@ -110,10 +110,11 @@ impl SourceArgs {
         if self.keep.keep_all { Keep::All } else { Keep::Needed }
     }
 
-    /// Returns the model of the scene.
-    pub fn stamped(&self) -> Result<Stamped, Failure> {
+    /// Returns the model of the scene with parameters in place of those names that are inputs of
+    /// units, and the names of the parameters.
+    pub fn stamped_opened(&self, names: &[String]) -> Result<(Stamped, Vec<String>), Failure> {
         self.derivation.apply();
-        stamped(&self.scene, self.keep.keep_all)
+        stamped_opened(&self.scene, self.keep.keep_all, names)
     }
 }
 

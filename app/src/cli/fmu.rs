@@ -28,7 +28,8 @@ pub struct Fmu {
     /// Version of the standard: 2 for FMI 2.0, 3 for FMI 3.0
     #[arg(long, value_name = "VERSION", default_value = "3")]
     fmi: Version,
-    /// Parameters that become inputs, which the importer sets during the run
+    /// Parameters and inputs of units that become inputs, which the importer sets during the run. An
+    /// input bound to an expression gets a variable that is added to it
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     inputs: Vec<String>,
     /// Shared library to include, instead of the one beside this program
@@ -58,9 +59,9 @@ impl Fmu {
     pub fn execute(&self) -> Result<(), Failure> {
         require_ending(&self.out, &["fmu"], "--out")?;
         let content = self.content()?;
-        let stamped = self.scene.stamped()?;
+        let (stamped, inputs) = self.scene.stamped_opened(&self.inputs)?;
         let FieldArgs { elements, order } = self.fields;
-        let export = Export { inputs: self.inputs.clone(), elements, order };
+        let export = Export { inputs, elements, order };
         let archive = Archive::of(&stamped, &export, self.version(), &content)?;
         write_file(&self.out, |out| out.write_all(archive.bytes()))?;
         let (name, out) = (&stamped.model.name, self.out.display());

@@ -77,17 +77,18 @@ impl Where {
 
     /// Analyses the scene at the place asked for. If forces on coordinates among the inputs have
     /// direct feedthrough to outputs, or if massless coordinates have no inertia to divide by, the
-    /// scene is derived again with a parameter for each of these forces.
+    /// scene is derived again with a parameter for each of these forces. Inputs of units become
+    /// parameters; both functions get the names of these in place of the inputs.
     pub fn analyse<T>(
         &self,
         inputs: &[&str],
-        analyse: impl Fn(&Scene, &Linearization<'_>) -> Result<T, Failure>,
-        tried: impl Fn(&Linearization<'_>) -> Result<(), LinearError>,
+        analyse: impl Fn(&Scene, &Linearization<'_>, &[String]) -> Result<T, Failure>,
+        tried: impl Fn(&Linearization<'_>, &[String]) -> Result<(), LinearError>,
     ) -> Result<T, Failure> {
-        let scene = self.load()?;
+        let (scene, names) = self.load_with_inputs(inputs)?;
         let linearization = self.linearize(&scene)?;
-        let failed = match tried(&linearization) {
-            Ok(()) => return analyse(&scene, &linearization),
+        let failed = match tried(&linearization, &names) {
+            Ok(()) => return analyse(&scene, &linearization, &names),
             Err(error) => error,
         };
         let asks_for_forces =
@@ -101,8 +102,28 @@ impl Where {
             return Err(failed.into());
         };
         let linearization = self.linearize(&scene)?;
-        tried(&linearization)?;
-        analyse(&scene, &linearization)
+        tried(&linearization, &names)?;
+        analyse(&scene, &linearization, &names)
+    }
+
+    /// Loads the scene, with parameters in place of those names that are inputs of units. Returns
+    /// the names of the parameters, too.
+    fn load_with_inputs(&self, names: &[&str]) -> Result<(Scene, Vec<String>), Failure> {
+        let scene = self.load()?;
+        let simulator = scene.simulator();
+        let shape = simulator.shape();
+        let is_known = |name: &&str| {
+            (0..shape.parameters).any(|index| simulator.parameter(index).name == *name)
+                || (0..shape.coordinates).any(|index| simulator.coordinate(index).name == *name)
+        };
+        if names.iter().all(|name| is_known(name)) {
+            return Ok((scene, names.iter().map(|name| (*name).to_owned()).collect()));
+        }
+        let loading = self.scene.machine.loading();
+        Ok(match Scene::load_opened(self.scene(), &loading, names)? {
+            Some(opened) => opened,
+            None => (scene, names.iter().map(|name| (*name).to_owned()).collect()),
+        })
     }
 
     /// Describes the place for people: `equilibrium with time held at 3 s`.

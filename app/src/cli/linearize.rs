@@ -77,11 +77,11 @@ impl Linearize {
         let inputs: Vec<&str> = self.inputs.iter().map(String::as_str).collect();
         let text = self.at.analyse(
             &inputs,
-            |scene, linearization| {
-                let model = linearization.state_space(&self.inputs, &self.outputs)?;
+            |scene, linearization, inputs| {
+                let model = linearization.state_space(inputs, &self.outputs)?;
                 self.told(scene, model, self.at.described(linearization))
             },
-            |linearization| linearization.state_space(&self.inputs, &self.outputs).map(drop),
+            |linearization, inputs| linearization.state_space(inputs, &self.outputs).map(drop),
         )?;
         print(&text)
     }

@@ -21,9 +21,9 @@ use serde_json::json;
 
 #[derive(Debug, Args)]
 pub struct FrequencyResponse {
-    /// Excitation: a parameter that varies harmonically, or a coordinate on which a harmonic force
-    /// acts
-    #[arg(long, value_name = "PARAMETER")]
+    /// Excitation: a parameter or an input of a unit that varies harmonically, or a coordinate on
+    /// which a harmonic force acts
+    #[arg(long, value_name = "PARAMETER", alias = "from")]
     input: String,
     /// Responding output or state
     #[arg(long, value_name = "OUTPUT", alias = "to")]
@@ -51,8 +51,10 @@ impl FrequencyResponse {
         require_picture(self.plot.as_deref(), "--plot")?;
         self.at.analyse(
             &[&self.input],
-            |scene, linearization| self.answer(scene, linearization, to_standard_output),
-            |linearization| linearization.response(&self.input, &self.output, &[]).map(drop),
+            |scene, linearization, inputs| {
+                self.answer(scene, linearization, &inputs[0], to_standard_output)
+            },
+            |linearization, inputs| linearization.response(&inputs[0], &self.output, &[]).map(drop),
         )
     }
 
@@ -61,6 +63,7 @@ impl FrequencyResponse {
         &self,
         scene: &Scene,
         linearization: &Linearization<'_>,
+        input: &str,
         to_standard_output: bool,
     ) -> Result<(), Failure> {
         let (lowest, highest) = match self.range {
@@ -68,7 +71,7 @@ impl FrequencyResponse {
             None => linearization.range_of_interest()?,
         };
         let frequencies = logarithmic_range(lowest, highest, self.points)?;
-        let response = linearization.response(&self.input, &self.output, &frequencies)?;
+        let response = linearization.response(input, &self.output, &frequencies)?;
         let remark = linearization.growth().ok().flatten().map(|growth| {
             let growth = number(growth, 3);
             format!(
@@ -78,7 +81,7 @@ impl FrequencyResponse {
         });
 
         let title = scene.simulator().title();
-        let largest = linearization.largest(&self.input, &self.output, &response)?;
+        let largest = linearization.largest(input, &self.output, &response)?;
         if let Some(file) = &self.plot {
             let mut drawn = response.clone();
             if let Some(largest) = &largest {

@@ -195,6 +195,33 @@ impl Scene {
         Ok(None)
     }
 
+    /// Derives the scene with parameters in place of those names that are inputs of units. Returns
+    /// it with the names of the parameters; `None` if no name is an input.
+    #[cfg(feature = "derive")]
+    pub fn load_opened(
+        argument: &str,
+        loading: &Loading,
+        names: &[&str],
+    ) -> Result<Option<(Self, Vec<String>)>, Failure> {
+        let Given::Spec(source) = Given::of(argument)? else { return Ok(None) };
+        let Some((opened, parameters)) = opened(&source, names)? else { return Ok(None) };
+        let keep = if loading.keep_all { Keep::All } else { Keep::Needed };
+        let request = Request { opened, ..Request::model(&source, keep) };
+        let scene = loading.scene(deriving::stamped(&request)?.model)?;
+        Ok(Some((scene, parameters)))
+    }
+
+    /// Returns `None`, because this build does not derive.
+    #[cfg(not(feature = "derive"))]
+    #[expect(clippy::unnecessary_wraps, reason = "as in a build that derives")]
+    pub fn load_opened(
+        _: &str,
+        _: &Loading,
+        _: &[&str],
+    ) -> Result<Option<(Self, Vec<String>)>, Failure> {
+        Ok(None)
+    }
+
     /// Returns the simulator.
     pub fn simulator(&self) -> &dyn Simulator<f64> {
         match self {
@@ -266,6 +293,45 @@ pub fn stamped(argument: &str, keep_all: bool) -> Result<Stamped, Failure> {
         Given::Model(stamped) => Ok(*stamped),
         Given::Spec(source) => derived_stamped(&source, keep_all),
     }
+}
+
+/// Returns the model of a spec or of a model file with parameters in place of those names that are
+/// inputs of units, and the names of the parameters.
+#[cfg(feature = "derive")]
+pub fn stamped_opened(
+    argument: &str,
+    keep_all: bool,
+    names: &[String],
+) -> Result<(Stamped, Vec<String>), Failure> {
+    if let Given::Spec(source) = Given::of(argument)? {
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        if let Some((opened, parameters)) = opened(&source, &names)? {
+            let keep = if keep_all { Keep::All } else { Keep::Needed };
+            let request = Request { opened, ..Request::model(&source, keep) };
+            return Ok((deriving::stamped(&request)?, parameters));
+        }
+    }
+    Ok((stamped(argument, keep_all)?, names.to_owned()))
+}
+
+/// Returns those names that are inputs of units, and all names with the parameters that stand for
+/// these; `None` if no name is an input.
+#[cfg(feature = "derive")]
+fn opened(
+    source: &SpecSource,
+    names: &[&str],
+) -> Result<Option<(Vec<String>, Vec<String>)>, Failure> {
+    let mut spec = source.read()?;
+    let mut inputs = Vec::new();
+    let parameters = names.iter().map(|name| {
+        let parameter = spec.open_input(name);
+        if parameter.is_some() {
+            inputs.push((*name).to_owned());
+        }
+        parameter.unwrap_or_else(|| (*name).to_owned())
+    });
+    let parameters = parameters.collect();
+    Ok((!inputs.is_empty()).then_some((inputs, parameters)))
 }
 
 /// Creates the error for a model file whose scene is to be kept whole.

@@ -315,19 +315,10 @@ impl Table<'_> {
         columns
     }
 
+    /// Returns the heads of the columns of the CSV table, which numbers no variants.
     fn header(&self, simulator: &dyn Simulator<f64>, any_stopped: bool) -> Vec<String> {
-        let mut header: Vec<String> =
-            self.sweep.parameter.iter().map(|range| range.name.clone()).collect();
-        let names: Vec<&str> = columns_of(simulator).collect();
-        for name in self.wanted.places.iter().map(|place| names[*place]) {
-            if self.wanted.extremes {
-                header.extend([format!("{name}.least"), format!("{name}.greatest")]);
-            } else {
-                header.push(name.to_owned());
-            }
-        }
-        header.push("steps".to_owned());
-        header.extend(any_stopped.then(|| "error".to_owned()));
-        header
+        let columns = self.columns(simulator);
+        let heads = columns.iter().skip(1).map(Column::head);
+        heads.filter(|head| any_stopped || head != "error").collect()
     }
 }

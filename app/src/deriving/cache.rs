@@ -62,8 +62,11 @@ pub(super) fn key(request: &Request, algebra: Algebra, files: &[SourceFile]) -> 
     };
     add(&VERSION.to_string());
     add(GENERATOR);
-    let Request { wanted, keep, rigid, dropped, test_forces, .. } = request;
+    let Request { wanted, keep, rigid, dropped, test_forces, opened, .. } = request;
     add(&format!("{wanted:?} {keep:?} {rigid:?} {} {dropped:?} {test_forces:?}", algebra.name()));
+    if !opened.is_empty() {
+        add(&format!("{opened:?}"));
+    }
     for file in files {
         add(&file.label);
         add(&file.sha256);

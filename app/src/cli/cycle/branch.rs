@@ -259,11 +259,7 @@ impl Ranges<'_> {
     fn table(&self, out: &mut dyn io::Write) -> io::Result<()> {
         let all = self.as_columns();
         let mut writer = csv::Writer::from_writer(out);
-        let head = all.iter().map(|column| match &column.unit {
-            Some(unit) => format!("{} [{unit}]", column.name),
-            None => column.name.clone(),
-        });
-        writer.write_record(head)?;
+        writer.write_record(all.iter().map(parquet::Column::head))?;
         let cell = |column: &parquet::Column, row: usize| match &column.values {
             Values::Numbers(values) => values[row].to_string(),
             Values::Texts(values) => values[row].clone().unwrap_or_default(),

@@ -449,7 +449,7 @@ impl Ran {
 /// Writes columns as CSV.
 pub fn write_csv(columns: &[Column], out: &mut dyn io::Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(columns.iter().map(|column| column.name.as_str()))?;
+    writer.write_record(columns.iter().map(Column::head))?;
     let rows = columns.first().map_or(0, |column| match &column.values {
         Values::Counts(values) => values.len(),
         _ => 0,

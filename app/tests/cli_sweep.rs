@@ -29,7 +29,8 @@ fn a_table_holds_what_single_runs_give_built_in_or_from_a_file() {
         let columns = ["--outputs", "coupling_torque,twist", "--until", "0.1"];
         let arguments = [&[scene, "--parameter", STIFFNESS, "--count", "3"], &columns[..]].concat();
         let lines = table(&arguments, 0);
-        assert_eq!(lines[0], ["coupling.stiffness", "coupling_torque", "twist", "steps"]);
+        let stiffness = "coupling.stiffness [N m/rad]";
+        assert_eq!(lines[0], [stiffness, "coupling_torque [N m]", "twist [rad]", "steps"]);
         assert_eq!(lines.len(), 4);
         for line in &lines[1..] {
             let number = |cell: usize| line[cell].parse::<f64>().expect("a number");
@@ -84,8 +85,8 @@ fn two_ranges_are_a_grid_with_the_last_fastest_and_extremes_enclose_all_values()
     let ranges = ["--parameter", STIFFNESS, "--parameter", "load_torque=0..100", "--count", "2"];
     let more = ["--outputs", "twist", "--extremes", "--until", "0.2", "--threads", "2"];
     let lines = table(&[&["two_mass"], &ranges[..], &more[..]].concat(), 0);
-    assert_eq!(lines[0][..2], ["coupling.stiffness", "load_torque"]);
-    assert_eq!(lines[0][2..4], ["twist.least", "twist.greatest"]);
+    assert_eq!(lines[0][..2], ["coupling.stiffness [N m/rad]", "load_torque [N m]"]);
+    assert_eq!(lines[0][2..4], ["twist.least [rad]", "twist.greatest [rad]"]);
     let grid: Vec<&[String]> = lines[1..].iter().map(|line| &line[..2]).collect();
     assert_eq!(grid, [["1000", "0"], ["1000", "100"], ["100000", "0"], ["100000", "100"]]);
     for line in &lines[1..] {

@@ -20,7 +20,7 @@ fn an_input_of_a_unit_excites_whether_it_is_a_number_or_an_expression() {
         let [scene, out] = ["a.toml", "a.csv"].map(|name| folder.path().join(name));
         fs::write(&scene, shaken::scene(force, MORE)).expect("written");
         let at = ["--at", "initial"];
-        let response = ["response", text(&scene), "--from", "shaker.force", "--output", "way"];
+        let response = ["response", text(&scene), "--input", "shaker.force", "--output", "way"];
         let range = ["--range", "5..80", "--points", "7", "--out", text(&out)];
         let said = answer(&[&response[..], &range, &at].concat());
         assert!(said.contains(&format!("way answers {parameter}")), "{force}: {said}");
@@ -35,8 +35,7 @@ fn an_input_of_a_unit_excites_whether_it_is_a_number_or_an_expression() {
             assert!((amplitude / exact - 1.0).abs() < 1e-9, "{force}, {omega}: {amplitude}");
         }
         assert_eq!(rows.lines().count(), 8);
-        let linear =
-            ["linearize", text(&scene), "--inputs", "shaker.force", "--outputs", "way"];
+        let linear = ["linearize", text(&scene), "--inputs", "shaker.force", "--outputs", "way"];
         let model = answer(&[&linear[..], &at].concat());
         assert!(model.contains(&format!("B       {parameter}")), "{model}");
         let fmu = folder.path().join("a.fmu");
@@ -51,6 +50,6 @@ fn an_input_of_a_unit_excites_whether_it_is_a_number_or_an_expression() {
         assert!(variable.contains(&format!("start=\"{value:?}\"")), "{variable}");
     }
     let scene = folder.path().join("a.toml");
-    let wrong = ["response", text(&scene), "--from", "shaker.forc", "--output", "way"];
+    let wrong = ["response", text(&scene), "--input", "shaker.forc", "--output", "way"];
     assert_refused(&wrong, &["no parameter or coordinate `shaker.forc`"]);
 }

@@ -5,7 +5,7 @@ use machinist_scenes::scenes;
 
 use super::output::{columns, print};
 use super::scene::machines;
-use super::table::SECTION;
+use super::table::{SECTION, columns_of_section, paragraph};
 use crate::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -22,21 +22,24 @@ impl List {
             found.map(|scene| row(scene.name(), scene.title())).collect();
         rows.extend(with_fields.map(|scene| row(scene.name(), scene.title())));
         rows.sort();
-        let emitted = columns(&rows, 2);
         let machines: Vec<[String; 2]> = machines().map(|[name, title]| row(name, title)).collect();
         if machines.is_empty() {
-            return print(&emitted);
+            return print(&columns(&rows, 2));
         }
-        print(&format!(
-            "Emitted simulators\n{}\nMachines of standard parts, derived when they run\n{}\n\
-             Every standard part has an example: `machinist parts`, `machinist parts show NAME`.\n\
-             `machinist new NAME --from MACHINE` starts from one of the machines.\n",
-            indented(&emitted),
-            indented(&columns(&machines, 2)),
-        ))
+        let mut text = section("Emitted simulators", &rows);
+        text.push_str(&section("\nMachines of standard parts, derived when they run", &machines));
+        text.push('\n');
+        for hint in [
+            "Every standard part has an example: `machinist parts`, `machinist parts show NAME`.",
+            "`machinist new NAME --from MACHINE` starts from one of the machines.",
+        ] {
+            text.push_str(&paragraph(hint));
+        }
+        print(&text)
     }
 }
 
-fn indented(rows: &str) -> String {
-    rows.lines().fold(String::new(), |text, line| text + SECTION + line + "\n")
+fn section(heading: &str, rows: &[[String; 2]]) -> String {
+    let rows = columns_of_section(rows, 2);
+    rows.lines().fold(format!("{heading}\n"), |text, line| text + SECTION + line + "\n")
 }

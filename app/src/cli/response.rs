@@ -23,7 +23,7 @@ use serde_json::json;
 pub struct FrequencyResponse {
     /// Excitation: a parameter or an input of a unit that varies harmonically, or a coordinate on
     /// which a harmonic force acts
-    #[arg(long, value_name = "PARAMETER", alias = "from")]
+    #[arg(long, value_name = "PARAMETER")]
     input: String,
     /// Responding output or state
     #[arg(long, value_name = "OUTPUT", alias = "to")]

@@ -46,17 +46,18 @@ pub fn over_time(id: &str, times: &[f64], columns: &[&Column], caption: &Markup)
     figure(id, &[panel], &legend, scene, caption)
 }
 
-/// Plots columns of one unit over time in small, without numbers along the axes.
+/// Plots columns of one unit over time in small, without axes.
 pub fn thumbnail(times: &[f64], columns: &[&Column]) -> Markup {
-    let (Some(first), Some(end)) = (columns.first(), times.last()) else { return html! {} };
+    let (Some(first), [start, .., end]) = (columns.first(), times) else { return html! {} };
     let columns = &columns[..columns.len().min(MOST_SMALL)];
     let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
-    let titles = [format!("{} s", number(*end, 3)), in_brackets(&first.unit).trim().to_owned()];
     let curves: Vec<(Vec<f64>, Vec<f64>)> =
         columns.iter().map(|column| reduced(times, &column.values)).collect();
+    let span = format!("{} s", number(end - start, 3));
     html! {
         (legend(names.iter().copied()))
-        (chart::small(&names.join(", "), &titles, &curves))
+        (chart::small(&names.join(", "), &curves))
+        div.muted { (in_brackets(&first.unit)) " over " (span) }
     }
 }
 

@@ -191,12 +191,8 @@ pub(super) fn figure(
 /// Size of a small plot.
 const SMALL: [f64; 2] = [280.0, 96.0];
 
-/// Renders a small plot: curves over time, the unit and the last time.
-pub(super) fn small(
-    name: &str,
-    [last, unit]: &[String; 2],
-    curves: &[(Vec<f64>, Vec<f64>)],
-) -> Markup {
+/// Renders a small plot of curves over time.
+pub(super) fn small(name: &str, curves: &[(Vec<f64>, Vec<f64>)]) -> Markup {
     let [width, height] = SMALL;
     let across: Vec<f64> = curves.iter().flat_map(|(x, _)| x.clone()).collect();
     let up: Vec<f64> = curves.iter().flat_map(|(_, y)| y.clone()).collect();
@@ -219,8 +215,6 @@ pub(super) fn small(
             @for (index, curve) in curves.iter().enumerate() {
                 path d=(path(curve)) stroke=(colour(index)) {}
             }
-            text x="2" y="11" { (unit) }
-            text.end x=(width - 2.0) y=(height - 4.0) { (last) }
         }
     }
 }

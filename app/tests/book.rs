@@ -62,6 +62,23 @@ fn every_example_does_what_the_book_shows() {
     assert!(mistakes.is_empty(), "\n{}", mistakes.join("\n\n"));
 }
 
+/// The gallery shows the specs that come with Machinist, word for word.
+#[test]
+fn the_gallery_shows_the_machines_of_the_library() {
+    let text = chapter("gallery.md").text;
+    let mut count = 0;
+    for machine in machinist_codegen::spec::library::MACHINES {
+        let head = format!("```toml,file={}.toml\n", machine.name);
+        let shown = text.split(&head).nth(1).and_then(|rest| rest.split("```").next());
+        let Some(shown) = shown else { continue };
+        assert_eq!(shown.trim_end(), machine.text.trim_end(), "{}", machine.name);
+        let picture = source().join(format!("gallery/{}.svg", machine.name));
+        assert!(picture.is_file(), "{}", picture.display());
+        count += 1;
+    }
+    assert!(count >= 11, "{count}");
+}
+
 #[test]
 fn the_book_names_every_command() {
     let commands = chapter("commands.md").text;

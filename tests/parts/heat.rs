@@ -1,8 +1,11 @@
 //! Closed forms of parts that store, conduct and give off heat, and of what depends on it.
 
+use machinist::Simulation;
 use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::spec::{InstanceSpec, load_scene};
 
-use super::{column, example, off, run};
+use super::{column, example, off, parts, run};
+use crate::own_scene::{folder_of_specs, of_text};
 
 /// Temperature at which the examples start \[K\].
 const START: f64 = 293.15;
@@ -114,4 +117,43 @@ fn oil_thins_as_it_warms() {
             assert!(column(&run, "loss").windows(2).all(|pair| pair[1] <= pair[0]));
         }
     }
+}
+
+/// The outputs `loss` of all parts of an example add up to what the account loses.
+#[test]
+fn every_part_gives_its_losses_as_heat() {
+    let (mut heated, mut wrong) = (0, Vec::new());
+    for part in parts() {
+        let path = folder_of_specs().join(format!("parts/{}.toml", part.name));
+        let scene = load_scene(&path).unwrap_or_else(|error| panic!("{}", error.render()));
+        let has_loss = |one: &&InstanceSpec| {
+            let unit = &scene.units[one.unit];
+            let mut named = unit.outputs.iter().chain(&unit.helpers);
+            named.any(|output| output.name.value == "loss")
+        };
+        let losses = scene.instances.iter().filter(has_loss);
+        let losses: Vec<String> = losses.map(|one| format!("{}.loss", one.name.value)).collect();
+        if losses.is_empty() {
+            continue;
+        }
+        let rate = losses.join(" + ");
+        let state = format!("[states.heat]\nunit = \"J\"\nrate = \"{rate}\"\n");
+        let text = part.example.expect("an example");
+        let text =
+            text.replace("\n[outputs]\n", &format!("\n{state}\n[outputs]\nheated = \"heat\"\n"));
+        let machine = of_text(&text, Keep::Needed);
+        let run = Simulation::new(&machine).with_energy_balance(true).run();
+        let run = run.unwrap_or_else(|error| panic!("{}: {error}", part.name));
+        let balance = run.energy_balance.as_ref().expect("asked for");
+        let [lost, passed] = [&balance.dissipated, &balance.passed]
+            .map(|energy| energy.last().copied().expect("an energy"));
+        let heat = run.last("heated").expect("a state");
+        let error = (heat - lost).abs();
+        if error > 1e-6 * passed {
+            wrong.push(format!("{}: {heat} J of {lost} J, {losses:?}", part.name));
+        }
+        heated += usize::from(lost > 1e-3 * passed);
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(heated > 40, "{heated} parts lose energy");
 }

@@ -116,7 +116,7 @@ impl Where {
             (0..shape.parameters).any(|index| simulator.parameter(index).name == *name)
                 || (0..shape.coordinates).any(|index| simulator.coordinate(index).name == *name)
         };
-        if names.iter().all(|name| is_known(name)) {
+        if names.iter().all(is_known) {
             return Ok((scene, names.iter().map(|name| (*name).to_owned()).collect()));
         }
         let loading = self.scene.machine.loading();

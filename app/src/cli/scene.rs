@@ -314,13 +314,13 @@ pub fn stamped_opened(
     Ok((stamped(argument, keep_all)?, names.to_owned()))
 }
 
-/// Returns those names that are inputs of units, and all names with the parameters that stand for
-/// these; `None` if no name is an input.
+/// Names that are inputs of units, and all names with the parameters that stand for these.
 #[cfg(feature = "derive")]
-fn opened(
-    source: &SpecSource,
-    names: &[&str],
-) -> Result<Option<(Vec<String>, Vec<String>)>, Failure> {
+type Opened = (Vec<String>, Vec<String>);
+
+/// Returns the inputs of units among names; `None` if no name is an input.
+#[cfg(feature = "derive")]
+fn opened(source: &SpecSource, names: &[&str]) -> Result<Option<Opened>, Failure> {
     let mut spec = source.read()?;
     let mut inputs = Vec::new();
     let parameters = names.iter().map(|name| {

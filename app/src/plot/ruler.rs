@@ -207,6 +207,8 @@ fn widened(range: Range<f64>) -> Range<f64> {
 struct Ticks {
     decimals: usize,
     exponential: bool,
+    /// Size below which a tick is zero with rounding.
+    zero: f64,
 }
 
 impl Ticks {
@@ -223,12 +225,12 @@ impl Ticks {
             ticks.iter().map(scaled).all(|tick| (tick - tick.round()).abs() <= tolerance)
         };
         let decimals = (0..9).find(is_exact).unwrap_or(9) as usize;
-        Self { decimals, exponential }
+        Self { decimals, exponential, zero: 1e-9 * step }
     }
 
     fn format(&self, tick: f64) -> String {
         let decimals = self.decimals;
-        let text = if self.exponential && tick != 0.0 {
+        let text = if self.exponential && tick.abs() > self.zero {
             format!("{tick:.decimals$e}")
         } else {
             format!("{tick:.decimals$}")
@@ -279,6 +281,7 @@ mod tests {
         assert_eq!(texts(0.0..50.0, &[10.0, 20.0]), ["10", "20"]);
         assert_eq!(texts(0.0..5e7, &[1e7, 2e7]), ["1e7", "2e7"]);
         assert_eq!(texts(0.0..5e-6, &[0.0, 2e-6]), ["0", "2e\u{2212}6"]);
+        assert_eq!(texts(-5e-6..5e-6, &[-4e-22, 2e-6]), ["0", "2e\u{2212}6"]);
     }
 
     #[test]

@@ -86,7 +86,10 @@ pub(super) fn shown(run: &Trajectory) -> impl Iterator<Item = &Column> {
 pub(super) fn foremost(run: &Trajectory) -> Vec<&Column> {
     let greatest = [&LOADS[..], &SPEEDS].into_iter().flatten();
     let mut greatest = greatest.filter_map(|unit| greatest_of(run, unit));
-    let moves = |column: &&Column| column.values.iter().any(|value| *value != column.values[0]);
+    let moves = |column: &&Column| {
+        let first = column.values.first().copied().unwrap_or(f64::NAN);
+        column.values.iter().any(|value| (value - first).abs() > 0.0)
+    };
     let named = greatest.find(|(column, ..)| moves(column)).map(|(column, ..)| &column.name);
     let mut groups = alike(shown(run).filter(moves)).into_iter();
     let is_named = |group: &Vec<&Column>| {

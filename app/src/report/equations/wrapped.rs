@@ -9,6 +9,9 @@ const WIDTH: f64 = 34.0;
 /// Width of an index or exponent relative to letters.
 const SMALL: f64 = 0.7;
 
+/// Operators between terms and factors.
+const OPERATORS: [&str; 3] = [" + ", " - ", " \\, "];
+
 /// Part of a formula.
 #[derive(Debug, Clone, PartialEq)]
 enum Node {
@@ -61,7 +64,11 @@ impl Reader<'_> {
             if ends.iter().any(|end| self.skip(end)) {
                 return Some(nodes);
             }
-            nodes.extend(self.node()?);
+            if self.is_at_space() {
+                self.rest = &self.rest[1..];
+            } else {
+                nodes.push(self.node()?);
+            }
         }
     }
 
@@ -71,47 +78,50 @@ impl Reader<'_> {
         rest.is_some()
     }
 
-    /// Reads one node; an empty list for a space.
-    fn node(&mut self) -> Option<Option<Node>> {
-        let known = [(" + ", Node::Sign('+')), (" - ", Node::Sign('-')), (" \\, ", Node::Gap)];
-        if let Some((_, node)) = known.into_iter().find(|(start, _)| self.skip(start)) {
-            return Some(Some(node));
+    /// Returns whether the next character is a space that is not part of an operator.
+    fn is_at_space(&self) -> bool {
+        let is_operator = OPERATORS.iter().any(|operator| self.rest.starts_with(operator));
+        self.rest.starts_with(' ') && !is_operator
+    }
+
+    /// Reads one node.
+    fn node(&mut self) -> Option<Node> {
+        let nodes = [Node::Sign('+'), Node::Sign('-'), Node::Gap];
+        let mut known = OPERATORS.into_iter().zip(nodes);
+        if let Some((_, node)) = known.find(|(operator, _)| self.skip(operator)) {
+            return Some(node);
         }
         if self.skip("\\frac") {
-            return Some(Some(Node::Fraction(self.argument()?, self.argument()?)));
+            return Some(Node::Fraction(self.argument()?, self.argument()?));
         }
         if self.skip("\\sqrt") {
-            return Some(Some(Node::Root(self.argument()?)));
+            return Some(Node::Root(self.argument()?));
         }
         if self.skip("\\begin{cases} ") {
             let ends: [&[&str]; 4] = [&[" & "], &[" \\\\ "], &[" & "], &[" \\end{cases}"]];
             let parts = ends.map(|ends| self.nodes(ends));
             let [value, condition, other, _] = parts;
-            return Some(Some(Node::Cases(vec![value?, condition?, other?])));
+            return Some(Node::Cases(vec![value?, condition?, other?]));
         }
         if self.skip("\\left") {
             let open = self.delimiter()?;
             let inside = self.nodes(&["\\right"])?;
-            return Some(Some(Node::Brackets(open, inside, self.delimiter()?)));
+            return Some(Node::Brackets(open, inside, self.delimiter()?));
         }
         let first = self.rest.chars().next()?;
         match first {
-            '{' => Some(Some(Node::Braces(self.argument()?))),
+            '{' => Some(Node::Braces(self.argument()?)),
             '}' | '&' => None,
             '^' | '_' => {
                 self.rest = &self.rest[1..];
                 let inside =
-                    if self.rest.starts_with('{') { self.argument()? } else { vec![self.node()??] };
-                Some(Some(Node::Script(first, inside)))
+                    if self.rest.starts_with('{') { self.argument()? } else { vec![self.node()?] };
+                Some(Node::Script(first, inside))
             }
-            '\\' => self.command().map(Some),
-            ' ' => {
-                self.rest = &self.rest[1..];
-                Some(None)
-            }
+            '\\' => self.command(),
             letter => {
                 self.rest = &self.rest[letter.len_utf8()..];
-                Some(Some(Node::Plain(letter.to_string())))
+                Some(Node::Plain(letter.to_string()))
             }
         }
     }
@@ -123,7 +133,7 @@ impl Reader<'_> {
     /// Reads `(`, `|`, `\lfloor` and the like.
     fn delimiter(&mut self) -> Option<String> {
         self.skip(" ");
-        match self.node()?? {
+        match self.node()? {
             Node::Plain(text) => Some(text),
             _ => None,
         }
@@ -267,7 +277,9 @@ impl Pieces {
             if width(factor) <= WIDTH {
                 self.push(&latex(factor));
             } else {
-                factor.iter().for_each(|node| self.opened(node));
+                for node in factor {
+                    self.opened(node);
+                }
             }
         }
     }
@@ -278,7 +290,11 @@ impl Pieces {
             return self.push(&latex(std::slice::from_ref(node)));
         }
         match node {
-            Node::Braces(inside) => inside.iter().for_each(|node| self.opened(node)),
+            Node::Braces(inside) => {
+                for node in inside {
+                    self.opened(node);
+                }
+            }
             Node::Brackets(open, inside, close) => self.bracketed(open, inside, close),
             Node::Root(inside) => {
                 self.bracketed("(", inside, ")");

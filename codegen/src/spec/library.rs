@@ -215,7 +215,7 @@ macro_rules! scene {
     (in $folder:literal, $name:literal) => {
         LibraryScene {
             name: $name,
-            label: concat!("scenes/", $folder, "/", $name, ".toml"),
+            label: concat!($folder, "/", $name, ".toml"),
             text: include_str!(concat!(
                 env!("MACHINIST_SPECS"),
                 "/scenes/",

@@ -205,18 +205,17 @@ fn functions_that_are_narrow_in_each_turn_of_a_state_are_guarded_along_its_motio
 
 #[test]
 fn a_divisor_counts_by_the_factors_of_which_it_is_the_product() {
-    // 1/(d d d e): the cube has a ratio of 9261, its factor d = 1.1 + cos(x) one of 21, and
-    // e = 1 + least + cos(x) one of 200.
-    for (least, narrow) in [(0.01, 1), (0.1, 0)] {
+    // 1/(d e d): the square has a ratio of 121, its factor d = 1.2 + cos(x) one of 11, and
+    // e = 1 + least + cos(x) one of 60.
+    for (least, narrow) in [(0.034, 1), (0.1, 0)] {
         let rate = |graph: &mut Graph, [_, _, x, _]: [NodeId; 4]| {
             let wave = graph.call(Function::Cos, x);
-            let [wide, sharp] = [1.1, 1.0 + least].map(|shift| {
+            let [wide, sharp] = [1.2, 1.0 + least].map(|shift| {
                 let shift = graph.literal(shift);
                 graph.add(shift, wave)
             });
             let product = graph.mul(wide, sharp);
             let product = graph.mul(product, wide);
-            let product = graph.mul(wide, product);
             let one = graph.literal(1.0);
             graph.div(one, product)
         };

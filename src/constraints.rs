@@ -3,7 +3,8 @@
 //! The emitted accelerations fulfil G q'' = gamma, so an exact motion that starts on its
 //! constraints stays on them. A computed one drifts off by the error of its steps. It is projected
 //! back after each step: by the shortest move in the norm of the mass matrix, first in position,
-//! then in velocity.
+//! then in velocity. A move dq of a machine with quaternions is a small rotation about each axis,
+//! by which the quaternion turns.
 //!
 //! ```text
 //! M dq + G^T mu = 0,  G dq = -g      until g vanishes but for rounding
@@ -144,7 +145,6 @@ impl<'a> Constraints<'a> {
     ) -> Result<(), Lost> {
         const ROUNDS: usize = 10;
         const ROUNDING: f64 = 1e-12;
-        let first = self.first(level);
         let pattern = self.simulator.constraint_matrix_pattern().entries;
         let linear = |state: &[f64]| {
             let mut slopes = self.slopes(time, state);
@@ -164,15 +164,13 @@ impl<'a> Constraints<'a> {
                 return Ok(());
             }
             let Some(shift) = self.shortest(time, state, &slopes, &residual) else { break };
-            let trial: Vec<f64> =
-                (0..self.coordinates).map(|index| state[first + index] - shift[index]).collect();
-            let kept = state[first..first + self.coordinates].to_vec();
-            state[first..first + self.coordinates].copy_from_slice(&trial);
+            let kept = state.to_vec();
+            self.shift(level, time, state, &(-shift));
             (slopes, residual) = linear(state);
             let now = self.relative(level, &slopes, &residual, state);
             let is_nearer = largest_of(&now) < largest_of(&off);
             if !is_nearer {
-                state[first..first + self.coordinates].copy_from_slice(&kept);
+                state.copy_from_slice(&kept);
                 break;
             }
             off = now;
@@ -182,6 +180,55 @@ impl<'a> Constraints<'a> {
             None => Ok(()),
             Some(constraint) => Err(Lost(constraint)),
         }
+    }
+
+    /// Adds a change of one level to a state. Only the first n entries of `change` count.
+    pub(crate) fn shift(&self, level: Level, time: f64, state: &mut [f64], change: &DVector<f64>) {
+        let first = self.first(level);
+        let add = |state: &[f64], share: f64, moves: &[f64]| {
+            let mut moved = state.to_vec();
+            for (entry, moves) in moved[first..].iter_mut().zip(moves) {
+                *entry += share * moves;
+            }
+            moved
+        };
+        if level == Level::Velocities || self.simulator.shape().positions == self.coordinates {
+            let moved = add(state, 1.0, &change.as_slice()[..self.coordinates]);
+            state.copy_from_slice(&moved);
+            return;
+        }
+        // Along the rotation, by one step of the method of Kutta, so that quaternions keep their
+        // magnitude.
+        let moves = |state: &[f64]| self.moves(time, state, change);
+        let one = moves(state);
+        let two = moves(&add(state, 0.5, &one));
+        let three = moves(&add(state, 0.5, &two));
+        let four = moves(&add(state, 1.0, &three));
+        let parts = one.iter().zip(&two).zip(&three).zip(&four);
+        let whole: Vec<f64> = parts.map(|(((a, b), c), d)| (a + 2.0 * (b + c) + d) / 6.0).collect();
+        let moved = add(state, 1.0, &whole);
+        state.copy_from_slice(&moved);
+    }
+
+    /// Returns the change of all positions with a move of the coordinates. With a quaternion, there
+    /// is one position more than velocities. Rates of positions are linear in velocities, so the
+    /// change is their difference between velocities of this size and none.
+    pub(crate) fn moves(&self, time: f64, state: &[f64], change: &DVector<f64>) -> Vec<f64> {
+        let positions = self.simulator.shape().positions;
+        if positions == self.coordinates {
+            return change.as_slice()[..positions].to_vec();
+        }
+        let rates = |velocities: &dyn Fn(usize) -> f64| {
+            let mut there = state.to_vec();
+            for index in 0..self.coordinates {
+                there[positions + index] = velocities(index);
+            }
+            let mut rate = vec![0.0; state.len()];
+            self.simulator.rate(time, &there, &self.parameters.all(), &mut rate);
+            rate
+        };
+        let (moving, resting) = (rates(&|index| change[index]), rates(&|_| 0.0));
+        (0..positions).map(|index| moving[index] - resting[index]).collect()
     }
 
     /// Returns dq of M dq + G^T mu = 0, G dq = r.
@@ -355,8 +402,8 @@ impl<'a> Constraints<'a> {
     }
 
     /// Returns the index of the first position or velocity in the state.
-    fn first(&self, level: Level) -> usize {
-        if level == Level::Positions { 0 } else { self.coordinates }
+    pub(crate) fn first(&self, level: Level) -> usize {
+        if level == Level::Positions { 0 } else { self.simulator.shape().positions }
     }
 
     /// Returns the largest relative residual in position.

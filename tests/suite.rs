@@ -49,6 +49,7 @@ mod mode_slopes;
 mod narrow;
 mod onsets;
 mod orders;
+mod orientations;
 mod parts;
 mod place;
 mod prepared;

@@ -96,14 +96,16 @@ fn reduce(
 /// Returns how far a system may be reduced: the machine's own equations do not show what its
 /// fields depend on, and trees of bodies are kept whole.
 fn possible(system: &LagrangianSystem, keep: Keep) -> Keep {
-    let is_reducible = system.fields.is_empty() && system.mechanisms.is_empty();
+    let is_reducible =
+        system.fields.is_empty() && system.mechanisms.is_empty() && system.orientations.is_empty();
     if is_reducible { keep } else { Keep::All }
 }
 
 /// Returns the algebra for a system: shared parts, of which equations of bodies consist, belong to
 /// our own.
 fn suitable(algebra: Algebra, system: &LagrangianSystem) -> Algebra {
-    if system.mechanisms.is_empty() { algebra } else { Algebra::Plain }
+    let is_plain = system.mechanisms.is_empty() && system.orientations.is_empty();
+    if is_plain { algebra } else { Algebra::Plain }
 }
 
 /// Linearized equations of the machine, and the equations of its fields.

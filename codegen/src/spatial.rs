@@ -5,5 +5,6 @@
 //! linear in the number of joints, and nothing is expanded.
 
 pub mod mechanism;
+pub mod orientation;
 pub mod recursion;
 pub mod vector;

@@ -50,9 +50,9 @@ pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources, one_line
 pub use self::symbol::Symbol;
 pub use self::table::{Column, CsvTable};
 
-use self::body::{BodySpec, Components, FrameSpec};
+use self::body::{BodySpec, Components, FrameSpec, OrientationSpec};
 use self::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
-use self::dimension::Unit;
+use self::dimension::{Dimension, Unit};
 use self::expression::{Ast, Literal};
 use self::library::LibraryScene;
 use self::measure::Factor;
@@ -207,6 +207,8 @@ pub struct UnitSpec {
     pub fields: Vec<FieldSpec>,
     /// Frames in space.
     pub frames: Vec<FrameSpec>,
+    /// Orientations, whose parts are coordinates too.
+    pub orientations: Vec<OrientationSpec>,
     /// Rigid bodies.
     pub bodies: Vec<BodySpec>,
     /// Acceleration of free fall, along the axes of the world.
@@ -262,12 +264,29 @@ pub struct CoordinateSpec {
     pub acceleration: Spanned<String>,
     /// Unit of the coordinate.
     pub unit: Declared,
+    /// The orientation in [`UnitSpec::orientations`] that it is a part of. Its velocity is then a
+    /// rate of rotation, not that of the coordinate.
+    pub orientation: Option<usize>,
     /// Meaning.
     pub doc: String,
     /// Typical sizes of coordinate and velocity.
     pub scale: [f64; 2],
     /// True if it is fixed at zero, with everything that is joined to it.
     pub is_fixed: bool,
+}
+
+impl CoordinateSpec {
+    /// Returns the unit of the velocity or, for order 2, the acceleration, as text and checked;
+    /// `None` if it has no dimension in SI units.
+    #[must_use]
+    pub fn unit_of_rate(&self, order: i32) -> Option<(String, Unit)> {
+        let per = if order == 1 { "/s".to_owned() } else { format!("/s^{order}") };
+        if self.orientation.is_some() {
+            let unit = Unit { dimension: Dimension::ONE, rad: 2 }.per_second(order)?;
+            return Some((format!("rad{per}"), unit));
+        }
+        Some((format!("{}{per}", self.unit.text.trim()), self.unit.unit.per_second(order)?))
+    }
 }
 
 /// A port, to which joints connect.

@@ -137,7 +137,9 @@ pub struct Coordinate {
 /// Kind of an entry of the state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum StateKind {
-    /// A position, or a position relative to another, of a coordinate.
+    /// A position, or a position relative to another, of a coordinate. Positions beyond the number
+    /// of coordinates are the parts w of quaternions: each has the first of the three consecutive
+    /// coordinates x, y and z.
     Position(u32),
     /// The velocity of a coordinate; its rate is the acceleration.
     Velocity(u32),

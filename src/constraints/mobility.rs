@@ -204,7 +204,8 @@ fn stands_still(constraints: &Constraints<'_>, row: usize, time: f64, state: &[f
     const PROBES: usize = 8;
     let simulator = constraints.simulator;
     let mut at_rest = state.to_vec();
-    at_rest[constraints.coordinates..2 * constraints.coordinates].fill(0.0);
+    let first = constraints.first(Level::Velocities);
+    at_rest[first..first + constraints.coordinates].fill(0.0);
     let run = simulator.run_defaults();
     let spread = |probe: usize| run.from + (run.until - run.from) * (probe as f64 * 0.618).fract();
     let mut times = (0..PROBES).map(spread).chain([time]);

@@ -84,6 +84,8 @@ pub(crate) struct FreeMoves {
     pub(crate) is_determined: bool,
     scales: Vec<f64>,
     weighed: SVD<f64, Dyn, Dyn>,
+    /// Changes of the entries by moves of the coordinates.
+    by_coordinates: DMatrix<f64>,
 }
 
 impl FreeMoves {
@@ -96,11 +98,11 @@ impl FreeMoves {
         let mut moves = self
             .weighed
             .solve(&right_side, least)
-            .unwrap_or_else(|_| DMatrix::zeros(self.entries.len(), columns));
+            .unwrap_or_else(|_| DMatrix::zeros(self.scales.len(), columns));
         for (mut row, scale) in moves.row_iter_mut().zip(&self.scales) {
             row *= *scale;
         }
-        moves
+        &self.by_coordinates * moves
     }
 }
 
@@ -133,8 +135,22 @@ pub(crate) fn free_moves(
     let largest = weighed.singular_values.max();
     let rank = weighed.singular_values.iter().filter(|value| **value > SMALLEST * largest).count();
     let is_determined = rank == free.len();
-    let entries = free.iter().map(|index| first + index).collect();
-    Some(FreeMoves { entries, is_determined, scales, weighed })
+    let mut columns = Vec::new();
+    for index in &free {
+        let mut change = DVector::zeros(constraints.coordinates);
+        change[*index] = 1.0;
+        let moves = match level {
+            Level::Positions => constraints.moves(time, state, &change),
+            Level::Velocities => change.as_slice().to_vec(),
+        };
+        columns.push(DVector::from_vec(moves));
+    }
+    let all = DMatrix::from_columns(&columns);
+    let moved = (0..all.nrows()).filter(|row| all.row(*row).iter().any(|entry| *entry != 0.0));
+    let moved: Vec<usize> = moved.collect();
+    let by_coordinates = all.select_rows(&moved);
+    let entries = moved.into_iter().map(|row| first + row).collect();
+    Some(FreeMoves { entries, is_determined, scales, weighed, by_coordinates })
 }
 
 /// Refuses constraints that are redundant at a state or without effect, unless the motion does not
@@ -207,14 +223,17 @@ impl Constraints<'_> {
                 matrix[(row, free[column])] * scales[free[column]]
             });
             let Some(step) = least_squares(&weighed, &residual) else { break };
-            let start: Vec<f64> = free.iter().map(|index| state[first + index]).collect();
+            let start = state.to_vec();
             let before = residual.norm();
             let mut share = 1.0;
             let mut improved = false;
             for _ in 0..HALVINGS {
-                for ((index, start), step) in free.iter().zip(&start).zip(step.iter()) {
-                    state[first + index] = start - share * scales[*index] * step;
+                let mut change = DVector::zeros(self.coordinates);
+                for (index, step) in free.iter().zip(step.iter()) {
+                    change[*index] = -share * scales[*index] * step;
                 }
+                state.copy_from_slice(&start);
+                self.shift(level, time, state, &change);
                 residual = self.residual(level, time, state);
                 if residual.norm() < before {
                     improved = true;
@@ -223,9 +242,7 @@ impl Constraints<'_> {
                 share *= 0.5;
             }
             if !improved {
-                for (index, start) in free.iter().zip(&start) {
-                    state[first + index] = *start;
-                }
+                state.copy_from_slice(&start);
                 residual = self.residual(level, time, state);
                 break;
             }

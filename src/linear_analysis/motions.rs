@@ -5,12 +5,19 @@ use nalgebra::{DMatrix, DVector};
 
 use super::sparse_rows::SparseRows;
 
+/// Size relative to the largest below which a singular value or an entry is rounding.
+const SMALLEST: f64 = 1e-13;
+
 /// The equations dx' = A dx of x = \[q, q', z\], with all n coordinates, all velocities and all
 /// first-order states except modes, derived from dy' = A_y dy of the state y.
 ///
 /// The state contains positions s that are coordinates, differences of coordinates, or fewer than
 /// there are coordinates: s' = S q', where S consists of rows of A_y. All dependence on q is
 /// through s, so the derivative by q is that by s times S.
+///
+/// A quaternion s has one part more than the small rotations q about its axes. There S depends on s,
+/// and small rotations turn with the rates omega: dq'/dt has the part -omega x q. Since
+/// s' = s omega/2 and S q = s q/2, it is 2 S^+ A_ss S q, with A_ss the derivative of s' by s.
 pub(super) struct Motions {
     /// Number of coordinates, n.
     pub coordinates: usize,
@@ -73,7 +80,10 @@ impl Motions {
             by_coordinates.push(entries.filter_map(|(at, x)| Some((velocities[*at]?, *x))));
         }
         let mut matrix = SparseRows::new(2 * n + m);
-        (0..n).for_each(|index| matrix.push([(n + index, 1.0)]));
+        let turned = turned(of_state, &places.positions, &positions, &by_coordinates);
+        for (index, own) in turned.into_iter().enumerate() {
+            matrix.push_in_any_order(own.into_iter().chain([(n + index, 1.0)]).collect());
+        }
         let mut by_q = Sums::new(n);
         for place in &dynamic {
             let entries = of_state.row(*place).iter();
@@ -133,6 +143,48 @@ impl Motions {
             state[*place] += change;
         }
     }
+}
+
+/// Returns the rows of 2 S^+ A_ss S, without zeros. Only rates of quaternions depend on positions.
+fn turned(
+    of_state: &SparseRows,
+    places: &[usize],
+    positions: &[Option<usize>],
+    by_coordinates: &SparseRows,
+) -> Vec<Vec<(usize, f64)>> {
+    let n = by_coordinates.columns();
+    let of_positions = |place: usize| {
+        let entries = of_state.row(place).iter();
+        entries.filter_map(|(at, x)| Some((positions[*at]?, *x))).filter(|(_, x)| *x != 0.0)
+    };
+    let numbers = 0..places.len();
+    let rows: Vec<usize> =
+        numbers.filter(|number| of_positions(places[*number]).next().is_some()).collect();
+    let mut turned = vec![Vec::new(); n];
+    if rows.is_empty() {
+        return turned;
+    }
+    let mut of_velocities = DMatrix::zeros(places.len(), n);
+    for number in 0..places.len() {
+        for (column, entry) in by_coordinates.row(number) {
+            of_velocities[(number, *column)] = *entry;
+        }
+    }
+    let mut of_rates = DMatrix::zeros(rows.len(), places.len());
+    for (row, number) in rows.iter().enumerate() {
+        for (column, entry) in of_positions(places[*number]) {
+            of_rates[(row, column)] = entry;
+        }
+    }
+    let own = of_velocities.select_rows(&rows);
+    let Ok(inverse) = own.pseudo_inverse(SMALLEST) else { return turned };
+    let whole = inverse * of_rates * of_velocities * 2.0;
+    let least = SMALLEST * whole.amax();
+    for (row, entries) in turned.iter_mut().enumerate() {
+        let entry = |column: usize| (column, whole[(row, column)]);
+        entries.extend((0..n).map(entry).filter(|(_, entry)| entry.abs() > least));
+    }
+    turned
 }
 
 /// Sums of one row of a product of sparse matrices.

@@ -88,11 +88,12 @@ impl<'a> Solver<'a> {
     fn with_drift_only(&self, guess: &Point) -> Result<Point, LinearError> {
         let mut point = guess.clone();
         let n = self.places.velocities.len();
+        let velocities = &self.places.velocities;
         let scales = self.frame(guess)?.whole.scales;
-        let speed = DVector::from_fn(n, |i, _| point.state[n + i] / scales[i]);
+        let speed = DVector::from_fn(n, |i, _| point.state[velocities[i]] / scales[i]);
         let drift = &self.drift * (self.drift.transpose() * speed);
         for index in 0..n {
-            point.state[n + index] = drift[index] * scales[index];
+            point.state[velocities[index]] = drift[index] * scales[index];
         }
         self.require_still(&point)?;
         Ok(point)
@@ -132,14 +133,15 @@ impl<'a> Solver<'a> {
         let (n, k) = (frame.whole.coordinates, self.drift.ncols());
         let scales = &frame.whole.scales;
         let mut next = point.clone();
-        let change = &frame.within.positions * positions;
-        for index in 0..n {
-            next.state[index] += scales[index] * change[index];
+        let change = (&frame.within.positions * positions).component_mul(&scales.rows(0, n));
+        let moves = frame.whole.positions_by_coordinates().times(&change);
+        for (place, moved) in self.places.positions.iter().zip(moves.iter()) {
+            next.state[*place] += moved;
         }
         if let Some(rest) = rest {
             let speeds = &self.drift * rest.rows(0, k);
             for index in 0..n {
-                next.state[n + index] += scales[index] * speeds[index];
+                next.state[self.places.velocities[index]] += scales[index] * speeds[index];
             }
             for (number, place) in self.places.first_order.iter().enumerate() {
                 next.state[*place] += scales[2 * n + number] * rest[k + number];
@@ -223,7 +225,14 @@ impl Balance for Solver<'_> {
         free.rows_mut(d + e, m).copy_from(&step.rows(d + k, m));
         let motions = (frame.within.basis() * free).component_mul(scales);
         let mut unfolded = DVector::zeros(self.simulator.shape().states());
-        unfolded.rows_mut(0, 2 * n).copy_from(&motions.rows(0, 2 * n));
+        let moves = motions.rows(0, n).into_owned();
+        let moved = frame.whole.positions_by_coordinates().times(&moves);
+        for (place, change) in self.places.positions.iter().zip(moved.iter()) {
+            unfolded[*place] = *change;
+        }
+        for (place, change) in self.places.velocities.iter().zip(motions.rows(n, n).iter()) {
+            unfolded[*place] = *change;
+        }
         for (place, change) in self.places.first_order.iter().zip(motions.rows(2 * n, m).iter()) {
             unfolded[*place] = *change;
         }
@@ -232,10 +241,11 @@ impl Balance for Solver<'_> {
 
     fn keep_drift(&self, frame: &Frame, change: &mut DVector<f64>) {
         let (n, scales) = (frame.whole.coordinates, &frame.whole.scales);
-        let speeds = DVector::from_fn(n, |index, _| change[n + index] / scales[index]);
+        let velocities = &self.places.velocities;
+        let speeds = DVector::from_fn(n, |index, _| change[velocities[index]] / scales[index]);
         let drift = &self.drift * (self.drift.transpose() * speeds);
         for index in 0..n {
-            change[n + index] = drift[index] * scales[index];
+            change[velocities[index]] = drift[index] * scales[index];
         }
     }
 
@@ -259,11 +269,17 @@ impl Balance for Solver<'_> {
         let (k, scales) = (self.drift.ncols(), &frame.whole.scales);
         let mut named = DMatrix::zeros(self.named.len(), d + k + frame.free.first_order);
         for (mut row, entry) in named.row_iter_mut().zip(self.named) {
-            if *entry < n {
-                row.columns_mut(0, d).copy_from(&frame.within.positions.row(*entry));
-            } else if *entry < 2 * n {
-                let share = scales[*entry - n] / scales[*entry];
-                row.columns_mut(d, k).copy_from(&(self.drift.row(*entry - n) * share));
+            let own = |places: &[usize]| places.iter().position(|place| place == entry);
+            if let Some(place) = own(&self.places.positions) {
+                let scale = self.simulator.state_scale(*entry);
+                for (column, share) in frame.whole.positions_by_coordinates().row(place) {
+                    let share = share * scales[*column] / scale;
+                    let mut part = row.columns_mut(0, d);
+                    part += frame.within.positions.row(*column) * share;
+                }
+            } else if let Some(number) = own(&self.places.velocities) {
+                let share = scales[number] / scales[n + number];
+                row.columns_mut(d, k).copy_from(&(self.drift.row(number) * share));
             }
         }
         named

@@ -126,17 +126,18 @@ fn bent(
     /// Size of differences, relative to the terms of g', that counts as zero.
     const LEFT: f64 = 1e-11;
     let (n, free) = (positions.nrows(), positions.ncols());
+    let first = constraints.first(Level::Velocities);
     let rates = |state: &[f64]| constraints.residual(Level::Velocities, point.time, state);
     let matrix = constraints.matrix(point.time, &point.state);
-    let velocities = DVector::from_column_slice(&point.state[n..2 * n]);
+    let velocities = DVector::from_column_slice(&point.state[first..first + n]);
     let terms = matrix.abs() * velocities.abs();
     let mut bent = DMatrix::zeros(matrix.nrows(), free);
     for (column, mut values) in bent.column_iter_mut().enumerate() {
         let found = derivative(1.0, matrix.nrows(), |step| {
             let mut state = point.state.clone();
-            for index in 0..n {
-                state[index] += step * scales[index] * positions[(index, column)];
-            }
+            let change = positions.column(column).component_mul(scales) * step;
+            let moves = constraints.moves(point.time, &point.state, &change);
+            state.iter_mut().zip(moves).for_each(|(entry, moved)| *entry += moved);
             rates(&state).as_slice().to_vec()
         });
         let found = found.iter().zip(&terms);

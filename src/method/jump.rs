@@ -11,6 +11,8 @@
 //! Constraints that hold in some modes only, such as friction that sticks, have no finite impulse,
 //! and stop the run.
 
+use machinist_contract::Shape;
+
 use super::{Stopped, System};
 use crate::constraints::Level;
 use crate::error::StopCause;
@@ -86,8 +88,9 @@ impl System<'_> {
             return Ok(false);
         }
         let simulator = self.simulator();
-        let n = simulator.shape().coordinates;
-        let moved: Vec<f64> = (n..2 * n).map(|entry| after[entry] - state[entry]).collect();
+        let Shape { positions, coordinates, .. } = simulator.shape();
+        let velocities = positions..positions + coordinates;
+        let moved: Vec<f64> = velocities.map(|entry| after[entry] - state[entry]).collect();
         let shares = constraints.shares_of_impulse(behind, &after, &moved);
         let is_jerked = |row: &usize| simulator.constraint(*row).in_modes && shares[*row] > PULLS;
         if let Some(row) = (0..shares.len()).find(is_jerked) {

@@ -25,7 +25,7 @@ use std::ops::Range;
 
 use machinist_contract::{Derivatives, Describe, Dual, DualFunction, Simulator};
 
-use crate::constraints::Constraints;
+use crate::constraints::{Constraints, Level};
 use crate::error::{SimulateError, did_you_mean};
 use crate::method::one_step::first_not_finite;
 use crate::method::vectors::widest;
@@ -470,17 +470,23 @@ impl<'a> Tangents<'a> {
     ) {
         let Some(constraints) = constraints else { return };
         let count = self.by.len();
-        let coordinates = self.simulator.shape().coordinates;
         let rows = self.simulator.constraints();
-        for (function, first) in
-            [(DualFunction::ConstraintValues, 0), (DualFunction::ConstraintRates, coordinates)]
-        {
+        for (function, level) in [
+            (DualFunction::ConstraintValues, Level::Positions),
+            (DualFunction::ConstraintRates, Level::Velocities),
+        ] {
             let slopes = self.slopes(function, rows, time, state, tangents);
             // Keep what cannot be solved; the state itself was projected with the same matrix.
             let Some(shift) = constraints.shortest_each(time, state, &slopes) else { continue };
-            for (index, shifts) in shift.row_iter().enumerate() {
-                for (direction, shift) in shifts.iter().enumerate() {
-                    tangents[(first + index) * count + direction] -= shift;
+            let first = constraints.first(level);
+            for (direction, shift) in shift.column_iter().enumerate() {
+                let shift = shift.into_owned();
+                let moves = match level {
+                    Level::Positions => constraints.moves(time, state, &shift),
+                    Level::Velocities => shift.as_slice().to_vec(),
+                };
+                for (index, moved) in moves.into_iter().enumerate() {
+                    tangents[(first + index) * count + direction] -= moved;
                 }
             }
         }

@@ -226,6 +226,9 @@ impl Live {
             let moving = moving.moved(model.coordinates.len(), whole.coordinates.len());
             return Self::of_run((&whole, argument), &moving, run);
         }
+        if !model.constraints.is_empty() && model.positions() > model.coordinates.len() {
+            return Err(refused(&"it has constraints and an orientation"));
+        }
         let (module, is_implicit) = modules(model).map_err(|error| refused(&error))?;
         if module.bytes.len() > LARGEST {
             let size = module.bytes.len() / 1000;

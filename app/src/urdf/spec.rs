@@ -85,12 +85,15 @@ impl<'a> Spec<'a> {
             ("rad", "rotational")
         };
         if joint.motion == Motion::Floats {
-            for (end, unit) in FLOATING {
+            for end in FLOATING {
                 let _ = writeln!(
                     text,
-                    "[define.{scene}_robot.coordinates.{name}_{end}]\nunit = \"{unit}\"\n"
+                    "[define.{scene}_robot.coordinates.{name}_{end}]\nunit = \"m\"\n"
                 );
             }
+            let doc = quoted(&format!("joint {}", joint.name));
+            let _ =
+                writeln!(text, "[define.{scene}_robot.orientations.{name}_turn]\ndoc = {doc}\n");
             return;
         }
         let doc = quoted(&format!("joint {}", joint.name));
@@ -125,12 +128,9 @@ impl<'a> Spec<'a> {
             text.push('\n');
             head(text, name, &base);
             let coordinate = &self.coordinates[&*joint.name];
-            let [x, y, z, a, b, c] = FLOATING.map(|(end, _)| format!("\"{coordinate}_{end}\""));
-            let _ = writeln!(
-                text,
-                "displacement = [{x}, {y}, {z}]\n\
-                 rotation = {{ sequence = \"zyx\", angles = [{a}, {b}, {c}] }}"
-            );
+            let [x, y, z] = FLOATING.map(|end| format!("\"{coordinate}_{end}\""));
+            let _ =
+                writeln!(text, "displacement = [{x}, {y}, {z}]\nspherical = \"{coordinate}_turn\"");
             return;
         }
         head(text, name, parent);
@@ -222,9 +222,8 @@ impl<'a> Spec<'a> {
     }
 }
 
-/// Coordinates of a floating joint: the ends of their names, and their units.
-const FLOATING: [(&str, &str); 6] =
-    [("px", "m"), ("py", "m"), ("pz", "m"), ("yaw", "rad"), ("pitch", "rad"), ("roll", "rad")];
+/// Coordinates of a floating joint besides its orientation: the ends of their names.
+const FLOATING: [&str; 3] = ["px", "py", "pz"];
 
 /// Writes a position under a key, and a rotation, without zeros.
 fn pose(text: &mut String, key: &str, pose: &Pose) {

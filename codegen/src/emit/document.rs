@@ -234,16 +234,27 @@ fn motion(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
 }
 
 fn first_order(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
-    let states = equations.system.first_order.iter().enumerate();
-    states
-        .map(|(index, state)| Equation {
-            subject: state.quantity.name.path.clone(),
-            left: printer.rate_of(Symbol::FirstOrder(FirstOrderId(index as u32))),
-            right: printer.print(&equations.rates[index]),
-            unit: String::new(),
-            doc: state.quantity.doc.clone(),
-        })
-        .collect()
+    let system = &equations.system;
+    let parts = system.orientations.iter().zip(&system.scalars).flat_map(|(one, scalar)| {
+        let vector = one.vector.map(|id| (id, &system.coordinates[id.0 as usize].position));
+        std::iter::once((one.scalar, &scalar.quantity)).chain(vector)
+    });
+    let parts = parts.map(|(id, quantity)| Equation {
+        subject: quantity.name.path.clone(),
+        left: printer.rate_of(Symbol::Coordinate(id)),
+        right: printer.print(&system.orientations.rate(id)),
+        unit: String::new(),
+        doc: quantity.doc.clone(),
+    });
+    let states = system.first_order.iter().enumerate();
+    let states = states.map(|(index, state)| Equation {
+        subject: state.quantity.name.path.clone(),
+        left: printer.rate_of(Symbol::FirstOrder(FirstOrderId(index as u32))),
+        right: printer.print(&equations.rates[index]),
+        unit: String::new(),
+        doc: state.quantity.doc.clone(),
+    });
+    parts.chain(states).collect()
 }
 
 /// Returns f and G^T lambda of one coordinate. A multiplier has its constraint's name.
@@ -318,7 +329,18 @@ fn symbol_name(system: &LagrangianSystem, symbol: Symbol, notation: Notation) ->
         (Symbol::Pi, Notation::Text) => "pi".to_owned(),
         (Symbol::Pi, Notation::Latex) => "\\pi".to_owned(),
         (Symbol::Time, _) => "t".to_owned(),
-        (Symbol::Coordinate(id), _) => name(&coordinate(id).position),
+        (Symbol::Coordinate(id), _) => {
+            let scalar = (id.0 as usize).checked_sub(system.coordinates.len());
+            let scalar = scalar.map(|number| &system.scalars[number].quantity);
+            name(scalar.unwrap_or_else(|| &coordinate(id).position))
+        }
+        (Symbol::Velocity(id), Notation::Latex) if system.orientations.contain(id) => {
+            name(&coordinate(id).velocity)
+        }
+        (Symbol::Acceleration(id), notation) if system.orientations.contain(id) => {
+            let rate = name(&coordinate(id).velocity);
+            if notation == Notation::Text { format!("{rate}'") } else { dotted(&rate, "dot") }
+        }
         (Symbol::Velocity(id), Notation::Text) => name(&coordinate(id).velocity),
         (Symbol::Velocity(id), Notation::Latex) => dotted(&name(&coordinate(id).position), "dot"),
         (Symbol::Acceleration(id), Notation::Text) => {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use machinist_algebra::expr::{Expr, FirstOrderId, Symbol};
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use machinist_contract::{Real, Simulator};
 use num_traits::ToPrimitive as _;
 
@@ -210,7 +210,14 @@ impl<'a, R: Real> Comparison<'a, R> {
         let n = coordinates.len();
         let rows = self.entries.positions_by_coordinates(self.simulator, &at, n);
         let positions = rows.iter().zip(&self.entries.positions);
-        let positions = positions.map(|(row, entry)| (*entry, row_times(row, &q)));
+        let mut positions: Vec<(usize, Rounded<R>)> =
+            positions.map(|(row, entry)| (*entry, row_times(row, &q))).collect();
+        if !self.system.orientations.is_empty() {
+            let scalars = self.system.scalars.iter().map(|scalar| value(&scalar.initial));
+            let all = q.iter().copied().chain(scalars);
+            positions = self.entries.positions.iter().copied().zip(all).collect();
+        }
+        let positions = positions.into_iter();
         let velocities = self.entries.velocities.iter();
         let velocities = velocities.map(|(entry, i)| (*entry, value(&coordinates[*i].initial[1])));
         let first_order = self.entries.first_order.iter();
@@ -277,7 +284,11 @@ impl<'a, R: Real> Comparison<'a, R> {
         self.simulator.rate(at.time, at.state, at.parameters, &mut rate);
         let positions = rows.iter().zip(&self.entries.positions);
         let v: Vec<Rounded<R>> = place.v.iter().map(|v| Rounded::new(*v)).collect();
-        let positions = positions.map(|(row, entry)| (*entry, row_times(row, &v)));
+        let has_quaternions = !self.system.orientations.is_empty();
+        let positions = positions.enumerate().map(|(index, (row, entry))| {
+            let quaternion = || self.machine.rate_of_position(index, place);
+            (*entry, if has_quaternions { quaternion() } else { row_times(row, &v) })
+        });
         let velocities = self.entries.velocities.iter();
         let velocities = velocities.map(|(entry, i)| (*entry, motion.accelerations[*i]));
         let first_order = self.entries.first_order.iter();
@@ -296,7 +307,9 @@ impl<'a, R: Real> Comparison<'a, R> {
             let name = self.simulator.state(*entry).name;
             let mut all = self.system.coordinates.iter();
             let own = all.position(|coordinate| coordinate.position.name.path == name);
-            if let Some(own) = own {
+            let is_its_rate =
+                |own: &usize| !self.system.orientations.contain(CoordinateId(*own as u32));
+            if let Some(own) = own.filter(is_its_rate) {
                 let one = Rounded::literal(1.0);
                 self.judge(found, row[own], one, || format!("{name}' by its own velocity"));
             }

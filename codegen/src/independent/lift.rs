@@ -137,6 +137,14 @@ impl Entries {
         for (entry, state) in &self.first_order {
             place.z[*state] = R::literal(at.state[*entry]);
         }
+        if !system.orientations.is_empty() {
+            // Nothing is left out of a state with quaternions.
+            place.q = self.positions.iter().map(|entry| R::literal(at.state[*entry])).collect();
+            for (entry, coordinate) in &self.velocities {
+                place.v[*coordinate] = R::literal(at.state[*entry]);
+            }
+            return Some(place);
+        }
         let normals = machine.normals(&place)?;
         let zero = R::literal(0.0);
         let number = |row: &[f64]| row.iter().map(|entry| R::literal(*entry)).collect::<Vec<R>>();

@@ -24,7 +24,7 @@ use machinist_model::Table;
 pub struct Place<R> {
     /// t.
     pub time: R,
-    /// q.
+    /// q, then the part w of each quaternion.
     pub q: Vec<R>,
     /// q'.
     pub v: Vec<R>,
@@ -69,6 +69,9 @@ pub struct Machine<R> {
     pub to_f64: fn(R) -> f64,
     tables: Vec<Table>,
     coordinates: usize,
+    /// Indices in q of w, x, y and z of each quaternion. Velocities at the indices of x, y and z are
+    /// rates of rotation.
+    quaternions: Vec<[usize; 4]>,
     lagrangian: Formula<Rounded<R>>,
     dissipation: Formula<Rounded<R>>,
     forces: Vec<Formula<Rounded<R>>>,
@@ -85,6 +88,8 @@ enum Direction<'a, R> {
     Nowhere,
     /// In the direction of one symbol.
     One(Symbol),
+    /// Along the motion of one velocity.
+    Of(usize),
     /// Along the motion, with these rates of first-order states.
     Motion(&'a [Rounded<R>]),
 }
@@ -101,12 +106,17 @@ impl<R: Real> Machine<R> {
             when: constraint.when.clone(),
             is_dropped: constraint.is_dropped,
         });
+        let quaternions = system.orientations.iter().map(|one| {
+            let [x, y, z] = one.vector;
+            [one.scalar, x, y, z].map(|id| id.0 as usize)
+        });
         let is_rigid = |instance: &String| system.freeze.rigid.contains(instance);
         let springs = system.springs.iter().filter(|spring| is_rigid(&spring.instance));
         Self {
             to_f64,
             tables: system.tables.clone(),
             coordinates: system.coordinates.len(),
+            quaternions: quaternions.collect(),
             lagrangian,
             dissipation: Formula::new(&system.dissipation),
             forces: system.generalized_force.iter().map(|q| Formula::new(&q.total)).collect(),
@@ -260,22 +270,65 @@ impl<R: Real> Machine<R> {
     /// Returns dL/dq_i - d/dt dL/dq_i' - dD/dq_i' + Q_i, without q''.
     fn force(&self, i: usize, place: &Place<R>, h: &[Rounded<R>]) -> Rounded<R> {
         let by = |symbol| [Direction::One(symbol), Direction::Nowhere];
-        let slopes = self.each(&self.lagrangian, place, by(coordinate(i)));
+        let slopes = self.each(&self.lagrangian, place, [Direction::Of(i), Direction::Nowhere]);
         let along = [Direction::One(velocity(i)), Direction::Motion(h)];
         let momentum = self.each(&self.lagrangian, place, along);
         let losses = self.each(&self.dissipation, place, by(velocity(i)));
         let parts = slopes.map(|term| signed(term.a, 1.0));
         let parts = parts.chain(momentum.map(|term| signed(term.ab, -1.0)));
         let parts = parts.chain(losses.map(|term| signed(term.a, -1.0)));
-        sum(parts.chain([self.value(&self.forces[i], place, None)]))
+        let parts = parts.chain([self.value(&self.forces[i], place, None)]);
+        sum(parts.chain(self.gyroscopic(i, place)))
+    }
+
+    /// Returns the terms of p x omega, with p = dL/domega, for a rate of rotation.
+    fn gyroscopic(&self, i: usize, place: &Place<R>) -> Vec<Rounded<R>> {
+        let found = self.quaternions.iter().find(|parts| parts[1..].contains(&i));
+        let Some([_, axes @ ..]) = found else { return Vec::new() };
+        let number = axes.iter().position(|axis| *axis == i).unwrap_or_default();
+        let (j, k) = (axes[(number + 1) % 3], axes[(number + 2) % 3]);
+        let momentum = |axis: usize| {
+            let by = [Direction::One(velocity(axis)), Direction::Nowhere];
+            sum(self.each(&self.lagrangian, place, by).map(|term| signed(term.a, 1.0)))
+        };
+        let omega = |axis: usize| Rounded::new(place.v[axis]);
+        vec![momentum(j) * omega(k), -(momentum(k) * omega(j))]
+    }
+
+    /// Returns the rate of a position.
+    pub fn rate_of_position(&self, index: usize, place: &Place<R>) -> Rounded<R> {
+        self.position_along(index, place, &|velocity| Rounded::new(place.v[velocity]))
+            .unwrap_or(Rounded::literal(0.0))
+    }
+
+    /// Returns the rate of a position at given velocities: of a quaternion q, that of q omega/2.
+    fn position_along(
+        &self,
+        index: usize,
+        place: &Place<R>,
+        velocity: &dyn Fn(usize) -> Rounded<R>,
+    ) -> Option<Rounded<R>> {
+        let Some(parts) = self.quaternions.iter().find(|parts| parts.contains(&index)) else {
+            return (index < self.coordinates).then(|| velocity(index));
+        };
+        let part = |number: usize| place.q.get(parts[number]).copied().map(Rounded::new);
+        let (w, x, y, z) = (part(0)?, part(1)?, part(2)?, part(3)?);
+        let [a, b, c] = [1, 2, 3].map(|part| velocity(parts[part]));
+        let doubled = match parts.iter().position(|part| *part == index) {
+            Some(0) => -(x * a + y * b + z * c),
+            Some(1) => w * a + y * c - z * b,
+            Some(2) => w * b + z * a - x * c,
+            _ => w * c + x * b - y * a,
+        };
+        Some(doubled * Rounded::literal(0.5))
     }
 
     /// Returns a constraint's row of G.
     fn normal(&self, constraint: usize, place: &Place<R>) -> Vec<R> {
         let Held { formula, is_of_positions, .. } = &self.constraints[constraint];
-        let symbol = if *is_of_positions { coordinate } else { velocity };
         let slope = |i| {
-            let terms = self.each(formula, place, [Direction::One(symbol(i)), Direction::Nowhere]);
+            let one = if *is_of_positions { Direction::Of(i) } else { Direction::One(velocity(i)) };
+            let terms = self.each(formula, place, [one, Direction::Nowhere]);
             sum(terms.map(|term| signed(term.a, 1.0))).value
         };
         (0..self.coordinates).map(slope).collect()
@@ -350,7 +403,16 @@ impl<R: Real> Machine<R> {
             (Direction::One(asked), symbol) => (asked == symbol).then_some(one),
             (Direction::Motion(_), Symbol::Time) => Some(one),
             (Direction::Motion(_), Symbol::Coordinate(id)) => {
-                place.v.get(id.0 as usize).map(|v| Rounded::new(*v))
+                place.v.first()?;
+                self.position_along(id.0 as usize, place, &|index| Rounded::new(place.v[index]))
+            }
+            (Direction::Of(asked), Symbol::Coordinate(id)) => {
+                let zero = Rounded::literal(0.0);
+                let unit = |index: usize| if index == asked { one } else { zero };
+                let parts = self.quaternions.iter();
+                let of = parts.filter(|parts| parts.contains(&(id.0 as usize))).flatten();
+                let moves = id.0 as usize == asked || of.into_iter().any(|part| *part == asked);
+                if moves { self.position_along(id.0 as usize, place, &unit) } else { None }
             }
             (Direction::Motion(h), Symbol::FirstOrder(FirstOrderId(k))) => {
                 let moves = !self.is_mode[k as usize];

@@ -15,6 +15,7 @@ use crate::scene::system::{
     Constraint, Coordinate, Definition, FirstOrderState, GeneralizedForce, LagrangianSystem,
     Parameter,
 };
+use crate::spatial::orientation::Orientations;
 
 /// A term: a function of positions, time and states, the coordinates, velocities and states it
 /// takes, and a factor.
@@ -368,6 +369,8 @@ impl Recipe {
             kinetic: self.kinetic(),
             potential: sum(self.potential.iter().map(|piece| self.term(piece)).collect()),
             mechanisms: Vec::new(),
+            orientations: Orientations::default(),
+            scalars: Vec::new(),
             springs: Vec::new(),
             dissipation: self.dissipation(),
             generalized_force: (0..n)

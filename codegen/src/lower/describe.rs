@@ -73,6 +73,14 @@ fn states(equations: &EquationsOfMotion) -> Vec<State> {
     let system = &equations.system;
     let states = equations.layout.states.iter().map(|state| {
         let (kind, is_given) = match state.motion {
+            Motion::Position { coordinate, .. }
+                if coordinate.0 as usize >= system.coordinates.len() =>
+            {
+                let number = coordinate.0 as usize - system.coordinates.len();
+                let own = system.orientations.iter().nth(number);
+                let first = own.map_or(0, |orientation| orientation.vector[0].0);
+                (StateKind::Position(first), system.scalars[number].is_given)
+            }
             Motion::Position { coordinate, .. } => {
                 let is_given = system.coordinates[coordinate.0 as usize].is_given[0];
                 (StateKind::Position(coordinate.0), is_given)

@@ -7,6 +7,9 @@
 //! M q'' = f + G^T lambda   lambda acts towards growing g
 //! ```
 //!
+//! The derivative by q is along the motion that q' is the rate of: for the rates of an orientation, by
+//! a small rotation.
+//!
 //! A constraint that holds in some modes only has a factor s, 1 while it holds and else 0:
 //! s G q'' + (1 - s) lambda = s gamma, M q'' = f + s G^T lambda.
 
@@ -40,18 +43,16 @@ impl Constraints {
         let mut constraints = Constraints::default();
         for constraint in &system.constraints {
             let form = cas.form(&constraint.expr);
-            let by = |cas: &mut Cas, form: &Form, symbol: fn(CoordinateId) -> Symbol| {
-                ids.iter().map(|id| cas.derivative(form, symbol(*id))).collect::<Vec<_>>()
-            };
             let (value, rate, row) = if constraint.is_of_positions {
-                let row = by(cas, &form, Symbol::Coordinate);
+                let row = by_positions(cas, system, &form);
                 let rate = along(cas, &form, &row, &ids);
                 (cas.expr(&form), rate, row)
             } else {
-                let row = by(cas, &form, Symbol::Velocity);
+                let by = ids.iter().map(|id| cas.derivative(&form, Symbol::Velocity(*id)));
+                let row = by.collect::<Vec<_>>();
                 (Expr::integer(0), form, row)
             };
-            let slopes = by(cas, &rate, Symbol::Coordinate);
+            let slopes = by_positions(cas, system, &rate);
             let bend = along(cas, &rate, &slopes, &ids);
             let gamma = unless_faulty!("gamma", -&bend, bend);
             constraints.values.push(value);
@@ -136,6 +137,23 @@ impl Constraints {
         }
         Expr::Sum(vec![holds.clone(), Expr::integer(-1)])
     }
+}
+
+/// Returns the derivatives of an expression along the motion of each velocity.
+fn by_positions(cas: &mut Cas, system: &LagrangianSystem, form: &Form) -> Vec<Form> {
+    let ids = (0..system.coordinates.len() as u32).map(CoordinateId);
+    let slopes = ids.map(|id| {
+        if !system.orientations.contain(id) {
+            return cas.derivative(form, Symbol::Coordinate(id));
+        }
+        let parts = system.orientations.moves(id).into_iter().map(|(part, share)| {
+            let slope = cas.derivative(form, Symbol::Coordinate(part));
+            &cas.form(&share) * &slope
+        });
+        let parts = parts.collect();
+        cas.sum(parts)
+    });
+    slopes.collect()
 }
 
 /// Returns dx/dt of an expression that does not depend on velocities, or its part without

@@ -26,6 +26,7 @@ use crate::mechanics::linearize::{Linearization, linearize};
 use crate::scene::system::{
     Coordinate, Field, FirstOrderState, GeneralizedForce, LagrangianSystem,
 };
+use crate::spatial::orientation::Orientations;
 
 /// A field with the derivatives of its densities.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,6 +95,8 @@ fn density(system: &LagrangianSystem, field: &Field) -> LagrangianSystem {
         dissipation: field.dissipation.clone(),
         generalized_force: vec![force(field.force.clone()), force(Expr::integer(0))],
         mechanisms: Vec::new(),
+        orientations: Orientations::default(),
+        scalars: Vec::new(),
         springs: Vec::new(),
         stored_energy: Expr::integer(0),
         supplied_power: Expr::integer(0),

@@ -6,6 +6,9 @@
 //! f = dL/dq - (d2L/dq' dq) q' - (d2L/dq' dz) h - d2L/dq' dt - dD/dq' + Q
 //! M q'' = f + G^T lambda            z' = h
 //! ```
+//!
+//! For the rates omega of a quaternion, q'' is omega', dL/dq the derivative by a small rotation, and
+//! f has the term -(omega x dL/domega).
 
 use std::collections::BTreeMap;
 
@@ -131,11 +134,12 @@ fn forcing(
     };
     let ids = (0..).map(CoordinateId);
     let rows = ids.zip(momenta).zip(&system.generalized_force).map(|((id, momentum), force)| {
-        let slope = lagrangian.derivative(cas, Symbol::Coordinate(id));
+        let slope = along(cas, system, &lagrangian, id);
         let mut parts = vec![unless_faulty!("dL/dq", slope, -&slope)];
+        parts.extend(gyroscopic(cas, system, momenta, id));
         for other in momentum.symbols(coordinate) {
             let coupling = momentum.derivative(cas, Symbol::Coordinate(other));
-            let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(other)));
+            let velocity = cas.form(&system.orientations.rate(other));
             let part = &coupling * &velocity;
             parts.push(unless_faulty!("(d2L/dq' dq) q'", -&part, part));
         }
@@ -152,6 +156,42 @@ fn forcing(
         cas.simplify(&f)
     });
     rows.collect()
+}
+
+/// Returns dX/dq along the motion of a velocity: for a rate of rotation, the derivative by a small
+/// rotation.
+fn along(cas: &mut Cas, system: &LagrangianSystem, of: &Terms, id: CoordinateId) -> Form {
+    if !system.orientations.contain(id) {
+        return of.derivative(cas, Symbol::Coordinate(id));
+    }
+    let parts = system.orientations.moves(id).into_iter().map(|(part, share)| {
+        let slope = of.derivative(cas, Symbol::Coordinate(part));
+        &cas.form(&share) * &slope
+    });
+    let parts = parts.collect();
+    cas.sum(parts)
+}
+
+/// Returns -(omega x dL/domega) for the rates of an orientation, which are not those of coordinates:
+/// the equations of Boltzmann and Hamel.
+fn gyroscopic(
+    cas: &mut Cas,
+    system: &LagrangianSystem,
+    momenta: &[Terms],
+    id: CoordinateId,
+) -> Vec<Form> {
+    let found = system
+        .orientations
+        .iter()
+        .find_map(|one| Some((one, one.vector.iter().position(|coordinate| *coordinate == id)?)));
+    let Some((one, i)) = found else { return Vec::new() };
+    let [j, k] = [1, 2].map(|next| one.vector[(i + next) % 3]);
+    let mut part = |velocity: CoordinateId, of: CoordinateId| {
+        let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(velocity)));
+        &velocity * &momenta[of.0 as usize].form(cas)
+    };
+    let (forward, back) = (part(j, k), part(k, j));
+    vec![-&forward, back]
 }
 
 /// Returns (dX/dz) h, term by term: the change of X with first-order states, such as the mass of

@@ -1,6 +1,6 @@
 //! State vector of a simulator: the entries of y, in order.
 //!
-//! Before reduction y = \[q, q', z\]. After it, positions that nothing depends on are gone,
+//! Before reduction y = \[q, w, q', z\], with a part w of each quaternion among the coordinates. After it, positions that nothing depends on are gone,
 //! others are relative, and entries that are only integrated for an output come last.
 
 use crate::scene::system::LagrangianSystem;
@@ -27,7 +27,7 @@ pub enum Motion {
     Position {
         /// The coordinate.
         coordinate: CoordinateId,
-        /// Its rate, of velocities and parameters only.
+        /// Its rate, of velocities and parameters only, or of a quaternion's parts too.
         rate: Expr,
     },
     /// A generalized velocity; its rate is the acceleration.
@@ -83,10 +83,17 @@ impl Layout {
             quantity: coordinate.position.clone(),
             motion: Motion::Position {
                 coordinate: CoordinateId(id),
-                rate: Expr::Symbol(Symbol::Velocity(CoordinateId(id))),
+                rate: system.orientations.rate(CoordinateId(id)),
             },
             initial: coordinate.initial[0].clone(),
             scale: coordinate.scale[0],
+        });
+        let ids = (system.coordinates.len() as u32..).map(CoordinateId);
+        let scalars = system.scalars.iter().zip(ids).map(|(scalar, id)| State {
+            quantity: scalar.quantity.clone(),
+            motion: Motion::Position { coordinate: id, rate: system.orientations.rate(id) },
+            initial: scalar.initial.clone(),
+            scale: 1.0,
         });
         let velocities = coordinates().map(|(coordinate, id)| State {
             quantity: coordinate.velocity.clone(),
@@ -100,7 +107,7 @@ impl Layout {
             initial: state.initial.clone(),
             scale: state.scale,
         });
-        let states = positions.chain(velocities).chain(first_order).collect();
+        let states = positions.chain(scalars).chain(velocities).chain(first_order).collect();
         Layout { states, quadratures: 0 }
     }
 

@@ -17,10 +17,12 @@ use crate::scene::parameters;
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
 use crate::scene::scatter;
 use crate::scene::system::{
-    Constraint, Coordinate, FirstOrderState, LagrangianSystem, Parameter, Spring, without_zeros,
+    Constraint, Coordinate, FirstOrderState, LagrangianSystem, Parameter, Scalar, Spring,
+    without_zeros,
 };
 use crate::scene::typed::{integer, sum};
 use crate::spatial::mechanism::Mechanism;
+use crate::spatial::orientation::Orientations;
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
@@ -69,6 +71,7 @@ pub fn assemble(
     let constraints = assembler.constraints();
     let (initial, profiles) = assembler.initial();
     let coordinates = assembler.coordinates(&initial);
+    let (orientations, scalars) = assembler.orientations(&initial);
     let first_order = assembler.first_order(&initial);
     let parameters = assembler.parameters();
     let fields = assembler.fields(&profiles);
@@ -98,6 +101,8 @@ pub fn assemble(
         kinetic,
         potential,
         mechanisms,
+        orientations,
+        scalars,
         springs,
         dissipation,
         generalized_force,
@@ -253,7 +258,7 @@ impl<'a> Assembler<'a> {
             let position = quantity(Some(instance), &spec.name.value, &spec.unit.text, &spec.doc);
             let doc =
                 if spec.doc.is_empty() { String::new() } else { format!("rate of {}", spec.doc) };
-            let unit = per_second(&spec.unit);
+            let unit = spec.unit_of_rate(1).map_or_else(String::new, |(text, _)| text);
             let velocity = quantity(Some(instance), &spec.velocity.value, &unit, &doc);
             let followers = layout.links.iter().enumerate().filter(|(other, link)| {
                 link.id.0 as usize == id && other != slot && !layout.is_fixed(*other)
@@ -274,6 +279,26 @@ impl<'a> Assembler<'a> {
             }
         });
         coordinates.collect()
+    }
+
+    /// Returns the orientations and their parts w.
+    fn orientations(&self, initial: &initial::Initial) -> (Orientations, Vec<Scalar>) {
+        let all = self.instances().flat_map(|(_, instance, unit)| {
+            unit.orientations.iter().map(move |orientation| (instance, orientation))
+        });
+        let values = initial.scalars.iter().zip(&initial.given_scalars);
+        let scalars = all.zip(values).map(|((instance, orientation), (initial, is_given))| {
+            let name = &orientation.name.value;
+            let doc = if orientation.doc.is_empty() {
+                format!("part w of {name}")
+            } else {
+                orientation.doc.clone()
+            };
+            let quantity =
+                quantity(Some(&instance.name.value), &orientation.scalar().value, "1", &doc);
+            Scalar { quantity, initial: initial.clone(), is_given: *is_given }
+        });
+        (self.resolver.orientations(), scalars.collect())
     }
 
     fn first_order(&mut self, initial: &initial::Initial) -> Vec<FirstOrderState> {
@@ -398,6 +423,9 @@ impl<'a> Assembler<'a> {
             }
             for state in &unit.states {
                 take(&mut states, &name(whose, &state.name.value), span);
+            }
+            for orientation in &unit.orientations {
+                take(&mut states, &name(whose, &orientation.scalar().value), span);
             }
             // Computed parameters are not in the model, so `rod.mass` may coincide with
             // `rod_mass`.

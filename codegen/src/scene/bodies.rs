@@ -11,13 +11,14 @@ use crate::scene::layout::{FramePart, Scope};
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
 use crate::scene::typed::{Typed, Uses};
 use crate::spatial::mechanism::{Body, Frame, Kind, Mechanism, Placed};
+use crate::spatial::orientation::{Orientation, Orientations};
 use crate::spatial::vector::{
-    Matrix3, Vector, identity, multiplied, of_quaternion, plus, rotation, times, zero,
+    Matrix3, Vector, multiplied, of_quaternion, plus, rotation, sine_and_cosine, times, zero,
 };
 use crate::spec::body::{AxisSpec, BodySpec, Components, FrameSpec, RotationSpec, WORLD};
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::{Angular, Dimension};
-use crate::spec::{Formula, UnitSpec, did_you_mean, quoted};
+use crate::spec::{CoordinateSpec, Formula, UnitSpec, did_you_mean, quoted};
 
 /// Frames and bodies of an instance.
 #[derive(Debug)]
@@ -147,7 +148,7 @@ impl Resolver<'_> {
             let what = "a displacement";
             let r = self.components(displacement, scope, Dimension::LENGTH, what, Uses::PLACE)?;
             for (axis, by) in r.iter().enumerate().filter(|(_, by)| moves(by)) {
-                at = tree.add(name, Kind::Prismatic, &at, &unit_vector(axis), by);
+                at = tree.add(name, Kind::Slides, &at, &unit_vector(axis), by);
             }
             let fixed = r.map(|by| if moves(&by) { Expr::integer(0) } else { by });
             at.offset = plus(&at.offset, &times(&at.to_joint, &fixed));
@@ -159,10 +160,15 @@ impl Resolver<'_> {
             let (axis, angle) = self.axis(joint, scope, Dimension::ONE)?;
             at = turned_about(tree, at, &axis, &angle, name);
         }
+        if let Some(orientation) = &frame.spherical {
+            let Scope::Instance(instance) = scope else { return Ok(at) };
+            let by = self.orientation_named(instance, orientation)?;
+            at = tree.add_spherical(name, &at, &by);
+        }
         if let Some(joint) = &frame.prismatic {
             let (axis, length) = self.axis(joint, scope, Dimension::LENGTH)?;
             if moves(&length) {
-                at = tree.add(name, Kind::Prismatic, &at, &axis, &length);
+                at = tree.add(name, Kind::Slides, &at, &axis, &length);
             } else {
                 let way = axis.map(|entry| product([entry, length.clone()]));
                 at.offset = plus(&at.offset, &times(&at.to_joint, &way));
@@ -223,30 +229,117 @@ impl Resolver<'_> {
         Err(Box::new(mistake.help("fix the body to a frame that moves")))
     }
 
+    /// Returns the orientations of all instances, in the order of their parts w.
+    pub(super) fn orientations(&self) -> Orientations {
+        let mut all = Vec::new();
+        for (instance, spec) in self.spec.instances.iter().enumerate() {
+            let count = self.spec.units[spec.unit].orientations.len();
+            all.extend((0..count).map(|index| self.parts_of(instance, index)));
+        }
+        Orientations::new(all)
+    }
+
+    /// Returns the parts of an orientation of an instance.
+    pub(super) fn parts_of(&self, instance: usize, index: usize) -> Orientation {
+        let unit = &self.spec.units[self.spec.instances[instance].unit];
+        let is_first = |coordinate: &CoordinateSpec| coordinate.orientation == Some(index);
+        let first = unit.coordinates.iter().position(is_first).unwrap_or_default();
+        self.layout.parts(instance, index, first)
+    }
+
+    fn orientation_named(
+        &self,
+        instance: usize,
+        name: &Spanned<String>,
+    ) -> Result<Orientation, Box<Mistake>> {
+        let unit = &self.spec.units[self.spec.instances[instance].unit];
+        let found = unit.orientations.iter().position(|one| one.name.value == name.value);
+        let index = found.ok_or_else(|| {
+            let message = format!("there is no orientation {}", quoted(&name.value));
+            let names = unit.orientations.iter().map(|one| one.name.value.as_str());
+            let help = format!(
+                "{}declare it by `[orientations]`, `{} = {{}}`",
+                did_you_mean(&name.value, names),
+                name.value
+            );
+            Mistake::new(name.span, message, "unknown").help(help)
+        })?;
+        Ok(self.parts_of(instance, index))
+    }
+
+    /// Returns the quaternion of rotations that do not move.
+    pub(super) fn quaternion_of(
+        &mut self,
+        rotations: &[RotationSpec],
+        scope: Scope,
+    ) -> Result<[Expr; 4], Box<Mistake>> {
+        let mut whole = [1, 0, 0, 0].map(Expr::integer);
+        for rotation in rotations {
+            match rotation {
+                RotationSpec::Axis(axis) => {
+                    let (direction, angle) = self.axis(axis, scope, Dimension::ONE)?;
+                    self.still(&angle, axis.by.span())?;
+                    whole = hamilton(&whole, &half_turned(&direction, &angle));
+                }
+                RotationSpec::Sequence(turns) => {
+                    for (axis, formula) in turns {
+                        let angle = self.angle_of(formula, scope)?;
+                        self.still(&angle, formula.span())?;
+                        whole = hamilton(&whole, &half_turned(&unit_vector(*axis), &angle));
+                    }
+                }
+                RotationSpec::Quaternion(parts, span) => {
+                    let parts = self.parts_of_quaternion(parts, scope, *span)?;
+                    whole = hamilton(&whole, &unit_quaternion(&parts));
+                }
+            }
+        }
+        Ok(whole)
+    }
+
+    /// Rejects an angle at the start that moves.
+    fn still(&self, angle: &Expr, span: Span) -> Result<(), Box<Mistake>> {
+        if !moves(angle) {
+            return Ok(());
+        }
+        let message = "the rotation at the start depends on a coordinate or time";
+        let mistake = Mistake::new(span, message, "moves");
+        Err(Box::new(mistake.help("write it with parameters")))
+    }
+
     fn quaternion(
         &mut self,
         parts: &[Formula; 4],
         scope: Scope,
         span: Span,
     ) -> Result<Matrix3, Box<Mistake>> {
+        Ok(of_quaternion(&self.parts_of_quaternion(parts, scope, span)?))
+    }
+
+    fn parts_of_quaternion(
+        &mut self,
+        parts: &[Formula; 4],
+        scope: Scope,
+        span: Span,
+    ) -> Result<[Expr; 4], Box<Mistake>> {
         let wanted = Wanted::new(Dimension::ONE, "a part of a quaternion").of(Uses::PARAMETERS);
-        let [w, x, y, z] = parts;
-        let mut values = Vec::new();
-        for part in [w, x, y, z] {
-            values.push(normal_form(&self.formula(part, scope, &wanted)?.expr));
+        let mut values = [0; 4].map(Expr::integer);
+        for (value, part) in values.iter_mut().zip(parts) {
+            *value = normal_form(&self.formula(part, scope, &wanted)?.expr);
         }
-        let Ok(parts) = <[Expr; 4]>::try_from(values) else { return Ok(identity()) };
+        let parts = values;
         let norm = sum(parts.iter().map(|part| product([part.clone(), part.clone()])));
         if norm.is_zero() {
             let mistake = Mistake::new(span, "a quaternion of magnitude 0 is no rotation", "zero");
             return Err(Box::new(mistake.help("no rotation is [1, 0, 0, 0]")));
         }
-        Ok(of_quaternion(&parts))
+        Ok(parts)
     }
 
     fn angle_of(&mut self, angle: &Formula, scope: Scope) -> Result<Expr, Box<Mistake>> {
         let wanted = Wanted::new(Dimension::ONE, "an angle").of(Uses::PLACE);
         let by = normal_form(&self.formula(angle, scope, &wanted)?.expr);
+        self.without_orientations(&by, angle.span())?;
         without_states(by, angle.span())
     }
 
@@ -260,6 +353,7 @@ impl Resolver<'_> {
         let what = if dimension == Dimension::ONE { "an angle" } else { "a displacement" };
         let wanted = Wanted::new(dimension, what).of(Uses::PLACE);
         let by = normal_form(&self.formula(&spec.by, scope, &wanted)?.expr);
+        self.without_orientations(&by, spec.by.span())?;
         let by = without_states(by, spec.by.span())?;
         let what = "a component of an axis";
         let axis = self.components(&spec.axis, scope, Dimension::ONE, what, Uses::PARAMETERS)?;
@@ -271,6 +365,18 @@ impl Resolver<'_> {
         let half = Expr::Number(BigRational::new((-1).into(), 2.into()));
         let inverse = normal_form(&Expr::Power(Box::new(norm), Box::new(half)));
         Ok((axis.map(|entry| product([entry, inverse.clone()]).shared()), by))
+    }
+
+    /// Rejects a motion that follows a part of an orientation, whose rate is not a velocity.
+    fn without_orientations(&self, expr: &Expr, span: Span) -> Result<(), Box<Mistake>> {
+        let orientations = self.orientations();
+        let is_part = |symbol| matches!(symbol, Symbol::Coordinate(id) if orientations.contain(id));
+        if orientations.is_empty() || !expr.mentions(is_part) {
+            return Ok(());
+        }
+        let message = "the motion of a frame depends on a part of an orientation";
+        let mistake = Mistake::new(span, message, "of a quaternion");
+        Err(Box::new(mistake.help("turn a frame by `spherical`")))
     }
 
     fn components(
@@ -285,6 +391,7 @@ impl Resolver<'_> {
         let mut all = zero();
         for (entry, formula) in all.iter_mut().zip(spec) {
             let expr = normal_form(&self.formula(formula, scope, &wanted)?.expr);
+            self.without_orientations(&expr, formula.span())?;
             *entry = without_states(expr, formula.span())?;
         }
         Ok(all)
@@ -377,6 +484,34 @@ fn without_states(expr: Expr, span: Span) -> Result<Expr, Box<Mistake>> {
     Err(Box::new(mistake.help("write it with coordinates, time and parameters")))
 }
 
+/// Returns the unit quaternion of a rotation by an angle about a unit axis.
+fn half_turned(axis: &Vector, angle: &Expr) -> [Expr; 4] {
+    let half = Expr::Number(BigRational::new(1.into(), 2.into()));
+    let [sine, cosine] = sine_and_cosine(&normal_form(&product([half, angle.clone()])));
+    let [x, y, z] = axis.each_ref().map(|entry| product([sine.clone(), entry.clone()]));
+    [cosine, x, y, z]
+}
+
+fn unit_quaternion(parts: &[Expr; 4]) -> [Expr; 4] {
+    let norm = sum(parts.iter().map(|part| product([part.clone(), part.clone()])));
+    let half = Expr::Number(BigRational::new((-1).into(), 2.into()));
+    let inverse = normal_form(&Expr::Power(Box::new(norm), Box::new(half)));
+    parts.each_ref().map(|part| product([part.clone(), inverse.clone()]))
+}
+
+/// Returns the product of two quaternions w, x, y, z.
+fn hamilton(a: &[Expr; 4], b: &[Expr; 4]) -> [Expr; 4] {
+    let part = |terms: [(i64, usize, usize); 4]| {
+        sum(terms.map(|(sign, i, j)| product([Expr::integer(sign), a[i].clone(), b[j].clone()])))
+    };
+    [
+        part([(1, 0, 0), (-1, 1, 1), (-1, 2, 2), (-1, 3, 3)]),
+        part([(1, 0, 1), (1, 1, 0), (1, 2, 3), (-1, 3, 2)]),
+        part([(1, 0, 2), (-1, 1, 3), (1, 2, 0), (1, 3, 1)]),
+        part([(1, 0, 3), (1, 1, 2), (-1, 2, 1), (1, 3, 0)]),
+    ]
+}
+
 /// Turns a frame about an axis: by a joint if the angle moves.
 fn turned_about(
     tree: &mut Mechanism,
@@ -386,7 +521,7 @@ fn turned_about(
     name: &str,
 ) -> Frame {
     if moves(angle) {
-        return tree.add(name, Kind::Revolute, &at, axis, angle);
+        return tree.add(name, Kind::Turns, &at, axis, angle);
     }
     at.to_joint = multiplied(&at.to_joint, &rotation(axis, angle));
     at

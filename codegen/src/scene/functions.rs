@@ -432,8 +432,9 @@ impl Resolver<'_> {
         let velocity = allowed.acceleration;
         let within = Uses { velocity, acceleration: false, reaction: false, ..allowed };
         let x = self.resolve(of, scope, within)?;
+        let orientations = self.orientations();
         let of_symbol = |symbol| match symbol {
-            Symbol::Coordinate(id) => Some(Expr::Symbol(Symbol::Velocity(id))),
+            Symbol::Coordinate(id) => Some(orientations.rate(id)),
             Symbol::Velocity(id) => Some(Expr::Symbol(Symbol::Acceleration(id))),
             mode if self.is_mode(&Expr::Symbol(mode)) => Some(integer(0)),
             _ => None,

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use crate::scene::parameters::numbers;
 use crate::scene::system::Required;
 use crate::scene::typed::integer;
+use crate::spatial::orientation::Orientation;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::{Dimension, Unit};
 use crate::spec::{
@@ -43,6 +44,8 @@ pub enum Local {
     Place,
     /// A component of the motion of a frame.
     Frame(usize, FramePart),
+    /// The part w of an orientation.
+    Scalar(usize),
 }
 
 /// A component of the motion of a frame, along the axes of the world.
@@ -79,7 +82,7 @@ impl FramePart {
         let (dimension, rad) = match self {
             FramePart::Position(_) => (Dimension::LENGTH, 0),
             FramePart::Velocity(_) => (Dimension::VELOCITY, 0),
-            FramePart::Omega(_) => (Dimension::FREQUENCY, 1),
+            FramePart::Omega(_) => (Dimension::FREQUENCY, 2),
             FramePart::Rotation(..) => (Dimension::ONE, 0),
         };
         Unit { dimension, rad }
@@ -203,8 +206,8 @@ pub struct Link {
 pub struct Layout {
     pub units: Vec<Names>,
     pub scene: Names,
-    /// Index of the first coordinate, parameter, state and constraint of each instance.
-    first: Vec<[usize; 4]>,
+    /// Index of the first coordinate, parameter, state, constraint and orientation of each instance.
+    first: Vec<[usize; 5]>,
     /// Ids of the parameters that are numbers, among all parameters of scene and instances.
     parameters: Vec<Option<ParameterId>>,
     /// Numbers of first-order states, and of constraints, of all instances.
@@ -247,7 +250,7 @@ impl Layout {
         for (index, friction) in spec.frictions.iter().enumerate() {
             scene.add(&friction.force.name, Local::Friction(index), mistakes);
         }
-        let mut next = [0, spec.parameters.len(), 0, 0];
+        let mut next = [0, spec.parameters.len(), 0, 0, 0];
         let mut first = Vec::new();
         let mut size = 0;
         for instance in &spec.instances {
@@ -257,6 +260,7 @@ impl Layout {
             next[1] += unit.parameters.len();
             next[2] += unit.states.len();
             next[3] += unit.constraints.len();
+            next[4] += unit.orientations.len();
             let names = units[instance.unit].order.len();
             if size <= MAX_NAMES && size + names > MAX_NAMES {
                 let message = format!("a scene has at most {MAX_NAMES} named things");
@@ -362,6 +366,19 @@ impl Layout {
             _ => self.states,
         };
         FirstOrderId((first + index) as u32)
+    }
+
+    /// Returns the index of an orientation of an instance among those of all instances.
+    pub fn orientation(&self, instance: usize, index: usize) -> usize {
+        self.first[instance][4] + index
+    }
+
+    /// Returns the parts of an orientation. The part w is a coordinate without a velocity, after
+    /// all others.
+    pub fn parts(&self, instance: usize, index: usize, first: usize) -> Orientation {
+        let scalar = self.representatives.len() + self.orientation(instance, index);
+        let vector = [0, 1, 2].map(|axis| self.link(instance, first + axis).id);
+        Orientation { vector, scalar: CoordinateId(scalar as u32) }
     }
 
     /// Returns the id of a constraint; those of the scene come last.
@@ -505,6 +522,9 @@ fn unit_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) -> Names {
         names.add(&coordinate.velocity, Local::Velocity(index), mistakes);
         names.add(&coordinate.acceleration, Local::Acceleration(index), mistakes);
     }
+    for (index, orientation) in unit.orientations.iter().enumerate() {
+        names.add(&orientation.scalar(), Local::Scalar(index), mistakes);
+    }
     for (index, frame) in unit.frames.iter().enumerate() {
         for (part, end) in FramePart::all() {
             let value = format!("{}_{end}", frame.name.value);
@@ -542,6 +562,12 @@ fn check_port(port: &PortSpec, unit: &UnitSpec, names: &Names, mistakes: &mut Ve
         mistakes.push(unknown_coordinate(&port.coordinate, unit));
         return;
     };
+    if unit.coordinates[index].orientation.is_some() {
+        let message = "a part of an orientation cannot be the coordinate of a port";
+        let mistake = Mistake::new(port.coordinate.span, message, "part of a quaternion");
+        mistakes.push(mistake.help("a joint that turns about one axis has an angle"));
+        return;
+    }
     let Declared { unit: Unit { dimension, .. }, .. } = unit.coordinates[index].unit;
     let (fits, wanted) = match port.kind.value {
         PortKind::Rotational => (dimension == Dimension::ONE, "an angle in rad"),

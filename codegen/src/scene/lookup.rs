@@ -188,6 +188,11 @@ impl Resolver<'_> {
             (Scope::Instance(instance), Local::Frame(index, part)) => {
                 self.of_frame(instance, index, part, span)
             }
+            (Scope::Instance(instance), Local::Scalar(index)) => {
+                let symbol = Symbol::Coordinate(self.parts_of(instance, index).scalar);
+                let uses = Uses { position: true, ..Uses::default() };
+                self.leaf(symbol, Unit::default(), uses, span)
+            }
             (Scope::Instance(instance), local) => self.motion(instance, local, span),
             _ => Err(Box::new(Mistake::new(span, "this name has no value", "not a value"))),
         }
@@ -221,8 +226,12 @@ impl Resolver<'_> {
             }
             _ => return Err(Box::new(Mistake::new(span, "this name has no value", "not a value"))),
         };
-        let declared = unit.coordinates[index].unit.unit;
-        let declared = declared.per_second(order).ok_or_else(|| beyond_reason(span))?;
+        let coordinate = &unit.coordinates[index];
+        let declared = if order == 0 {
+            coordinate.unit.unit
+        } else {
+            coordinate.unit_of_rate(order).ok_or_else(|| beyond_reason(span))?.1
+        };
         let Link { id, factor } = self.layout.link(instance, index);
         let symbol = match order {
             0 => Symbol::Coordinate(*id),

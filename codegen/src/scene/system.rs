@@ -15,6 +15,7 @@ use machinist_model::{
 
 use crate::scene::evaluate;
 use crate::spatial::mechanism::Mechanism;
+use crate::spatial::orientation::Orientations;
 use crate::spec::SourceFile;
 use crate::spec::diagnostic::Diagnostic;
 
@@ -35,6 +36,17 @@ pub struct Coordinate {
     pub is_given: [bool; 2],
     /// Typical sizes of position and velocity, for absolute tolerances.
     pub scale: [f64; 2],
+}
+
+/// The part w of a quaternion, a coordinate without a velocity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scalar {
+    /// Name, unit and meaning.
+    pub quantity: Quantity,
+    /// Initial value; of parameters only.
+    pub initial: Expr,
+    /// True if the spec gives it, so that constraints may not change it.
+    pub is_given: bool,
 }
 
 /// A first-order state z with z' = rate.
@@ -290,6 +302,10 @@ pub struct LagrangianSystem {
     pub potential: Expr,
     /// Rigid bodies in space, whose energies are not in T and V above.
     pub mechanisms: Vec<Mechanism>,
+    /// Quaternions among the coordinates. Other coordinates have their velocities as rates.
+    pub orientations: Orientations,
+    /// The part w of each of them. Their ids follow those of the coordinates.
+    pub scalars: Vec<Scalar>,
     /// V of each instance that has a potential energy.
     pub springs: Vec<Spring>,
     /// D.

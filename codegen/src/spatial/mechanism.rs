@@ -1,12 +1,13 @@
 //! A tree of elementary joints that carries bodies.
 //!
-//! Each joint turns or moves along one fixed axis. Universal, cylindrical, spherical and other joints
-//! are several of them in a row, and whatever is fixed to a joint belongs to it.
+//! Each joint turns or moves along one fixed axis, or turns freely. Universal, cylindrical and other
+//! joints are several of them in a row, and whatever is fixed to a joint belongs to it.
 
 use machinist_algebra::cas::arithmetic::{derivative, negative, normal_form, product, sum};
 use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
 use num_rational::BigRational;
 
+use super::orientation::Orientation;
 use super::vector::{
     Matrix3, Vector, congruent, cross, dot, identity, minus, multiplied, of_point, plus, rotation,
     scaled, symmetric_sum, times, total, transposed, zero,
@@ -15,10 +16,24 @@ use super::vector::{
 /// Kind of an elementary joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// It turns about its axis by an angle \[rad\].
-    Revolute,
-    /// It moves along its axis by a length \[m\].
-    Prismatic,
+    /// It turns about its axes \[rad\].
+    Turns,
+    /// It moves along its axes \[m\].
+    Slides,
+}
+
+/// A motion of a joint about or along one axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Freedom {
+    /// Vector n of the axis, along the joint's own axes; constant there, or its rate is that of a
+    /// vector fixed to the parent.
+    pub axis: Vector,
+    /// s', the rate of the angle or length.
+    pub rate: Expr,
+    /// ds'/dq' of each coordinate that s depends on.
+    pub slopes: Vec<(CoordinateId, Expr)>,
+    /// The part of s'' that does not depend on accelerations.
+    pub bias: Expr,
 }
 
 /// A joint, with everything that is fixed to it. Components are along its own axes unless stated
@@ -35,15 +50,11 @@ pub struct Joint {
     pub orientation: Matrix3,
     /// r, the position of its origin relative to the parent's origin, along the parent's axes \[m\].
     pub displacement: Vector,
-    /// Unit vector n of the axis, constant.
-    pub axis: Vector,
-    /// s', the rate of the joint's angle or length.
-    pub rate: Expr,
-    /// ds/dq of each coordinate that s depends on.
-    pub slopes: Vec<(CoordinateId, Expr)>,
-    /// The part of s'' that does not depend on accelerations.
-    pub bias: Expr,
-    /// True if s depends on time explicitly.
+    /// Motions relative to the parent: one, or three of a joint that turns freely.
+    pub freedoms: Vec<Freedom>,
+    /// Relative angular velocity or velocity, the sum of n s'.
+    pub relative: Vector,
+    /// True if its motion depends on time explicitly.
     pub is_driven: bool,
     /// Inertia of everything fixed to it.
     pub inertia: Option<Inertia>,
@@ -162,41 +173,70 @@ impl Mechanism {
     pub fn add(&mut self, name: &str, kind: Kind, at: &Frame, axis: &Vector, s: &Expr) -> Frame {
         let s = normal_form(s);
         let (rate, slopes, bias) = rates(&s);
+        let freedoms = vec![Freedom { axis: axis.clone(), rate, slopes, bias }];
+        let is_driven = s.mentions(|symbol| symbol == Symbol::Time);
         // The joint's own axes are those of the frame, turned by a revolute joint.
         let (to_parent, displacement) = match kind {
-            Kind::Revolute => (multiplied(&at.to_joint, &rotation(axis, &s)), at.offset.clone()),
-            Kind::Prismatic => {
+            Kind::Turns => (multiplied(&at.to_joint, &rotation(axis, &s)), at.offset.clone()),
+            Kind::Slides => {
                 let way = times(&at.to_joint, &scaled(&s, axis));
                 (at.to_joint.clone(), plus(&at.offset, &way))
             }
         };
-        let parent = self.motion(at.joint);
+        self.push(name, at.joint, kind, freedoms, is_driven, (to_parent, displacement))
+    }
+
+    /// Adds a joint at a frame that turns freely and returns the frame that it moves.
+    pub fn add_spherical(&mut self, name: &str, at: &Frame, by: &Orientation) -> Frame {
+        let freedom = |axis: usize| Freedom {
+            axis: std::array::from_fn(|i| Expr::integer(i64::from(i == axis))),
+            rate: Expr::Symbol(Symbol::Velocity(by.vector[axis])),
+            slopes: vec![(by.vector[axis], Expr::integer(1))],
+            bias: Expr::integer(0),
+        };
+        let to_parent = multiplied(&at.to_joint, &by.matrix());
+        let freedoms = (0..3).map(freedom).collect();
+        let moved = (to_parent, at.offset.clone());
+        self.push(name, at.joint, Kind::Turns, freedoms, false, moved)
+    }
+
+    /// Adds a joint whose axes and origin are given along those of its parent.
+    fn push(
+        &mut self,
+        name: &str,
+        parent: Option<usize>,
+        kind: Kind,
+        freedoms: Vec<Freedom>,
+        is_driven: bool,
+        (to_parent, displacement): (Matrix3, Vector),
+    ) -> Frame {
+        let carrier = self.motion(parent);
         let orientation = transposed(&to_parent);
-        let carried = times(&orientation, &parent.omega);
+        let carried = times(&orientation, &carrier.omega);
         let velocity =
-            times(&orientation, &plus(&parent.velocity, &cross(&parent.omega, &displacement)));
-        let own = scaled(&rate, axis);
+            times(&orientation, &plus(&carrier.velocity, &cross(&carrier.omega, &displacement)));
+        let own: Vec<Vector> =
+            freedoms.iter().map(|freedom| scaled(&freedom.rate, &freedom.axis)).collect();
+        let relative = total(&own.iter().collect::<Vec<_>>());
         let (omega, velocity) = match kind {
-            Kind::Revolute => (plus(&carried, &own), velocity),
-            Kind::Prismatic => (carried, plus(&velocity, &own)),
+            Kind::Turns => (plus(&carried, &relative), velocity),
+            Kind::Slides => (carried, plus(&velocity, &relative)),
         };
         let motion = Motion {
-            to_world: multiplied(&parent.to_world, &to_parent),
-            position: plus(&parent.position, &times(&parent.to_world, &displacement)),
+            to_world: multiplied(&carrier.to_world, &to_parent),
+            position: plus(&carrier.position, &times(&carrier.to_world, &displacement)),
             omega: named(omega, name, "omega"),
             velocity: named(velocity, name, "velocity"),
         };
         self.joints.push(Joint {
             name: name.to_owned(),
-            parent: at.joint,
+            parent,
             kind,
             orientation,
             displacement,
-            axis: axis.clone(),
-            rate,
-            slopes,
-            bias,
-            is_driven: s.mentions(|symbol| symbol == Symbol::Time),
+            freedoms,
+            relative,
+            is_driven,
             inertia: None,
             motion,
         });

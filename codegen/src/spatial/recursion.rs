@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use machinist_algebra::cas::arithmetic::{product, sum};
 use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
 
-use super::mechanism::{Inertia, Joint, Kind, Mechanism};
+use super::mechanism::{Freedom, Inertia, Joint, Kind, Mechanism};
 use super::vector::{
     Matrix3, Vector, congruent, cross, dot, of_moment, of_point, plus, scaled, symmetric_sum,
     times, total, transposed, zero,
@@ -43,11 +43,11 @@ impl Wrench {
         Wrench { force, torque }
     }
 
-    /// Returns the part along the joint's axis, its generalized force.
-    fn along(&self, joint: &Joint) -> Expr {
+    /// Returns the part along an axis of a joint, the generalized force there.
+    fn along(&self, joint: &Joint, freedom: &Freedom) -> Expr {
         match joint.kind {
-            Kind::Revolute => dot(&joint.axis, &self.torque),
-            Kind::Prismatic => dot(&joint.axis, &self.force),
+            Kind::Turns => dot(&freedom.axis, &self.torque),
+            Kind::Slides => dot(&freedom.axis, &self.force),
         }
     }
 }
@@ -63,11 +63,13 @@ impl Mechanism {
         let mut accelerations: Vec<[Vector; 2]> = Vec::with_capacity(self.joints.len());
         let mut wrenches: Vec<Wrench> = Vec::with_capacity(self.joints.len());
         for joint in &self.joints {
-            let own = joint
-                .slopes
-                .iter()
-                .filter_map(|(id, slope)| Some(product([slope.clone(), acceleration(*id)?])));
-            let own = sum(own.chain([joint.bias.clone()])).shared();
+            let own = joint.freedoms.iter().map(|freedom| {
+                let terms = freedom.slopes.iter();
+                let terms = terms
+                    .filter_map(|(id, slope)| Some(product([slope.clone(), acceleration(*id)?])));
+                scaled(&sum(terms.chain([freedom.bias.clone()])).shared(), &freedom.axis)
+            });
+            let own = total(&own.collect::<Vec<_>>().iter().collect::<Vec<_>>());
             let parent = joint.parent.map(|parent| &accelerations[parent]);
             let parent = parent.cloned().unwrap_or_else(|| [zero(), self.lift()]);
             let moved = self.accelerated(joint, &parent, &own);
@@ -80,9 +82,11 @@ impl Mechanism {
         let mut forces: BTreeMap<CoordinateId, Vec<Expr>> = BTreeMap::new();
         for (index, joint) in self.joints.iter().enumerate().rev() {
             let wrench = wrenches[index].clone();
-            let along = wrench.along(joint);
-            for (id, slope) in &joint.slopes {
-                forces.entry(*id).or_default().push(product([slope.clone(), along.clone()]));
+            for freedom in &joint.freedoms {
+                let along = wrench.along(joint, freedom);
+                for (id, slope) in &freedom.slopes {
+                    forces.entry(*id).or_default().push(product([slope.clone(), along.clone()]));
+                }
             }
             if let Some(parent) = joint.parent {
                 wrenches[parent] = wrenches[parent].plus(&wrench.on_parent_of(joint));
@@ -92,8 +96,8 @@ impl Mechanism {
     }
 
     /// Returns angular acceleration, and acceleration of the origin less gravity, of a joint from
-    /// those of its parent and its own s''.
-    fn accelerated(&self, joint: &Joint, parent: &[Vector; 2], own: &Expr) -> [Vector; 2] {
+    /// those of its parent and its own, the sum of n s''.
+    fn accelerated(&self, joint: &Joint, parent: &[Vector; 2], own: &Vector) -> [Vector; 2] {
         let [turning, moving] = parent;
         let omega = joint.parent.map_or_else(zero, |p| self.joints[p].motion.omega.clone());
         let r = &joint.displacement;
@@ -101,11 +105,10 @@ impl Mechanism {
         let origin = total(&[moving, &cross(turning, r), &inward]);
         let [turning, moving] = [turning, &origin].map(|a| times(&joint.orientation, a));
         let carried = times(&joint.orientation, &omega);
-        let (own, relative) = (scaled(own, &joint.axis), scaled(&joint.rate, &joint.axis));
-        let coriolis = cross(&carried, &relative);
+        let coriolis = cross(&carried, &joint.relative);
         match joint.kind {
-            Kind::Revolute => [total(&[&turning, &own, &coriolis]), moving],
-            Kind::Prismatic => [turning, total(&[&moving, &own, &coriolis, &coriolis])],
+            Kind::Turns => [total(&[&turning, own, &coriolis]), moving],
+            Kind::Slides => [turning, total(&[&moving, own, &coriolis, &coriolis])],
         }
     }
 
@@ -116,18 +119,27 @@ impl Mechanism {
         let mut entries: BTreeMap<(CoordinateId, CoordinateId), Vec<Expr>> = BTreeMap::new();
         for (index, joint) in self.joints.iter().enumerate() {
             let Some(composite) = &composites[index] else { continue };
-            if joint.slopes.is_empty() {
-                continue;
-            }
-            let mut wrench = of_unit_acceleration(composite, joint);
-            let mut place = index;
-            loop {
-                let at = &self.joints[place];
-                let along = wrench.along(at);
-                add_products(&mut entries, joint, at, &along, place == index);
-                let Some(parent) = at.parent else { break };
-                wrench = wrench.on_parent_of(at);
-                place = parent;
+            for (number, freedom) in joint.freedoms.iter().enumerate() {
+                if freedom.slopes.is_empty() {
+                    continue;
+                }
+                let mut wrench = of_unit_acceleration(composite, joint.kind, &freedom.axis);
+                for other in &joint.freedoms[..number] {
+                    let along = wrench.along(joint, other);
+                    add_products(&mut entries, freedom, other, &along, false);
+                }
+                let along = wrench.along(joint, freedom);
+                add_products(&mut entries, freedom, freedom, &along, true);
+                let mut place = index;
+                while let Some(parent) = self.joints[place].parent {
+                    wrench = wrench.on_parent_of(&self.joints[place]);
+                    place = parent;
+                    let at = &self.joints[place];
+                    for other in &at.freedoms {
+                        let along = wrench.along(at, other);
+                        add_products(&mut entries, freedom, other, &along, false);
+                    }
+                }
             }
         }
         entries.into_iter().map(|(place, parts)| (place, sum(parts).shared())).collect()
@@ -171,16 +183,12 @@ fn inertial(inertia: &Inertia, omega: &Vector, moved: &[Vector; 2]) -> Wrench {
     Wrench { force, torque }
 }
 
-/// Returns the wrench that gives a composite body the acceleration s'' = 1 of its joint.
-fn of_unit_acceleration(composite: &Inertia, joint: &Joint) -> Wrench {
+/// Returns the wrench that gives a composite body the acceleration s'' = 1 about or along an axis.
+fn of_unit_acceleration(composite: &Inertia, kind: Kind, axis: &Vector) -> Wrench {
     let Inertia { mass, moment, tensor } = composite;
-    match joint.kind {
-        Kind::Revolute => {
-            Wrench { force: cross(&joint.axis, moment), torque: times(tensor, &joint.axis) }
-        }
-        Kind::Prismatic => {
-            Wrench { force: scaled(mass, &joint.axis), torque: cross(moment, &joint.axis) }
-        }
+    match kind {
+        Kind::Turns => Wrench { force: cross(axis, moment), torque: times(tensor, axis) },
+        Kind::Slides => Wrench { force: scaled(mass, axis), torque: cross(moment, axis) },
     }
 }
 
@@ -195,11 +203,11 @@ fn on_parent(inertia: &Inertia, joint: &Joint) -> Inertia {
     Inertia { mass: inertia.mass.clone(), moment, tensor }
 }
 
-/// Adds what the entry of M of two joints contributes to those of their coordinates.
+/// Adds what the entry of M of two motions contributes to those of their coordinates.
 fn add_products(
     entries: &mut BTreeMap<(CoordinateId, CoordinateId), Vec<Expr>>,
-    one: &Joint,
-    other: &Joint,
+    one: &Freedom,
+    other: &Freedom,
     entry: &Expr,
     is_same: bool,
 ) {
@@ -209,7 +217,7 @@ fn add_products(
                 continue;
             }
             let part = product([a.clone(), b.clone(), entry.clone()]);
-            // Two joints that follow one coordinate occur in both orders.
+            // Two motions that follow one coordinate occur in both orders.
             let count = if i == j && !is_same { 2 } else { 1 };
             let part = product([Expr::integer(count), part]);
             if !part.is_zero() {

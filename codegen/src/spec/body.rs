@@ -1,10 +1,13 @@
-//! Frames and rigid bodies: `[frames.NAME]`, `[bodies.NAME]` and `gravity` of a unit.
+//! Frames and rigid bodies: `[frames.NAME]`, `[orientations.NAME]`, `[bodies.NAME]` and `gravity`
+//! of a unit.
 
-use crate::spec::Formula;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
+use crate::spec::dimension::Unit;
 use crate::spec::fields::{Fields, Findings};
+use crate::spec::measure::Factor;
 use crate::spec::names::quoted;
 use crate::spec::toml::{Entry, Tree};
+use crate::spec::{CoordinateSpec, Declared, Formula};
 
 /// Name of the frame that does not move.
 pub const WORLD: &str = "world";
@@ -25,10 +28,60 @@ pub struct FrameSpec {
     pub rotations: Vec<RotationSpec>,
     /// Rotation about an axis along the axes so far, by an angle \[rad\].
     pub revolute: Option<AxisSpec>,
+    /// The orientation by which it turns freely.
+    pub spherical: Option<Spanned<String>>,
     /// Motion along an axis, by a length \[m\].
     pub prismatic: Option<AxisSpec>,
     /// Meaning.
     pub doc: String,
+}
+
+/// An orientation: a unit quaternion whose velocities are the rates about the turned axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OrientationSpec {
+    /// Its name, from which those of its parts follow.
+    pub name: Spanned<String>,
+    /// Rotations at the start.
+    pub rotations: Vec<RotationSpec>,
+    /// Typical size of the rates.
+    pub velocity_scale: f64,
+    /// Meaning.
+    pub doc: String,
+}
+
+impl OrientationSpec {
+    /// Returns the name of the quaternion's part w.
+    #[must_use]
+    pub fn scalar(&self) -> Spanned<String> {
+        Spanned { value: format!("{}_w", self.name.value), span: self.name.span }
+    }
+
+    /// Returns the coordinates: the parts x, y and z, and their velocities.
+    #[must_use]
+    pub fn coordinates(&self, number: usize) -> [CoordinateSpec; 3] {
+        let OrientationSpec { name, velocity_scale, doc, .. } = self;
+        let span = name.span;
+        let called = |end: &str| Spanned { value: format!("{}_{end}", name.value), span };
+        ["x", "y", "z"].map(|axis| CoordinateSpec {
+            name: called(axis),
+            velocity: called(&format!("omega_{axis}")),
+            acceleration: called(&format!("alpha_{axis}")),
+            unit: Declared {
+                text: "1".to_owned(),
+                unit: Unit::default(),
+                factor: Factor::one(),
+                span,
+            },
+            orientation: Some(number),
+            doc: if doc.is_empty() {
+                format!("part {axis} of {}", name.value)
+            } else {
+                doc.clone()
+            },
+            scale: [1.0, *velocity_scale],
+            is_fixed: false,
+        })
+    }
 }
 
 /// A rotation of a frame.
@@ -88,12 +141,30 @@ pub fn frame(entry: &Entry, found: &mut Findings) -> Option<FrameSpec> {
     let rotations = rotations(&mut fields);
     let revolute =
         fields.take("revolute").and_then(|tree| axis(tree, "revolute", "angle", fields.found()));
+    let spherical = fields.take("spherical").and_then(|tree| fields.as_text(tree, "spherical"));
+    if let (Some(_), Some(spherical)) = (&revolute, &spherical) {
+        let message = "a frame has `revolute` or `spherical`, not both";
+        let mistake = Mistake::new(spherical.span, message, "besides");
+        fields.found().mistakes.push(mistake.help("put one of them into a frame between"));
+    }
     let prismatic = fields
         .take("prismatic")
         .and_then(|tree| axis(tree, "prismatic", "displacement", fields.found()));
     let doc = fields.text("doc");
     fields.close();
-    Some(FrameSpec { name, parent, displacement, rotations, revolute, prismatic, doc })
+    Some(FrameSpec { name, parent, displacement, rotations, revolute, spherical, prismatic, doc })
+}
+
+/// Reads an orientation of a unit.
+pub fn orientation(entry: &Entry, found: &mut Findings) -> Option<OrientationSpec> {
+    let name = entry.key.clone();
+    let what = format!("orientation {}", quoted(&name.value));
+    let mut fields = Fields::open(&entry.value, what, found);
+    let rotations = rotations(&mut fields);
+    let velocity_scale = fields.scale("velocity_scale");
+    let doc = fields.text("doc");
+    fields.close();
+    Some(OrientationSpec { name, rotations, velocity_scale, doc })
 }
 
 /// Reads a body of a unit.

@@ -174,6 +174,7 @@ pub fn coordinate(port: &PortSpec, unit_fields: &[FieldSpec]) -> Option<Coordina
         velocity: name("_dot"),
         acceleration: name("_ddot"),
         unit: field.unit.clone(),
+        orientation: None,
         doc: format!("{doc}, at port {}", port.name.value),
         scale: field.scale,
         is_fixed: false,

@@ -34,10 +34,14 @@ pub fn read(
     let mut coordinates = each(&mut fields, "coordinates", coordinate);
     let distributed = each(&mut fields, "fields", distributed::field);
     let frames = each(&mut fields, "frames", body::frame);
+    let orientations = each(&mut fields, "orientations", body::orientation);
     let bodies = each(&mut fields, "bodies", body::body);
     let gravity = body::vector("gravity", &mut fields);
     let (ports, exposed) = ports(&mut fields);
     let connectors = connectors(&mut fields);
+    for (number, orientation) in orientations.iter().enumerate() {
+        coordinates.extend(orientation.coordinates(number));
+    }
     coordinates.extend(ports.iter().filter_map(|port| distributed::coordinate(port, &distributed)));
     let parameters = each(&mut fields, "parameters", parameter);
     let inputs = each(&mut fields, "inputs", input);
@@ -78,6 +82,7 @@ pub fn read(
         coordinates,
         fields: distributed,
         frames,
+        orientations,
         bodies,
         gravity,
         ports,
@@ -165,6 +170,7 @@ fn coordinate(entry: &Entry, found: &mut Findings) -> Option<CoordinateSpec> {
         velocity,
         acceleration,
         unit: unit?,
+        orientation: None,
         doc,
         scale,
         is_fixed,

@@ -234,6 +234,8 @@ pub fn pendulum_system() -> LagrangianSystem {
         kinetic: zero(),
         potential: zero(),
         mechanisms: Vec::new(),
+        orientations: machinist_codegen::spatial::orientation::Orientations::default(),
+        scalars: Vec::new(),
         springs: vec![],
         dissipation: zero(),
         generalized_force: vec![GeneralizedForce { total: zero(), conversion: zero() }],

@@ -2,7 +2,7 @@
 //! each.
 
 use super::{FixedSteps, Rest, StepNumber};
-use crate::{Real, Simulator};
+use crate::{Real, Shape, Simulator};
 
 /// Workspace of the projection.
 pub(super) struct Projection<'w, R> {
@@ -12,6 +12,8 @@ pub(super) struct Projection<'w, R> {
     off: &'w mut [R],
     mass: &'w mut [R],
     slopes: &'w mut [R],
+    /// A state and two rates, with quaternions only.
+    turned: &'w mut [R],
 }
 
 /// Level of the constraints to be fulfilled.
@@ -25,7 +27,7 @@ impl<'w, R: StepNumber> Projection<'w, R> {
     /// Returns the number of numbers that the workspace takes.
     pub(super) fn room(simulator: &dyn Simulator<R>) -> usize {
         let [size, constraints, mass, slopes] = sizes(simulator);
-        size * size + size + constraints + mass + slopes
+        size * size + size + constraints + mass + slopes + room_to_turn(simulator)
     }
 
     pub(super) fn new(simulator: &dyn Simulator<R>, rest: &mut Rest<'w, R>) -> Self {
@@ -36,6 +38,7 @@ impl<'w, R: StepNumber> Projection<'w, R> {
             off: rest.take(constraints),
             mass: rest.take(mass),
             slopes: rest.take(slopes),
+            turned: rest.take(room_to_turn(simulator)),
         }
     }
 
@@ -50,12 +53,34 @@ impl<'w, R: StepNumber> Projection<'w, R> {
                 }
             }
             self.shortest(of, time, state);
-            let coordinates = of.simulator.shape().coordinates;
-            let first = if level == Level::Positions { 0 } else { coordinates };
+            let Shape { positions, coordinates, .. } = of.simulator.shape();
+            if level == Level::Positions && positions != coordinates {
+                self.turn(of, time, state);
+                continue;
+            }
+            let first = if level == Level::Positions { 0 } else { positions };
             let entries = &mut state[first..first + coordinates];
             for (entry, &shift) in entries.iter_mut().zip(self.shift.iter()) {
                 *entry = *entry - shift;
             }
+        }
+    }
+
+    /// Subtracts the change of positions that turns quaternions. Rates of positions are linear in
+    /// velocities: the change is their difference between velocities of this size and none.
+    fn turn(&mut self, of: &FixedSteps<'_, R>, time: R, state: &mut [R]) {
+        let Shape { positions, coordinates, .. } = of.simulator.shape();
+        let states = of.simulator.shape().states();
+        let (there, rates) = self.turned.split_at_mut(states);
+        let (moving, resting) = rates.split_at_mut(states);
+        there.copy_from_slice(&state[..states]);
+        there[positions..positions + coordinates].copy_from_slice(&self.shift[..coordinates]);
+        of.simulator.rate(time, there, of.parameters, moving);
+        there[positions..positions + coordinates].fill(R::literal(0.0));
+        of.simulator.rate(time, there, of.parameters, resting);
+        let changes = moving.iter().zip(resting.iter()).take(positions);
+        for (entry, (&moving, &resting)) in state.iter_mut().zip(changes) {
+            *entry = *entry - (moving - resting);
         }
     }
 
@@ -94,6 +119,13 @@ impl<'w, R: StepNumber> Projection<'w, R> {
         }
         eliminate(self.matrix, self.shift);
     }
+}
+
+/// Returns the length of the workspace that turns quaternions.
+fn room_to_turn<R: Real>(simulator: &dyn Simulator<R>) -> usize {
+    let shape = simulator.shape();
+    let turns = simulator.constraints() > 0 && shape.positions > shape.coordinates;
+    if turns { 3 * shape.states() } else { 0 }
 }
 
 /// Returns the numbers of coordinates plus constraints, of constraints, and of nonzeros of M and

@@ -43,6 +43,11 @@ impl Minimal {
             return Ok(Self { states: moving, dependent: Vec::new(), basis: None });
         };
         let n = simulator.shape().coordinates;
+        if simulator.shape().positions != n {
+            return Err(LinearError::Singular {
+                what: "the state of orientations within constraints",
+            });
+        }
         let matrix = constraints.matrix(point.time, &point.state);
         let sizes = scales(simulator).rows(n, n).into_owned();
         let holds_positions = |row: &usize| {

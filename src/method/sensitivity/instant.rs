@@ -371,16 +371,17 @@ fn put_back(
     const DRIFT: f64 = 1e-6;
     let simulator = tangents.simulator;
     let n = simulator.shape().coordinates;
+    let first = simulator.shape().positions;
     let m = simulator.constraints();
-    for index in 0..n {
+    for index in 0..first {
         let scale = simulator.state_scale(index).max(after[index].abs());
         if (after[index] - state[index].value).abs() > DRIFT * scale {
             let state = simulator.state(index).name.to_owned();
             return Err(StopCause::MovedPosition { state });
         }
     }
-    let velocities: Vec<f64> = (0..n).map(|index| state[n + index].value).collect();
-    let moved = DMatrix::from_fn(n, 1, |index, _| after[n + index] - velocities[index]);
+    let velocities: Vec<f64> = (0..n).map(|index| state[first + index].value).collect();
+    let moved = DMatrix::from_fn(n, 1, |index, _| after[first + index] - velocities[index]);
     for (dual, value) in state.iter_mut().zip(after) {
         dual.value = *value;
     }
@@ -398,9 +399,11 @@ fn put_back(
     let right_side =
         DMatrix::from_fn(n + m, lanes, |i, k| if i < n { 0.0 } else { residuals[i - n].slopes[k] });
     let shift = saddle.solve(&right_side).ok_or_else(lost)?;
-    for index in 0..n {
-        for lane in 0..lanes {
-            state[index].slopes[lane] -= shift[(index, lane)];
+    for lane in 0..lanes {
+        let moves =
+            constraints.moves(time.value, after, &shift.column(lane).rows(0, n).into_owned());
+        for (entry, change) in state.iter_mut().zip(moves) {
+            entry.slopes[lane] -= change;
         }
     }
 
@@ -435,7 +438,7 @@ fn put_back(
     let shift = saddle.solve(&right_side).ok_or_else(lost)?;
     for index in 0..n {
         for lane in 0..lanes {
-            state[n + index].slopes[lane] += shift[(index, lane)];
+            state[first + index].slopes[lane] += shift[(index, lane)];
         }
     }
     Ok(())

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use machinist_contract::fixed_step::StepMethod;
-use machinist_model::{Direction, StateKind};
+use machinist_model::{Direction, State, StateKind};
 
 use super::description::needs_start;
 use super::functions::broken_head;
@@ -269,7 +269,7 @@ fn given(scene: &Scene<'_>, of_position: bool) -> String {
 }
 
 /// Returns the shifts of positions and of velocities. The state of a scene with constraints
-/// contains all of them.
+/// contains all of them. A quaternion turns by small rotations, q' = q shift/2.
 fn shifts(scene: &Scene<'_>) -> String {
     let real = scene.real();
     let total = scene.model.coordinates.len() + scene.model.constraints.len();
@@ -281,7 +281,12 @@ fn shifts(scene: &Scene<'_>) -> String {
         );
         text.push_str(&statement(&head, 0));
         text.push_str("{\n");
-        for (member, state) in scene.state_members.iter().zip(&scene.model.states) {
+        let members = scene.state_members.iter().zip(&scene.model.states);
+        let quaternions = if is_position { quaternions(scene) } else { Vec::new() };
+        for (entry, (member, state)) in members.enumerate() {
+            if quaternions.iter().flatten().any(|part| *part == entry) {
+                continue;
+            }
             let coordinate = match state.kind {
                 StateKind::Position(coordinate) if is_position => coordinate,
                 StateKind::Velocity(coordinate) if !is_position => coordinate,
@@ -289,9 +294,41 @@ fn shifts(scene: &Scene<'_>) -> String {
             };
             let _ = writeln!(text, "    state->{member} = state->{member} - shift[{coordinate}];");
         }
+        for [w, x, y, z] in quaternions {
+            let StateKind::Position(first) = scene.model.states[x].kind else { continue };
+            let [w, x, y, z] = [w, x, y, z].map(|entry| &scene.state_members[entry]);
+            let [a, b, c] = [0, 1, 2].map(|axis| format!("shift[{}]", first + axis));
+            let half = scene.options.real.literal(0.5).unwrap_or_default();
+            let _ = write!(
+                text,
+                "    {{\n        const {real} w = state->{w}, x = state->{x}, y = state->{y}, z = \
+                 state->{z};\n        state->{w} = w + {half}*(x*{a} + y*{b} + z*{c});\n        \
+                 state->{x} = x - {half}*(w*{a} + y*{c} - z*{b});\n        state->{y} = y - \
+                 {half}*(w*{b} + z*{a} - x*{c});\n        state->{z} = z - {half}*(w*{c} + x*{b} - \
+                 y*{a});\n    }}\n"
+            );
+        }
         text.push_str("}\n\n");
     }
     text
+}
+
+/// Returns the entries of the state that are w, x, y and z of each quaternion: positions beyond the
+/// coordinates name the first of the coordinates that they turn with.
+fn quaternions(scene: &Scene<'_>) -> Vec<[usize; 4]> {
+    let (states, coordinates) = (&scene.model.states, scene.model.coordinates.len());
+    let place = |wanted: u32| {
+        let is_it = |state: &State| state.kind == StateKind::Position(wanted);
+        states.iter().position(is_it).unwrap_or_default()
+    };
+    let scalars = states.iter().enumerate().skip(coordinates);
+    let found = scalars.filter_map(|(entry, state)| match state.kind {
+        StateKind::Position(first) => {
+            Some([entry, place(first), place(first + 1), place(first + 2)])
+        }
+        _ => None,
+    });
+    found.collect()
 }
 
 fn set_inputs(scene: &Scene<'_>) -> String {

@@ -142,6 +142,10 @@ impl Assembler<'_> {
         };
         Ok(match target {
             Target::State(id) => (Symbol::FirstOrder(FirstOrderId(id as u32)), None, dimension),
+            Target::Scalar(number) => {
+                let id = CoordinateId((self.layout.representatives.len() + number) as u32);
+                (Symbol::Coordinate(id), None, dimension)
+            }
             Target::Coordinate(id, order, factor) => {
                 let id = CoordinateId(id as u32);
                 let symbol = if order == 0 { Symbol::Coordinate(id) } else { Symbol::Velocity(id) };

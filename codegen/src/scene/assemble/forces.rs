@@ -1,5 +1,7 @@
 //! Generalized forces of units and of the scene, by virtual work.
 
+use std::collections::BTreeSet;
+
 use crate::scene::along::{self, NoRate};
 use crate::scene::assemble::Assembler;
 use crate::scene::layout::{Layout, Local, Scope, coordinate_spec, find_port, unknown_coordinate};
@@ -124,13 +126,19 @@ impl Assembler<'_> {
         let dimension = dimension.ok_or_else(|| beyond_reason(along.span))?;
         let force =
             self.resolver.expect(expression, scope, &Wanted::new(dimension, "the force"))?;
+        let orientations = self.resolver.orientations();
         let moving = way.expr.symbols().into_iter().filter_map(|symbol| match symbol {
-            Symbol::Coordinate(id) => Some(id),
+            Symbol::Coordinate(id) => Some(orientations.velocities(id)),
             _ => None,
         });
+        let moving: BTreeSet<CoordinateId> = moving.flatten().collect();
         let mut forces = Vec::new();
         for id in moving {
-            let of = |symbol| Some(integer(i64::from(symbol == Symbol::Coordinate(id))));
+            let moves = orientations.moves(id);
+            let of = |symbol| {
+                let moved = moves.iter().find(|(part, _)| symbol == Symbol::Coordinate(*part));
+                Some(moved.map_or_else(|| integer(0), |(_, slope)| slope.clone()))
+            };
             let (slope, _) = along::slope_by(&way.expr, MAX_TERMS, &of).map_err(|why| {
                 let message = match why {
                     NoRate::TooLarge => {

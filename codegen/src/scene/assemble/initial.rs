@@ -20,6 +20,10 @@ pub struct Initial {
     pub given: Vec<[bool; 2]>,
     /// Initial value of each first-order state.
     pub states: Vec<Expr>,
+    /// Initial value of the part w of each orientation.
+    pub scalars: Vec<Expr>,
+    /// True if the spec gives it.
+    pub given_scalars: Vec<bool>,
 }
 
 /// A line of `[initial]` or `[guess]`.
@@ -36,6 +40,8 @@ pub enum Target {
     /// follows it.
     Coordinate(usize, usize, Option<Expr>),
     State(usize),
+    /// The part w of an orientation.
+    Scalar(usize),
 }
 
 impl<'a> Assembler<'a> {
@@ -46,7 +52,10 @@ impl<'a> Assembler<'a> {
             coordinates: coordinates.collect(),
             given: vec![[false; 2]; self.layout.representatives.len()],
             states: self.of_units(),
+            scalars: Vec::new(),
+            given_scalars: Vec::new(),
         };
+        self.orient(&mut initial);
         // Quantities set so far, and their scopes: the scene precedes its units, which precede
         // their parts.
         let mut set: Vec<((usize, usize), Scope)> = Vec::new();
@@ -68,6 +77,7 @@ impl<'a> Assembler<'a> {
             let key = match &target {
                 Target::State(index) => (*index, 2),
                 Target::Coordinate(index, order, _) => (*index, *order),
+                Target::Scalar(index) => (*index, 3),
             };
             if let Some((_, by)) = set.iter().find(|(known, _)| *known == key) {
                 if *by == scope {
@@ -80,6 +90,10 @@ impl<'a> Assembler<'a> {
             set.push((key, scope));
             match target {
                 Target::State(index) => initial.states[index] = value,
+                Target::Scalar(index) => {
+                    initial.scalars[index] = value;
+                    initial.given_scalars[index] = is_given;
+                }
                 Target::Coordinate(index, order, factor) => {
                     let value = match factor {
                         Some(factor) => product(vec![value, reciprocal(factor)]),
@@ -132,6 +146,26 @@ impl<'a> Assembler<'a> {
                 let message = format!("{} is not a coordinate or velocity", quoted(&name.value));
                 let mistake = Mistake::new(name.span, message, "a first-order state");
                 self.mistakes.push(mistake.help("constraints do not change it: use [initial]"));
+            }
+        }
+    }
+
+    /// Sets the initial parts of orientations by the rotations of their units.
+    fn orient(&mut self, initial: &mut Initial) {
+        for (instance, _, unit) in self.instances() {
+            for (index, orientation) in unit.orientations.iter().enumerate() {
+                let scope = Scope::Instance(instance);
+                let found = self.resolver.quaternion_of(&orientation.rotations, scope);
+                let [w, vector @ ..] = found.unwrap_or_else(|mistake| {
+                    self.mistakes.push(*mistake);
+                    [1, 0, 0, 0].map(integer)
+                });
+                let parts = self.resolver.parts_of(instance, index);
+                for (id, value) in parts.vector.into_iter().zip(vector) {
+                    initial.coordinates[id.0 as usize][0] = value;
+                }
+                initial.scalars.push(w);
+                initial.given_scalars.push(false);
             }
         }
     }
@@ -214,6 +248,10 @@ impl<'a> Assembler<'a> {
         let (index, order) = match names.get(name) {
             Some(Local::Coordinate(index)) => (index, 0),
             Some(Local::Velocity(index)) => (index, 1),
+            Some(Local::Scalar(index)) => {
+                let number = self.layout.orientation(instance, index);
+                return Ok((Target::Scalar(number), Dimension::ONE));
+            }
             Some(Local::State(index)) => {
                 let id = self.layout.state(Scope::Instance(instance), index).0 as usize;
                 return Ok((Target::State(id), unit.states[index].unit.unit.dimension));
@@ -243,8 +281,10 @@ impl<'a> Assembler<'a> {
             return Err(Box::new(Mistake::new(path.span, message, "part of a field").help(help)));
         }
         let target = Target::Coordinate(link.id.0 as usize, order, link.factor.clone());
-        let declared = unit.coordinates[index].unit.unit;
-        let dimension = declared.per_second(order as i32).unwrap_or(declared).dimension;
+        let coordinate = &unit.coordinates[index];
+        let own = coordinate.unit.unit;
+        let rate = || coordinate.unit_of_rate(order as i32).map_or(own, |(_, unit)| unit);
+        let dimension = if order == 0 { own } else { rate() }.dimension;
         Ok((target, dimension))
     }
 }

@@ -1,6 +1,6 @@
 //! Helpers and outputs.
 
-use crate::scene::assemble::{Assembler, per_second, quantity};
+use crate::scene::assemble::{Assembler, quantity};
 use crate::scene::layout::{Local, Scope, find_instance};
 use crate::scene::resolve::Wanted;
 use crate::scene::system::Definition;
@@ -121,8 +121,8 @@ impl Assembler<'_> {
                     } else {
                         format!("{}{doc}", "rate of ".repeat(rates))
                     };
-                    let per = per_second(&coordinate.unit);
-                    Ok((if rates == 1 { per } else { format!("{per}^2") }, doc))
+                    let unit = coordinate.unit_of_rate(rates as i32);
+                    Ok((unit.map_or_else(String::new, |(text, _)| text), doc))
                 };
                 match self.layout.units[unit_index].get(name) {
                     Some(Local::Coordinate(i)) => {
@@ -153,6 +153,11 @@ impl Assembler<'_> {
                     Some(Local::Frame(index, part)) => {
                         let (unit, doc) = part.description(&unit.frames[index].name.value);
                         Ok((unit.to_owned(), doc))
+                    }
+                    Some(Local::Scalar(index)) => {
+                        let orientation = &unit.orientations[index];
+                        let doc = format!("part w of {}", orientation.name.value);
+                        Ok(("1".to_owned(), doc))
                     }
                     None | Some(Local::Place | Local::Field(..)) => {
                         Ok((String::new(), String::new()))

@@ -1,0 +1,520 @@
+//! Quaternions as coordinates: closed forms, the same machines by angles, and a second derivation.
+
+use std::f64::consts::PI;
+
+use machinist::constraints::start;
+use machinist::linear_analysis::{Linearization, Mode, Place, operating_point};
+use machinist::{Simulation, Trajectory};
+use machinist_codegen::independent::Comparison;
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline;
+use machinist_contract::{Describe, Simulator};
+use machinist_model::ModelSimulator;
+use machinist_studies::double_double::DoubleDouble;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+
+use crate::own_scene::{of_text, refusal};
+
+fn run(text: &str) -> Trajectory {
+    Simulation::new(&of_text(text, Keep::Needed)).run().unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
+    run.column(name).unwrap_or_else(|| panic!("no column {name}"))
+}
+
+/// Returns the orientation of a row.
+fn turned(run: &Trajectory, name: &str, row: usize) -> UnitQuaternion<f64> {
+    let [w, x, y, z] = ["w", "x", "y", "z"].map(|part| column(run, &format!("{name}_{part}"))[row]);
+    UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z))
+}
+
+fn omega(run: &Trajectory, name: &str, row: usize) -> Vector3<f64> {
+    let [x, y, z] = ["x", "y", "z"].map(|axis| column(run, &format!("{name}_omega_{axis}"))[row]);
+    Vector3::new(x, y, z)
+}
+
+/// Returns sn, cn and dn of u for a parameter m, by descending Landen transformations.
+fn jacobi(u: f64, m: f64) -> [f64; 3] {
+    let (mut a, mut b, mut c) = (1.0, (1.0 - m).sqrt(), m.sqrt());
+    let mut steps = vec![(a, c)];
+    while c.abs() > 1e-16 * a {
+        (a, b, c) = ((a + b) / 2.0, (a * b).sqrt(), (a - b) / 2.0);
+        steps.push((a, c));
+    }
+    let mut phi = 2f64.powi(steps.len() as i32 - 1) * a * u;
+    for (a, c) in steps.iter().skip(1).rev() {
+        phi = ((c / a * phi.sin()).asin() + phi) / 2.0;
+    }
+    [phi.sin(), phi.cos(), (1.0 - m * phi.sin().powi(2)).sqrt()]
+}
+
+const FREE: &str = r#"
+[scene]
+name = "free"
+[units]
+b = { unit = "body" }
+[run]
+until = UNTIL
+points = POINTS
+rtol = RTOL
+method = "METHOD"
+[initial]
+"b.turn_omega_x" = WX
+"b.turn_omega_y" = WY
+"b.turn_omega_z" = WZ
+[outputs]
+kinetic = "energy.total"
+[define.body.orientations]
+turn = { rotation = { sequence = "zyx", angles = [0.3, -1.5707963267948966, 0.8] } }
+[define.body.frames]
+body = { spherical = "turn" }
+[define.body.bodies]
+body = { frame = "body", mass = 2, inertia = { xx = 0.5, yy = 0.3, zz = 0.1 } }
+"#;
+
+fn free(method: &str, rtol: f64, until: f64, points: usize, rates: [f64; 3]) -> String {
+    let [x, y, z] = rates.map(|rate| format!("{rate:?}"));
+    FREE.replace("METHOD", method)
+        .replace("RTOL", &format!("{rtol:e}"))
+        .replace("UNTIL", &format!("{until:?}"))
+        .replace("POINTS", &points.to_string())
+        .replace("WX", &x)
+        .replace("WY", &y)
+        .replace("WZ", &z)
+        .replace("kinetic = \"energy.total\"\n", "")
+        .replace("[outputs]\n", "")
+}
+
+/// Euler's equations: with A > B > C and A, C about the axes of sn at the start 0, the rates are
+/// w_x = a cn, w_y = b sn, w_z = c dn of k t if 2 T B > L^2. Landau and Lifshitz, Mechanics, section
+/// 37. The angular momentum along the world's axes stays.
+#[test]
+fn a_free_body_turns_as_elliptic_functions() {
+    let [a, b, c] = [0.5, 0.3, 0.1];
+    for (method, tolerance) in [
+        ("dop853", 1e-9),
+        ("taylor", 1e-9),
+        ("tsit5", 1e-7),
+        ("radau", 1e-6),
+        ("rodas5p", 1e-6),
+        ("auto", 1e-8),
+    ] {
+        for start in [[0.7, 0.0, 4.0], [0.2, 0.0, 9.0]] {
+            let [x, _, z]: [f64; 3] = start;
+            let twice_energy = a * x * x + c * z * z;
+            let square = (a * x).powi(2) + (c * z).powi(2);
+            assert!(twice_energy * b > square, "the larger part is about z");
+            let rate = ((b - c) * (twice_energy * a - square) / (a * b * c)).sqrt();
+            let m = (a - b) * (square - twice_energy * c) / ((b - c) * (twice_energy * a - square));
+            let middle = ((square - twice_energy * c) / (b * (b - c))).sqrt();
+            let found = run(&free(method, 1e-11, 20.0, 101, start));
+            let momentum = |row: usize| {
+                let own = omega(&found, "b.turn", row).component_mul(&Vector3::new(a, b, c));
+                turned(&found, "b.turn", row) * own
+            };
+            for (row, time) in found.times.iter().enumerate() {
+                let [sn, cn, dn] = jacobi(rate * time, m);
+                // The direction of w_y follows from B w_y' = (C - A) w_z w_x.
+                let wanted = Vector3::new(x * cn, -middle * sn, z * dn);
+                let error = (omega(&found, "b.turn", row) - wanted).norm();
+                assert!(error < tolerance * 10.0, "{method}: {error:e} at {time} s");
+                let drift = (momentum(row) - momentum(0)).norm() / momentum(0).norm();
+                assert!(drift < tolerance, "{method}: L is off by {drift:e} at {time} s");
+            }
+        }
+    }
+}
+
+/// 10 000 turns of a body about an axis beside a principal one.
+#[test]
+fn energy_and_momentum_of_a_free_body_last() {
+    let until = 10_000.0 * 2.0 * PI / 9.0;
+    let found = run(&free("taylor", 1e-12, until, 5, [0.2, 0.3, 9.0]));
+    let inertia = Vector3::new(0.5, 0.3, 0.1);
+    let of = |row: usize| {
+        let own = omega(&found, "b.turn", row).component_mul(&inertia);
+        let energy = own.dot(&omega(&found, "b.turn", row)) / 2.0;
+        (turned(&found, "b.turn", row) * own, energy)
+    };
+    let ((momentum, energy), (last, last_energy)) = (of(0), of(4));
+    let drift = (last - momentum).norm() / momentum.norm();
+    assert!(drift < 2e-9, "L is off by {drift:e}");
+    assert!((last_energy / energy - 1.0).abs() < 2e-9, "T is {last_energy}, at first {energy}");
+}
+
+/// A machine with everything that orientations may be used for, once by quaternions and once by
+/// angles.
+const MACHINE: &str = r#"
+[scene]
+name = "machine"
+[units]
+m = { unit = "machine" }
+[run]
+until = 1
+rtol = 1e-10
+points = 11
+[define.machine]
+gravity = ["0.2*g", 0, "-g"]
+[define.machine.parameters]
+g = { value = 9.81, unit = "m/s^2" }
+k = { value = 40, unit = "N/m" }
+drag = { value = 0.05, unit = "N m s/rad" }
+pull = { value = 3, unit = "N" }
+spin = { value = 0.7, unit = "rad/s" }
+[define.machine.coordinates]
+s = { unit = "m" }
+a = { unit = "rad" }
+ANGLES
+[define.machine.frames]
+slide = { rotation = { axis = [1, 2, 3], angle = 0.4 }, prismatic = { axis = [0, 1, 1], displacement = "s" } }
+ball = { parent = "slide", displacement = [0.1, 0.2, -0.1], rotation = { axis = [0, 1, 0], angle = "spin*t" }, JOINT }
+tip = { parent = "ball", displacement = [0, 0.3, 0.4] }
+arm = { parent = "ball", displacement = [0.2, 0, 0], revolute = { axis = [0, 0, 1], angle = "a" } }
+[define.machine.bodies]
+slide = { frame = "slide", mass = 2 }
+ball = { frame = "ball", mass = 1.5, centre = [0, 0.1, 0.1], inertia = { xx = 0.05, yy = 0.06, zz = 0.07, xy = 0.004 } }
+arm = { frame = "arm", mass = 0.6, centre = [0.2, 0, 0], inertia = { xx = 0.002, yy = 0.01, zz = 0.011 } }
+[define.machine.energy]
+kinetic = "KINETIC"
+potential = "k*(tip_x^2 + (tip_y - 0.3 [m])^2 + tip_x*tip_z)/2"
+dissipation = "drag*(tip_omega_x^2 + tip_omega_y^2 + a_dot^2)/2"
+[[define.machine.forces]]
+along = "tip_y + 0.3*tip_r_xz*tip_x"
+expression = "pull*cos(3 [rad/s]*t)"
+[define.machine.helpers]
+rate = { expression = "der(tip_x*tip_r_yz)", unit = "m/s" }
+[outputs]
+x = "m.tip_x"
+y = "m.arm_y"
+axis = "m.arm_r_zx"
+power = "m.rate"
+bend = { expression = "der(m.tip_v_x)", unit = "m/s^2" }
+"#;
+
+/// A kinetic energy beside that of the bodies, whose momenta turn with the body.
+const BESIDE: &str = "0.2 [kg]*(tip_v_x^2 + tip_v_y^2 + 2*tip_v_z^2)/2 + 0.004 [kg \
+                      m^2]*(tip_omega_z*a_dot + tip_omega_x^2)";
+
+fn by_quaternion(text: &str) -> String {
+    text.replace("ANGLES", "").replace("JOINT", "spherical = \"turn\"").replace("KINETIC", BESIDE)
+        + "[define.machine.orientations]\nturn = { rotation = { sequence = \"zxy\", angles = \
+           [0.3, 0.5, -0.2] } }\n"
+}
+
+/// The rates about the turned axes y, x and z of a sequence "zxy" follow from those of its angles.
+fn by_angles(text: &str) -> String {
+    text.replace("ANGLES", "u = { unit = \"rad\" }\nv = { unit = \"rad\" }\nw = { unit = \"rad\" }")
+        .replace(
+            "rotation = { axis = [0, 1, 0], angle = \"spin*t\" }, JOINT",
+            "rotation = [{ axis = [0, 1, 0], angle = \"spin*t\" }, { sequence = \"zxy\", angles = \
+         [\"u\", \"v\", \"w\"] }]",
+        )
+}
+
+#[test]
+fn quaternions_move_as_angles() {
+    let (u, v, w): (f64, f64, f64) = (0.3, 0.5, -0.2);
+    let rates = [1.1, -0.6, 0.8];
+    // omega = E_y(w)^T (E_x(v)^T z u' + x v') + y w'.
+    let [z, x, y] = [Vector3::z(), Vector3::x(), Vector3::y()];
+    let by =
+        |axis: Vector3<f64>, angle: f64| UnitQuaternion::from_scaled_axis(axis * angle).inverse();
+    let omega = by(y, w) * (by(x, v) * (z * rates[0]) + x * rates[1]) + y * rates[2];
+    let machine = MACHINE.replace("KINETIC", "0.2 [kg]*s_dot^2/2");
+    let angles = by_angles(&machine)
+        + &*format!(
+            "[initial]\n\"m.u\" = {u}\n\"m.v\" = {v}\n\"m.w\" = {w}\n\"m.u_dot\" = {}\n\"m.v_dot\" \
+             = {}\n\"m.w_dot\" = {}\n",
+            rates[0], rates[1], rates[2]
+        );
+    let [p, q, r] = [omega.x, omega.y, omega.z];
+    let quaternion = by_quaternion(&machine)
+        + &*format!(
+            "[initial]\n\"m.turn_omega_x\" = {p:?}\n\"m.turn_omega_y\" = {q:?}\n\
+             \"m.turn_omega_z\" = {r:?}\n"
+        );
+    let (one, other) = (run(&quaternion), run(&angles));
+    for name in ["x", "y", "axis", "power", "bend", "m.s", "m.a", "energy.total"] {
+        for (row, (found, wanted)) in
+            column(&one, name).iter().zip(column(&other, name)).enumerate()
+        {
+            let error = (found - wanted).abs();
+            assert!(error < 1e-7 * (1.0 + wanted.abs()), "{name}: {found}, {wanted} at row {row}");
+        }
+    }
+}
+
+fn compared(text: &str) -> f64 {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("machine.toml");
+    std::fs::write(&path, text).expect("written");
+    let system = pipeline::check(&path).unwrap_or_else(|errors| panic!("{}", errors.render()));
+    let scene = of_text(text, Keep::All);
+    let comparison = Comparison::new(&system, &scene, DoubleDouble::to_f64).expect("comparable");
+    let parameters: Vec<f64> =
+        (0..scene.shape().parameters).map(|k| scene.parameter_default(k)).collect();
+    let found = comparison.at_random(10, &parameters, 0x5eed);
+    assert!(found.compared > 10, "{found:?}");
+    assert!(found.error <= 1e-11, "{found:?}");
+    found.error
+}
+
+#[test]
+fn quaternions_move_as_energies_say() {
+    compared(&by_quaternion(MACHINE));
+    // With a constraint on positions, and one on velocities.
+    let held = by_quaternion(MACHINE)
+        + "[define.machine.constraints]\nrod = { expression = \"(tip_x - 1 [m])^2 + tip_y^2 + \
+           tip_z^2 - 1.2 [m^2]\" }\nroll = { expression = \"tip_v_x*tip_r_xx - 0.2 \
+           [m]*arm_omega_z\" }\n";
+    compared(&held);
+}
+
+#[test]
+fn the_power_of_quaternions_balances() {
+    let scene = of_text(&by_quaternion(MACHINE), Keep::All);
+    let p: Vec<f64> = (0..scene.shape().parameters).map(|k| scene.parameter_default(k)).collect();
+    for sample in 0..5 {
+        let states = scene.shape().states() as u32;
+        let y: Vec<f64> = (0..states).map(|k| f64::from(7 * sample + 3 * k).sin()).collect();
+        let power = scene.power_balance(0.3 * f64::from(sample), &y, &p);
+        let size = power.stored_rate.abs() + power.supplied.abs() + power.dissipated.abs();
+        assert!(power.residual().abs() <= 1e-12 * size, "{power:?}");
+        assert!(power.supplied.abs() > 1e-3 && power.dissipated.abs() > 1e-3, "{power:?}");
+    }
+}
+
+const TOP: &str = r#"
+[scene]
+name = "top"
+[units]
+gyro = { unit = "top" }
+[run]
+until = 20
+points = 41
+rtol = 1e-11
+[define.top]
+gravity = [0, 0, -9.81]
+[define.top.orientations]
+turn = { rotation = { sequence = "zxz", angles = [0, INCLINED, 0] } }
+[define.top.frames]
+top = { spherical = "turn" }
+[define.top.bodies]
+top = { frame = "top", mass = 1.5, centre = [0, 0, 0.3], inertia = { xx = 0.05, yy = 0.05, zz = 0.02 } }
+"#;
+
+const SPIN_INERTIA: f64 = 0.02;
+const ABOUT_SUPPORT: f64 = 0.05 + 1.5 * 0.3 * 0.3;
+const WEIGHT_ARM: f64 = 1.5 * 9.81 * 0.3;
+
+/// C (psi' + phi' cos) phi' - A phi'^2 cos = m g l keeps the inclination of a heavy top.
+#[test]
+fn a_heavy_top_precesses_by_quaternions() {
+    for (inclination, precession) in [(0.6_f64, 2.0), (1.7, -1.5), (2.9, 4.0)] {
+        let total = (WEIGHT_ARM / precession + ABOUT_SUPPORT * precession * inclination.cos())
+            / SPIN_INERTIA;
+        // Along the turned axes at psi = 0: precession has sin along y and cos along z.
+        let across = precession * inclination.sin();
+        let text = TOP.replace("INCLINED", &format!("{inclination}"))
+            + &*format!(
+                "[initial]\n\"gyro.turn_omega_y\" = {across:?}\n\"gyro.turn_omega_z\" = {total:?}\n"
+            );
+        let found = run(&text);
+        for (row, time) in found.times.iter().enumerate() {
+            let axis = turned(&found, "gyro.turn", row) * Vector3::z();
+            let angle = precession * time;
+            let wanted = Vector3::new(
+                inclination.sin() * angle.sin(),
+                -inclination.sin() * angle.cos(),
+                inclination.cos(),
+            );
+            let error = (axis - wanted).norm();
+            assert!(error < 1e-7, "the axis is off by {error:e} at {time} s");
+        }
+    }
+}
+
+/// A sleeping top is stable above the spin 2 sqrt(A m g l)/C, and its axis then nods and precesses at
+/// C s/(2 A) +- sqrt((C s/(2 A))^2 - m g l/A).
+#[test]
+fn a_sleeping_top_falls_below_its_limit() {
+    let limit = 2.0 * (ABOUT_SUPPORT * WEIGHT_ARM).sqrt() / SPIN_INERTIA;
+    let text = TOP.replace("INCLINED", "0");
+    for share in [0.5, 0.9, 0.99, 1.01, 1.1, 2.0] {
+        let spin = share * limit;
+        let text = format!("{text}[initial]\n\"gyro.turn_omega_z\" = {spin:?}\n");
+        let scene = of_text(&text, Keep::All);
+        let simulation = Simulation::new(&scene);
+        let point = operating_point(&simulation, Place::Initial).expect("a point");
+        let modes = Linearization::at(&scene, point).expect("regular").modes().expect("values");
+        let growth = modes.iter().map(|mode| mode.real).fold(0.0, f64::max);
+        let half = SPIN_INERTIA * spin / (2.0 * ABOUT_SUPPORT);
+        let square = half * half - WEIGHT_ARM / ABOUT_SUPPORT;
+        let wanted = if square < 0.0 { (-square).sqrt() } else { 0.0 };
+        assert!((growth - wanted).abs() < 1e-6, "{growth} instead of {wanted} at {share}");
+        // Seen from axes that turn with the top.
+        for way in [-1.0, 1.0].into_iter().filter(|_| square > 0.0) {
+            let wanted = (half + way * square.sqrt() - spin).abs();
+            let nearest = |least: f64, mode: &Mode| least.min((mode.imaginary - wanted).abs());
+            let error = modes.iter().fold(f64::INFINITY, nearest);
+            assert!(error < 1e-6 * wanted, "no frequency {wanted} at {share}");
+        }
+    }
+}
+
+/// A disc of radius r that rolls without slipping on a circle. Its steady motion, with the angle
+/// theta of its axis to the vertical, precession p and the rate s about its axis, fulfils
+/// (C + m r^2) s p sin = A p^2 sin cos - m g r cos.
+#[test]
+fn a_disc_rolls_on_a_circle() {
+    let (mass, radius, across, along) = (1.2_f64, 0.4, 0.05, 0.1);
+    let text = format!(
+        r#"
+[scene]
+name = "disc"
+[units]
+d = {{ unit = "disc" }}
+[run]
+until = 8
+points = 81
+rtol = 1e-11
+[initial]
+START
+[define.disc]
+gravity = [0, 0, -9.81]
+[define.disc.coordinates]
+x = {{ unit = "m" }}
+y = {{ unit = "m" }}
+z = {{ unit = "m" }}
+[define.disc.orientations]
+turn = {{ rotation = {{ axis = [1, 0, 0], angle = INCLINED }} }}
+[define.disc.frames]
+disc = {{ displacement = ["x", "y", "z"], spherical = "turn" }}
+[define.disc.bodies]
+disc = {{ frame = "disc", mass = {mass}, inertia = {{ xx = {across}, yy = {across}, zz = {along} }} }}
+# The lowest point is at -r (z - a (a.z))/|z - a (a.z)| with a the axis of the disc.
+[define.disc.helpers]
+level = {{ expression = "sqrt(disc_r_xz^2 + disc_r_yz^2)", unit = "1" }}
+down_x = {{ expression = "{radius} [m]*disc_r_zz*disc_r_xz/level", unit = "m" }}
+down_y = {{ expression = "{radius} [m]*disc_r_zz*disc_r_yz/level", unit = "m" }}
+down_z = {{ expression = "-{radius} [m]*level", unit = "m" }}
+[define.disc.constraints]
+touches = {{ expression = "z + down_z" }}
+rolls_x = {{ expression = "x_dot + disc_omega_y*down_z - disc_omega_z*down_y" }}
+rolls_y = {{ expression = "y_dot + disc_omega_z*down_x - disc_omega_x*down_z" }}
+"#
+    );
+    for (inclination, precession) in [(1.2_f64, 1.5), (0.7, 3.0)] {
+        let (sin, cos) = inclination.sin_cos();
+        // The axis of the disc is inclined to the vertical by theta: a = (0, -sin, cos).
+        let weight = mass * 9.81 * radius * cos;
+        let whole = (across * precession * precession * sin * cos - weight)
+            / ((along + mass * radius * radius) * precession * sin);
+        let text = text.replace("INCLINED", &format!("{inclination}")).replace(
+            "START",
+            &format!(
+                "\"d.z\" = {:?}\n\"d.turn_omega_x\" = 0\n\"d.turn_omega_y\" = {:?}\n\
+                     \"d.turn_omega_z\" = {:?}",
+                radius * sin,
+                precession * sin,
+                whole
+            ),
+        );
+        let found = run(&text);
+        let energy = column(&found, "energy.total");
+        for (row, time) in found.times.iter().enumerate() {
+            let axis = turned(&found, "d.turn", row) * Vector3::z();
+            let spread = (energy[row] - energy[0]).abs() / energy[0].abs();
+            assert!(spread < 1e-8, "the energy is off by {spread:e}");
+            let error = (axis.z - cos).abs();
+            assert!(error < 1e-7, "the inclination is off by {error:e} at {time} s");
+        }
+    }
+}
+
+/// A plate on three rods with balls, of which each is a constraint: the loop closes with quaternions.
+#[test]
+fn loops_with_quaternions_close() {
+    let text = r#"
+[scene]
+name = "swing"
+[units]
+s = { unit = "swing" }
+[run]
+until = 20
+points = 101
+rtol = 1e-9
+[initial]
+"s.turn_omega_z" = 1.5
+"s.x_dot" = 0.4
+[guess]
+"s.x" = 0.1
+"s.z" = -0.8
+"s.turn_x" = 0.1
+[define.swing]
+gravity = [0, 0, -9.81]
+[define.swing.coordinates]
+x = { unit = "m" }
+y = { unit = "m" }
+z = { unit = "m" }
+[define.swing.orientations]
+turn = {}
+[define.swing.frames]
+plate = { displacement = ["x", "y", "z"], spherical = "turn" }
+a = { parent = "plate", displacement = [0.3, 0, 0] }
+b = { parent = "plate", displacement = [-0.1, 0.2, 0] }
+c = { parent = "plate", displacement = [-0.1, -0.2, 0] }
+[define.swing.bodies]
+plate = { frame = "plate", mass = 2, inertia = { xx = 0.02, yy = 0.04, zz = 0.06 } }
+[define.swing.constraints]
+rod_a = { expression = "(a_x - 0.4 [m])^2 + a_y^2 + a_z^2 - 0.81 [m^2]" }
+rod_b = { expression = "(b_x + 0.2 [m])^2 + (b_y - 0.3 [m])^2 + b_z^2 - 0.81 [m^2]" }
+rod_c = { expression = "(c_x + 0.2 [m])^2 + (c_y + 0.3 [m])^2 + c_z^2 - 0.81 [m^2]" }
+"#;
+    let scene: ModelSimulator = of_text(text, Keep::Needed);
+    let first = start(&scene, &[], 0.0).expect("a start");
+    let mut values = [1.0; 3];
+    scene.constraint_values(0.0, &first, &[], &mut values);
+    assert!(values.iter().all(|value| value.abs() < 1e-13), "{values:?}");
+    let found = run(text);
+    let energy = column(&found, "energy.total");
+    let mut turned_by = 0.0_f64;
+    for row in 0..found.times.len() {
+        let state: Vec<f64> = (0..scene.shape().states())
+            .map(|entry| column(&found, scene.state(entry).name)[row])
+            .collect();
+        scene.constraint_values(found.times[row], &state, &[], &mut values);
+        assert!(values.iter().all(|value| value.abs() < 1e-12), "{values:?}");
+        assert!((energy[row] - energy[0]).abs() < 1e-6, "{} J", energy[row] - energy[0]);
+        turned_by = turned_by.max(turned(&found, "s.turn", row).angle());
+    }
+    assert!(turned_by > 0.3, "it turns by {turned_by}");
+}
+
+#[test]
+fn mistakes_in_orientations_are_reported_where_they_are() {
+    let text = by_quaternion(MACHINE);
+    for (before, after, wanted) in [
+        ("spherical = \"turn\"", "spherical = \"turm\"", "there is no orientation `turm`"),
+        ("spherical = \"turn\"", "spherical = 3", "must be a string"),
+        ("angles = [0.3, 0.5, -0.2]", "angles = [\"a\", 0.5, -0.2]", "depends on a coordinate"),
+        ("angle = \"a\" }", "angle = \"turn_x\" }", "part of an orientation"),
+        (
+            "angle = \"a\" }",
+            "angle = \"a\" }, spherical = \"turn\"",
+            "`revolute` or `spherical`, not both",
+        ),
+        ("turn = {", "tip = {", "is given twice"),
+        (
+            "[outputs]",
+            "[define.machine.ports]\np = { kind = \"rotational\", coordinate = \"turn_x\" }\n\
+             [outputs]",
+            "cannot be the coordinate of a port",
+        ),
+    ] {
+        assert!(text.contains(before), "{before}");
+        let said = refusal(&text.replacen(before, after, 1));
+        assert!(said.contains(wanted), "{wanted}: {said}");
+    }
+}

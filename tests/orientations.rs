@@ -271,6 +271,142 @@ fn quaternions_move_as_energies_say() {
     compared(&held);
 }
 
+/// The same outputs by names and by vectors.
+#[test]
+fn vectors_are_their_components() {
+    let vectors = by_quaternion(MACHINE)
+        + "[define.machine.outputs]\nrolls = { expression = \"dot(omega(ball), z_axis(tip))\", unit = \
+           \"rad/s\" }\n";
+    let pairs = [
+        (
+            "m.rolls",
+            "m.ball_omega_x*m.tip_r_xz + m.ball_omega_y*m.tip_r_yz + m.ball_omega_z*m.tip_r_zz",
+            "rad/s",
+        ),
+        (
+            "norm(position(m.tip) - position(m.arm))",
+            "sqrt((m.tip_x - m.arm_x)^2 + (m.tip_y - m.arm_y)^2 + (m.tip_z - m.arm_z)^2)",
+            "m",
+        ),
+        (
+            "y_of(cross(omega(m.tip), position(m.tip)))",
+            "m.tip_omega_z*m.tip_x - m.tip_omega_x*m.tip_z",
+            "m/s",
+        ),
+        (
+            "x_of(in_frame(2*velocity(m.tip), m.arm)/3)",
+            "2/3*(m.tip_v_x*m.arm_r_xx + m.tip_v_y*m.arm_r_yx + m.tip_v_z*m.arm_r_zx)",
+            "m/s",
+        ),
+        ("z_of(der(position(m.tip)))", "m.tip_v_z", "m/s"),
+        ("norm(x_axis(m.tip))", "1", "1"),
+        ("x_of(-vector(m.s, 0, 0) + position(m.ball))", "m.ball_x - m.s", "m"),
+        // A point that is fixed to a body moves with its angular velocity.
+        (
+            "y_of(velocity(m.ball) + cross(omega(m.ball), position(m.tip) - position(m.ball)))",
+            "m.tip_v_y",
+            "m/s",
+        ),
+    ];
+    let mut outputs = String::new();
+    for (number, (one, other, unit)) in pairs.iter().enumerate() {
+        for (name, text) in [("a", one), ("b", other)] {
+            use std::fmt::Write as _;
+            writeln!(outputs, "{name}{number} = {{ expression = \"{text}\", unit = \"{unit}\" }}")
+                .expect("text");
+        }
+    }
+    let scene =
+        of_text(&vectors.replace("[outputs]\n", &format!("[outputs]\n{outputs}")), Keep::All);
+    let p: Vec<f64> = (0..scene.shape().parameters).map(|k| scene.parameter_default(k)).collect();
+    let states = scene.shape().states() as u32;
+    let y: Vec<f64> = (0..states).map(|k| (1.7 * f64::from(k)).sin()).collect();
+    let mut values = vec![0.0; scene.shape().outputs];
+    scene.outputs(0.2, &y, &p, &mut values);
+    for (number, (one, ..)) in pairs.iter().enumerate() {
+        let [a, b] = ["a", "b"].map(|name| {
+            let name = format!("{name}{number}");
+            values[(0..values.len()).find(|k| scene.output(*k).name == name).expect("an output")]
+        });
+        assert!((a - b).abs() < 1e-12 * (1.0 + b.abs()) && b.abs() > 1e-3, "{one}: {a}, {b}");
+    }
+    let refused = [
+        ("dot(position(m.tip), 3)", "this is not a vector"),
+        ("position(m.tip)", "a vector is not a value"),
+        ("norm(position(m.tip)*velocity(m.tip))", "a product of vectors is written"),
+        ("norm(position(m.tip) + velocity(m.tip))", "m/s"),
+        ("norm(position(m.top))", "unknown name"),
+        ("x_of(position(2*m.tip))", "given by its name"),
+        ("dot(position(m.tip))", "wrong number"),
+    ];
+    for (text, wanted) in refused {
+        let output = format!("[outputs]\nbad = {{ expression = \"{text}\", unit = \"m\" }}\n");
+        let said = refusal(&by_quaternion(MACHINE).replace("[outputs]\n", &output));
+        assert!(said.contains(wanted), "{text}: {said}");
+    }
+    // Vectors in vectors do not grow without limit.
+    let deep =
+        (0..40).fold("position(m.tip)".to_owned(), |u, _| format!("cross(vector(1, 2, 3), {u})"));
+    let output = format!("[outputs]\nbad = {{ expression = \"norm({deep})\", unit = \"m\" }}\n");
+    let said = refusal(&by_quaternion(MACHINE).replace("[outputs]\n", &output));
+    assert!(said.contains("more than"), "{said}");
+}
+
+/// A load acts as the force along its point's position, and the reaction as the opposite.
+#[test]
+fn loads_act_by_virtual_work() {
+    let force = "[[define.machine.forces]]\nalong = \"tip_x\"\nexpression = \"2*pull\"\n\
+                 [[define.machine.forces]]\nalong = \"tip_z\"\nexpression = \"-pull\"\n";
+    let load =
+        "[define.machine.loads]\npush = { frame = \"tip\", force = [\"2*pull\", 0, \"-pull\"] }\n";
+    // The turned axes of the arm, and a torque about the axis of its joint, which takes the reaction.
+    let motor =
+        "[[define.machine.forces]]\ncoordinate = \"a\"\nexpression = \"0.3 [N m]*cos(t/1 [s])\"\n";
+    let torque = "[define.machine.loads]\nmotor = { frame = \"arm\", against = \"ball\", axes = \"arm\", \
+                  torque = [0, 0, \"0.3 [N m]*cos(t/1 [s])\"] }\n";
+    // A force at the arm's end along its own axes, and its reaction on the slide at that point.
+    let inner = "[define.machine.loads]\npair = { frame = \"arm\", against = \"slide\", axes = \"tip\", \
+                 force = [\"pull\", \"-pull\", \"3*pull\"], torque = [1, 2, 3] }\n";
+    let opposite = "[define.machine.loads]\npair = { frame = \"arm\", axes = \"tip\", force = \
+                    [\"pull\", \"-pull\", \"3*pull\"], torque = [1, 2, 3] }\nback = { frame = \"at\", axes = \
+                    \"tip\", force = [\"-pull\", \"pull\", \"-3*pull\"], torque = [-1, -2, -3] }\n";
+    let at_arm = "at = { parent = \"slide\" }\n[define.machine.bodies]";
+    for (one, other) in [(force, load), (motor, torque)] {
+        let [one, other] = [one, other].map(|text| rate_of(&(by_quaternion(MACHINE) + text)));
+        for (a, b) in one.iter().zip(&other) {
+            assert!((a - b).abs() < 1e-11 * (1.0 + b.abs()), "{one:?} {other:?}");
+        }
+    }
+    let pair = rate_of(&(by_quaternion(MACHINE) + inner));
+    let alone = rate_of(&by_quaternion(MACHINE));
+    assert!(pair.iter().zip(&alone).any(|(a, b)| (a - b).abs() > 1e-3));
+    // Without the moment of the force about the slide, which cannot turn, the reaction is the same.
+    let text = by_quaternion(MACHINE).replace("[define.machine.bodies]", at_arm) + opposite;
+    for (a, b) in pair.iter().zip(rate_of(&text)) {
+        assert!((a - b).abs() < 1e-11 * (1.0 + b.abs()), "{a} {b}");
+    }
+    for (text, wanted) in [
+        ("push = { frame = \"tip\" }", "neither `force` nor `torque`"),
+        ("push = { frame = \"top\", force = [1, 2, 3] }", "there is no frame `top`"),
+        ("push = { frame = \"world\", force = [1, 2, 3] }", "nothing that moves"),
+        ("push = { frame = \"tip\", force = [\"s\", 2, 3] }", "force"),
+        ("push = { frame = \"tip\", torque = [1, 2] }", "has 3 entries"),
+    ] {
+        let said = refusal(&(by_quaternion(MACHINE) + "[define.machine.loads]\n" + text + "\n"));
+        assert!(said.contains(wanted), "{wanted}: {said}");
+    }
+}
+
+fn rate_of(text: &str) -> Vec<f64> {
+    let scene = of_text(text, Keep::All);
+    let p: Vec<f64> = (0..scene.shape().parameters).map(|k| scene.parameter_default(k)).collect();
+    let y: Vec<f64> =
+        (0..scene.shape().states() as u32).map(|k| (1.7 * f64::from(k)).sin()).collect();
+    let mut rate = vec![0.0; y.len()];
+    scene.rate(0.2, &y, &p, &mut rate);
+    rate
+}
+
 #[test]
 fn the_power_of_quaternions_balances() {
     let scene = of_text(&by_quaternion(MACHINE), Keep::All);

@@ -8,6 +8,8 @@ mod assemble;
 mod attachments;
 mod bodies;
 mod evaluate;
+mod frame_part;
+mod frames;
 mod functions;
 mod joints;
 mod layout;
@@ -20,6 +22,7 @@ pub mod scatter;
 mod spline;
 pub mod system;
 mod typed;
+mod vectors;
 
 pub(crate) use evaluate::evaluate;
 

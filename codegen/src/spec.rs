@@ -50,7 +50,7 @@ pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources, one_line
 pub use self::symbol::Symbol;
 pub use self::table::{Column, CsvTable};
 
-use self::body::{BodySpec, Components, FrameSpec, OrientationSpec};
+use self::body::{BodySpec, Components, FrameSpec, LoadSpec, OrientationSpec};
 use self::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
 use self::dimension::{Dimension, Unit};
 use self::expression::{Ast, Literal};
@@ -239,6 +239,8 @@ pub struct UnitSpec {
     pub power: PowerSpec,
     /// Generalized forces.
     pub forces: Vec<ForceSpec>,
+    /// Forces and torques at frames.
+    pub loads: Vec<LoadSpec>,
     /// Outputs that scenes may use.
     pub outputs: Vec<DefinitionSpec>,
     /// Parts of an assembly, and initial values, also of the unit's own states.
@@ -296,7 +298,8 @@ pub struct PortSpec {
     pub name: Spanned<String>,
     /// Kind.
     pub kind: Spanned<PortKind>,
-    /// The coordinate it moves with; for a port on a field, one of the port's name.
+    /// The coordinate it moves with; for a port on a field, one of the port's name. For a frame, that
+    /// frame's name.
     pub coordinate: Spanned<String>,
     /// Displacement of the port per displacement of the coordinate; `None` for 1.
     pub ratio: Option<Formula>,
@@ -331,14 +334,17 @@ pub enum PortKind {
     Translational,
     /// A charge or a flux linkage.
     Electrical,
+    /// A frame in space, without a coordinate.
+    Frame,
 }
 
 impl PortKind {
     /// All kinds by name.
-    pub const ALL: [(&'static str, PortKind); 3] = [
+    pub const ALL: [(&'static str, PortKind); 4] = [
         ("rotational", PortKind::Rotational),
         ("translational", PortKind::Translational),
         ("electrical", PortKind::Electrical),
+        ("frame", PortKind::Frame),
     ];
 
     /// Returns the name in specs.

@@ -11,6 +11,8 @@ mod outputs;
 mod precision;
 mod run;
 
+use std::collections::BTreeSet;
+
 use crate::scene::layout::{Layout, Scope, coordinate_spec};
 use crate::scene::names::{Flat, name};
 use crate::scene::parameters;
@@ -216,13 +218,14 @@ impl<'a> Assembler<'a> {
         (terms.map(sum), springs)
     }
 
-    /// Returns the trees of rigid bodies of instances.
+    /// Returns the trees of rigid bodies of connected instances.
     fn mechanisms(&mut self) -> Vec<Mechanism> {
-        let mut mechanisms = Vec::new();
+        let (mut mechanisms, mut seen) = (Vec::new(), BTreeSet::new());
         for (index, instance, unit) in self.instances() {
-            if unit.frames.is_empty() && unit.bodies.is_empty() {
+            if unit.frames.is_empty() && unit.bodies.is_empty() || seen.contains(&index) {
                 continue;
             }
+            seen.extend(self.resolver.connected(index));
             match self.resolver.spatial(index, instance.name.span) {
                 Ok(spatial) => mechanisms.push(spatial.mechanism.clone()),
                 Err(mistake) => self.mistakes.push(*mistake),

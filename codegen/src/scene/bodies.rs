@@ -1,5 +1,7 @@
-//! Frames and rigid bodies of an instance, as a tree of elementary joints.
+//! Frames, orientations and rigid bodies of instances.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::rc::Rc;
 
 use machinist_algebra::cas::arithmetic::{normal_form, product, sum};
@@ -7,26 +9,29 @@ use machinist_algebra::expr::{Expr, Symbol};
 use num_rational::BigRational;
 
 use crate::scene::evaluate;
+use crate::scene::frames::turn;
 use crate::scene::layout::{FramePart, Scope};
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
 use crate::scene::typed::{Typed, Uses};
-use crate::spatial::mechanism::{Body, Frame, Kind, Mechanism, Placed};
+use crate::spatial::mechanism::{Body, Frame, Mechanism, Placed};
 use crate::spatial::orientation::{Orientation, Orientations};
 use crate::spatial::vector::{
-    Matrix3, Vector, multiplied, of_quaternion, plus, rotation, sine_and_cosine, times, zero,
+    Matrix3, Vector, identity, multiplied, of_quaternion, sine_and_cosine, zero,
 };
-use crate::spec::body::{AxisSpec, BodySpec, Components, FrameSpec, RotationSpec, WORLD};
+use crate::spec::body::{AxisSpec, BodySpec, Components, FrameSpec, RotationSpec};
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::{Angular, Dimension};
-use crate::spec::{CoordinateSpec, Formula, UnitSpec, did_you_mean, quoted};
+use crate::spec::{CoordinateSpec, Formula, did_you_mean, quoted};
 
-/// Frames and bodies of an instance.
+/// Frames and bodies of connected instances.
 #[derive(Debug)]
 pub struct Spatial {
     /// The tree of joints, with bodies.
     pub mechanism: Mechanism,
-    /// The world's view of each frame, in the order of the spec.
-    placed: Vec<Placed>,
+    /// Frames by instance and index; the world by `None`.
+    frames: HashMap<Option<(usize, usize)>, Frame>,
+    /// The world's view of each frame that has been asked for.
+    placed: RefCell<HashMap<(usize, usize), Rc<Placed>>>,
 }
 
 /// State of the tree of an instance.
@@ -36,9 +41,38 @@ pub(super) enum Tree {
     Failed(Box<Mistake>),
 }
 
+/// A step from a frame's parent to the frame.
+pub(super) enum Step {
+    /// By a fixed way.
+    Move(Vector),
+    /// By a fixed rotation.
+    Turn(Box<Matrix3>),
+    /// By a joint along an axis.
+    Slide(Vector, Expr),
+    /// By a joint about an axis.
+    Revolve(Vector, Expr),
+    /// By a joint that turns freely.
+    Orient(Orientation),
+}
+
 impl Spatial {
-    fn component(&self, frame: usize, part: FramePart) -> Expr {
-        let placed = &self.placed[frame];
+    pub(super) fn new(
+        mechanism: Mechanism,
+        frames: HashMap<Option<(usize, usize)>, Frame>,
+    ) -> Self {
+        Spatial { mechanism, frames, placed: RefCell::default() }
+    }
+
+    /// Returns a frame; the world for `None`.
+    pub(super) fn frame(&self, frame: Option<(usize, usize)>) -> &Frame {
+        &self.frames[&frame]
+    }
+
+    fn component(&self, frame: (usize, usize), part: FramePart) -> Expr {
+        let mut all = self.placed.borrow_mut();
+        let placed = all
+            .entry(frame)
+            .or_insert_with(|| Rc::new(self.mechanism.placed(self.frame(Some(frame)))));
         match part {
             FramePart::Position(axis) => placed.position[axis].clone(),
             FramePart::Velocity(axis) => placed.velocity[axis].clone(),
@@ -59,14 +93,14 @@ impl Resolver<'_> {
     ) -> Resolved {
         let spatial = self.spatial(instance, span)?;
         self.spend(1, span)?;
-        let expr = spatial.component(frame, part);
+        let expr = spatial.component((instance, frame), part);
         let uses = uses_of(&expr);
         let unit = part.unit();
         let angular = Angular::of(unit, uses.moves());
         Ok(Typed::leaf(expr, unit.dimension, angular, uses))
     }
 
-    /// Returns the tree of an instance, built once.
+    /// Returns the tree of an instance and all that is connected with it, built once.
     ///
     /// # Errors
     /// The first mistake in its frames and bodies.
@@ -75,7 +109,9 @@ impl Resolver<'_> {
         instance: usize,
         span: Span,
     ) -> Result<Rc<Spatial>, Box<Mistake>> {
-        match self.trees.get(&instance) {
+        let instances = self.connected(instance);
+        let key = instances[0];
+        match self.trees.get(&key) {
             Some(Tree::Done(done)) => return Ok(Rc::clone(done)),
             Some(Tree::Failed(mistake)) => return Err(mistake.clone()),
             Some(Tree::Pending) => {
@@ -85,122 +121,101 @@ impl Resolver<'_> {
             }
             None => {}
         }
-        self.trees.insert(instance, Tree::Pending);
+        self.trees.insert(key, Tree::Pending);
         let (level, spent) = (self.level, self.spent);
-        let built = self.build(instance);
+        let built = self.build(&instances);
         (self.level, self.spent) = (level, spent);
         let built = built.map(Rc::new);
         let state = match &built {
             Ok(done) => Tree::Done(Rc::clone(done)),
             Err(mistake) => Tree::Failed(mistake.clone()),
         };
-        self.trees.insert(instance, state);
+        self.trees.insert(key, state);
         built
     }
 
-    fn build(&mut self, instance: usize) -> Result<Spatial, Box<Mistake>> {
+    /// Returns the acceleration of free fall of connected instances, which one of them gives.
+    pub(super) fn gravity(&mut self, instances: &[usize]) -> Result<Vector, Box<Mistake>> {
         let spec = self.spec;
-        let unit = &spec.units[spec.instances[instance].unit];
-        let scope = Scope::Instance(instance);
-        let gravity = match &unit.gravity {
-            Some(gravity) => {
-                let what = "the acceleration of free fall";
-                self.components(gravity, scope, Dimension::ACCELERATION, what, Uses::PARAMETERS)?
-            }
-            None => zero(),
+        let unit = |instance: usize| &spec.units[spec.instances[instance].unit];
+        let mut given = instances.iter().filter(|instance| unit(**instance).gravity.is_some());
+        let Some((first, gravity)) =
+            given.next().and_then(|one| Some((*one, unit(*one).gravity.as_ref()?)))
+        else {
+            return Ok(zero());
         };
-        let mut tree = Mechanism::new(gravity);
-        let prefix = spec.instances[instance].name.value.replace('.', "_");
-        let mut frames: Vec<Option<Frame>> = vec![None; unit.frames.len()];
-        for index in order_of(unit)? {
-            let frame = &unit.frames[index];
-            let at = match parent_of(unit, frame)? {
-                Some(parent) => frames[parent].clone().unwrap_or_else(Mechanism::world),
-                None => Mechanism::world(),
-            };
-            let name = format!("{prefix}_{}", frame.name.value);
-            frames[index] = Some(self.frame(&mut tree, at, frame, &name, scope)?);
+        if let Some(other) = given.next() {
+            let name = |instance: usize| quoted(&spec.instances[instance].name.value);
+            let message = format!(
+                "both {} and {} give the gravity of the same machine",
+                name(first),
+                name(*other)
+            );
+            let mistake = Mistake::new(spec.instances[*other].name.span, message, "a second");
+            return Err(Box::new(mistake.help("leave one of them out")));
         }
-        let frames: Vec<Frame> =
-            frames.into_iter().map(|frame| frame.unwrap_or_else(Mechanism::world)).collect();
-        for body in &unit.bodies {
-            let frame = match find(unit, &body.frame)? {
-                Some(index) => frames[index].clone(),
-                None => Mechanism::world(),
-            };
-            let body = self.body(body, scope)?;
-            tree.attach(&frame, &body);
-        }
-        let placed = frames.iter().map(|frame| tree.placed(frame)).collect();
-        Ok(Spatial { mechanism: tree, placed })
+        let what = "the acceleration of free fall";
+        let scope = Scope::Instance(first);
+        self.components(gravity, scope, Dimension::ACCELERATION, what, Uses::PARAMETERS)
     }
 
-    /// Returns a frame, with the joints that move it added to the tree.
-    fn frame(
+    /// Returns the steps from a frame's parent to the frame.
+    pub(super) fn steps(
         &mut self,
-        tree: &mut Mechanism,
-        mut at: Frame,
         frame: &FrameSpec,
-        name: &str,
         scope: Scope,
-    ) -> Result<Frame, Box<Mistake>> {
+    ) -> Result<Vec<Step>, Box<Mistake>> {
+        let mut steps = Vec::new();
         if let Some(displacement) = &frame.displacement {
             let what = "a displacement";
             let r = self.components(displacement, scope, Dimension::LENGTH, what, Uses::PLACE)?;
             for (axis, by) in r.iter().enumerate().filter(|(_, by)| moves(by)) {
-                at = tree.add(name, Kind::Slides, &at, &unit_vector(axis), by);
+                steps.push(Step::Slide(unit_vector(axis), by.clone()));
             }
-            let fixed = r.map(|by| if moves(&by) { Expr::integer(0) } else { by });
-            at.offset = plus(&at.offset, &times(&at.to_joint, &fixed));
+            steps.push(Step::Move(r.map(|by| if moves(&by) { Expr::integer(0) } else { by })));
         }
         for rotation in &frame.rotations {
-            at = self.turned(tree, at, rotation, name, scope)?;
+            steps.extend(self.turns(rotation, scope)?);
         }
         if let Some(joint) = &frame.revolute {
             let (axis, angle) = self.axis(joint, scope, Dimension::ONE)?;
-            at = turned_about(tree, at, &axis, &angle, name);
+            let is_moving = moves(&angle);
+            steps.push(turn(axis, angle, is_moving));
         }
         if let Some(orientation) = &frame.spherical {
-            let Scope::Instance(instance) = scope else { return Ok(at) };
-            let by = self.orientation_named(instance, orientation)?;
-            at = tree.add_spherical(name, &at, &by);
+            let Scope::Instance(instance) = scope else { return Ok(steps) };
+            steps.push(Step::Orient(self.orientation_named(instance, orientation)?));
         }
         if let Some(joint) = &frame.prismatic {
             let (axis, length) = self.axis(joint, scope, Dimension::LENGTH)?;
-            if moves(&length) {
-                at = tree.add(name, Kind::Slides, &at, &axis, &length);
+            steps.push(if moves(&length) {
+                Step::Slide(axis, length)
             } else {
-                let way = axis.map(|entry| product([entry, length.clone()]));
-                at.offset = plus(&at.offset, &times(&at.to_joint, &way));
-            }
+                Step::Move(axis.map(|entry| product([entry, length.clone()])))
+            });
         }
-        Ok(at)
+        Ok(steps)
     }
 
-    fn turned(
-        &mut self,
-        tree: &mut Mechanism,
-        mut at: Frame,
-        rotation: &RotationSpec,
-        name: &str,
-        scope: Scope,
-    ) -> Result<Frame, Box<Mistake>> {
+    /// Returns the steps of a rotation.
+    fn turns(&mut self, rotation: &RotationSpec, scope: Scope) -> Result<Vec<Step>, Box<Mistake>> {
         match rotation {
             RotationSpec::Axis(axis) => {
                 let (axis, angle) = self.axis(axis, scope, Dimension::ONE)?;
-                Ok(turned_about(tree, at, &axis, &angle, name))
+                let is_moving = moves(&angle);
+                Ok(vec![turn(axis, angle, is_moving)])
             }
             RotationSpec::Sequence(turns) => {
+                let mut steps = Vec::new();
                 for (axis, angle) in turns {
                     let angle = self.angle_of(angle, scope)?;
-                    at = turned_about(tree, at, &unit_vector(*axis), &angle, name);
+                    let is_moving = moves(&angle);
+                    steps.push(turn(unit_vector(*axis), angle, is_moving));
                 }
-                Ok(at)
+                Ok(steps)
             }
             RotationSpec::Quaternion(parts, span) => {
-                let matrix = self.quaternion(parts, scope, *span)?;
-                at.to_joint = multiplied(&at.to_joint, &matrix);
-                Ok(at)
+                Ok(vec![Step::Turn(Box::new(self.quaternion(parts, scope, *span)?))])
             }
         }
     }
@@ -211,13 +226,17 @@ impl Resolver<'_> {
         rotations: &[RotationSpec],
         scope: Scope,
     ) -> Result<Matrix3, Box<Mistake>> {
-        let mut tree = Mechanism::new(zero());
-        let mut at = Mechanism::world();
+        let (mut whole, mut is_fixed) = (identity(), true);
         for rotation in rotations {
-            at = self.turned(&mut tree, at, rotation, "", scope)?;
+            for step in self.turns(rotation, scope)? {
+                match step {
+                    Step::Turn(matrix) => whole = multiplied(&whole, &matrix),
+                    _ => is_fixed = false,
+                }
+            }
         }
-        if tree.joints.is_empty() {
-            return Ok(at.to_joint);
+        if is_fixed {
+            return Ok(whole);
         }
         let span = match rotations.first() {
             Some(RotationSpec::Axis(axis)) => axis.span,
@@ -278,13 +297,13 @@ impl Resolver<'_> {
             match rotation {
                 RotationSpec::Axis(axis) => {
                     let (direction, angle) = self.axis(axis, scope, Dimension::ONE)?;
-                    self.still(&angle, axis.by.span())?;
+                    still(&angle, axis.by.span())?;
                     whole = hamilton(&whole, &half_turned(&direction, &angle));
                 }
                 RotationSpec::Sequence(turns) => {
                     for (axis, formula) in turns {
                         let angle = self.angle_of(formula, scope)?;
-                        self.still(&angle, formula.span())?;
+                        still(&angle, formula.span())?;
                         whole = hamilton(&whole, &half_turned(&unit_vector(*axis), &angle));
                     }
                 }
@@ -295,16 +314,6 @@ impl Resolver<'_> {
             }
         }
         Ok(whole)
-    }
-
-    /// Rejects an angle at the start that moves.
-    fn still(&self, angle: &Expr, span: Span) -> Result<(), Box<Mistake>> {
-        if !moves(angle) {
-            return Ok(());
-        }
-        let message = "the rotation at the start depends on a coordinate or time";
-        let mistake = Mistake::new(span, message, "moves");
-        Err(Box::new(mistake.help("write it with parameters")))
     }
 
     fn quaternion(
@@ -397,7 +406,7 @@ impl Resolver<'_> {
         Ok(all)
     }
 
-    fn body(&mut self, spec: &BodySpec, scope: Scope) -> Result<Body, Box<Mistake>> {
+    pub(super) fn body(&mut self, spec: &BodySpec, scope: Scope) -> Result<Body, Box<Mistake>> {
         let wanted = Wanted::new(Dimension::MASS, "a mass").of(Uses::PARAMETERS);
         let mass = normal_form(&self.formula(&spec.mass, scope, &wanted)?.expr);
         let centre = match &spec.centre {
@@ -484,6 +493,16 @@ fn without_states(expr: Expr, span: Span) -> Result<Expr, Box<Mistake>> {
     Err(Box::new(mistake.help("write it with coordinates, time and parameters")))
 }
 
+/// Rejects an angle at the start that moves.
+fn still(angle: &Expr, span: Span) -> Result<(), Box<Mistake>> {
+    if !moves(angle) {
+        return Ok(());
+    }
+    let message = "the rotation at the start depends on a coordinate or time";
+    let mistake = Mistake::new(span, message, "moves");
+    Err(Box::new(mistake.help("write it with parameters")))
+}
+
 /// Returns the unit quaternion of a rotation by an angle about a unit axis.
 fn half_turned(axis: &Vector, angle: &Expr) -> [Expr; 4] {
     let half = Expr::Number(BigRational::new(1.into(), 2.into()));
@@ -512,21 +531,6 @@ fn hamilton(a: &[Expr; 4], b: &[Expr; 4]) -> [Expr; 4] {
     ]
 }
 
-/// Turns a frame about an axis: by a joint if the angle moves.
-fn turned_about(
-    tree: &mut Mechanism,
-    mut at: Frame,
-    axis: &Vector,
-    angle: &Expr,
-    name: &str,
-) -> Frame {
-    if moves(angle) {
-        return tree.add(name, Kind::Turns, &at, axis, angle);
-    }
-    at.to_joint = multiplied(&at.to_joint, &rotation(axis, angle));
-    at
-}
-
 fn unit_vector(axis: usize) -> Vector {
     std::array::from_fn(|i| Expr::integer(i64::from(i == axis)))
 }
@@ -545,50 +549,4 @@ fn uses_of(expr: &Expr) -> Uses {
         uses.velocity |= matches!(symbol, Symbol::Velocity(_));
     }
     uses
-}
-
-/// Returns the index of the frame of a name; `None` for the world.
-fn find(unit: &UnitSpec, name: &Spanned<String>) -> Result<Option<usize>, Box<Mistake>> {
-    if name.value == WORLD {
-        return Ok(None);
-    }
-    let found = unit.frames.iter().position(|frame| frame.name.value == name.value);
-    found.map(Some).ok_or_else(|| {
-        let message = format!("there is no frame {}", quoted(&name.value));
-        let names = unit.frames.iter().map(|frame| frame.name.value.as_str()).chain([WORLD]);
-        Box::new(Mistake::new(name.span, message, "unknown").help(did_you_mean(&name.value, names)))
-    })
-}
-
-fn parent_of(unit: &UnitSpec, frame: &FrameSpec) -> Result<Option<usize>, Box<Mistake>> {
-    frame.parent.as_ref().map_or(Ok(None), |parent| find(unit, parent))
-}
-
-/// Returns the frames, each after its parent, otherwise in the order of the spec.
-fn order_of(unit: &UnitSpec) -> Result<Vec<usize>, Box<Mistake>> {
-    let count = unit.frames.len();
-    let (mut order, mut is_placed) = (Vec::with_capacity(count), vec![false; count]);
-    for start in 0..count {
-        // The frames from this one to the world, or to one that is placed.
-        let mut path = Vec::new();
-        let mut next = Some(start);
-        while let Some(index) = next.filter(|index| !is_placed[*index]) {
-            if path.contains(&index) {
-                let frame = &unit.frames[index];
-                let name = quoted(&frame.name.value);
-                let message = format!("frame {name} is its own parent, through other frames");
-                let help = "frames form a tree; close a loop by constraints between positions of \
-                            two frames";
-                let mistake = Mistake::new(frame.name.span, message, "in a loop");
-                return Err(Box::new(mistake.help(help)));
-            }
-            path.push(index);
-            next = parent_of(unit, &unit.frames[index])?;
-        }
-        for index in path.into_iter().rev() {
-            is_placed[index] = true;
-            order.push(index);
-        }
-    }
-    Ok(order)
 }

@@ -46,6 +46,11 @@ const OTHERS: &[(&str, &str)] = &[
         "table(\"file.csv\", \"column\", x), or with \"linear\", \"monotone\" or \"natural\" behind x",
     ),
     ("der", "der(x)"),
+    ("dot", "dot(u, v)"),
+    ("norm", "norm(u)"),
+    ("x_of", "x_of(u)"),
+    ("y_of", "y_of(u)"),
+    ("z_of", "z_of(u)"),
 ];
 
 impl Resolver<'_> {
@@ -59,6 +64,9 @@ impl Resolver<'_> {
         scope: Scope,
         allowed: Uses,
     ) -> Resolved {
+        if let Some(of_vectors) = self.of_vectors(function, arguments, span, scope, allowed) {
+            return of_vectors;
+        }
         let pure = PURE.iter().find(|(known, _)| *known == function);
         match (function, arguments) {
             (_, [x]) if let Some((_, pure)) = pure => self.pure(*pure, x, scope, allowed),

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use crate::scene::layout::{Layout, Link, Scope, find_port};
+use crate::scene::layout::{Layout, Link, Scope, find_port, frame_of_port};
 use crate::scene::ports::{dimension_of, ratio_of, require_ratio};
 use crate::scene::resolve::{Resolver, Wanted};
 use crate::scene::system::Required;
@@ -31,10 +31,21 @@ pub fn identify(
     parameter: &impl Fn(ParameterId) -> f64,
     mistakes: &mut Vec<Mistake>,
 ) {
-    let mut edges = Vec::new();
+    let (mut edges, mut joined) = (Vec::new(), Vec::new());
     let mut roots: Vec<usize> = (0..layout.links.len()).collect();
     let mut resolver = Resolver::new(spec, layout);
     for (index, joint) in spec.joints.iter().enumerate() {
+        match frames(spec, joint) {
+            Ok(None) => {}
+            Ok(Some(ends)) => {
+                joined.push((ends, joint.connect[1].span));
+                continue;
+            }
+            Err(mistake) => {
+                mistakes.push(*mistake);
+                continue;
+            }
+        }
         let edge = edge(&mut resolver, joint, parameter).and_then(|edge| {
             unite(&mut roots, &edge, joint, &spec.joints[..index])?;
             Ok(edge)
@@ -45,11 +56,40 @@ pub fn identify(
         }
     }
     drop(resolver);
+    layout.joined_frames = joined;
     layout.required.extend(edges.iter().flat_map(|edge| edge.required.iter().cloned()));
     hold(spec, layout, &mut roots, mistakes);
     let starts = starts(spec, layout, &mut roots);
     follow(layout, &edges, &starts);
     refuse_idle(spec, layout, mistakes);
+}
+
+/// Returns the frames that a joint makes one, each as instance and index; `None` for a joint of other
+/// ports.
+fn frames(
+    spec: &SceneSpec,
+    joint: &JointSpec,
+) -> Result<Option<[(usize, usize); 2]>, Box<Mistake>> {
+    let [first, second] = &joint.connect;
+    let ends = [frame_of_port(spec, first)?, frame_of_port(spec, second)?];
+    match ends {
+        [None, None] => Ok(None),
+        [Some(one), Some(other)] => {
+            if let Some(ratio) = &joint.ratio {
+                let message = "a joint of frames cannot have a ratio";
+                return Err(Box::new(Mistake::new(ratio.span(), message, "no multiple")));
+            }
+            Ok(Some([one, other]))
+        }
+        [one, _] => {
+            let (frame, other) = if one.is_some() { (first, second) } else { (second, first) };
+            let [frame, other_name] = [frame, other].map(|path| quoted(&path.value));
+            let message = format!(
+                "a joint must connect ports of the same kind: {frame} is a frame, {other_name} is not"
+            );
+            Err(Box::new(Mistake::new(other.span, message, "not a frame")))
+        }
+    }
 }
 
 /// Rejects parts that do nothing because joints make all of their coordinates one, such as a

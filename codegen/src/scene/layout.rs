@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+pub use crate::scene::frame_part::FramePart;
 use crate::scene::parameters::numbers;
 use crate::scene::system::Required;
 use crate::scene::typed::integer;
@@ -46,62 +47,6 @@ pub enum Local {
     Frame(usize, FramePart),
     /// The part w of an orientation.
     Scalar(usize),
-}
-
-/// A component of the motion of a frame, along the axes of the world.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FramePart {
-    /// Position of the origin.
-    Position(usize),
-    /// Velocity of the origin.
-    Velocity(usize),
-    /// Angular velocity.
-    Omega(usize),
-    /// Component, given first, of an axis of the frame.
-    Rotation(usize, usize),
-}
-
-impl FramePart {
-    /// Returns all parts with the ends of their names.
-    pub fn all() -> Vec<(FramePart, String)> {
-        let axes = ["x", "y", "z"];
-        let mut all = Vec::new();
-        for (i, axis) in axes.iter().enumerate() {
-            all.push((FramePart::Position(i), (*axis).to_owned()));
-            all.push((FramePart::Velocity(i), format!("v_{axis}")));
-            all.push((FramePart::Omega(i), format!("omega_{axis}")));
-            for (j, other) in axes.iter().enumerate() {
-                all.push((FramePart::Rotation(i, j), format!("r_{axis}{other}")));
-            }
-        }
-        all
-    }
-
-    /// Returns its unit of measure.
-    pub fn unit(self) -> Unit {
-        let (dimension, rad) = match self {
-            FramePart::Position(_) => (Dimension::LENGTH, 0),
-            FramePart::Velocity(_) => (Dimension::VELOCITY, 0),
-            FramePart::Omega(_) => (Dimension::FREQUENCY, 2),
-            FramePart::Rotation(..) => (Dimension::ONE, 0),
-        };
-        Unit { dimension, rad }
-    }
-
-    /// Returns the text of its unit, and its meaning.
-    pub fn description(self, frame: &str) -> (&'static str, String) {
-        let axis = |i: usize| ["x", "y", "z"][i];
-        match self {
-            FramePart::Position(i) => ("m", format!("position {} of {frame}", axis(i))),
-            FramePart::Velocity(i) => ("m/s", format!("velocity of {frame} along {}", axis(i))),
-            FramePart::Omega(i) => {
-                ("rad/s", format!("angular velocity of {frame} about {}", axis(i)))
-            }
-            FramePart::Rotation(i, j) => {
-                ("1", format!("component {} of the {} axis of {frame}", axis(i), axis(j)))
-            }
-        }
-    }
 }
 
 /// Part of a field that a name stands for. The numbers are those of the density's symbols.
@@ -225,6 +170,8 @@ pub struct Layout {
     held: Vec<bool>,
     /// Requirements on ratios, and on lengths and places of fields.
     pub required: Vec<Required>,
+    /// Frames that joints make one, each as instance and index, and the place of the joint.
+    pub joined_frames: Vec<([(usize, usize); 2], Span)>,
 }
 
 impl Layout {
@@ -292,6 +239,7 @@ impl Layout {
             attached,
             held,
             required: Vec::new(),
+            joined_frames: Vec::new(),
         }
     }
 
@@ -450,25 +398,57 @@ pub fn find_inside(
     })
 }
 
-/// Finds the port of a path `instance.port`, and its coordinate's slot.
-pub fn find_port<'a>(
+/// Finds the instance and the port of a path `instance.port`.
+fn find<'a>(
     spec: &'a SceneSpec,
-    layout: &Layout,
     path: &Spanned<String>,
-) -> Result<(&'a PortSpec, usize), Box<Mistake>> {
+) -> Result<(usize, &'a PortSpec), Box<Mistake>> {
     let Some((instance, port)) = path.value.rsplit_once('.') else {
         let message = format!("{} is not a port", quoted(&path.value));
         let mistake = Mistake::new(path.span, message, "not instance.port");
         return Err(Box::new(mistake.help("write a port as instance.port")));
     };
     let instance = find_instance(spec, instance, path.span)?;
-    let unit_index = spec.instances[instance].unit;
-    let unit = &spec.units[unit_index];
-    let Some(found) = unit.ports.iter().find(|candidate| candidate.name.value == port) else {
+    let unit = &spec.units[spec.instances[instance].unit];
+    let found = unit.ports.iter().find(|candidate| candidate.name.value == port);
+    found.map(|found| (instance, found)).ok_or_else(|| {
         let message = format!("unit {} has no port {}", quoted(&unit.name), quoted(port));
         let help = did_you_mean(port, port_names(unit));
-        return Err(Box::new(Mistake::new(path.span, message, "unknown").help(help)));
-    };
+        Box::new(Mistake::new(path.span, message, "unknown").help(help))
+    })
+}
+
+/// Returns the instance and the index of the frame of a port; `None` if it is of another kind.
+///
+/// # Errors
+/// If there is no such port.
+pub fn frame_of_port(
+    spec: &SceneSpec,
+    path: &Spanned<String>,
+) -> Result<Option<(usize, usize)>, Box<Mistake>> {
+    let (instance, port) = find(spec, path)?;
+    if port.kind.value != PortKind::Frame {
+        return Ok(None);
+    }
+    let unit = &spec.units[spec.instances[instance].unit];
+    let index = unit.frames.iter().position(|frame| frame.name.value == port.name.value);
+    Ok(index.map(|index| (instance, index)))
+}
+
+/// Finds the port of a path `instance.port`, and its coordinate's slot.
+pub fn find_port<'a>(
+    spec: &'a SceneSpec,
+    layout: &Layout,
+    path: &Spanned<String>,
+) -> Result<(&'a PortSpec, usize), Box<Mistake>> {
+    let (instance, found) = find(spec, path)?;
+    let unit_index = spec.instances[instance].unit;
+    let unit = &spec.units[unit_index];
+    if found.kind.value == PortKind::Frame {
+        let message = format!("{} is a frame, which has no coordinate", quoted(&path.value));
+        let mistake = Mistake::new(path.span, message, "a frame");
+        return Err(Box::new(mistake.help("join it to another frame")));
+    }
     match layout.units[unit_index].get(&found.coordinate.value) {
         Some(Local::Coordinate(index)) => {
             let slot = layout.slot(instance, index);
@@ -558,6 +538,9 @@ fn unit_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) -> Names {
 
 /// Checks that a port's coordinate exists and has the dimension of its kind.
 fn check_port(port: &PortSpec, unit: &UnitSpec, names: &Names, mistakes: &mut Vec<Mistake>) {
+    if port.kind.value == PortKind::Frame {
+        return;
+    }
     let Some(Local::Coordinate(index)) = names.get(&port.coordinate.value) else {
         mistakes.push(unknown_coordinate(&port.coordinate, unit));
         return;
@@ -576,6 +559,7 @@ fn check_port(port: &PortSpec, unit: &UnitSpec, names: &Names, mistakes: &mut Ve
             let fits = [Dimension::CHARGE, Dimension::FLUX].contains(&dimension);
             (fits, "a charge in C or a flux linkage in Wb")
         }
+        PortKind::Frame => return,
     };
     if !fits && port.ratio.is_none() {
         let kind = port.kind.value.name();

@@ -17,7 +17,7 @@ pub fn dimension_of(spec: &SceneSpec, layout: &Layout, port: &PortSpec, slot: us
         _ if port.ratio.is_none() => own,
         PortKind::Rotational => Dimension::ONE,
         PortKind::Translational => Dimension::LENGTH,
-        PortKind::Electrical => own,
+        PortKind::Electrical | PortKind::Frame => own,
     }
 }
 

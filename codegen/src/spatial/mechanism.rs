@@ -186,17 +186,28 @@ impl Mechanism {
         self.push(name, at.joint, kind, freedoms, is_driven, (to_parent, displacement))
     }
 
-    /// Adds a joint at a frame that turns freely and returns the frame that it moves.
-    pub fn add_spherical(&mut self, name: &str, at: &Frame, by: &Orientation) -> Frame {
+    /// Adds a joint at a frame that turns freely and returns the frame that it moves. If not
+    /// `forward`, the frame is the one that the orientation turns, and the other is returned.
+    pub fn add_spherical(
+        &mut self,
+        name: &str,
+        at: &Frame,
+        by: &Orientation,
+        forward: bool,
+    ) -> Frame {
+        let matrix = by.matrix();
+        let columns = transposed(&matrix);
         let freedom = |axis: usize| Freedom {
-            axis: std::array::from_fn(|i| Expr::integer(i64::from(i == axis))),
+            // Backwards, the axes are fixed to the parent: -R n, whose rate along the own axes is
+            // that of the rotation about themselves.
+            axis: if forward { identity()[axis].clone() } else { minus(&columns[axis]) },
             rate: Expr::Symbol(Symbol::Velocity(by.vector[axis])),
             slopes: vec![(by.vector[axis], Expr::integer(1))],
             bias: Expr::integer(0),
         };
-        let to_parent = multiplied(&at.to_joint, &by.matrix());
         let freedoms = (0..3).map(freedom).collect();
-        let moved = (to_parent, at.offset.clone());
+        let turned = if forward { matrix } else { columns };
+        let moved = (multiplied(&at.to_joint, &turned), at.offset.clone());
         self.push(name, at.joint, Kind::Turns, freedoms, false, moved)
     }
 

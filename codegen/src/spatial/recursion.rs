@@ -13,10 +13,10 @@ use std::collections::BTreeMap;
 use machinist_algebra::cas::arithmetic::{product, sum};
 use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
 
-use super::mechanism::{Freedom, Inertia, Joint, Kind, Mechanism};
+use super::mechanism::{Frame, Freedom, Inertia, Joint, Kind, Mechanism};
 use super::vector::{
-    Matrix3, Vector, congruent, cross, dot, of_moment, of_point, plus, scaled, symmetric_sum,
-    times, total, transposed, zero,
+    Matrix3, Vector, congruent, cross, dot, minus, of_moment, of_point, plus, scaled,
+    symmetric_sum, times, total, transposed, zero,
 };
 
 /// A force and its torque about the origin of a joint.
@@ -91,6 +91,39 @@ impl Mechanism {
             if let Some(parent) = joint.parent {
                 wrenches[parent] = wrenches[parent].plus(&wrench.on_parent_of(joint));
             }
+        }
+        forces.into_iter().map(|(id, parts)| (id, sum(parts).shared())).collect()
+    }
+
+    /// Returns the generalized forces of a wrench, a force and a torque about a point, on what moves
+    /// with a frame. All of it is along the world's axes.
+    #[must_use]
+    pub fn generalized(
+        &self,
+        frame: &Frame,
+        point: &Vector,
+        [force, torque]: &[Vector; 2],
+    ) -> BTreeMap<CoordinateId, Expr> {
+        let mut forces: BTreeMap<CoordinateId, Vec<Expr>> = BTreeMap::new();
+        let Some(mut index) = frame.joint else { return BTreeMap::new() };
+        let motion = &self.joints[index].motion;
+        let arm = plus(point, &minus(&motion.position));
+        let back = transposed(&motion.to_world);
+        let mut wrench = Wrench {
+            force: times(&back, force),
+            torque: times(&back, &plus(torque, &cross(&arm, force))),
+        };
+        loop {
+            let joint = &self.joints[index];
+            for freedom in &joint.freedoms {
+                let along = wrench.along(joint, freedom);
+                for (id, slope) in freedom.slopes.iter().filter(|_| !along.is_zero()) {
+                    forces.entry(*id).or_default().push(product([slope.clone(), along.clone()]));
+                }
+            }
+            let Some(parent) = joint.parent else { break };
+            wrench = wrench.on_parent_of(joint);
+            index = parent;
         }
         forces.into_iter().map(|(id, parts)| (id, sum(parts).shared())).collect()
     }

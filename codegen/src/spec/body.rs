@@ -22,6 +22,8 @@ pub struct FrameSpec {
     pub name: Spanned<String>,
     /// The frame it is given relative to; the world if absent.
     pub parent: Option<Spanned<String>>,
+    /// True for a frame that is given by what is joined to its port alone.
+    pub is_joined: bool,
     /// Position of the origin, along the parent's axes \[m\].
     pub displacement: Option<Components>,
     /// Rotations, each about the axes that the preceding ones have turned.
@@ -32,6 +34,45 @@ pub struct FrameSpec {
     pub spherical: Option<Spanned<String>>,
     /// Motion along an axis, by a length \[m\].
     pub prismatic: Option<AxisSpec>,
+    /// Meaning.
+    pub doc: String,
+}
+
+impl FrameSpec {
+    /// Returns the frame of a port that is given by what is joined to it.
+    #[must_use]
+    pub fn joined(name: &Spanned<String>) -> Self {
+        FrameSpec {
+            name: name.clone(),
+            parent: None,
+            is_joined: true,
+            displacement: None,
+            rotations: Vec::new(),
+            revolute: None,
+            spherical: None,
+            prismatic: None,
+            doc: String::new(),
+        }
+    }
+}
+
+/// A force and a torque that act on a body at a frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// The frame at whose origin they act, and with which the body moves.
+    pub frame: Spanned<String>,
+    /// The frame of the body that takes the reaction, at the same point; none if absent.
+    pub against: Option<Spanned<String>>,
+    /// The frame along whose axes they are given; the world if absent.
+    pub axes: Option<Spanned<String>>,
+    /// Components of the force \[N\].
+    pub force: Option<Components>,
+    /// Components of the torque \[N m\].
+    pub torque: Option<Components>,
+    /// True if they only convert energy of the first-order states.
+    pub conversion: bool,
     /// Meaning.
     pub doc: String,
 }
@@ -152,7 +193,36 @@ pub fn frame(entry: &Entry, found: &mut Findings) -> Option<FrameSpec> {
         .and_then(|tree| axis(tree, "prismatic", "displacement", fields.found()));
     let doc = fields.text("doc");
     fields.close();
-    Some(FrameSpec { name, parent, displacement, rotations, revolute, spherical, prismatic, doc })
+    Some(FrameSpec {
+        name,
+        parent,
+        is_joined: false,
+        displacement,
+        rotations,
+        revolute,
+        spherical,
+        prismatic,
+        doc,
+    })
+}
+
+/// Reads a force and a torque at a frame of a unit.
+pub fn load(entry: &Entry, found: &mut Findings) -> Option<LoadSpec> {
+    let name = entry.key.clone();
+    let mut fields = Fields::open(&entry.value, format!("load {}", quoted(&name.value)), found);
+    let frame = fields.required_text("frame");
+    let [against, axes] =
+        ["against", "axes"].map(|key| fields.take(key).and_then(|tree| fields.as_text(tree, key)));
+    let (force, torque) = (vector("force", &mut fields), vector("torque", &mut fields));
+    let conversion = fields.flag("conversion");
+    let doc = fields.text("doc");
+    if force.is_none() && torque.is_none() {
+        let message = format!("load {} has neither `force` nor `torque`", quoted(&name.value));
+        let mistake = Mistake::new(name.span, message, "no effect");
+        fields.found().mistakes.push(mistake.help("write force = [\"F\", 0, 0]"));
+    }
+    fields.close();
+    Some(LoadSpec { name, frame: frame?, against, axes, force, torque, conversion, doc })
 }
 
 /// Reads an orientation of a unit.

@@ -5,7 +5,8 @@ use crate::spec::fields::Findings;
 use crate::spec::library::LibraryUnit;
 use crate::spec::source::{Sources, one_line, written, written_formula};
 use crate::spec::{
-    Acts, ConnectorSpec, ExposedSpec, Formula, InstanceText, JointSpec, UnitSpec, Value, toml, unit,
+    Acts, ConnectorSpec, ExposedSpec, Formula, InstanceText, JointSpec, PortKind, UnitSpec, Value,
+    toml, unit,
 };
 use machinist_model::Direction;
 
@@ -80,6 +81,7 @@ impl Reader {
         let port = |port: &crate::spec::PortSpec| {
             let coordinate = &port.coordinate.value;
             let moves = match &port.ratio {
+                None if port.kind.value == PortKind::Frame => "a frame".to_owned(),
                 None => coordinate.clone(),
                 Some(ratio) => format!("({})*{coordinate}", self.formula(ratio)),
             };

@@ -43,6 +43,8 @@ impl Dimension {
     pub const ONE: Dimension = Dimension([0; 7]);
     /// Joule.
     pub const ENERGY: Dimension = Dimension::whole([1, 2, -2, 0, 0, 0, 0]);
+    /// Newton.
+    pub const FORCE: Dimension = Dimension::whole([1, 1, -2, 0, 0, 0, 0]);
     /// Watt.
     pub const POWER: Dimension = Dimension::whole([1, 2, -3, 0, 0, 0, 0]);
     /// Second.

@@ -41,6 +41,11 @@ pub const FUNCTIONS: &[&str] = &[
     "cbrt",
     "atan2",
     "mod",
+    "dot",
+    "norm",
+    "x_of",
+    "y_of",
+    "z_of",
 ];
 
 /// Rejects invalid names.

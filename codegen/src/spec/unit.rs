@@ -33,11 +33,16 @@ pub fn read(
         header.map(|tree| self::header(tree, fields.found())).unwrap_or_default();
     let mut coordinates = each(&mut fields, "coordinates", coordinate);
     let distributed = each(&mut fields, "fields", distributed::field);
-    let frames = each(&mut fields, "frames", body::frame);
+    let mut frames = each(&mut fields, "frames", body::frame);
     let orientations = each(&mut fields, "orientations", body::orientation);
     let bodies = each(&mut fields, "bodies", body::body);
     let gravity = body::vector("gravity", &mut fields);
     let (ports, exposed) = ports(&mut fields);
+    for port in ports.iter().filter(|port| port.kind.value == PortKind::Frame) {
+        if !frames.iter().any(|frame| frame.name.value == port.name.value) {
+            frames.push(body::FrameSpec::joined(&port.name));
+        }
+    }
     let connectors = connectors(&mut fields);
     for (number, orientation) in orientations.iter().enumerate() {
         coordinates.extend(orientation.coordinates(number));
@@ -60,6 +65,7 @@ pub fn read(
     let power = fields.take("power").map(|tree| power(tree, fields.found()));
     let forces = fields.list("forces");
     let forces = forces.iter().filter_map(|tree| force(tree, fields.found())).collect();
+    let loads = each(&mut fields, "loads", body::load);
     let outputs = each(&mut fields, "outputs", definition);
     let (instances, joints) = inside::parts(&mut fields);
     let [initial, guess] = ["initial", "guess"].map(|key| {
@@ -98,6 +104,7 @@ pub fn read(
         energy: energy.unwrap_or_default(),
         power: power.unwrap_or_default(),
         forces,
+        loads,
         outputs,
         inside,
     }
@@ -224,7 +231,9 @@ fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {
     let mut fields = open(entry, "port", found);
     let kind = fields.required_text("kind");
     let field = fields.take("field").and_then(|tree| fields.as_text(tree, "field"));
+    let is_frame = kind.as_ref().is_some_and(|kind| kind.value == PortKind::Frame.name());
     let (coordinate, ratio, attachment) = match field {
+        None if is_frame => (Some(entry.key.clone()), None, None),
         None => (fields.required_text("coordinate"), fields.formula("ratio"), None),
         Some(field) => {
             fields.require("at");

@@ -37,7 +37,7 @@ pub struct Instance {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Port {
     pub name: String,
-    /// One of rotational, translational or electrical.
+    /// One of rotational, translational, electrical or frame.
     pub kind: &'static str,
     /// Coordinate that moves with the port, in names of the instance.
     pub moves: String,

@@ -2,13 +2,18 @@
 
 use std::collections::BTreeSet;
 
+use machinist_algebra::cas::arithmetic::{negative, normal_form};
+
 use crate::scene::along::{self, NoRate};
 use crate::scene::assemble::Assembler;
+use crate::scene::frames::find;
 use crate::scene::layout::{Layout, Local, Scope, coordinate_spec, find_port, unknown_coordinate};
 use crate::scene::ports::{dimension_of, ratio_of};
 use crate::scene::resolve::{MAX_TERMS, Wanted, beyond_reason};
 use crate::scene::system::GeneralizedForce;
 use crate::scene::typed::{Uses, integer, product, sum};
+use crate::spatial::vector::{times, zero};
+use crate::spec::body::{Components, LoadSpec};
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
@@ -36,6 +41,17 @@ impl Assembler<'_> {
                 };
                 for (id, q) in self.noted(found) {
                     if force.conversion {
+                        forces[id.0 as usize][1].push(q.clone());
+                    }
+                    forces[id.0 as usize][0].push(q);
+                }
+            }
+        }
+        for (index, _, unit) in self.instances() {
+            for load in &unit.loads {
+                let found = self.load(load, index, unit);
+                for (id, q) in self.noted(found) {
+                    if load.conversion {
                         forces[id.0 as usize][1].push(q.clone());
                     }
                     forces[id.0 as usize][0].push(q);
@@ -89,6 +105,50 @@ impl Assembler<'_> {
         let ratio = ratio_of(&mut self.resolver, port, slot)?;
         let (id, q) = self.force_along(expression, Scope::Scene, slot, dimension)?;
         Ok(vec![(id, product(ratio.into_iter().chain([q]).collect()))])
+    }
+
+    /// Resolves a force and a torque at a frame: Q_j = F dv/dq'_j + T domega/dq'_j along the tree, less
+    /// those of the frame that takes the reaction at the same point.
+    fn load(
+        &mut self,
+        load: &LoadSpec,
+        instance: usize,
+        unit: &UnitSpec,
+    ) -> Result<Vec<OnCoordinate>, Box<Mistake>> {
+        let scope = Scope::Instance(instance);
+        let spatial = self.resolver.spatial(instance, load.name.span)?;
+        let frame = |name: &Spanned<String>| {
+            Ok::<_, Box<Mistake>>(find(unit, name)?.map(|index| (instance, index)))
+        };
+        let at = frame(&load.frame)?;
+        let against = load.against.as_ref().map(frame).transpose()?;
+        let axes = load.axes.as_ref().map_or(Ok(None), frame)?;
+        let mut along = |given: &Option<Components>, dimension, what: &str| match given {
+            None => Ok(zero()),
+            Some(given) => {
+                let wanted = Wanted::new(dimension, what);
+                let mut all = zero();
+                for (entry, formula) in all.iter_mut().zip(given) {
+                    *entry = normal_form(&self.resolver.formula(formula, scope, &wanted)?.expr);
+                }
+                let rotation = spatial.mechanism.placed(spatial.frame(axes)).rotation;
+                Ok::<_, Box<Mistake>>(times(&rotation, &all))
+            }
+        };
+        let force = along(&load.force, Dimension::FORCE, "a component of the force")?;
+        let torque = along(&load.torque, Dimension::ENERGY, "a component of the torque")?;
+        let point = spatial.mechanism.placed(spatial.frame(at)).position;
+        let wrench = [force, torque];
+        let on = |frame| spatial.mechanism.generalized(spatial.frame(frame), &point, &wrench);
+        let mut all: Vec<OnCoordinate> = on(at).into_iter().collect();
+        if let Some(against) = against {
+            all.extend(on(against).into_iter().map(|(id, q)| (id, negative(&q))));
+        }
+        if all.is_empty() {
+            let message = format!("load {} acts on nothing that moves", quoted(&load.name.value));
+            return Err(Box::new(Mistake::new(load.frame.span, message, "fixed to the world")));
+        }
+        Ok(all)
     }
 
     /// Resolves a force on a coordinate that does work along a quantity with a dimension.

@@ -143,6 +143,7 @@ fn steps_of_emitted_c_find_the_events_of_the_adaptive_run() {
         ("parts/rotational/one_way_clutch", 10_000, 1e-10),
         ("parts/translational/brake", 10_000, 1e-10),
         ("parts/control/relay", 10_000, 1e-9),
+        ("parts/spatial/revolute_constraint", 10_000, 1e-8),
     ] {
         let model = model_of_specs(name, Keep::Needed);
         let (exact, switches) = adaptive(&model);

@@ -15,6 +15,7 @@ mod planar;
 mod shaken_friction;
 mod shapes;
 mod shared_friction;
+mod spatial;
 mod terminals;
 mod winches;
 
@@ -34,13 +35,14 @@ const METHODS: [Method; 5] =
     [Method::Dop853, Method::Tsit5, Method::Radau, Method::Rodas5p, Method::Auto];
 
 /// Folders of standard parts.
-const FOLDERS: [&str; 8] = [
+const FOLDERS: [&str; 9] = [
     "control",
     "electrical",
     "hydraulic",
     "planar",
     "rotational",
     "sources",
+    "spatial",
     "thermal",
     "translational",
 ];

@@ -575,6 +575,11 @@ fn examples_of_other_parts_pass_their_automatic_checks() {
 }
 
 #[test]
+fn examples_of_spatial_parts_pass_their_automatic_checks() {
+    pass_their_checks(&["parts/spatial"], "plain");
+}
+
+#[test]
 fn machines_of_parts_pass_their_automatic_checks() {
     pass_their_checks(&["drives", "gallery", "linkages", "msl"], "symbolica");
 }

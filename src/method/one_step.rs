@@ -61,6 +61,18 @@ pub(crate) trait OneStep {
         0.0
     }
 
+    /// Returns a watched function at a time within the current step, for a method that knows it
+    /// without the state.
+    fn value(&mut self, _of: Bounded, _time: f64) -> Option<f64> {
+        None
+    }
+
+    /// Returns the largest value that the derivative of an order of a watched function may have from
+    /// the start of the current step to a time within it, for a method that knows this.
+    fn bound(&mut self, _of: Bounded, _order: usize, _until: f64) -> Option<f64> {
+        None
+    }
+
     /// Accepts the current step: its end becomes the start of the next one.
     fn accept(&mut self);
 
@@ -97,6 +109,15 @@ pub(crate) trait OneStep {
     ) {
         unreachable!("a method that does not carry sensitivities is refused before it steps")
     }
+}
+
+/// A watched function of which a method may know bounds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Bounded {
+    /// Guard of an event, or counted after these, of a kink.
+    Guard(usize),
+    /// Share of the rate above in a motion that slides along the surface of a relation.
+    Share(usize),
 }
 
 /// Factor for the tolerances of states between the ends of steps.

@@ -10,6 +10,8 @@
 //! A guard that is zero but for rounding at the start of a segment is divided by the time since
 //! then. The quotient has the same sign and the other roots.
 
+mod bounds;
+
 use machinist_contract::Direction;
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +19,7 @@ use super::super::System;
 use super::super::one_step::OneStep;
 use super::super::stretch::within;
 use super::noise::Noise;
-use super::polynomial::{Enclosure, NODES, SHARES};
+use super::polynomial::{NODES, SHARES};
 use super::watched::{Sources, Watched};
 use super::{ROUNDINGS, Side};
 
@@ -330,6 +332,10 @@ impl Parts {
         if let Some((_, values)) = self.samples.iter().find(|it| it.0.to_bits() == time.to_bits()) {
             return values[index];
         }
+        if let Some(value) = self.known(step, time, index) {
+            self.note_size(index, value.abs());
+            return value;
+        }
         step.method.interpolate(time, &mut self.state);
         self.follow(step.system, time);
         self.sources.take(step.system, within(time, self.ends), &self.state);
@@ -365,7 +371,9 @@ impl Parts {
         let Guard { index, direction, zero, .. } = guard;
         match side {
             Side::Idle => Err(side),
-            Side::Known(on) if until >= self.end.time && self.is_clear(index, on) => Err(side),
+            Side::Known(on) if until >= self.end.time && self.is_clear(step, index, on) => {
+                Err(side)
+            }
             Side::Known(side) => Ok(Beginning { side, zero, leaves: false }),
             Side::Fresh { passed, residual } => {
                 match self.first_seen(step, (index, direction), (passed, residual), until) {
@@ -520,34 +528,47 @@ impl Parts {
 
     /// Returns whether a guard certainly stays on its side over the step, by the cubic through both
     /// ends and the error of the previous one.
-    fn is_clear(&self, index: usize, side: f64) -> bool {
+    fn is_clear(&self, step: &mut Step<'_, '_>, index: usize, side: f64) -> bool {
         /// Distances from a place have a corner there, of which the estimate sees a tenth.
         const WIDER: f64 = 16.0;
+        let ends = |look: &Look| [look.time, look.values[index], look.rates[index]];
+        let [start, end] = [&self.start, &self.end].map(ends);
+        let span = end[0] - start[0];
+        let coefficients =
+            [start[1], start[1] + span * start[2] / 3.0, end[1] - span * end[2] / 3.0, end[1]];
+        let error = match self.bound(step, (index, None), 4, [start[0], end[0]]) {
+            Some(bound) => bound * span.powi(4) / 384.0,
+            None => match self.error_by_extrapolation(index) {
+                Some(error) => WIDER * error,
+                None => return false,
+            },
+        };
+        let rounding = 16.0 * f64::EPSILON * self.sizes[index];
+        let room = error + rounding;
+        coefficients.iter().all(|value| side * value > room)
+    }
+
+    /// Returns an estimate of the distance between a guard and its cubic over the step, if the
+    /// previous step allows one.
+    fn error_by_extrapolation(&self, index: usize) -> Option<f64> {
         // The distance from a place turns as sharply as the place is narrow.
-        if matches!(self.watched[index], Watched::Zone(_) | Watched::Nearest(_)) {
-            return false;
-        }
-        if !self.has_before {
-            return false;
-        }
-        if self.turns[index].may_turn_within(self.end.time - self.start.time) {
-            return false;
+        let is_place = matches!(self.watched[index], Watched::Zone(_) | Watched::Nearest(_));
+        if is_place
+            || !self.has_before
+            || self.turns[index].may_turn_within(self.end.time - self.start.time)
+        {
+            return None;
         }
         let ends = |look: &Look| [look.time, look.values[index], look.rates[index]];
         let [first, start, end] = [&self.before, &self.start, &self.end].map(ends);
         let (span, span_before) = (end[0] - start[0], start[0] - first[0]);
-        let coefficients =
-            [start[1], start[1] + span * start[2] / 3.0, end[1] - span * end[2] / 3.0, end[1]];
         // The previous cubic, extrapolated, misses by g'''' (h (h + h'))^2/24, and its rate
         // likewise. Between its ends this one is off by g'''' h^4/384 at most. Where a guard turns,
         // one estimate may be small by chance, but not both.
         let (whole, missed) = (span + span_before, cubic([first, start], end[0]));
         let by_value = (missed[0] - end[1]).abs() / (span * whole).powi(2);
         let by_rate = (missed[1] - end[2]).abs() / (2.0 * span * whole * (span + whole));
-        let error = by_value.max(by_rate) * span.powi(4) / 16.0;
-        let rounding = 16.0 * f64::EPSILON * self.sizes[index];
-        let room = WIDER * error + rounding;
-        coefficients.iter().all(|value| side * value > room)
+        Some(by_value.max(by_rate) * span.powi(4) / 16.0)
     }
 
     /// Returns the first time within a span at which a guard leaves a side, if it does.
@@ -570,7 +591,8 @@ impl Parts {
         // At its start the quotient is a rate, and just behind it is the least accurate.
         let since = |time: f64| of.2.map_or(1.0, |zero| (time - zero.time).max(0.0));
         let soonest = if since(low) > 0.0 { low } else { low + (high - low) * SHARES[1] };
-        let enclosure = Enclosure::of(&samples, 0.25 * rounding / since(soonest));
+        let noise = 0.25 * rounding / since(soonest);
+        let enclosure = self.enclosure(step, (of.0, of.2), (&samples, noise), [low, high]);
         let (first, last) = (samples[0], samples[NODES - 1]);
         if enclosure.is_above() {
             return None;
@@ -704,6 +726,7 @@ impl Parts {
         mut until: f64,
     ) -> Option<(f64, bool)> {
         const SOONER: f64 = 0.125;
+        let mut found = None;
         while until > at.time {
             let span = until - at.time;
             // A rate within rounding does not count, nor one at which a guard rests.
@@ -716,15 +739,22 @@ impl Parts {
                 self.deflated(step, (index, 1.0, Some(at)), time)
             });
             let noise = self.rounding(index) / (span * SHARES[1]);
-            let enclosure = Enclosure::of(&samples, noise);
+            let span_of = [at.time, until];
+            let enclosure = self.enclosure(step, (index, Some(at)), (&samples, noise), span_of);
             let moved = |node: usize| samples[node].abs() * span * SHARES[node];
-            let seen = (0..NODES).find(|node| moved(*node) > rests)?;
-            if enclosure.error <= SOONER * samples[seen].abs() {
-                return Some((samples[seen].signum(), false));
+            let Some(seen) = (0..NODES).find(|node| moved(*node) > rests) else { break };
+            if enclosure.error > SOONER * samples[seen].abs() {
+                until = at.time + SOONER * span;
+                continue;
             }
-            until = at.time + SOONER * span;
+            found = Some((samples[seen].signum(), false));
+            if seen > 1 {
+                break;
+            }
+            // A long step may hide that the guard was on the other side before.
+            until = at.time + SHARES[seen] * span;
         }
-        None
+        found
     }
 
     /// Returns the rounding error of a guard, as that of the values it compares.

@@ -68,8 +68,9 @@ static TO_CHEBYSHEV: LazyLock<[[f64; NODES]; NODES]> = LazyLock::new(|| {
 });
 
 impl Enclosure {
-    /// Returns the enclosure for samples at [`SHARES`], each off by at most `noise`.
-    pub(super) fn of(samples: &[f64; NODES], noise: f64) -> Self {
+    /// Returns the enclosure for samples at [`SHARES`], each off by at most `noise`. `beyond` bounds
+    /// the distance between the function and the polynomial through its values, if it is known.
+    pub(super) fn of(samples: &[f64; NODES], noise: f64, beyond: Option<f64>) -> Self {
         let apply = |matrix: &[[f64; NODES]; NODES], to: &[f64; NODES]| -> [f64; NODES] {
             std::array::from_fn(|row| matrix[row].iter().zip(to).map(|(a, b)| a * b).sum())
         };
@@ -82,7 +83,9 @@ impl Enclosure {
         let decay = (tail / earlier).sqrt();
         let turns = modes[1..].iter().fold(0.0, |most: f64, mode| most.max(mode.abs()));
         let rounding = 16.0 * f64::EPSILON * largest;
-        let beyond = if tail <= rounding.max(2.0 * noise) {
+        let beyond = if let Some(beyond) = beyond {
+            beyond + 2.0 * noise
+        } else if tail <= rounding.max(2.0 * noise) {
             2.0 * noise
         } else if decay < 1.0 && tail <= RESOLVED * turns {
             8.0 * tail / (1.0 - decay)
@@ -99,6 +102,15 @@ impl Enclosure {
             *mode = 0.0;
         }
         Self { coefficients: apply(&TO_BERNSTEIN, &modes), error }
+    }
+
+    /// Returns the largest distance between a function and the polynomial through its samples over a
+    /// span, for a bound of its derivative of order [`NODES`]: the product of the distances from
+    /// all nodes is (1 - x^2) U_7(x)/2^7 on \[-1, 1\].
+    pub(super) fn beyond(derivative: f64, span: f64) -> f64 {
+        let factorial: f64 = (1..=NODES).map(|factor| factor as f64).product();
+        let half = (0.5 * span).powi(NODES as i32);
+        derivative * half / (factorial * 2f64.powi(NODES as i32 - 2))
     }
 
     /// Returns whether the function is surely positive.
@@ -141,7 +153,7 @@ mod tests {
     fn polynomials_are_met_exactly_and_enclosed() {
         for degree in 0..=6 {
             let of = |x: f64| (x - 0.3).powi(degree) + 0.1 * x;
-            let enclosure = Enclosure::of(&samples(of), 0.0);
+            let enclosure = Enclosure::of(&samples(of), 0.0, None);
             for x in [0.0, 0.123, 0.5, 0.77, 1.0] {
                 let off = (value(&enclosure.coefficients, x) - of(x)).abs();
                 assert!(off < 1e-13, "degree {degree} at {x}: {off}");
@@ -156,10 +168,27 @@ mod tests {
     }
 
     #[test]
+    fn a_known_derivative_bounds_the_distance_from_the_polynomial() {
+        let mut closest: f64 = 0.0;
+        for rate in [0.5_f64, 2.0, 5.0, 9.0] {
+            let of = |x: f64| (rate * x + 0.4).sin();
+            let beyond = Enclosure::beyond(rate.powi(NODES as i32), 1.0);
+            let enclosure = Enclosure::of(&samples(of), 0.0, Some(beyond));
+            for k in 0..=500 {
+                let x = f64::from(k) / 500.0;
+                let off = (value(&enclosure.coefficients, x) - of(x)).abs();
+                assert!(off <= enclosure.error, "{rate} at {x}: {off} {}", enclosure.error);
+                closest = closest.max(off / enclosure.error);
+            }
+        }
+        assert!(closest > 0.1, "the bound is never near: {closest}");
+    }
+
+    #[test]
     fn the_error_covers_what_a_function_is_off_its_polynomial() {
         for rate in [1.0, 3.0, 6.0, 10.0] {
             let of = |x: f64| (rate * x).sin() + 0.2;
-            let enclosure = Enclosure::of(&samples(of), 0.0);
+            let enclosure = Enclosure::of(&samples(of), 0.0, None);
             for k in 0..=200 {
                 let x = f64::from(k) / 200.0;
                 let off = (value(&enclosure.coefficients, x) - of(x)).abs();

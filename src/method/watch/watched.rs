@@ -3,6 +3,7 @@
 use machinist_contract::{RelationKind, Simulator};
 
 use crate::method::System;
+use crate::method::one_step::Bounded;
 use crate::method::sliding::Slide;
 
 /// A function of time and state whose sign is watched.
@@ -64,6 +65,27 @@ impl Watched {
             | Self::FromBelow(index)
             | Self::FromAbove(index) => Some(index),
             Self::Event(_) | Self::Border(_) | Self::Zone(_) | Self::Nearest(_) => None,
+        }
+    }
+
+    /// Returns the function whose derivatives have the sizes of this one's, among guards of `events`
+    /// and kinks and shares; `None` if there is none.
+    pub(super) fn bounded(self, events: usize) -> Option<Bounded> {
+        match self {
+            Self::Event(index) => Some(Bounded::Guard(index)),
+            Self::FromBelow(index) | Self::FromAbove(index) => Some(Bounded::Share(index)),
+            Self::Nearest(_) => None,
+            _ => self.kink().map(|(index, _)| Bounded::Guard(events + index)),
+        }
+    }
+
+    /// Returns the value of this function from that of [`Watched::bounded`].
+    pub(super) fn of_bounded(self, value: f64, system: &System<'_>) -> f64 {
+        match self {
+            Self::Low(index) => value - system.held().slot(index),
+            Self::High(index) => 1.0 + system.held().slot(index) - value,
+            Self::FromAbove(_) => 1.0 - value,
+            _ => value,
         }
     }
 

@@ -56,8 +56,9 @@ fn swings(events: &str) -> ModelSimulator {
     ))
 }
 
-fn watching() -> impl Iterator<Item = Method> {
-    Method::ALL.iter().copied().filter(|method| method.watches_events())
+/// Returns the methods that watch events and can run a machine.
+fn watching(simulator: &ModelSimulator) -> impl Iterator<Item = Method> {
+    Method::ALL.iter().copied().filter(|method| method.watches_events() && method.suits(simulator))
 }
 
 fn from_height(ball: &ModelSimulator, method: Method) -> Simulation<'_> {
@@ -72,7 +73,7 @@ fn times(run: &Trajectory) -> Vec<f64> {
 fn every_watching_method_bounces_at_the_exact_times() {
     let ball = scene(FALLS);
     let fall = (2.0_f64 / 9.81).sqrt();
-    for method in watching() {
+    for method in watching(&ball) {
         let run = from_height(&ball, method).run().expect("it runs");
         let times = times(&run);
         let expected = (0.5 + 5.0 / fall).floor() as usize;
@@ -91,7 +92,7 @@ fn bounces_that_decay_stop_with_the_name_of_the_event_where_they_end() {
     let ball = scene(FALLS);
     let fall = (2.0_f64 / 9.81).sqrt();
     for restitution in [0.0, 0.3, 0.8] {
-        for method in watching() {
+        for method in watching(&ball) {
             let run = from_height(&ball, method).parameter("ball.restitution", restitution);
             let stopped = run.expect("a parameter").run().expect_err("it is endless");
             let SimulateError::Stopped { time, cause: StopCause::Zeno { event, .. }, .. } = stopped
@@ -113,7 +114,7 @@ fn a_guard_is_seen_each_way_once_or_both_ways() {
             "[define.ball.events.crosses]\nguard = \"x\"\ndirection = \"{direction}\"\n\
              set = {{ count = \"count + 1\" }}"
         ));
-        for method in watching() {
+        for method in watching(&ball) {
             let run = from_height(&ball, method).run().expect("it runs");
             let times = times(&run);
             assert_eq!(times.len(), expected, "{method} {direction}: {times:?}");
@@ -128,7 +129,7 @@ fn a_guard_that_only_just_dips_below_zero_within_a_step_is_seen() {
     let ball =
         swings("[define.ball.events.dips]\nguard = \"x + 0.9999999 [m]\"\ndirection = \"falling\"");
     let half_width = 0.999_999_9_f64.acos();
-    for method in watching() {
+    for method in watching(&ball) {
         let run = from_height(&ball, method).rtol(1e-12).run().expect("it runs");
         let times = times(&run);
         assert_eq!(times.len(), 2, "{method}: {times:?}");
@@ -143,7 +144,7 @@ fn events_at_one_time_happen_in_the_order_of_the_spec() {
         "[define.ball.events.first]\nguard = \"x\"\nset = { count = \"2*count + 1\" }\n\
          [define.ball.events.second]\nguard = \"-3*x\"\nset = { count = \"2*count\" }",
     );
-    for method in watching() {
+    for method in watching(&ball) {
         let run = from_height(&ball, method).until(3.0).run().expect("it runs");
         let events: Vec<&str> = run.switches.iter().map(|switch| &*switch.event).collect();
         assert_eq!(events, ["ball.first", "ball.second"], "{method}");
@@ -207,7 +208,7 @@ fn what_hits_at_one_time_hits_on_until_all_move_apart() {
         ([&[(-1.2, 1.0), (-1.0, 1.0)], &touching[..]].concat(), vec![0.0, 0.0, 0.0, 1.0, 1.0]);
     for (balls, speeds) in &[both_sides, two_on_three] {
         let row = row(balls);
-        for method in watching() {
+        for method in watching(&row) {
             let run = Simulation::new(&row).method(method).run();
             let run = run.unwrap_or_else(|error| panic!("{method}: {error}"));
             for (k, speed) in speeds.iter().enumerate() {
@@ -231,7 +232,7 @@ fn a_sample_at_an_event_is_from_before_it_and_one_after_it_from_after() {
 #[test]
 fn energy_lost_at_events_is_dissipated() {
     let ball = scene(FALLS);
-    for method in watching() {
+    for method in watching(&ball) {
         let run = from_height(&ball, method).until(2.0).parameter("ball.restitution", 0.9);
         let run = run.expect("a parameter").with_energy_balance(true).run().expect("it runs");
         let balance = run.energy_balance.expect("it was asked for");
@@ -335,7 +336,7 @@ fn slider() -> ModelSimulator {
 #[test]
 fn a_block_that_is_thrown_slides_and_is_braked() {
     let slider = slider();
-    for method in watching() {
+    for method in watching(&slider) {
         for (speed, slip) in [(3.0, 1.0), (-3.0, -1.0), (1e-3, 1.0)] {
             let run = Simulation::new(&slider)
                 .parameter("slider.stiffness", 0.0)
@@ -361,7 +362,7 @@ fn a_block_that_is_pulled_beyond_its_limit_at_the_start_slides() {
     let slider = slider();
     // 35 times the limit of 4 N; the first half cycle about 2.5 N/k.
     let x0 = 35.0 * 4.0 / 400.0;
-    for method in watching() {
+    for method in watching(&slider) {
         let run = Simulation::new(&slider)
             .initial_state(&[x0, 0.0, 0.0])
             .times(&[0.0, 0.05])

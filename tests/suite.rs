@@ -9,6 +9,7 @@ mod algebras;
 mod bells;
 mod bench_scenes;
 mod bends;
+mod between_switches;
 mod branches;
 mod c99;
 mod campbell;

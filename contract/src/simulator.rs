@@ -327,8 +327,13 @@ way."
             fn excitation_terms(&self) -> &[(u32, u32)] {
                 &EXCITATION_TERMS
             }
-            fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
-                values.copy_from_slice(&excitation(time, &Parameters::from_slice(parameters)));
+            fn slopes(&self) -> &[(u32, u32)] {
+                &SLOPES
+            }
+            fn excitation(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+                let state = $crate::emitted::array_of(state);
+                let p = Parameters::from_slice(parameters);
+                values.copy_from_slice(&excitation(time, state, &p));
             }
             fn switches(&self) -> usize {
                 SWITCHES

@@ -37,6 +37,9 @@ impl Model {
     #[must_use]
     pub fn live(&self) -> Self {
         let mut live = self.clone();
+        if !live.relations.is_empty() {
+            live.excitation = None;
+        }
         live.relations.clear();
         live.tapes_mut().for_each(|tape| *tape = tape.live());
         live

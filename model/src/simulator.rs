@@ -613,10 +613,13 @@ impl<R: Lane> LinearEquations<R> for ModelSimulator {
     fn excitation_terms(&self) -> &[(u32, u32)] {
         self.model.excitation.as_ref().map_or(&[], |excitation| &excitation.terms)
     }
-    fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
+    fn slopes(&self) -> &[(u32, u32)] {
+        self.model.excitation.as_ref().map_or(&[], |excitation| &excitation.slopes)
+    }
+    fn excitation(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
         if let Some(excitation) = &self.model.excitation {
             self.with_slots(parameters, |parameters| {
-                let read = self.read_without_state(&time, parameters);
+                let read = self.read(&time, state, parameters);
                 let tape = (|| &excitation.values, self.running);
                 self.linear[0].run(tape, R::COUNT, &read, R::numbers_mut(values));
             });

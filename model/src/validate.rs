@@ -61,15 +61,22 @@ impl Model {
         self.check_state()?;
         self.check_numbers()?;
         if let Some(excitation) = &self.excitation {
-            let room = Room { time: true, ..self.room() };
-            check("excitation", &excitation.values, &room, 4 * excitation.terms.len())?;
+            let states = self.states.len();
+            let room = Room { time: true, states, ..self.room() };
+            let values = 4 * excitation.terms.len() + excitation.slopes.len();
+            check("excitation", &excitation.values, &room, values)?;
             let switches = excitation.switches.results.len();
             check("switches", &excitation.switches, &self.room(), switches)?;
+            let rows = states + self.events.len() + self.kink_guards.results.len();
             let mut entries = excitation.terms.iter();
-            if let Some((entry, _)) =
-                entries.find(|(entry, _)| *entry as usize >= self.states.len())
+            if let Some((row, _)) = entries.find(|(row, _)| *row as usize >= rows) {
+                return broken("excitation", format!("acts on row {row}"));
+            }
+            let mut slopes = excitation.slopes.iter();
+            if let Some((row, entry)) =
+                slopes.find(|(row, entry)| *row as usize >= rows || *entry as usize >= states)
             {
-                return broken("excitation", format!("acts on state {entry}"));
+                return broken("excitation", format!("has a slope of row {row} by state {entry}"));
             }
             let mut powers = excitation.terms.iter().map(|(_, power)| *power);
             if let Some(power) = powers.find(|power| *power > Excitation::HIGHEST_POWER) {

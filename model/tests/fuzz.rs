@@ -86,7 +86,7 @@ fn excited() -> Model {
     }
     let values = tape(&[Op::Time, Op::Parameter(0), Op::Mul(NodeId(0), NodeId(1))], &[2, 1, 0, 2]);
     let switches = tape(&[Op::Parameter(0)], &[0]);
-    machine.excitation = Some(Excitation { terms: vec![(1, 0)], values, switches });
+    machine.excitation = Some(Excitation { terms: vec![(1, 0)], slopes: vec![], values, switches });
     machine
 }
 

@@ -9,7 +9,8 @@ use super::FieldSimulator;
 /// Returns the excitation terms of a scene whose machine and fields are linear. `border` contains
 /// the indices of the machine's entries in the state.
 pub(super) fn terms<R: Real>(scene: &dyn FieldScene<R>, border: &[u32]) -> Option<Vec<(u32, u32)>> {
-    let linear = scene.linear()?;
+    // Guards of the machine are not among the rows of the whole.
+    let linear = scene.linear().filter(|_| scene.events() + scene.kinks() == 0)?;
     let is_linear = (0..scene.fields()).all(|index| scene.force_structure(index).linear);
     let terms = linear.excitation_terms().iter();
     is_linear.then(|| terms.map(|(entry, power)| (border[*entry as usize], *power)).collect())
@@ -20,7 +21,7 @@ impl<R: Real> LinearEquations<R> for FieldSimulator<'_, R> {
         self.excitation_terms.as_deref().unwrap_or_default()
     }
 
-    fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
+    fn excitation(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
         let Some(linear) = self.scene().linear() else { return };
         let work = &mut *self.work();
         let mut constants = std::mem::take(&mut work.constants);
@@ -30,7 +31,9 @@ impl<R: Real> LinearEquations<R> for FieldSimulator<'_, R> {
         for (_, handed) in self.ports.iter().copied() {
             work.p[handed + 1] = R::literal(0.0);
         }
-        linear.excitation(time, &work.p, values);
+        // Without events the machine has no modes.
+        let own = self.scene().shape().states();
+        linear.excitation(time, &state[..own], &work.p, values);
     }
 
     fn switches(&self) -> usize {

@@ -60,8 +60,10 @@ impl Integrator for Auto {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        // Neither closed forms nor series carry sensitivities.
-        let from = if stretch.system.tangents().is_some() {
+        let has_guards = stretch.watch.is_some() || stretch.system.constraints().is_some();
+        let from = if stretch.system.tangents().is_some() || has_guards {
+            // Steps cost less than closed forms from switch to switch, and carry sensitivities at
+            // less cost.
             stretch.from
         } else {
             let Some(from) = without_steps(stretch, state, samples) else { return Ok(()) };

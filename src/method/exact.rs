@@ -8,24 +8,40 @@
 //! on pieces of a run between the switches of the excitation. A chain of masses, springs and
 //! proportional dampers is solved by eigenmodes, each in closed form ([`modal`]); any other machine
 //! by [`exponential`].
+//!
+//! A machine with events or relations has such equations while modes and relations are held. Its
+//! closed form is summed as a power series over [`steps`], because guards may cross zero at any
+//! time.
 
 mod chain;
+mod equations;
 mod exponential;
 mod flows;
 mod forms;
 mod modal;
 mod piece;
 mod response;
+mod rows;
+mod steps;
+mod tangents;
 
+use super::one_step::drive_all;
 use super::taylor::quadrature::Gauss;
-use super::{Integrator, Samples, Sealed, Stopped, Stretch};
+use super::{Integrator, Samples, Sealed, Stopped, Stretch, explicit};
 use crate::error::StopCause;
+pub(super) use equations::Known;
+pub(super) use equations::Refusal;
 use exponential::Exponential;
+use machinist_contract::linear::LinearEquations;
 use modal::Modal;
 use piece::Piece;
+pub(super) use steps::ExactSteps;
 
 /// Closed-form solution of linear machines.
 pub(super) struct Exact;
+
+/// Note on a machine with switches.
+pub(super) const BETWEEN_SWITCHES: &str = "linear with constant coefficients between switches: solved in closed form from one to the next";
 
 /// A solution on a piece.
 trait Solution {
@@ -47,9 +63,13 @@ impl Integrator for Exact {
         let refuse = |time, reason| Stopped { time, cause: StopCause::ClosedForm { reason } };
         let linear = stretch.system.simulator().linear();
         let linear = linear.ok_or(Stopped { time: stretch.from, cause: StopCause::NotLinear })?;
+        let (system, has_guards) = (stretch.system, stretch.watch.is_some());
+        if has_guards || system.constraints().is_some() || system.tangents().is_some() {
+            return between_switches(stretch, linear, state, samples);
+        }
         let ends = piece::ends(stretch, linear);
         for ends in ends.windows(2) {
-            let piece = Piece::new(stretch, linear, ends[0], ends[1])
+            let piece = Piece::new(stretch, linear, (ends[0], ends[1]), state)
                 .map_err(|reason| refuse(ends[0], reason))?;
             let mut solution =
                 solution(&piece, stretch, state).map_err(|reason| refuse(piece.from, reason))?;
@@ -58,6 +78,37 @@ impl Integrator for Exact {
         }
         Ok(())
     }
+}
+
+/// Integrates a machine whose relations and modes change where guards cross zero.
+fn between_switches(
+    stretch: &Stretch<'_>,
+    linear: &dyn LinearEquations<f64>,
+    state: &mut [f64],
+    samples: &mut Samples<'_>,
+) -> Result<(), Stopped> {
+    let mut steps = match ExactSteps::new(stretch, linear, state) {
+        Ok(steps) => steps,
+        Err(Refusal::Surface) => {
+            stretch.system.note(
+                "dop853 instead of exact along switching surfaces whose rates differ by more than a \
+                 constant"
+                    .to_owned(),
+            );
+            return explicit::Dop853.integrate(stretch, state, samples);
+        }
+        Err(Refusal::Reason(reason)) => {
+            let cause = StopCause::ClosedForm { reason };
+            return Err(Stopped { time: stretch.from, cause });
+        }
+    };
+    stretch.system.note(BETWEEN_SWITCHES.to_owned());
+    drive_all(&mut steps, stretch, state, samples).map_err(|stopped| match steps.refusal() {
+        Some(Refusal::Reason(reason)) => {
+            Stopped { cause: StopCause::ClosedForm { reason: reason.clone() }, ..stopped }
+        }
+        _ => stopped,
+    })
 }
 
 /// Returns the solution by eigenmodes if the piece has them, otherwise by the exponential if it

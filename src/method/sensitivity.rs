@@ -497,7 +497,7 @@ impl Method {
     /// Returns whether the method carries sensitivities with the states.
     #[must_use]
     pub fn carries_sensitivities(self) -> bool {
-        matches!(self, Self::Tsit5 | Self::Dop853 | Self::Radau | Self::Auto)
+        matches!(self, Self::Tsit5 | Self::Dop853 | Self::Radau | Self::Auto | Self::Exact)
     }
 
     /// Returns the method for a run with sensitivities, if it was left to the scene or to `auto`.

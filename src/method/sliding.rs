@@ -65,6 +65,12 @@ impl System<'_> {
         self.slides.borrow().clone()
     }
 
+    /// Returns whether it slides along these surfaces and no others.
+    #[cfg(feature = "implicit")]
+    pub(super) fn slides_along(&self, slides: &[Slide]) -> bool {
+        *self.slides.borrow() == slides
+    }
+
     /// Returns whether it slides along any surface.
     pub(crate) fn is_sliding(&self) -> bool {
         !self.slides.borrow().is_empty()

@@ -8,8 +8,8 @@ use crate::error::{Lack, Unsuitable};
 impl Method {
     /// Returns whether the method can run this simulator. `taylor` needs the series that emitted
     /// simulators have and simulators written by hand may lack; `exact` needs linear equations with
-    /// constant coefficients. Events need a method that watches them, and constraints one that
-    /// maintains them.
+    /// constant coefficients while modes are held. Events need a method that watches them, and
+    /// constraints one that maintains them.
     #[must_use]
     pub fn suits(self, simulator: &dyn Simulator<f64>) -> bool {
         let has_what_it_needs = match self {
@@ -51,6 +51,9 @@ impl Method {
     /// watch events do, except series, which no machine with constraints has.
     #[must_use]
     pub fn keeps_constraints(self) -> bool {
-        matches!(self, Self::Tsit5 | Self::Dop853 | Self::Rodas5p | Self::Radau | Self::Auto)
+        matches!(
+            self,
+            Self::Tsit5 | Self::Dop853 | Self::Rodas5p | Self::Radau | Self::Auto | Self::Exact
+        )
     }
 }

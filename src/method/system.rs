@@ -4,6 +4,8 @@ use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
 
 use super::Stopped;
+#[cfg(feature = "implicit")]
+use super::exact::Known;
 use super::held::Held;
 use super::loose::Trial;
 use super::milestone::Milestone;
@@ -72,6 +74,9 @@ pub struct System<'a> {
     milestone: Cell<Milestone>,
     /// The trial with loose steps, while there is one.
     trial: Cell<Option<Trial>>,
+    /// Equations in closed form, by relations and modes as held.
+    #[cfg(feature = "implicit")]
+    closed_forms: RefCell<Known>,
 }
 
 /// Receives time and state after every step that is not the last of a stretch. Returns whether the
@@ -106,6 +111,8 @@ impl<'a> System<'a> {
             has_stepped: Cell::new(false),
             milestone: Cell::default(),
             trial: Cell::new(None),
+            #[cfg(feature = "implicit")]
+            closed_forms: RefCell::default(),
         }
     }
 
@@ -350,6 +357,12 @@ impl<'a> System<'a> {
         let pace = milestone.pace(self.work().steps, time);
         self.milestone.set(milestone);
         pace
+    }
+
+    /// Returns the equations known in closed form.
+    #[cfg(feature = "implicit")]
+    pub(super) fn closed_forms(&self) -> &RefCell<Known> {
+        &self.closed_forms
     }
 
     /// Begins or ends a trial with loose steps; returns the previous one.

@@ -132,8 +132,8 @@ fn numbers<R: Lane>(simulator: &ModelSimulator, shift: f64) -> Vec<(&'static str
     keep("prepared_rate", states, &|v| s.prepared_rate(t, &y, &p, &c, v));
     keep("prepared_rate_jacobian", jacobian, &|v| s.prepared_rate_jacobian(t, &y, &p, &c, v));
     if let Some(linear) = s.linear() {
-        let terms = linear.excitation_terms().len();
-        keep("excitation", 4 * terms, &|v| linear.excitation(t, &p, v));
+        let numbers = 4 * linear.excitation_terms().len() + linear.slopes().len();
+        keep("excitation", numbers, &|v| linear.excitation(t, &y, &p, v));
         keep("switches", linear.switches(), &|v| linear.switch_times(&p, v));
     }
     if let Some(taylor) = s.taylor().filter(|_| states > 0) {

@@ -51,11 +51,10 @@ pub fn lower(linearization: &Linearization) -> Model {
     let motion = OfMotion { time_derivative, outputs, power_balance, guard_rates, kink_rates };
     let graph = &build.graph;
     let rate = graph.tape(&build.rate);
-    // The rate does not include effects of events, constraints and jumps of M. It includes those of
-    // fields, by parameters.
-    let is_whole = system.events.is_empty() && system.constraints.is_empty() && kinks.is_empty();
+    // It includes the effects of fields, by parameters.
+    let rows = [&build.rate[..], &guards, &kinks].concat();
     let model = Model {
-        excitation: is_whole.then(|| excitation(&graph.live_tape(&build.rate))).flatten(),
+        excitation: excitation(&graph.tape(&rows), &build.modes()),
         initial_state: graph.tape(&initial),
         discontinuities: graph.tape(&discontinuities),
         required: required(&linearization.equations),
@@ -492,11 +491,7 @@ impl<'a> Build<'a> {
     /// are not on the graph.
     fn kinks(&mut self, holds: &[NodeId], guards: &[NodeId], initial: &[NodeId]) -> Kinks {
         let equations = &self.linearization.equations;
-        let is_mode = |state: &crate::mechanics::state::State| match state.motion {
-            Motion::FirstOrder(id) => equations.system.first_order[id.0 as usize].is_mode,
-            _ => false,
-        };
-        let is_mode: Vec<bool> = equations.layout.states.iter().map(is_mode).collect();
+        let is_mode = self.modes();
         let is_place = |state: &crate::mechanics::state::State| {
             matches!(state.motion, Motion::Position { .. })
         };
@@ -516,6 +511,16 @@ impl<'a> Build<'a> {
         };
         let places = Places { rate: &self.rate, holds, guards };
         kinks(&mut self.graph, &places, &given)
+    }
+
+    /// Returns, for each entry of the state, whether only events change it.
+    fn modes(&self) -> Vec<bool> {
+        let equations = &self.linearization.equations;
+        let is_mode = |state: &crate::mechanics::state::State| match state.motion {
+            Motion::FirstOrder(id) => equations.system.first_order[id.0 as usize].is_mode,
+            _ => false,
+        };
+        equations.layout.states.iter().map(is_mode).collect()
     }
 
     /// Returns dX/dt = dX/dy y' + partial dX/dt.

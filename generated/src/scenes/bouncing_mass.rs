@@ -33,7 +33,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     BouncingMass: "bouncing_mass", "Mass bouncing on a shaken plate";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    events; prepared; jacobians_at_once; series 0;
+    events; prepared; jacobians_at_once; linear; series 0;
 }
 
 ::machinist_contract::parameters! {
@@ -307,4 +307,38 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         t2_before = t2_k;
         rates = [ball_v_k, ball_v_dot_k, R::literal(0.0)];
     }
+}
+
+/// Row on which a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k. Rows are rates of the state, then guards of events, then those of kinks.
+pub const EXCITATION_TERMS: [(u32, u32); 5] = [(1, 0), (1, 0), (3, 0), (4, 0), (4, 0)];
+
+/// Row and entry of the state of each nonzero slope, if there are guards.
+pub const SLOPES: [(u32, u32); 2] = [(0, 1), (3, 0)];
+
+/// Times at which pieces of the excitation end.
+pub const SWITCHES: usize = 0;
+
+/// g, w, C and S of every term of the excitation, then the slopes, on the piece that holds `time`,
+/// in the modes of a state. 13 operations.
+#[must_use]
+pub fn excitation<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 22] {
+    let [_, _, ball_resting] = *state;
+    let ball_gravity_times_ball_mass = p.ball_gravity * p.ball_mass;
+    let t0 = p.amplitude * (p.frequency * p.frequency) * p.ball_mass;
+    let inverse_ball_mass = R::literal(1.0) / p.ball_mass;
+    [R::literal(0.0), R::literal(0.0), (R::select_less(ball_resting, R::literal(0.5),
+        R::literal(0.0), ball_gravity_times_ball_mass)
+        - ball_gravity_times_ball_mass) * inverse_ball_mass, R::literal(0.0), R::literal(0.0),
+        p.frequency, R::literal(0.0), R::select_less(ball_resting, R::literal(0.5),
+        R::literal(0.0), -(t0 * inverse_ball_mass)), R::literal(0.0), p.frequency, R::literal(0.0),
+        -p.amplitude, R::literal(0.0), R::literal(0.0), ball_gravity_times_ball_mass,
+        R::literal(0.0), R::literal(0.0), p.frequency, R::literal(0.0), -t0, R::literal(1.0),
+        R::literal(1.0)]
+}
+
+/// Times at which pieces of the excitation end \[s\]; not finite where there is none. No
+/// operations.
+#[must_use]
+pub fn switches<R: Real>(_p: &Parameters<R>) -> [R; SWITCHES] {
+    []
 }

@@ -33,7 +33,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     ContactOscillator: "contact_oscillator", "Oscillator with a one-sided stop";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    events; prepared; jacobians_at_once; kinks 1; relations; series 0;
+    events; prepared; jacobians_at_once; linear; kinks 1; relations; series 0;
 }
 
 ::machinist_contract::parameters! {
@@ -340,4 +340,41 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         let oscillator_v_dot_k = t10_k * t1;
         rates = [oscillator_v_k, oscillator_v_dot_k, R::literal(0.0)];
     }
+}
+
+/// Row on which a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k. Rows are rates of the state, then guards of events, then those of kinks.
+pub const EXCITATION_TERMS: [(u32, u32); 3] = [(1, 0), (3, 0), (4, 0)];
+
+/// Row and entry of the state of each nonzero slope, if there are guards.
+pub const SLOPES: [(u32, u32); 8] = [(0, 1), (1, 0), (1, 1), (3, 0), (3, 1), (4, 0), (4, 1),
+    (5, 1)];
+/// Times at which pieces of the excitation end.
+pub const SWITCHES: usize = 0;
+
+/// g, w, C and S of every term of the excitation, then the slopes, on the piece that holds `time`,
+/// in the modes of a state. 14 operations.
+#[must_use]
+pub fn excitation<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 20] {
+    let [_, _, stop_closed] = *state;
+    let stop_distance_times_stop_stiffness = p.stop_distance * p.stop_stiffness;
+    let t0 = -stop_distance_times_stop_stiffness;
+    let t1 = R::select_less(p.held_1, R::literal(0.0), R::literal(0.0), p.stop_damping);
+    let inverse_oscillator_mass = R::literal(1.0) / p.oscillator_mass;
+    let minus_stop_damping = -p.stop_damping;
+    [R::literal(0.0), R::literal(0.0), R::select_less(stop_closed, R::literal(0.5),
+        R::literal(0.0), stop_distance_times_stop_stiffness * inverse_oscillator_mass),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), t0, R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), t0, R::literal(0.0), R::literal(1.0), (R::select_less(stop_closed,
+        R::literal(0.5), R::literal(0.0), -p.stop_stiffness)
+        - p.oscillator_stiffness) * inverse_oscillator_mass, (R::select_less(stop_closed,
+        R::literal(0.5), R::literal(0.0), minus_stop_damping)
+        - p.oscillator_damping) * inverse_oscillator_mass, p.stop_stiffness, t1, p.stop_stiffness,
+        t1, minus_stop_damping]
+}
+
+/// Times at which pieces of the excitation end \[s\]; not finite where there is none. No
+/// operations.
+#[must_use]
+pub fn switches<R: Real>(_p: &Parameters<R>) -> [R; SWITCHES] {
+    []
 }

@@ -339,15 +339,19 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     }
 }
 
-/// Entry of the state on whose rate a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k.
+/// Row on which a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k. Rows are rates of the state, then guards of events, then those of kinks.
 pub const EXCITATION_TERMS: [(u32, u32); 4] = [(4, 0), (4, 0), (5, 0), (6, 0)];
+
+/// Row and entry of the state of each nonzero slope, if there are guards.
+pub const SLOPES: [(u32, u32); 0] = [];
 
 /// Times at which pieces of the excitation end.
 pub const SWITCHES: usize = 0;
 
-/// g, w, C and S of every term of the excitation, on the piece that holds `time`. 8 operations.
+/// g, w, C and S of every term of the excitation, then the slopes, on the piece that holds `time`,
+/// in the modes of a state. 8 operations.
 #[must_use]
-pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 16] {
+pub fn excitation<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; 16] {
     let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
     [R::literal(0.0), R::literal(0.0),
         p.shaft_driven_field_force * inverse_shaft_driven_field_inertia, R::literal(0.0),

@@ -36,7 +36,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     ReedBeatUpOneSided: "reed_beat_up_one_sided", "Beat-up of a reed against a one-sided fell";
     run from 0.0, until 0.0527, points 501, rtol 1e-8, method "auto";
     quadratures 0, discontinuities 0;
-    prepared; jacobians_apart; kinks 1; relations;
+    prepared; jacobians_apart; linear; kinks 1; relations;
 }
 
 ::machinist_contract::parameters! {
@@ -374,6 +374,45 @@ pub fn kink_guards<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -
 pub fn kink_rates<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; KINKS] {
     let [_, _, _, _, _, _, _, reed_speed] = *state;
     [reed_speed]
+}
+
+/// Row on which a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k. Rows are rates of the state, then guards of events, then those of kinks.
+pub const EXCITATION_TERMS: [(u32, u32); 4] = [(4, 0), (4, 0), (5, 0), (6, 0)];
+
+/// Row and entry of the state of each nonzero slope, if there are guards.
+pub const SLOPES: [(u32, u32); 10] = [(0, 4), (1, 5), (2, 6), (3, 7), (4, 0), (5, 1), (5, 3),
+    (7, 1), (7, 3), (8, 3)];
+/// Times at which pieces of the excitation end.
+pub const SWITCHES: usize = 0;
+
+/// g, w, C and S of every term of the excitation, then the slopes, on the piece that holds `time`,
+/// in the modes of a state. 21 operations.
+#[must_use]
+pub fn excitation<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; 26] {
+    let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
+    let inverse_shaft_reed_field_inertia = R::literal(1.0) / p.shaft_reed_field_inertia;
+    let t0 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
+    let t1 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
+    [R::literal(0.0), R::literal(0.0),
+        p.shaft_driven_field_force * inverse_shaft_driven_field_inertia, R::literal(0.0),
+        R::literal(0.0), p.drive_frequency, R::literal(0.0),
+        p.drive_amplitude * p.drive_stiffness * inverse_shaft_driven_field_inertia,
+        R::literal(0.0), R::literal(0.0),
+        p.shaft_reed_field_force * inverse_shaft_reed_field_inertia, R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), p.shaft_middle_field_force * (R::literal(1.0)
+        / p.shaft_middle_field_inertia), R::literal(0.0), R::literal(1.0), R::literal(1.0),
+        R::literal(1.0), R::literal(1.0), -(p.drive_stiffness
+        * inverse_shaft_driven_field_inertia), -t1, t1, p.reed_stiffness * t0,
+        -((p.reed_stiffness + R::select_less(p.held_1, R::literal(0.0), R::literal(0.0),
+        R::select_less(p.held_1, R::literal(0.0), R::literal(0.0), p.fell_stiffness))) * t0),
+        R::literal(1.0)]
+}
+
+/// Times at which pieces of the excitation end \[s\]; not finite where there is none. No
+/// operations.
+#[must_use]
+pub fn switches<R: Real>(_p: &Parameters<R>) -> [R; SWITCHES] {
+    []
 }
 
 /// The field shaft.u: angle of the section \[rad\].

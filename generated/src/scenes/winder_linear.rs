@@ -528,15 +528,19 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     }
 }
 
-/// Entry of the state on whose rate a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k.
+/// Row on which a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k. Rows are rates of the state, then guards of events, then those of kinks.
 pub const EXCITATION_TERMS: [(u32, u32); 3] = [(1, 0), (1, 0), (1, 0)];
+
+/// Row and entry of the state of each nonzero slope, if there are guards.
+pub const SLOPES: [(u32, u32); 0] = [];
 
 /// Times at which pieces of the excitation end.
 pub const SWITCHES: usize = 0;
 
-/// g, w, C and S of every term of the excitation, on the piece that holds `time`. 52 operations.
+/// g, w, C and S of every term of the excitation, then the slopes, on the piece that holds `time`,
+/// in the modes of a state. 52 operations.
 #[must_use]
-pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 12] {
+pub fn excitation<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; 12] {
     let [(sin_ovality_phase, cos_ovality_phase), (sin_force_phase, cos_force_phase),
         (sin_package_phase, cos_package_phase)] = R::sin_cos_each([p.ovality_phase, p.force_phase,
         p.package_phase]);

@@ -5,9 +5,10 @@ mod excitation;
 use machinist_contract::linear::{LinearEquations, TERM_NUMBERS};
 use nalgebra::{Complex, DMatrix};
 
+use super::rows::{Kind, Row};
 use crate::method::{Stretch, cut};
 
-/// A linear machine between two switches.
+/// A linear machine between two switches, with relations and modes held.
 pub(super) struct Piece {
     pub(super) from: f64,
     pub(super) until: f64,
@@ -16,6 +17,10 @@ pub(super) struct Piece {
     states: usize,
     /// Waves, each kind once.
     pub(super) waves: Vec<Wave>,
+    /// Guards of events, then of kinks.
+    guards: Vec<Row>,
+    /// The state at rest, with its modes.
+    rest: Vec<f64>,
 }
 
 /// (t - origin)^power e^(mu (t - origin)) with its amplitudes.
@@ -29,26 +34,41 @@ pub(super) struct Wave {
 }
 
 impl Piece {
+    /// Returns the piece in the modes of a state.
+    ///
     /// # Errors
     /// The reason if its waves are not the excitation of the machine.
     pub(super) fn new(
         stretch: &Stretch<'_>,
         linear: &dyn LinearEquations<f64>,
-        from: f64,
-        until: f64,
+        (from, until): (f64, f64),
+        state: &[f64],
     ) -> Result<Self, String> {
         let system = stretch.system;
-        let states = system.states();
+        let (states, simulator) = (system.states(), system.simulator());
         let middle = 0.5 * (from + until);
-        let pattern = system.jacobian_pattern();
-        let mut values = vec![0.0; pattern.entries.len()];
-        system.jacobian(middle, &vec![0.0; states], &mut values);
-        let entries = pattern.entries.iter().zip(values);
-        let entries = entries.map(|(&(row, column), v)| (row as usize, column as usize, v));
-        let entries = entries.collect();
-        let terms = linear.excitation_terms();
-        let mut numbers = vec![0.0; TERM_NUMBERS * terms.len()];
-        linear.excitation(middle, system.parameters(), &mut numbers);
+        let in_mode = |entry: usize| if simulator.is_mode(entry) { state[entry] } else { 0.0 };
+        let rest: Vec<f64> = (0..states).map(in_mode).collect();
+        let (terms, slopes) = (linear.excitation_terms(), linear.slopes());
+        let mut numbers = vec![0.0; TERM_NUMBERS * terms.len() + slopes.len()];
+        linear.excitation(middle, &rest, &system.held().all(), &mut numbers);
+        let (numbers, slope_values) = numbers.split_at(TERM_NUMBERS * terms.len());
+        let mut guards = vec![Row::default(); simulator.events() + simulator.kinks()];
+        let mut entries = Vec::new();
+        for (&(row, entry), value) in slopes.iter().zip(slope_values) {
+            match (row as usize).checked_sub(states) {
+                Some(guard) => guards[guard].add_slope(entry as usize, *value),
+                None => entries.push((row as usize, entry as usize, *value)),
+            }
+        }
+        if guards.is_empty() {
+            let pattern = system.jacobian_pattern();
+            let mut values = vec![0.0; pattern.entries.len()];
+            system.jacobian(middle, &rest, &mut values);
+            let nonzeros = pattern.entries.iter().zip(values);
+            entries =
+                nonzeros.map(|(&(row, column), v)| (row as usize, column as usize, v)).collect();
+        }
         let mut waves: Vec<Wave> = Vec::new();
         for (&(entry, power), numbers) in terms.iter().zip(numbers.chunks_exact(TERM_NUMBERS)) {
             let amplitude = Complex::new(numbers[2], -numbers[3]);
@@ -56,7 +76,12 @@ impl Piece {
                 continue;
             }
             let mu = Complex::new(numbers[0], numbers[1]);
-            let amplitude = (entry as usize, amplitude);
+            let entry = entry as usize;
+            if let Some(guard) = entry.checked_sub(states) {
+                guards[guard].add_wave(Kind { origin: 0.0, power, mu }, amplitude);
+                continue;
+            }
+            let amplitude = (entry, amplitude);
             match waves.iter_mut().find(|wave| wave.power == power && wave.mu == mu) {
                 Some(wave) => wave.amplitudes.push(amplitude),
                 None => {
@@ -64,9 +89,30 @@ impl Piece {
                 }
             }
         }
-        let mut piece = Piece { from, until, entries, states, waves };
+        let mut piece = Piece { from, until, entries, states, waves, guards, rest };
         piece.judge(stretch)?;
         Ok(piece)
+    }
+
+    /// Returns the rates of the states, then the guards.
+    pub(super) fn rows(&self) -> Vec<Row> {
+        let mut rows = vec![Row::default(); self.states];
+        for &(row, column, value) in &self.entries {
+            rows[row].add_slope(column, value);
+        }
+        for wave in &self.waves {
+            let kind = Kind { origin: wave.origin, power: wave.power, mu: wave.mu };
+            for (entry, amplitude) in &wave.amplitudes {
+                rows[*entry].add_wave(kind, *amplitude);
+            }
+        }
+        rows.extend(self.guards.iter().cloned());
+        rows
+    }
+
+    /// Returns whether powers of time excite it.
+    pub(super) fn is_of_powers(&self) -> bool {
+        self.waves.iter().any(|wave| wave.power > 0)
     }
 
     /// Returns the length of the state.

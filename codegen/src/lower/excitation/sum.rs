@@ -63,6 +63,14 @@ impl Sum {
         self.0.iter().all(|(basis, _)| matches!(basis, Basis::State(_)))
     }
 
+    /// Returns the entries of the state with their coefficients.
+    pub(super) fn slopes(&self) -> impl Iterator<Item = (u32, NodeId)> {
+        self.0.iter().filter_map(|(basis, coefficient)| match basis {
+            Basis::State(entry) => Some((*entry, *coefficient)),
+            Basis::Wave(_) => None,
+        })
+    }
+
     fn depends_on_state(&self) -> bool {
         self.0.iter().any(|(basis, _)| matches!(basis, Basis::State(_)))
     }
@@ -223,7 +231,14 @@ impl Algebra {
 
     /// Selects `then` where lhs < rhs. The comparison may depend on time, not on the state.
     pub(super) fn choice(&mut self, lhs: &Sum, rhs: &Sum, branches: [&Sum; 2]) -> Option<Sum> {
+        if let (Some(lhs), Some(rhs)) = (self.as_constant(lhs), self.as_constant(rhs)) {
+            return Some(self.chosen([lhs, rhs], branches));
+        }
         let (lhs, rhs) = (self.as_affine(lhs)?, self.as_affine(rhs)?);
+        // Times at which pieces end follow from parameters.
+        if !lhs.iter().chain(&rhs).all(|node| self.graph.is_constant(*node)) {
+            return None;
+        }
         if lhs[1] != rhs[1] {
             let (ahead, faster) = (self.graph.sub(rhs[0], lhs[0]), self.graph.sub(lhs[1], rhs[1]));
             let switch = self.graph.div(ahead, faster);
@@ -231,7 +246,24 @@ impl Algebra {
                 self.switches.push(switch);
             }
         }
-        let (lhs, rhs) = (self.at_time(lhs), self.at_time(rhs));
+        let sides = [self.at_time(lhs), self.at_time(rhs)];
+        Some(self.chosen(sides, branches))
+    }
+
+    /// Selects `then` where the slot of a relation holds it below zero, or above if the slot is
+    /// subtracted.
+    pub(super) fn held_choice(
+        &mut self,
+        (slot, is_opposite): (Op, bool),
+        branches: [&Sum; 2],
+    ) -> Sum {
+        let slot = self.graph.insert(slot);
+        let side = if is_opposite { self.graph.neg(slot) } else { slot };
+        self.chosen([side, self.zero], branches)
+    }
+
+    /// Selects the first branch where the first node is less than the second.
+    fn chosen(&mut self, [lhs, rhs]: [NodeId; 2], branches: [&Sum; 2]) -> Sum {
         let mut bases: Vec<Basis> = Vec::new();
         for (basis, _) in branches.iter().flat_map(|branch| &branch.0) {
             if !bases.contains(basis) {
@@ -245,7 +277,7 @@ impl Algebra {
             let coefficient = self.graph.select_less(lhs, rhs, then, otherwise);
             self.add(&mut chosen, basis, coefficient);
         }
-        Some(chosen)
+        chosen
     }
 
     fn constant(&self, node: NodeId) -> Sum {
@@ -324,8 +356,14 @@ impl Algebra {
         let powers = [0, 1].map(|power| Basis::Wave(self.power_of_time(power)));
         let is_affine = sum.0.iter().all(|(basis, _)| powers.contains(basis));
         let values = powers.map(|basis| sum.coefficient(basis).unwrap_or(self.zero));
-        let is_steady = values.iter().all(|value| self.graph.is_constant(*value));
+        let is_steady = values.iter().all(|value| self.is_steady(*value));
         (is_affine && is_steady && !sum.depends_on_state()).then_some(values)
+    }
+
+    /// Returns whether a coefficient is the same on all pieces of time.
+    fn is_steady(&self, id: NodeId) -> bool {
+        let op = self.graph.op(id);
+        op != Op::Time && op.operands().iter().all(|operand| self.is_steady(*operand))
     }
 
     /// Returns a + b t as a node.

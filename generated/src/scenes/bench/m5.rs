@@ -215,15 +215,19 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
     }
 }
 
-/// Entry of the state on whose rate a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k.
+/// Row on which a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k. Rows are rates of the state, then guards of events, then those of kinks.
 pub const EXCITATION_TERMS: [(u32, u32); 2] = [(1, 0), (1, 0)];
+
+/// Row and entry of the state of each nonzero slope, if there are guards.
+pub const SLOPES: [(u32, u32); 0] = [];
 
 /// Times at which pieces of the excitation end.
 pub const SWITCHES: usize = 0;
 
-/// g, w, C and S of every term of the excitation, on the piece that holds `time`. No operations.
+/// g, w, C and S of every term of the excitation, then the slopes, on the piece that holds `time`,
+/// in the modes of a state. No operations.
 #[must_use]
-pub fn excitation<R: Real>(_time: R, _p: &Parameters<R>) -> [R; 8] {
+pub fn excitation<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; 8] {
     [R::literal(0.0), R::literal(220.0), R::literal(0.0), R::literal(4.0), R::literal(0.0),
         R::literal(110.0), R::literal(0.0), R::literal(11.904_761_904_761_903)]
 }

@@ -52,10 +52,9 @@ impl Piece {
 
     /// Returns b at each time.
     fn rates(&self, stretch: &Stretch<'_>, times: &[f64]) -> Vec<Vec<f64>> {
-        let rest = vec![0.0; self.states];
         let rate = |time: &f64| {
             let mut rate = vec![0.0; self.states];
-            stretch.state_rate(*time, &rest, &mut rate);
+            stretch.system.rate_of_modes(stretch.within(*time), &self.rest, &mut rate);
             rate
         };
         times.iter().map(rate).collect()

@@ -39,12 +39,12 @@ fn jacobi(u: f64, m: f64) -> [f64; 3] {
     let (mut a, mut b, mut c) = (1.0, (1.0 - m).sqrt(), m.sqrt());
     let mut steps = vec![(a, c)];
     while c.abs() > 1e-16 * a {
-        (a, b, c) = ((a + b) / 2.0, (a * b).sqrt(), (a - b) / 2.0);
+        (a, b, c) = (f64::midpoint(a, b), (a * b).sqrt(), (a - b) / 2.0);
         steps.push((a, c));
     }
     let mut phi = 2f64.powi(steps.len() as i32 - 1) * a * u;
     for (a, c) in steps.iter().skip(1).rev() {
-        phi = ((c / a * phi.sin()).asin() + phi) / 2.0;
+        phi = f64::midpoint((c / a * phi.sin()).asin(), phi);
     }
     [phi.sin(), phi.cos(), (1.0 - m * phi.sin().powi(2)).sqrt()]
 }

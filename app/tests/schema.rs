@@ -89,7 +89,7 @@ fn what_the_parser_knows_is_in_the_schema() {
     }
     // Either a coordinate or a place on a field.
     assert_eq!(port["required"], json!(["kind"]));
-    assert_eq!(port["properties"]["kind"]["enum"].as_array().map(Vec::len), Some(3));
+    assert_eq!(port["properties"]["kind"]["enum"].as_array().map(Vec::len), Some(4));
     let defined = &scene["properties"]["define"]["additionalProperties"];
     assert_eq!(defined["properties"]["ports"], unit["properties"]["ports"]);
     assert_eq!(unit["required"], json!(["unit"]));

@@ -3,6 +3,8 @@
 //! Start with [`Simulation`], which runs any `Simulator` of [`machinist_contract`]: emitted code, a
 //! model file, or one written by hand. The README shows a complete example:
 #![cfg_attr(all(feature = "diffsol", feature = "sweep"), doc = include_str!("../README.md"))]
+// An example of the README names its file, for the test that runs it.
+#![allow(rustdoc::invalid_codeblock_attributes)]
 //!
 //! Features select what a program needs: families of methods (`diffsol`, `implicit`), linear
 //! analysis (`linear`), runs of many variants (`sweep`), estimation of parameters from measured

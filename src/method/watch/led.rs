@@ -69,10 +69,6 @@ impl Watch<'_> {
         let Some(constraints) = constraints else { return false };
         let mut there = end.to_vec();
         constraints.follow(&inner.parts.led, until, &mut there);
-        if there == end {
-            // No constraint holds it: it is zero by itself.
-            return false;
-        }
         let (guard, _) = inner.parts.at(self.system, until, &there, index);
         guard.abs() <= inner.parts.rounding(index)
     }

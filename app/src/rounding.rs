@@ -11,19 +11,28 @@ const OF_UNIT: f64 = 1e-17;
 /// Sizes below which the numbers of a run are rounding.
 #[derive(Debug)]
 pub struct Rounding<'a> {
-    trajectory: &'a Trajectory,
+    /// Largest value of all columns of each unit.
+    of_units: Vec<(&'a str, f64)>,
 }
 
 impl<'a> Rounding<'a> {
     /// Compares with the columns of a run.
     pub fn of(trajectory: &'a Trajectory) -> Self {
-        Self { trajectory }
+        let mut of_units: Vec<(&str, f64)> = Vec::new();
+        for column in &trajectory.columns {
+            let own = largest(&column.values);
+            match of_units.iter_mut().find(|(unit, _)| *unit == column.unit) {
+                Some((_, of_unit)) => *of_unit = of_unit.max(own),
+                None => of_units.push((&column.unit, own)),
+            }
+        }
+        Self { of_units }
     }
 
     /// Returns the values of a column of the run, with zero in place of rounding.
     pub fn rid(&self, column: &Column) -> Vec<f64> {
-        let same = self.trajectory.columns.iter().filter(|other| other.unit == column.unit);
-        let of_unit = same.map(|other| largest(&other.values)).fold(0.0, f64::max);
+        let same = self.of_units.iter().find(|(unit, _)| *unit == column.unit);
+        let of_unit = same.map_or(0.0, |(_, of_unit)| *of_unit);
         let least = (OF_COLUMN * largest(&column.values)).max(OF_UNIT * of_unit);
         column.values.iter().map(|value| if value.abs() < least { 0.0 } else { *value }).collect()
     }

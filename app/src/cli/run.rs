@@ -396,9 +396,10 @@ impl RunCommand {
         let error = trajectory.error.as_ref().map(|_| "error".to_owned());
         let header: Vec<String> = header.into_iter().chain(error).collect();
         let shown = |column: &&Column| !self.columns.is_empty() || is_short(trajectory, column);
+        let rounding = Rounding::of(trajectory);
         let rows = trajectory.columns.iter().filter(shown).map(|column| {
             let error = error::cell(trajectory, column);
-            summary_row(trajectory, column).into_iter().chain(error).collect::<Vec<_>>()
+            summary_row(&rounding, column).into_iter().chain(error).collect::<Vec<_>>()
         });
         text.push_str(&columns(&std::iter::once(header).chain(rows).collect::<Vec<_>>(), 2));
         for file in [&self.out, &self.plot].into_iter().flatten() {
@@ -433,8 +434,8 @@ fn is_short(trajectory: &Trajectory, column: &Column) -> bool {
         || trajectory.of_kind(ColumnKind::State).all(|state| state.name != column.name)
 }
 
-fn summary_row(trajectory: &Trajectory, column: &Column) -> [String; 5] {
-    let values = Rounding::of(trajectory).rid(column);
+fn summary_row(rounding: &Rounding<'_>, column: &Column) -> [String; 5] {
+    let values = rounding.rid(column);
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let last = values.last().copied().unwrap_or(f64::NAN);

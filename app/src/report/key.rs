@@ -126,6 +126,7 @@ fn rest(run: &Trajectory) -> Option<f64> {
 
 /// Renders a table of the first, last, least and greatest value of every output.
 pub fn table(run: &Trajectory) -> Markup {
+    let rounding = Rounding::of(run);
     html! {
         div.scroll {
             table {
@@ -133,14 +134,14 @@ pub fn table(run: &Trajectory) -> Markup {
                     th { "Output" } th.number { "At start" } th.number { "At end" }
                     th.number { "Least" } th.number { "Greatest" } th { "Unit" } th { "Meaning" }
                 } }
-                tbody { @for column in shown(run) { (row(run, column)) } }
+                tbody { @for column in shown(run) { (row(run, &rounding, column)) } }
             }
         }
     }
 }
 
-fn row(run: &Trajectory, column: &Column) -> Markup {
-    let rid = Rounding::of(run).rid(column);
+fn row(run: &Trajectory, rounding: &Rounding<'_>, column: &Column) -> Markup {
+    let rid = rounding.rid(column);
     let end = |value: Option<&f64>| number(value.copied().unwrap_or(f64::NAN), 5);
     let values = || rid.iter().zip(&run.times).filter(|(value, _)| value.is_finite());
     let by = |a: &(&f64, &f64), b: &(&f64, &f64)| a.0.total_cmp(b.0);

@@ -85,7 +85,7 @@ impl Headless {
     /// # Errors
     /// A sentence that says why the machine cannot run in a page.
     pub fn of(model: &Model, run: &Trajectory) -> Result<Self, String> {
-        let live = Live::of_run((model, &model.name), &Moving::default(), run)?;
+        let live = Live::of_run((model, &model.name), &Moving::default(), run, None)?;
         Ok(Self { engine: ENGINE.concat(), known: live.known() })
     }
 }
@@ -208,23 +208,21 @@ impl Live {
     /// A sentence that says why the machine cannot run in a page.
     pub(super) fn of(machine: &Machine) -> Option<Result<Self, String>> {
         let run = machine.trajectory()?;
-        let live = Self::of_run((&machine.model, &machine.argument), &machine.moving, run);
-        Some(live.map(|live| match &machine.order {
-            Some(order) => Self { order: order.clone(), ..live },
-            None => live,
-        }))
+        let (model, order) = (&machine.model, machine.order.as_deref());
+        Some(Self::of_run((model, &machine.argument), &machine.moving, run, order))
     }
 
     fn of_run(
         (model, argument): (&Model, &str),
         moving: &Moving,
         run: &Trajectory,
+        order: Option<&[usize]>,
     ) -> Result<Self, String> {
         let refused = |why: &dyn std::fmt::Display| format!("The page cannot run it: {why}.");
         if !model.fields.is_empty() {
             let whole = unrolled(model).map_err(|why| refused(&why))?;
             let moving = moving.moved(model.coordinates.len(), whole.coordinates.len());
-            return Self::of_run((&whole, argument), &moving, run);
+            return Self::of_run((&whole, argument), &moving, run, order);
         }
         if !model.constraints.is_empty() && model.positions() > model.coordinates.len() {
             return Err(refused(&"it has constraints and an orientation"));
@@ -234,7 +232,7 @@ impl Live {
             let size = module.bytes.len() / 1000;
             return Err(refused(&format!("its equations would take {size} kB of the page")));
         }
-        let order = order::at_once(model, run);
+        let order = order.map_or_else(|| order::at_once(model, run), <[usize]>::to_vec);
         let known = Known::of((model, argument), moving, run, (&module, is_implicit));
         Ok(Self { known, order })
     }

@@ -203,11 +203,10 @@ impl Scene {
         loading: &Loading,
         names: &[&str],
     ) -> Result<Option<(Self, Vec<String>)>, Failure> {
-        let Given::Spec(source) = Given::of(argument)? else { return Ok(None) };
-        let Some((opened, parameters)) = opened(&source, names)? else { return Ok(None) };
-        let keep = if loading.keep_all { Keep::All } else { Keep::Needed };
-        let request = Request { opened, ..Request::model(&source, keep) };
-        let scene = loading.scene(deriving::stamped(&request)?.model)?;
+        let Some((stamped, parameters)) = with_inputs(argument, loading.keep_all, names)? else {
+            return Ok(None);
+        };
+        let scene = loading.scene(stamped.model)?;
         Ok(Some((scene, parameters)))
     }
 
@@ -303,15 +302,26 @@ pub fn stamped_opened(
     keep_all: bool,
     names: &[String],
 ) -> Result<(Stamped, Vec<String>), Failure> {
-    if let Given::Spec(source) = Given::of(argument)? {
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        if let Some((opened, parameters)) = opened(&source, &names)? {
-            let keep = if keep_all { Keep::All } else { Keep::Needed };
-            let request = Request { opened, ..Request::model(&source, keep) };
-            return Ok((deriving::stamped(&request)?, parameters));
-        }
+    let inputs: Vec<&str> = names.iter().map(String::as_str).collect();
+    if let Some(opened) = with_inputs(argument, keep_all, &inputs)? {
+        return Ok(opened);
     }
     Ok((stamped(argument, keep_all)?, names.to_owned()))
+}
+
+/// Derives a spec with parameters in place of those names that are inputs of units. Returns the
+/// model with the names of the parameters; `None` if no name is an input, or for a model file.
+#[cfg(feature = "derive")]
+fn with_inputs(
+    argument: &str,
+    keep_all: bool,
+    names: &[&str],
+) -> Result<Option<(Stamped, Vec<String>)>, Failure> {
+    let Given::Spec(source) = Given::of(argument)? else { return Ok(None) };
+    let Some((opened, parameters)) = opened(&source, names)? else { return Ok(None) };
+    let keep = if keep_all { Keep::All } else { Keep::Needed };
+    let request = Request { opened, ..Request::model(&source, keep) };
+    Ok(Some((deriving::stamped(&request)?, parameters)))
 }
 
 /// Names that are inputs of units, and all names with the parameters that stand for these.

@@ -54,11 +54,9 @@ impl Model {
         };
         let motion = self.motion.iter().map(|motion| &motion.tape);
         motion.chain([&kinetic, &self.mass_matrix.tape]).any(|tape| {
-            let is_held = |id: NodeId| match tape[id].op {
-                Op::Add(a, b) | Op::Sub(a, b) => {
-                    [a, b].iter().any(|id| matches!(tape[*id].op, Op::Held(_)))
-                }
-                op => matches!(op, Op::Held(_)),
+            let is_held = |id: NodeId| {
+                let op = tape[id].op;
+                matches!(op, Op::Held(_)) || tape.shifted(op).is_some()
             };
             let mut nodes = tape.nodes.iter().zip(needed_nodes(tape));
             nodes.any(|(node, is_needed)| {

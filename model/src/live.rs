@@ -3,6 +3,18 @@
 use crate::{Model, NodeId, Op, Tape};
 
 impl Tape {
+    /// Returns the comparand and the slot of an operation that adds a slot to it, and whether the
+    /// slot is subtracted instead.
+    #[must_use]
+    pub fn shifted(&self, op: Op) -> Option<(NodeId, Op, bool)> {
+        let slot = |id: NodeId| Some(self[id].op).filter(|op| matches!(op, Op::Held(_)));
+        match op {
+            Op::Add(a, b) => slot(b).map(|slot| (a, slot, false)),
+            Op::Sub(a, b) => slot(b).map(|slot| (a, slot, true)),
+            _ => None,
+        }
+    }
+
     /// Returns the tape with every relation live, for hosts that hold none.
     #[must_use]
     pub fn live(&self) -> Self {
@@ -12,9 +24,8 @@ impl Tape {
         for node in &self.nodes {
             // A slot is added to a comparison, or replaces an integer.
             let stands_for = match node.op {
-                Op::Add(a, slot) | Op::Sub(a, slot) if is_slot(slot) => Some(a),
                 Op::SelectLess { lhs, otherwise, .. } if is_slot(lhs) => Some(otherwise),
-                _ => None,
+                op => self.shifted(op).map(|(comparand, ..)| comparand),
             };
             let place = match stands_for {
                 Some(other) => places[other.0 as usize],

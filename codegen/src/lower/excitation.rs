@@ -102,28 +102,21 @@ fn of_operation(
             algebra.of_constants(&[of(a)?, of(b)?], |graph, c| graph.powf(c[0], c[1]))?
         }
         Op::Call(function, a) => algebra.call(function, of(a)?)?,
-        Op::SelectLess { lhs, rhs, then, otherwise } => match (slot_at(tape, lhs), tape[lhs].op) {
-            (Some(slot), _) => algebra.held_choice(slot, [of(then)?, of(otherwise)?]),
-            // The slot of an integer stands for it.
-            (None, Op::Held(_)) => of(then)?.clone(),
-            (None, _) => algebra.choice(of(lhs)?, of(rhs)?, [of(then)?, of(otherwise)?])?,
-        },
+        Op::SelectLess { lhs, rhs, then, otherwise } => {
+            match (tape.shifted(tape[lhs].op), tape[lhs].op) {
+                (Some((_, slot, is_opposite)), _) => {
+                    algebra.held_choice((slot, is_opposite), [of(then)?, of(otherwise)?])
+                }
+                // The slot of an integer stands for it.
+                (None, Op::Held(_)) => of(then)?.clone(),
+                (None, _) => algebra.choice(of(lhs)?, of(rhs)?, [of(then)?, of(otherwise)?])?,
+            }
+        }
         Op::Table { table, order, argument } => algebra
             .of_constants(&[of(argument)?], |graph: &mut Graph, c| {
                 graph.table(table, order, c[0])
             })?,
     })
-}
-
-/// Returns the slot that decides a comparison whose left side is this node, and whether it is
-/// subtracted.
-fn slot_at(tape: &Tape, lhs: NodeId) -> Option<(Op, bool)> {
-    let held = |slot: NodeId| Some(tape[slot].op).filter(|op| matches!(op, Op::Held(_)));
-    match tape[lhs].op {
-        Op::Add(_, slot) => held(slot).map(|slot| (slot, false)),
-        Op::Sub(_, slot) => held(slot).map(|slot| (slot, true)),
-        _ => None,
-    }
 }
 
 #[cfg(test)]

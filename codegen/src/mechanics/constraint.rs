@@ -13,7 +13,7 @@
 //! A constraint that holds in some modes only has a factor s, 1 while it holds and else 0:
 //! s G q'' + (1 - s) lambda = s gamma, M q'' = f + s G^T lambda.
 
-use crate::mechanics::lagrange::EquationsOfMotion;
+use crate::mechanics::lagrange::{EquationsOfMotion, along_velocity};
 use crate::scene::system::LagrangianSystem;
 use machinist_algebra::cas::{Cas, Form};
 use machinist_algebra::expr::rank::null_columns;
@@ -142,18 +142,8 @@ impl Constraints {
 /// Returns the derivatives of an expression along the motion of each velocity.
 fn by_positions(cas: &mut Cas, system: &LagrangianSystem, form: &Form) -> Vec<Form> {
     let ids = (0..system.coordinates.len() as u32).map(CoordinateId);
-    let slopes = ids.map(|id| {
-        if !system.orientations.contain(id) {
-            return cas.derivative(form, Symbol::Coordinate(id));
-        }
-        let parts = system.orientations.moves(id).into_iter().map(|(part, share)| {
-            let slope = cas.derivative(form, Symbol::Coordinate(part));
-            &cas.form(&share) * &slope
-        });
-        let parts = parts.collect();
-        cas.sum(parts)
-    });
-    slopes.collect()
+    let slope = |cas: &mut Cas, id| cas.derivative(form, Symbol::Coordinate(id));
+    ids.map(|id| along_velocity(cas, &system.orientations, id, &slope)).collect()
 }
 
 /// Returns dx/dt of an expression that does not depend on velocities, or its part without

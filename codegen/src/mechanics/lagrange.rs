@@ -16,6 +16,7 @@ use crate::mechanics::bodies;
 use crate::mechanics::constraint::Constraints;
 use crate::mechanics::state::Layout;
 use crate::scene::system::{Event, LagrangianSystem};
+use crate::spatial::orientation::Orientations;
 use machinist_algebra::cas::{Cas, Form, Terms};
 use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Function, Matrix, Symbol};
 use machinist_algebra::unless_faulty;
@@ -161,11 +162,24 @@ fn forcing(
 /// Returns dX/dq along the motion of a velocity: for a rate of rotation, the derivative by a small
 /// rotation.
 fn along(cas: &mut Cas, system: &LagrangianSystem, of: &Terms, id: CoordinateId) -> Form {
-    if !system.orientations.contain(id) {
-        return of.derivative(cas, Symbol::Coordinate(id));
+    along_velocity(cas, &system.orientations, id, &|cas, part| {
+        of.derivative(cas, Symbol::Coordinate(part))
+    })
+}
+
+/// Returns the sum of derivatives by coordinates, which `slope` gives, along the motion that a
+/// velocity is the rate of.
+pub(super) fn along_velocity(
+    cas: &mut Cas,
+    orientations: &Orientations,
+    id: CoordinateId,
+    slope: &dyn Fn(&mut Cas, CoordinateId) -> Form,
+) -> Form {
+    if !orientations.contain(id) {
+        return slope(cas, id);
     }
-    let parts = system.orientations.moves(id).into_iter().map(|(part, share)| {
-        let slope = of.derivative(cas, Symbol::Coordinate(part));
+    let parts = orientations.moves(id).into_iter().map(|(part, share)| {
+        let slope = slope(cas, part);
         &cas.form(&share) * &slope
     });
     let parts = parts.collect();

@@ -74,10 +74,15 @@ impl Orientations {
         self.0.is_empty()
     }
 
+    /// Returns the orientation of which a coordinate is a part.
+    fn of(&self, id: CoordinateId) -> Option<&Orientation> {
+        self.0.iter().find(|one| one.scalar == id || one.vector.contains(&id))
+    }
+
     /// Reports whether a coordinate is a part of an orientation.
     #[must_use]
     pub fn contain(&self, id: CoordinateId) -> bool {
-        self.0.iter().any(|one| one.scalar == id || one.vector.contains(&id))
+        self.of(id).is_some()
     }
 
     /// Returns the derivatives of coordinates by the motion that a velocity is the rate of: 1 for
@@ -95,8 +100,7 @@ impl Orientations {
     #[must_use]
     pub fn rate(&self, id: CoordinateId) -> Expr {
         let velocity = |id| Expr::Symbol(Symbol::Velocity(id));
-        let is_part = |one: &&Orientation| one.scalar == id || one.vector.contains(&id);
-        let Some(one) = self.0.iter().find(is_part) else { return velocity(id) };
+        let Some(one) = self.of(id) else { return velocity(id) };
         let terms = (0..3).filter_map(|axis| {
             let moves = one.moves(axis);
             let (_, slope) = moves.into_iter().find(|(part, _)| *part == id)?;
@@ -108,7 +112,6 @@ impl Orientations {
     /// Returns the velocities that a coordinate's rate depends on.
     #[must_use]
     pub fn velocities(&self, id: CoordinateId) -> Vec<CoordinateId> {
-        let found = self.0.iter().find(|one| one.scalar == id || one.vector.contains(&id));
-        found.map_or_else(|| vec![id], |one| one.vector.to_vec())
+        self.of(id).map_or_else(|| vec![id], |one| one.vector.to_vec())
     }
 }

@@ -22,6 +22,11 @@ use crate::simulate::{MAX_STEPS, Simulation, require_admitted};
 /// Jumps nearer than this many roundings of a time coincide with it.
 const AT_ONCE: f64 = 512.0;
 
+/// Returns the distance from a time within which jumps coincide with it.
+fn at_once(time: f64) -> f64 {
+    AT_ONCE * f64::EPSILON * time.abs()
+}
+
 /// A machine that a host runs, at given parameters.
 #[derive(Clone, Copy)]
 pub struct Hosted<'a> {
@@ -282,8 +287,7 @@ impl<'a> Hosted<'a> {
         let problem = self.problem(&system, &next, next.span.1);
         if let Some(watch) = Watch::resume(&problem, &memory) {
             let switches = if next.is_stepped {
-                let room = AT_ONCE * f64::EPSILON * time.abs();
-                let is_jump = (time - next.ends.0).abs() <= room;
+                let is_jump = (time - next.ends.0).abs() <= at_once(time);
                 watch.happen(&mut memory, (time, is_jump), &mut state)?;
                 watch.into_switches()
             } else {
@@ -358,7 +362,7 @@ impl<'a> Hosted<'a> {
         let mut jumps = vec![0.0; self.simulator.shape().discontinuities];
         self.simulator.discontinuities(self.parameters, &mut jumps);
         let time = standing.time;
-        let room = AT_ONCE * f64::EPSILON * time.abs();
+        let room = at_once(time);
         let is_ahead = |jump: &f64| *jump > time + room;
         let next = jumps.iter().copied().filter(is_ahead).fold(f64::INFINITY, f64::min);
         let is_passed = |jump: &f64| *jump <= time + room;

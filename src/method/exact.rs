@@ -30,18 +30,18 @@ use super::taylor::quadrature::Gauss;
 use super::{Integrator, Samples, Sealed, Stopped, Stretch, explicit};
 use crate::error::StopCause;
 pub(super) use equations::Known;
-pub(super) use equations::Refusal;
+use equations::Refusal;
 use exponential::Exponential;
 use machinist_contract::linear::LinearEquations;
 use modal::Modal;
 use piece::Piece;
-pub(super) use steps::ExactSteps;
+use steps::ExactSteps;
 
 /// Closed-form solution of linear machines.
 pub(super) struct Exact;
 
 /// Note on a machine with switches.
-pub(super) const BETWEEN_SWITCHES: &str = "linear with constant coefficients between switches: solved in closed form from one to the next";
+const BETWEEN_SWITCHES: &str = "linear with constant coefficients between switches: solved in closed form from one to the next";
 
 /// A solution on a piece.
 trait Solution {

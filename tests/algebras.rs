@@ -16,7 +16,7 @@ use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
 
-use crate::own_scene::{folder_of_specs, specs_in};
+use crate::own_scene::{folder_of_specs, specs_in, system_of};
 
 /// Rounding relative to the size of the terms of a number.
 const LIMIT: f64 = 3e-12;
@@ -108,10 +108,7 @@ field = "phi"
 at = "length"
 "#
     );
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("shaft.toml");
-    std::fs::write(&path, text).expect("a file");
-    checked(&path)
+    system_of(&text)
 }
 
 #[test]
@@ -229,10 +226,7 @@ fn rod_with_two_balls(length: f64) -> LagrangianSystem {
         expression = "sqrt((ax - bx)^2 + (ay - py)^2 + bz^2) - l"
         "#
     );
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("rssr.toml");
-    std::fs::write(&path, text).expect("it is written");
-    checked(&path)
+    system_of(&text)
 }
 
 #[test]

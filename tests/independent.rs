@@ -13,6 +13,8 @@ use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
 
+use crate::own_scene::system_of;
+
 /// Rounding of emitted code relative to the size of the terms of its numbers.
 const LIMIT: f64 = 1e-12;
 /// Number of random points of each scene.
@@ -98,10 +100,7 @@ method = "dop853"
 
 #[test]
 fn what_is_taken_for_rigid_follows_as_its_spring_at_rest_says() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("frozen.toml");
-    std::fs::write(&path, FROZEN).expect("written");
-    let mut system = pipeline::check(&path).unwrap_or_else(|errors| panic!("{}", errors.render()));
+    let mut system = system_of(FROZEN);
     for (keep, states) in [(Keep::All, 4), (Keep::Exact, 4), (Keep::Needed, 2)] {
         let model = pipeline::compile(system.clone(), keep)
             .unwrap_or_else(|errors| panic!("{}", errors.render()));

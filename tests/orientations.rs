@@ -2,37 +2,16 @@
 
 use std::f64::consts::PI;
 
+use machinist::Simulation;
 use machinist::constraints::start;
 use machinist::linear_analysis::{Linearization, Mode, Place, operating_point};
-use machinist::{Simulation, Trajectory};
-use machinist_codegen::independent::Comparison;
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_contract::{Describe, Simulator};
 use machinist_model::ModelSimulator;
-use machinist_studies::double_double::DoubleDouble;
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::own_scene::{of_text, refusal};
-
-fn run(text: &str) -> Trajectory {
-    Simulation::new(&of_text(text, Keep::Needed)).run().unwrap_or_else(|error| panic!("{error}"))
-}
-
-fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
-    run.column(name).unwrap_or_else(|| panic!("no column {name}"))
-}
-
-/// Returns the orientation of a row.
-fn turned(run: &Trajectory, name: &str, row: usize) -> UnitQuaternion<f64> {
-    let [w, x, y, z] = ["w", "x", "y", "z"].map(|part| column(run, &format!("{name}_{part}"))[row]);
-    UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z))
-}
-
-fn omega(run: &Trajectory, name: &str, row: usize) -> Vector3<f64> {
-    let [x, y, z] = ["x", "y", "z"].map(|axis| column(run, &format!("{name}_omega_{axis}"))[row]);
-    Vector3::new(x, y, z)
-}
+use crate::spatial::{column, compared, omega, run, turned};
 
 /// Returns sn, cn and dn of u for a parameter m, by descending Landen transformations.
 fn jacobi(u: f64, m: f64) -> [f64; 3] {
@@ -63,8 +42,6 @@ method = "METHOD"
 "b.turn_omega_x" = WX
 "b.turn_omega_y" = WY
 "b.turn_omega_z" = WZ
-[outputs]
-kinetic = "energy.total"
 [define.body.orientations]
 turn = { rotation = { sequence = "zyx", angles = [0.3, -1.5707963267948966, 0.8] } }
 [define.body.frames]
@@ -82,8 +59,6 @@ fn free(method: &str, rtol: f64, until: f64, points: usize, rates: [f64; 3]) -> 
         .replace("WX", &x)
         .replace("WY", &y)
         .replace("WZ", &z)
-        .replace("kinetic = \"energy.total\"\n", "")
-        .replace("[outputs]\n", "")
 }
 
 /// Euler's equations: with A > B > C and A, C about the axes of sn at the start 0, the rates are
@@ -243,21 +218,6 @@ fn quaternions_move_as_angles() {
             assert!(error < 1e-7 * (1.0 + wanted.abs()), "{name}: {found}, {wanted} at row {row}");
         }
     }
-}
-
-fn compared(text: &str) -> f64 {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("machine.toml");
-    std::fs::write(&path, text).expect("written");
-    let system = pipeline::check(&path).unwrap_or_else(|errors| panic!("{}", errors.render()));
-    let scene = of_text(text, Keep::All);
-    let comparison = Comparison::new(&system, &scene, DoubleDouble::to_f64).expect("comparable");
-    let parameters: Vec<f64> =
-        (0..scene.shape().parameters).map(|k| scene.parameter_default(k)).collect();
-    let found = comparison.at_random(10, &parameters, 0x5eed);
-    assert!(found.compared > 10, "{found:?}");
-    assert!(found.error <= 1e-11, "{found:?}");
-    found.error
 }
 
 #[test]

@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, OnceLock};
 
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
+use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_model::{Model, ModelSimulator};
 
 /// Returns the folder `specs/scenes`.
@@ -69,6 +70,13 @@ pub fn of_text(text: &str, keep: Keep) -> ModelSimulator {
 pub fn of_files(files: &[(&str, &str)], keep: Keep) -> ModelSimulator {
     let folder = written(files);
     ModelSimulator::new(of_path(&folder.path().join(files[0].0), keep))
+}
+
+/// Returns the system of a spec in one file.
+pub fn system_of(text: &str) -> LagrangianSystem {
+    let folder = written(&[("scene.toml", text)]);
+    let checked = pipeline::check(&folder.path().join("scene.toml"));
+    checked.unwrap_or_else(|errors| panic!("{}", errors.render()))
 }
 
 /// Returns the message for a refused spec in one file.

@@ -10,13 +10,12 @@ use machinist::complex_step::dense;
 use machinist::{Simulation, Trajectory};
 use machinist_codegen::independent::Comparison;
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_contract::{Describe, Simulator};
 use machinist_studies::double_double::DoubleDouble;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
 
-use crate::own_scene::{of_text, refusal};
+use crate::own_scene::{of_text, refusal, system_of};
 
 fn robots() -> Value {
     serde_json::from_str(include_str!("spatial/robots.json")).expect("it is JSON")
@@ -228,12 +227,37 @@ fn rate_of_omega([_, pitch, roll]: [f64; 3], [yaw_rate, dp, dr]: [f64; 3]) -> Ve
     )
 }
 
-fn run(text: &str) -> Trajectory {
-    Simulation::new(&of_text(text, Keep::Needed)).run().expect("it runs")
+pub fn run(text: &str) -> Trajectory {
+    Simulation::new(&of_text(text, Keep::Needed)).run().unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
+pub fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
     run.column(name).unwrap_or_else(|| panic!("no column {name}"))
+}
+
+/// Returns an orientation in a row.
+pub fn turned(run: &Trajectory, name: &str, row: usize) -> UnitQuaternion<f64> {
+    let [w, x, y, z] = ["w", "x", "y", "z"].map(|part| column(run, &format!("{name}_{part}"))[row]);
+    UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z))
+}
+
+/// Returns its rates in a row \[rad/s\].
+pub fn omega(run: &Trajectory, name: &str, row: usize) -> Vector3<f64> {
+    let [x, y, z] = ["x", "y", "z"].map(|axis| column(run, &format!("{name}_omega_{axis}"))[row]);
+    Vector3::new(x, y, z)
+}
+
+/// Asserts that a scene moves as a second derivation says, and returns the error.
+pub fn compared(text: &str) -> f64 {
+    let system = system_of(text);
+    let scene = of_text(text, Keep::All);
+    let comparison = Comparison::new(&system, &scene, DoubleDouble::to_f64).expect("comparable");
+    let parameters: Vec<f64> =
+        (0..scene.shape().parameters).map(|k| scene.parameter_default(k)).collect();
+    let found = comparison.at_random(10, &parameters, 0x5eed);
+    assert!(found.compared > 10, "{found:?}");
+    assert!(found.error <= 1e-11, "{found:?}");
+    found.error
 }
 
 /// The reference is good to 5e-11: Pinocchio's `aba`, integrated by DOP853 of scipy at rtol 1e-13.
@@ -329,17 +353,7 @@ turning = "m.follower_omega_y"
 
 #[test]
 fn a_tree_moves_as_its_energies_say() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("tree.toml");
-    std::fs::write(&path, TREE).expect("written");
-    let system = pipeline::check(&path).unwrap_or_else(|errors| panic!("{}", errors.render()));
-    let scene = of_text(TREE, Keep::All);
-    let comparison = Comparison::new(&system, &scene, DoubleDouble::to_f64).expect("comparable");
-    let parameters: Vec<f64> =
-        (0..scene.shape().parameters).map(|k| scene.parameter_default(k)).collect();
-    let found = comparison.at_random(10, &parameters, 0x5eed);
-    assert!(found.error <= 1e-11, "{found:?}");
-    assert!(found.compared > 10, "{found:?}");
+    compared(TREE);
 }
 
 /// Joints are driven and forces act, so power flows in and out.

@@ -6,10 +6,11 @@ use machinist::Trajectory;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Describe;
 use machinist_model::ModelSimulator;
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use super::{column, example, off, run};
 use crate::own_scene::{of_text, refusal};
+use crate::spatial::{omega, turned};
 
 const GRAVITY: f64 = 9.81;
 
@@ -60,23 +61,12 @@ fn pendulums_of_each_body_swing_as_their_inertias_say() {
     swings(&found, "pivot.phi", "pivot.omega", [1.7, 0.01], [0.3, 0.2]);
 }
 
-fn orientation(found: &Trajectory, name: &str, row: usize) -> UnitQuaternion<f64> {
-    let [w, x, y, z] =
-        ["w", "x", "y", "z"].map(|part| column(found, &format!("{name}_{part}"))[row]);
-    UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z))
-}
-
-fn rates(found: &Trajectory, name: &str, row: usize) -> Vector3<f64> {
-    let [x, y, z] = ["x", "y", "z"].map(|axis| column(found, &format!("{name}_omega_{axis}"))[row]);
-    Vector3::new(x, y, z)
-}
-
 /// Energy and the vertical angular momentum about the pivot stay.
 fn spins(found: &Trajectory, name: &str, mass: f64, centre: Vector3<f64>, inertia: Matrix3<f64>) {
     let about =
         inertia + mass * (Matrix3::identity() * centre.dot(&centre) - centre * centre.transpose());
     let of = |row: usize| {
-        let (turn, rates) = (orientation(found, name, row), rates(found, name, row));
+        let (turn, rates) = (turned(found, name, row), omega(found, name, row));
         let energy = rates.dot(&(about * rates)) / 2.0 + mass * GRAVITY * (turn * centre).z;
         (energy, (turn * (about * rates)).z)
     };
@@ -104,7 +94,7 @@ fn bodies_on_balls_keep_energy_and_momentum() {
     let top = Matrix3::from_diagonal(&Vector3::new(0.05, 0.05, 0.02));
     let found = run(&part("spherical"), &[], &[]);
     spins(&found, "tip.turn", 1.5, Vector3::new(0.0, 0.0, 0.3), top);
-    let spread = (0..found.times.len()).map(|row| rates(&found, "tip.turn", row).z - 60.0);
+    let spread = (0..found.times.len()).map(|row| omega(&found, "tip.turn", row).z - 60.0);
     assert!(spread.fold(0.0, |most: f64, off| most.max(off.abs())) < 1e-9);
 }
 
@@ -177,8 +167,8 @@ fn a_racket_flies_and_turns_over() {
     assert!(off(&found, "flight.z", |t| 5.0 * t - GRAVITY * t * t / 2.0) < 1e-9);
     let inertia = Vector3::new(0.003, 0.02, 0.022);
     let momentum = |row: usize| {
-        let rates = rates(&found, "flight.turn", row);
-        orientation(&found, "flight.turn", row) * rates.component_mul(&inertia)
+        let rates = omega(&found, "flight.turn", row);
+        turned(&found, "flight.turn", row) * rates.component_mul(&inertia)
     };
     for row in 0..found.times.len() {
         assert!((momentum(row) - momentum(0)).norm() < 1e-8);
@@ -232,7 +222,7 @@ fn constraints_close_loops() {
     let (held, joined) =
         (run(&part("universal_constraint"), &[], &[]), run(&part("universal"), &[], &[]));
     for row in 0..held.times.len() {
-        let turn = orientation(&held, "flight.turn", row);
+        let turn = turned(&held, "flight.turn", row);
         let [a, b] = ["cross.phi_a", "cross.phi_b"].map(|name| column(&joined, name)[row]);
         let wanted = UnitQuaternion::from_scaled_axis(Vector3::x() * a)
             * UnitQuaternion::from_scaled_axis(Vector3::y() * b);
@@ -240,8 +230,8 @@ fn constraints_close_loops() {
     }
     let hinged = run(&part("revolute_constraint"), &[], &[]);
     for row in 0..hinged.times.len() {
-        let turn = orientation(&hinged, "flight.turn", row);
-        let rate = rates(&hinged, "flight.turn", row).y;
+        let turn = turned(&hinged, "flight.turn", row);
+        let rate = omega(&hinged, "flight.turn", row).y;
         let fallen = -(turn * Vector3::new(0.5, 0.0, 0.0)).z;
         let energy = (0.04 + 2.0 * 0.25) * rate * rate / 2.0 - 2.0 * GRAVITY * fallen;
         assert!(energy.abs() < 1e-7, "{energy:e} J");

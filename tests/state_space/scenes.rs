@@ -11,7 +11,7 @@ use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
-use crate::own_scene::{model_of_specs, of_specs, of_text, scenes_to_try};
+use crate::own_scene::{model_of_specs, of_specs, of_text, scenes_to_try, system_of};
 
 /// Scenes that the sweep tries by default: constraints, brakes, motors, controllers, springs.
 const SOME: [&str; 12] = [
@@ -453,12 +453,9 @@ fn a_test_force_shows_the_feedthrough_to_accelerations() {
     let refused = at_start(&crane).state_space(&["ball.x"], &["acceleration"]);
     assert!(matches!(refused, Err(LinearError::AnswersAtOnce { .. })), "{refused:?}");
 
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("crane.toml");
     // The rod stands at an angle of arcsin 3/5 from the vertical, so its force turns with it.
     let tilted = CRANE.to_owned() + "\n[initial]\n\"ball.x\" = 0.42\n\"trolley.x\" = 0\n";
-    std::fs::write(&path, tilted).expect("written");
-    let mut system = machinist_codegen::pipeline::check(&path).expect("a scene");
+    let mut system = system_of(&tilted);
     assert!(system.add_test_force("ball.x") && !system.add_test_force("ball.z"));
     let model = machinist_codegen::pipeline::compile(system, Keep::Needed).expect("a model");
     let crane = machinist_model::ModelSimulator::new(model);

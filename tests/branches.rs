@@ -6,14 +6,18 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::{Describe as _, RelationKind, Simulator};
 use machinist_model::ModelSimulator;
 
-use crate::own_scene::{folder_of_specs, model_of_specs, of_text, specs_in};
+use crate::own_scene::{folder_of_specs, model_of_specs, of_files, of_text, specs_in};
 
 const OWN: [Method; 6] =
     [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Taylor, Method::Auto];
 
 /// Returns a mass of 1 kg on a line, with further definitions of its unit.
 fn mass(initial: &str, definition: &str) -> ModelSimulator {
-    let text = format!(
+    of_text(&text_of_mass(initial, definition), Keep::All)
+}
+
+fn text_of_mass(initial: &str, definition: &str) -> String {
+    format!(
         r#"
         [scene]
         name = "held"
@@ -33,8 +37,7 @@ fn mass(initial: &str, definition: &str) -> ModelSimulator {
         kinetic = "1 [kg]*v^2/2"
         {definition}
         "#
-    );
-    of_text(&text, Keep::All)
+    )
 }
 
 fn force(expression: &str) -> String {
@@ -238,6 +241,66 @@ fn ticks_that_the_motion_reads_happen_once_however_long_steps_are() {
                 let run = run.max_steps(1_000_000).run().expect("a run");
                 let what = format!("{method} at {rtol:e}, {pitch} m");
                 assert_near(last(&run, "u.n"), lines as f64, 0.5, &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_table_over_each_turn_is_followed_across_its_ends() {
+    // The last knot is just before a whole turn, so several knots are passed at once.
+    let rates = [-0.023, -0.338, -0.547, -0.404, -0.023];
+    let quarter = |quarters: usize| quarters as f64 * std::f64::consts::FRAC_PI_2;
+    let knots: Vec<(f64, f64)> =
+        (0..=4).map(|knot| ((quarter(knot) * 1e7).floor() / 1e7, rates[knot])).collect();
+    let law = |angle: f64| {
+        let angle = angle.rem_euclid(std::f64::consts::TAU);
+        let next = (1..4).find(|next| angle < knots[*next].0).unwrap_or(4);
+        let ((low, below), (high, above)) = (knots[next - 1], knots[next]);
+        below + (above - below) * (angle - low) / (high - low)
+    };
+    let rows: Vec<String> = knots.iter().map(|(angle, rate)| format!("{angle},{rate}\n")).collect();
+    let table = format!("angle [1],rate [1]\n{}", rows.concat());
+    let swing = text_of_mass(
+        "\"u.x\" = 0.3571\n\"u.v\" = 0.1992",
+        &format!(
+            "{}{}",
+            force("-9 [N/m]*x"),
+            r#"
+            [define.u.parameters]
+            turn = { value = 0.1, unit = "m" }
+            pitch = { value = 0.05, unit = "m" }
+            [define.u.states.sum]
+            unit = "1"
+            rate = '1 [1/s]*table("cam.csv", "rate", mod(x/turn, 2*pi), "linear")'
+            [define.u.states.side]
+            unit = "1"
+            rate = "piecewise(mod(n, 14) < 7, 1 [1/s], -1 [1/s])"
+            [define.u.modes.n]
+            [define.u.events.tick]
+            guard = "sin(x/pitch) - 0.5"
+            direction = "rising"
+            set = { n = "n + 1" }
+            "#
+        ),
+    );
+    let swing = of_files(&[("swing.toml", &swing), ("cam.csv", &table)], Keep::All);
+    let x = |time: f64| 0.3571 * (3.0 * time).cos() + 0.1992 / 3.0 * (3.0 * time).sin();
+    for turn in [0.05, 0.0768, 0.1, 0.171_841, 0.31] {
+        let samples = 300_000;
+        let step = 3.0 / f64::from(samples);
+        let sum: f64 =
+            (0..samples).map(|k| law(x((f64::from(k) + 0.5) * step) / turn) * step).sum();
+        for pitch in [0.05, 0.0373] {
+            let guard = |k: i32| (x(f64::from(k) * step) / pitch).sin() - 0.5;
+            let ticks = (0..samples).filter(|k| guard(*k) < 0.0 && guard(k + 1) >= 0.0).count();
+            for method in OWN {
+                for rtol in [1e-7, 1e-10] {
+                    let run = run(&swing, method, rtol, &[("u.turn", turn), ("u.pitch", pitch)]);
+                    let what = format!("{method} at {rtol:e}, {turn} m, {pitch} m");
+                    assert_near(last(&run, "u.sum"), sum, 50.0 * rtol + 1e-7, &what);
+                    assert_near(last(&run, "u.n"), ticks as f64, 0.5, &what);
+                }
             }
         }
     }

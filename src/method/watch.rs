@@ -473,8 +473,15 @@ impl<'a> Watch<'a> {
         self.inner.borrow_mut().happened.passed = all.map(|(index, _)| index).collect();
         self.settle_after(time, state, &guards_before, &mut passed)?;
         self.settle_relations((time, state), &[])?;
-        self.take_sides_of_kinks(time, state, &kinks);
         let guards = self.guards(time, state);
+        // What crossed zero and was then moved by a relation is on the side where it is now.
+        let is_same = |index: &usize| guards[*index].to_bits() == guards_before[*index].to_bits();
+        let crossed: Vec<usize> = kinks
+            .iter()
+            .copied()
+            .filter(|index| !self.watched[*index].is_border() || is_same(index))
+            .collect();
+        self.take_sides_of_kinks(time, state, &crossed);
         let fresh = |index: usize| {
             let residual = self.residual(index, time, state, guards[index]);
             Side::Fresh { passed: false, residual }
@@ -488,7 +495,7 @@ impl<'a> Watch<'a> {
         let events = self.system.simulator().events();
         for (index, side) in inner.sides.iter_mut().enumerate().take(events) {
             let was_watched = *side != Side::Idle;
-            let is_same = guards[index].to_bits() == guards_before[index].to_bits();
+            let is_same = is_same(&index);
             if !self.is_armed(index, state) {
                 *side = Side::Idle;
             } else if jumped.contains(&index) && guards[index] != 0.0
@@ -504,8 +511,9 @@ impl<'a> Watch<'a> {
                 *side = Side::Fresh { passed: !again.contains(&index), residual };
             } else if passed[index] == Passed::Left || !(was_watched && is_same) {
                 *side = fresh(index);
-            } else if guards[index] == 0.0 {
-                // Zero on the branch that relations took.
+            } else if guards[index] == 0.0 && matches!(side, Side::Known(_)) {
+                // Zero on the branch that relations took. One whose event has happened at this
+                // instant is known to have crossed.
                 *side = Side::Fresh { passed: false, residual: 0.0 };
             }
         }
@@ -701,9 +709,7 @@ impl<'a> Watch<'a> {
             let inner = &mut *self.inner.borrow_mut();
             let at = super::stretch::within(time, inner.parts.ends);
             self.system.rate(at, state, &mut rate);
-            let all = 0..self.watched.len();
-            let guards = all.map(|index| inner.parts.at(self.system, time, state, index));
-            Front { rate, guards: guards.collect() }
+            Front { rate, guards: inner.parts.all_at(self.system, time, state) }
         });
         self.inner.borrow_mut().front = front;
     }

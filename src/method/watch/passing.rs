@@ -317,6 +317,25 @@ impl Parts {
         (value, self.sources.rate(self.watched[index]))
     }
 
+    /// Returns all guards and their rates at a state.
+    pub(super) fn all_at(
+        &mut self,
+        system: &System<'_>,
+        time: f64,
+        state: &[f64],
+    ) -> Vec<(f64, f64)> {
+        let at = within(time, self.ends);
+        let Self { sources, watched, .. } = self;
+        sources.take(system, at, state);
+        let values = watched.iter().map(|watched| (sources.value(system, *watched), 0.0));
+        let mut all: Vec<(f64, f64)> = values.collect();
+        sources.take_rates(system, at, state);
+        for ((_, rate), watched) in all.iter_mut().zip(watched) {
+            *rate = sources.rate(*watched);
+        }
+        all
+    }
+
     /// A guard and its rate at the end of the step that was looked at.
     pub(super) fn last(&self, index: usize) -> (f64, f64) {
         (self.end.values[index], self.end.rates[index])

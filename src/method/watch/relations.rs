@@ -400,15 +400,15 @@ impl Watch<'_> {
         let events = self.system.simulator().events();
         let slides = self.system.slides();
         let inner = &mut *self.inner.borrow_mut();
-        for index in events..self.watched.len() {
-            let side = self.side_of_kink(inner, &slides, index, passed.contains(&index));
+        let guards = inner.parts.all_at(self.system, time, state);
+        for (index, &(residual, rate)) in guards.iter().enumerate().skip(events) {
+            let side = self.side_of_kink(inner, &slides, index, residual, passed.contains(&index));
             if passed.contains(&index) && matches!(self.watched[index], Watched::Zone(_)) {
                 (inner.longest, inner.entered) = (f64::INFINITY, time);
             }
             inner.sides[index] = side;
             inner.zeros[index] = None;
             let Side::Known(side) = side else { continue };
-            let (residual, rate) = inner.parts.at(self.system, time, state, index);
             if matches!(self.watched[index], Watched::Nearest(_)) {
                 // Only within the zone, whose guard precedes this one.
                 let is_within = inner.sides[index - 1] == Side::Known(1.0);
@@ -430,6 +430,7 @@ impl Watch<'_> {
         inner: &Inner,
         slides: &[Slide],
         index: usize,
+        guard: f64,
         has_passed: bool,
     ) -> Side {
         let held = self.system.held();
@@ -439,6 +440,8 @@ impl Watch<'_> {
             Watched::Event(_) => inner.sides[index],
             Watched::Border(_) | Watched::Zone(_) => match inner.sides[index] {
                 Side::Known(side) if has_passed => Side::Known(-side),
+                // A relation that changed may have moved it.
+                _ if guard.abs() > inner.parts.rounding(index) => Side::Known(guard.signum()),
                 side @ Side::Known(_) => side,
                 _ => Side::Known(1.0),
             },
@@ -453,17 +456,6 @@ impl Watch<'_> {
                 Side::Known(1.0)
             }
             _ => Side::Idle,
-        }
-    }
-
-    /// Sets borders to the side of their guards.
-    pub(super) fn take_sides_of_borders(&self, time: f64, state: &[f64]) {
-        let guards = self.guards(time, state);
-        let inner = &mut *self.inner.borrow_mut();
-        for (index, guard) in guards.iter().enumerate() {
-            if self.watched[index].is_border() {
-                inner.sides[index] = Side::Known(if *guard < 0.0 { -1.0 } else { 1.0 });
-            }
         }
     }
 

@@ -159,6 +159,31 @@ fn what_rests_on_a_kink_goes_on_resting_by_all_methods() {
     }
 }
 
+/// Swings about a corner get shorter for ever, but do not add up to a finite time.
+#[test]
+fn what_swings_about_a_corner_comes_to_rest_on_it() {
+    for (load, damping) in [(3.0, 0.5), (30.0, 2.0)] {
+        let block = block(&format!("{load} [N]*abs(x)"), &format!("-{damping} [N s/m]*v"));
+        let early = Simulation::new(&block).until(2.0).rtol(1e-11).run().expect("a run");
+        for method in OWN {
+            for rtol in [1e-3, 1e-5] {
+                let what = format!("{method} at {rtol:e}, {load} N, {damping} N s/m");
+                let run = Simulation::new(&block).method(method).rtol(rtol);
+                let run = run.max_steps(300_000);
+                let same = run.clone().until(2.0).run().expect("a run");
+                let off = difference(&same, &early);
+                assert!(off < 1e3 * rtol, "{what}: {off:e}");
+                let run = run.until(1000.0).run().unwrap_or_else(|error| panic!("{what}: {error}"));
+                for name in ["block.x", "block.v"] {
+                    let last = run.last(name).expect("a state");
+                    assert!(last.abs() < 1e-12, "{what}: {name} = {last:e}");
+                }
+                assert!(run.notes.iter().any(|note| note.contains("surface")), "{what}");
+            }
+        }
+    }
+}
+
 /// A puck on a table, which stops: the friction direction changes with its motion.
 #[test]
 fn plane_friction_stops_soon_where_it_sticks() {

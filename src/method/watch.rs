@@ -261,6 +261,7 @@ impl<'a> Watch<'a> {
         let inner = &mut *self.inner.borrow_mut();
         inner.clear.follow(method, [inner.time, until], &inner.start);
         if inner.clear.are_all() {
+            self.note_excursions_of_box(inner);
             inner.outcomes.clear();
             inner.silent.clear();
             inner.turn = None;
@@ -288,6 +289,9 @@ impl<'a> Watch<'a> {
             if let Outcome::Stays(on) = outcome {
                 *side = *on;
             }
+        }
+        if !inner.outcomes.is_empty() {
+            inner.parts.note_arcs_to_end();
         }
         self.change_silently(inner);
         self.look_for_clear(inner, method, until);
@@ -367,8 +371,9 @@ impl<'a> Watch<'a> {
         let inner = &mut *self.inner.borrow_mut();
         let near = ROUNDINGS * f64::EPSILON * time.abs().max(inner.time.abs());
         let mut happening = Vec::new();
-        for (index, outcome) in inner.outcomes.iter().enumerate() {
-            let (guard, rate) = inner.parts.at(self.system, time, end, index);
+        let guards = inner.parts.all_at(self.system, time, end);
+        inner.parts.note_arcs(time, &guards);
+        for (index, (outcome, (guard, rate))) in inner.outcomes.iter().zip(guards).enumerate() {
             match *outcome {
                 Outcome::Passes { time: passing, from } if passing <= first + near => {
                     // It may have crossed the other way within the step.
@@ -529,6 +534,8 @@ impl<'a> Watch<'a> {
         let mut changes: Vec<_> = kinks.iter().filter_map(|index| self.change_at(*index)).collect();
         if self.hold_flat(time, state, &changes) {
             changes.clear();
+            // Otherwise its rate across the surface would lead away from it.
+            self.system.put_onto_surfaces(time, state)?;
         }
         self.settle_relations((time, state), &changes)?;
         if self.system.is_sliding() {

@@ -46,6 +46,8 @@ pub(super) struct ClearBox {
     wait: u32,
     pause: u32,
     reach: Vec<f64>,
+    /// Number of steps within the box so far.
+    used: usize,
 }
 
 impl ClearBox {
@@ -65,6 +67,7 @@ impl ClearBox {
             wait: FIRST,
             pause: FIRST,
             reach: vec![0.0; system.states()],
+            used: 0,
         }
     }
 
@@ -77,6 +80,7 @@ impl ClearBox {
     fn leave(&mut self) {
         self.clear = Clear::None;
         self.is_clear.fill(false);
+        self.used = 0;
     }
 
     /// Returns whether a watched function is clear.
@@ -137,11 +141,7 @@ impl Watch<'_> {
                 Side::Fresh { .. } => false,
                 Side::Known(side) => {
                     let range = range_of(*watched, self.system, &it.guards);
-                    let is_clear = range.clearance(side) > inner.parts.rounding(index);
-                    if is_clear {
-                        inner.parts.note_excursion(index, range.magnitude());
-                    }
-                    is_clear
+                    range.clearance(side) > inner.parts.rounding(index)
                 }
             };
         }
@@ -156,6 +156,22 @@ impl Watch<'_> {
         }
         if it.clear != Clear::All {
             it.steps = (0.5 * it.steps).max(LEAST);
+        }
+    }
+}
+
+impl Watch<'_> {
+    /// Takes note of how far guards may go within the box, where no step evaluates them.
+    pub(super) fn note_excursions_of_box(&self, inner: &mut Inner) {
+        inner.clear.used += 1;
+        if inner.clear.used > 1 {
+            return;
+        }
+        for (index, watched) in self.watched.iter().enumerate() {
+            if inner.sides[index] != Side::Idle {
+                let range = range_of(*watched, self.system, &inner.clear.guards);
+                inner.parts.note_excursion(index, range.magnitude());
+            }
         }
     }
 }

@@ -63,7 +63,7 @@ pub(super) struct Parts {
     /// Largest value of each guard so far.
     sizes: Vec<f64>,
     turns: Vec<Turns>,
-    /// Largest value of each guard since the start of the segment.
+    /// Largest value of each guard since its relation last changed.
     excursions: Vec<f64>,
     /// Span in which each counter is evaluated at once \[s\].
     spans: Vec<f64>,
@@ -177,7 +177,6 @@ impl Parts {
     pub(super) fn restart(&mut self) {
         self.end.time = f64::NAN;
         self.noise.restart();
-        self.excursions.fill(0.0);
     }
 
     /// Evaluates guards at both ends of a step.
@@ -213,21 +212,35 @@ impl Parts {
 
     /// Takes note of the values at the end of the step, or at its start.
     fn note_look(&mut self, is_end: bool) {
-        let Self { start, end, sizes, excursions, turns, .. } = self;
+        let Self { start, end, sizes, turns, .. } = self;
         let look = if is_end { end } else { start };
-        let notes = sizes.iter_mut().zip(excursions).zip(turns);
-        for ((value, rate), ((size, excursion), turns)) in
-            look.values.iter().zip(&look.rates).zip(notes)
-        {
+        let notes = sizes.iter_mut().zip(turns);
+        for ((value, rate), (size, turns)) in look.values.iter().zip(&look.rates).zip(notes) {
             *size = size.max(value.abs());
-            *excursion = excursion.max(value.abs());
             turns.note(*value, *rate);
         }
     }
 
     fn note_size(&mut self, index: usize, size: f64) {
         self.sizes[index] = self.sizes[index].max(size);
-        self.note_excursion(index, size);
+    }
+
+    /// Takes note of how far guards go from the start of the step to a time within it, with values
+    /// and rates there, by the cubics through both.
+    pub(super) fn note_arcs(&mut self, time: f64, guards: &[(f64, f64)]) {
+        let third = (time - self.start.time) / 3.0;
+        let starts = self.start.values.iter().zip(&self.start.rates);
+        for ((excursion, end), start) in self.excursions.iter_mut().zip(guards).zip(starts) {
+            let arc = [*start.0, start.0 + third * start.1, end.0 - third * end.1, end.0];
+            *excursion = arc.into_iter().fold(*excursion, |most, value| most.max(value.abs()));
+        }
+    }
+
+    /// Takes note of how far guards go over the whole step.
+    pub(super) fn note_arcs_to_end(&mut self) {
+        let ends = self.end.values.iter().copied().zip(self.end.rates.iter().copied());
+        let ends: Vec<(f64, f64)> = ends.collect();
+        self.note_arcs(self.end.time, &ends);
     }
 
     /// Takes note of a value that a guard may have.
@@ -292,9 +305,9 @@ impl Parts {
         &mut self.sizes
     }
 
-    /// Returns the largest value of a guard since the start of the segment.
-    pub(super) fn excursion(&self, index: usize) -> f64 {
-        self.excursions[index]
+    /// Returns the largest value of a guard since the last call, at which its relation changed.
+    pub(super) fn take_excursion(&mut self, index: usize) -> f64 {
+        std::mem::take(&mut self.excursions[index])
     }
 
     /// Returns the rate of change of a guard's rate over the last step.

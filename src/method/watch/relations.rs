@@ -19,6 +19,9 @@ use crate::error::StopCause;
 use crate::method::Stopped;
 use crate::method::sliding::{ABOVE, BELOW, Order, Slide};
 
+const FLAT: &str = "a motion that oscillates about a switching surface by less than the tolerances \
+                    follows the surface instead; its rates across the surface are left out";
+
 /// State of the relations.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Relations {
@@ -460,15 +463,22 @@ impl Watch<'_> {
     }
 
     /// Makes the motion slide along a surface of order two if it oscillates about the surface
-    /// within the tolerances; returns whether it does.
+    /// within the tolerances, unless energy is conserved: such a motion never comes to rest.
+    /// Returns whether it does.
     pub(super) fn hold_flat(&self, time: f64, state: &mut [f64], changes: &[Change]) -> bool {
+        if self.system.simulator().conserves_energy(self.system.parameters()) == Some(true) {
+            return false;
+        }
         let mut slides = self.system.slides();
         for change in changes.iter().filter(|it| !it.leaves) {
             let relation = change.relation;
             let place = self.watched.iter().position(|it| *it == Watched::Branch(relation));
             let Some(place) = place else { continue };
-            let excursion = self.inner.borrow().parts.excursion(place);
-            let earlier = self.inner.borrow_mut().relations.excursions[relation].replace(excursion);
+            let (excursion, earlier) = {
+                let inner = &mut *self.inner.borrow_mut();
+                let excursion = inner.parts.take_excursion(place);
+                (excursion, inner.relations.excursions[relation].replace(excursion))
+            };
             let room = self.blur(place, time, state);
             if earlier.is_none_or(|earlier| earlier > room) || excursion > room {
                 continue;
@@ -488,6 +498,7 @@ impl Watch<'_> {
         if is_held {
             slides.sort_by_key(|slide| slide.relation);
             self.system.slide(&slides);
+            self.system.note(FLAT.to_owned());
         }
         is_held
     }

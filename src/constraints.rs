@@ -35,6 +35,9 @@ pub(crate) use start::{consistent, free_moves, require_independent};
 /// sparse one.
 const MANY: usize = 48;
 
+/// Size of a row of G, relative to the largest, that counts as rounding.
+const ROUNDING: f64 = 1e-14;
+
 /// Largest drift of a run. The residual of each constraint is measured by the typical size of its
 /// coordinates' motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
@@ -389,6 +392,11 @@ impl<'a> Constraints<'a> {
         for ((row, column), slope) in pattern.entries.iter().zip(slopes) {
             let (row, column) = (*row as usize, *column as usize);
             sizes[row] += slope.abs() * scales[column].max(state[first + column].abs());
+        }
+        // No coordinate changes such a constraint, apart from rounding.
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        for size in sizes.iter_mut().filter(|size| **size <= ROUNDING * largest) {
+            *size = largest;
         }
         let off = |(residual, size): (&f64, f64)| {
             if *residual == 0.0 { 0.0 } else { residual.abs() / size }

@@ -18,15 +18,15 @@ const CHANGE: f64 = 1e-3;
 pub struct Lasting {
     /// Name of the constraint.
     pub constraint: String,
-    /// Names of the constraints from which it follows.
+    /// Names of the constraints from which it follows; none if it holds in any position.
     pub repeats: Vec<String>,
     /// Names of the parameters that must keep their values for this.
     pub needs: Vec<String>,
 }
 
-/// Returns the constraints that always hold and follow consistently from others that do, at the
-/// start and at positions around it that fulfil all constraints. The machine moves in the same way
-/// without them; how all of them share the force is not determined.
+/// Returns the constraints that always hold and follow consistently from others that do, or that no
+/// coordinate can change, at the start and at positions around it that fulfil all constraints. The
+/// machine moves in the same way without them; how all of them share the force is not determined.
 #[must_use]
 pub fn lasting(simulator: &dyn Simulator<f64>, parameters: &[f64], time: f64) -> Vec<Lasting> {
     let Ok(state) = start(simulator, parameters, time) else { return Vec::new() };
@@ -80,7 +80,8 @@ fn everywhere(
     found
 }
 
-/// Returns the constraints that always hold and follow from others that do, at a state.
+/// Returns the constraints that always hold and follow from others that do, or that no coordinate
+/// can change, at a state.
 fn followers(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -93,7 +94,6 @@ fn followers(
         let mut all = (0..simulator.constraints()).map(|index| simulator.constraint(index));
         all.any(|constraint| constraint.name == name && !constraint.in_modes)
     };
-    redundant
-        .retain(|one| !one.in_modes && !one.repeats.is_empty() && one.repeats.iter().all(always));
+    redundant.retain(|one| !one.in_modes && !one.is_level && one.repeats.iter().all(always));
     redundant
 }

@@ -3,7 +3,7 @@
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
-use super::{Constraints, Level};
+use super::{Constraints, Level, ROUNDING};
 
 /// Mobility of a constrained machine.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -160,9 +160,15 @@ fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
     let mut found = Rows { kept: Vec::new(), repeated: Vec::new() };
     let in_modes = |row: &usize| constraints.simulator.constraint(*row).in_modes;
     let (modal, always): (Vec<usize>, Vec<usize>) = (0..constraints.count).partition(in_modes);
+    let scaled = |row: usize| DVector::from_fn(scales.len(), |i, _| matrix[(row, i)] * scales[i]);
+    let longest = (0..constraints.count).map(|row| scaled(row).norm()).fold(0.0, f64::max);
     for row in always.into_iter().chain(modal) {
-        let mut line = DVector::from_fn(scales.len(), |i, _| matrix[(row, i)] * scales[i]);
-        let length = line.norm();
+        let mut line = scaled(row);
+        let mut length = line.norm();
+        if length <= ROUNDING * longest {
+            line.fill(0.0);
+            length = 0.0;
+        }
         if length == 0.0 && constraints.simulator.constraint(row).in_modes {
             continue;
         }
@@ -195,7 +201,9 @@ fn changes_beside(constraints: &Constraints<'_>, row: usize, time: f64, state: &
         for (index, scale) in scales.iter().enumerate() {
             beside[index] += shift * scale * (1.0 + index as f64).sqrt();
         }
-        constraints.matrix(time, &beside).row(row).iter().any(|slope| *slope != 0.0)
+        let matrix = constraints.matrix(time, &beside);
+        let rounding = ROUNDING * matrix.amax();
+        matrix.row(row).iter().any(|slope| slope.abs() > rounding)
     })
 }
 

@@ -43,6 +43,7 @@ mod kinks;
 mod language;
 mod linear_analysis;
 mod long_chains;
+mod loops;
 mod loose;
 mod massless;
 mod methods;

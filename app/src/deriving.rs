@@ -212,6 +212,12 @@ pub fn repeated(model: &Model) -> Vec<Lasting> {
 
 /// Returns the note about a redundant constraint that is dropped.
 pub fn dropped_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting) -> String {
+    if repeats.is_empty() {
+        return format!(
+            "constraint `{constraint}` of {} holds in any position: it is redundant and dropped",
+            model.name
+        );
+    }
     let others: Vec<String> = repeats.iter().map(|name| format!("`{name}`")).collect();
     format!(
         "constraint `{constraint}` of {} follows from {} everywhere: it is redundant and dropped, \
@@ -284,17 +290,35 @@ pub fn derivations(
     derived.collect()
 }
 
-/// Derives models and equations of a scene.
+/// Derives models and equations of a scene. Drops constraints that always follow from others, with a
+/// note.
 pub fn derivation(scene: &SpecSource, keep: Keep, purpose: Purpose) -> Result<Derivation, Failure> {
-    let mut derivations = derivations(std::slice::from_ref(scene), keep, purpose)?;
-    derivations.pop().ok_or_else(|| broken("nothing"))
+    let mut found = derivations(std::slice::from_ref(scene), keep, purpose)?;
+    let whole = found.pop().ok_or_else(|| broken("nothing"))?;
+    let lasting = repeated(whole.stages.needed());
+    if lasting.is_empty() {
+        return Ok(whole);
+    }
+    for one in &lasting {
+        tell_once(dropped_note(whole.stages.needed(), one));
+    }
+    let dropped = lasting.into_iter().map(|one| (one.constraint, one.needs)).collect();
+    let request =
+        Request { wanted: Wanted::Everything, purpose, dropped, ..Request::model(scene, keep) };
+    match derive(&[request])?.pop() {
+        Some(Derived::Everything(derivation)) => Ok(*derivation),
+        _ => Err(broken("unexpected kind of answer")),
+    }
 }
 
 /// Warnings already shown by this process.
 static SHOWN: Mutex<Vec<Diagnostic>> = Mutex::new(Vec::new());
 
-/// Shows warnings of a spec on standard error, each once.
+/// Shows warnings of a spec, and notes on loops that are cut, on standard error, each once.
 pub fn warn(system: &LagrangianSystem) {
+    for note in &system.notes {
+        tell_once(format!("{}: {note}", system.name));
+    }
     let mut shown = SHOWN.lock().unwrap_or_else(PoisonError::into_inner);
     for warning in &system.warnings {
         if !shown.contains(warning) {

@@ -7,6 +7,7 @@ pub(crate) mod along;
 mod assemble;
 mod attachments;
 mod bodies;
+mod closing;
 mod evaluate;
 mod frame_part;
 mod frames;
@@ -14,6 +15,7 @@ mod functions;
 mod joints;
 mod layout;
 mod lookup;
+mod loops;
 mod names;
 mod parameters;
 mod ports;
@@ -25,6 +27,8 @@ mod typed;
 mod vectors;
 
 pub(crate) use evaluate::evaluate;
+
+use std::collections::BTreeSet;
 
 use crate::scene::system::LagrangianSystem;
 use crate::spec::SceneSpec;
@@ -43,6 +47,25 @@ pub fn compose(spec: &SceneSpec) -> Result<LagrangianSystem, Diagnostics> {
 }
 
 fn join(spec: &SceneSpec) -> Result<LagrangianSystem, Diagnostics> {
+    // Coordinates of joints that close loops are left out, unless something mentions them. This
+    // shows only when all expressions are resolved.
+    let mut kept = BTreeSet::new();
+    loop {
+        let mut missed = BTreeSet::new();
+        let joined = joined(spec, &kept, &mut missed);
+        if missed.is_subset(&kept) {
+            return joined;
+        }
+        kept.append(&mut missed);
+    }
+}
+
+/// Composes a scene whose joints keep some coordinates; `missed` receives others that it needs.
+fn joined(
+    spec: &SceneSpec,
+    kept: &BTreeSet<usize>,
+    missed: &mut BTreeSet<usize>,
+) -> Result<LagrangianSystem, Diagnostics> {
     let mut mistakes = Vec::new();
     let mut layout = layout::Layout::new(spec, &mut mistakes);
     let values = parameters::values(spec, &layout, &mut mistakes);
@@ -50,9 +73,10 @@ fn join(spec: &SceneSpec) -> Result<LagrangianSystem, Diagnostics> {
     let parameter = |id: ParameterId| values[id.0 as usize];
     attachments::locate(spec, &mut layout, &parameter, &mut mistakes);
     stop_at(spec, &mistakes)?;
-    joints::identify(spec, &mut layout, &parameter, &mut mistakes);
+    joints::identify(spec, &mut layout, &parameter, kept, &mut mistakes);
     stop_at(spec, &mistakes)?;
     let system = assemble::assemble(spec, &layout, &values, &mut mistakes);
+    *missed = layout.missed();
     stop_at(spec, &mistakes)?;
     Ok(system)
 }

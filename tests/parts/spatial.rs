@@ -369,7 +369,7 @@ rtol = 1e-9
 "#;
     assert!(of_text(text, Keep::Needed).shape().coordinates == 1);
     for (before, after, wanted) in [
-        ("[\"world.frame\", \"pivot.a\"]", "[\"pivot.b\", \"bob.a\"]", "closes a loop"),
+        ("[\"world.frame\", \"pivot.a\"]", "[\"pivot.b\", \"bob.a\"]", "without a joint"),
         ("[\"world.frame\", \"pivot.a\"]", "[\"world.frame\", \"pivot.b\"]\nratio = 2", "ratio"),
         ("connect = [\"world.frame\", \"lone.a\"]\n[[joints]]\n", "", "nothing connects"),
         ("[\"world.frame\", \"pivot.a\"]", "[\"world.frame\", \"pivot.axis\"]", "is not"),

@@ -92,6 +92,7 @@ fn as_text(scene: &Description) -> String {
         "Constraints",
         columns(&scene.constraints.iter().map(constraint).collect::<Vec<_>>(), 3),
     );
+    section("Loops", scene.loops.join("\n"));
     section("Checks", columns(&scene.checks.iter().map(check).collect::<Vec<_>>(), 3));
     section("Taken for rigid", scene.rigid.join(", "));
     let run = &scene.run;

@@ -398,6 +398,7 @@ impl Recipe {
             fields: Vec::new(),
             starts_in_equilibrium: false,
             warnings: Vec::new(),
+            notes: Vec::new(),
             requirements: Vec::new(),
             files: Vec::new(),
         }

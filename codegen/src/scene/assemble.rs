@@ -123,6 +123,7 @@ pub fn assemble(
         fields,
         starts_in_equilibrium: spec.starts_in_equilibrium,
         warnings: spec.sources.warnings(&warnings),
+        notes: layout.cuts.iter().map(|cut| cut.note(spec, layout)).collect(),
         requirements,
         files: spec.sources.files(),
     }
@@ -264,7 +265,7 @@ impl<'a> Assembler<'a> {
             let unit = spec.unit_of_rate(1).map_or_else(String::new, |(text, _)| text);
             let velocity = quantity(Some(instance), &spec.velocity.value, &unit, &doc);
             let followers = layout.links.iter().enumerate().filter(|(other, link)| {
-                link.id.0 as usize == id && other != slot && !layout.is_fixed(*other)
+                link.id.0 as usize == id && other != slot && !layout.is_absent(*other)
             });
             let identified = followers.map(|(other, link)| {
                 let spec = &coordinate_spec(self.spec, layout, other).name.value;
@@ -286,8 +287,11 @@ impl<'a> Assembler<'a> {
 
     /// Returns the orientations and their parts w.
     fn orientations(&self, initial: &initial::Initial) -> (Orientations, Vec<Scalar>) {
-        let all = self.instances().flat_map(|(_, instance, unit)| {
-            unit.orientations.iter().map(move |orientation| (instance, orientation))
+        let layout = self.layout;
+        let all = self.instances().flat_map(|(at, instance, unit)| {
+            let all = unit.orientations.iter().enumerate();
+            let present = all.filter(move |(index, _)| layout.has_orientation(at, *index));
+            present.map(move |(_, orientation)| (instance, orientation))
         });
         let values = initial.scalars.iter().zip(&initial.given_scalars);
         let scalars = all.zip(values).map(|((instance, orientation), (initial, is_given))| {

@@ -42,7 +42,8 @@ pub(super) enum Tree {
 }
 
 /// A step from a frame's parent to the frame.
-pub(super) enum Step {
+#[derive(Debug, Clone)]
+pub enum Step {
     /// By a fixed way.
     Move(Vector),
     /// By a fixed rotation.
@@ -53,6 +54,13 @@ pub(super) enum Step {
     Revolve(Vector, Expr),
     /// By a joint that turns freely.
     Orient(Orientation),
+}
+
+impl Step {
+    /// Reports whether it does not move.
+    pub(super) fn is_fixed(&self) -> bool {
+        matches!(self, Step::Move(_) | Step::Turn(_))
+    }
 }
 
 impl Spatial {
@@ -253,7 +261,8 @@ impl Resolver<'_> {
         let mut all = Vec::new();
         for (instance, spec) in self.spec.instances.iter().enumerate() {
             let count = self.spec.units[spec.unit].orientations.len();
-            all.extend((0..count).map(|index| self.parts_of(instance, index)));
+            let present = (0..count).filter(|index| self.layout.has_orientation(instance, *index));
+            all.extend(present.map(|index| self.parts_of(instance, index)));
         }
         Orientations::new(all)
     }

@@ -3,8 +3,8 @@
 //! The frames of all instances are nodes of a graph. A frame and its parent are an edge with the
 //! steps that lead from one to the other, a joint of two ports an edge without any. The tree starts
 //! at the world and follows edges either way: backwards, the steps are undone in reverse order. So
-//! joint coordinates alone describe the machine, whichever way its parts are joined, and it needs no
-//! constraints.
+//! joint coordinates alone describe the machine, whichever way its parts are joined. Edges that close
+//! loops are cut ([`loops`](super::loops)).
 
 use std::collections::HashMap;
 
@@ -12,23 +12,32 @@ use machinist_algebra::cas::arithmetic::negative;
 use machinist_algebra::expr::Expr;
 
 use crate::scene::bodies::{Spatial, Step};
-use crate::scene::layout::Scope;
+use crate::scene::layout::{Layout, Scope};
 use crate::scene::resolve::Resolver;
 use crate::spatial::mechanism::{Frame, Kind, Mechanism};
 use crate::spatial::vector::{minus, multiplied, plus, rotation, times, transposed};
 use crate::spec::body::{FrameSpec, WORLD};
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
-use crate::spec::{UnitSpec, did_you_mean, quoted};
+use crate::spec::{SceneSpec, UnitSpec, did_you_mean, quoted};
 
 /// A frame by instance and index; `None` for the world.
-type Node = Option<(usize, usize)>;
+pub type Node = Option<(usize, usize)>;
 
 /// A connection of two nodes.
-struct Edge {
-    /// The frame whose steps lead from the first node to the second; `None` for a joint of ports.
-    frame: Option<(usize, usize)>,
-    ends: [Node; 2],
-    span: Span,
+#[derive(Debug, Clone)]
+pub struct Edge {
+    pub id: EdgeId,
+    pub ends: [Node; 2],
+    pub span: Span,
+}
+
+/// Kind and index of a connection.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EdgeId {
+    /// The frame, by instance and index, whose steps lead from the first node to the second.
+    Frame(usize, usize),
+    /// A joint of two ports, by its index among those of frames.
+    Joint(usize),
 }
 
 impl Resolver<'_> {
@@ -53,7 +62,8 @@ impl Resolver<'_> {
     pub(super) fn build(&mut self, instances: &[usize]) -> Result<Spatial, Box<Mistake>> {
         let gravity = self.gravity(instances)?;
         let mut tree = Mechanism::new(gravity);
-        let edges = self.edges(instances)?;
+        let mut edges = edges(self.spec, self.layout, instances)?;
+        edges.retain(|edge| !self.layout.cuts.iter().any(|cut| cut.edge == edge.id));
         let mut frames: HashMap<Node, Frame> = HashMap::from([(None, Mechanism::world())]);
         let mut near: HashMap<Node, Vec<usize>> = HashMap::new();
         for (index, edge) in edges.iter().enumerate() {
@@ -70,9 +80,11 @@ impl Resolver<'_> {
                 continue;
             }
             let at = frames[&from].clone();
-            let there = match edge.frame {
-                None => at,
-                Some((instance, frame)) => self.along(&mut tree, at, (instance, frame), forward)?,
+            let there = match edge.id {
+                EdgeId::Joint(_) => at,
+                EdgeId::Frame(instance, frame) => {
+                    self.along(&mut tree, at, (instance, frame), forward)?
+                }
             };
             frames.insert(to, there);
             let onward = near.get(&to).into_iter().flatten().rev();
@@ -93,39 +105,6 @@ impl Resolver<'_> {
             }
         }
         Ok(Spatial::new(tree, frames))
-    }
-
-    /// Returns all edges, after checking that they close no loop.
-    fn edges(&self, instances: &[usize]) -> Result<Vec<Edge>, Box<Mistake>> {
-        let mut edges = Vec::new();
-        for &instance in instances {
-            let unit = &self.spec.units[self.spec.instances[instance].unit];
-            refuse_loops(unit)?;
-            for (index, frame) in unit.frames.iter().enumerate().filter(|(_, f)| !f.is_joined) {
-                let parent = parent_of(unit, frame)?.map(|parent| (instance, parent));
-                let own = (instance, index);
-                let (ends, span) = ([parent, Some(own)], frame.name.span);
-                edges.push(Edge { frame: Some(own), ends, span });
-            }
-        }
-        for ([one, other], span) in &self.layout.joined_frames {
-            if instances.contains(&one.0) {
-                let ends = [Some(*one), Some(*other)];
-                edges.push(Edge { frame: None, ends, span: *span });
-            }
-        }
-        let mut roots: HashMap<Node, Node> = HashMap::new();
-        for edge in &edges {
-            let [one, other] = edge.ends.map(|end| root(&roots, end));
-            if one == other {
-                let message = "this joint closes a loop of frames";
-                let help = "frames form a tree; close a loop by a part that joins two frames by \
-                            constraints, such as `spatial/revolute_constraint` or `spatial/rod`";
-                return Err(Box::new(Mistake::new(edge.span, message, "a loop").help(help)));
-            }
-            roots.insert(one, other);
-        }
-        Ok(edges)
     }
 
     /// Returns the mistake of a frame that nothing connects to the world.
@@ -161,17 +140,54 @@ impl Resolver<'_> {
     }
 }
 
+/// Returns all connections of frames of instances.
+pub(super) fn edges(
+    spec: &SceneSpec,
+    layout: &Layout,
+    instances: &[usize],
+) -> Result<Vec<Edge>, Box<Mistake>> {
+    let mut edges = Vec::new();
+    for &instance in instances {
+        let unit = &spec.units[spec.instances[instance].unit];
+        refuse_loops(unit)?;
+        for (index, frame) in unit.frames.iter().enumerate().filter(|(_, f)| !f.is_joined) {
+            let parent = parent_of(unit, frame)?.map(|parent| (instance, parent));
+            let (ends, span) = ([parent, Some((instance, index))], frame.name.span);
+            edges.push(Edge { id: EdgeId::Frame(instance, index), ends, span });
+        }
+    }
+    for (index, ([one, other], span)) in layout.joined_frames.iter().enumerate() {
+        if instances.contains(&one.0) {
+            let ends = [Some(*one), Some(*other)];
+            edges.push(Edge { id: EdgeId::Joint(index), ends, span: *span });
+        }
+    }
+    Ok(edges)
+}
+
+/// Returns a frame after steps that do not move, or before them.
+pub(super) fn fixed(mut at: Frame, steps: &[Step], forward: bool) -> Frame {
+    for index in 0..steps.len() {
+        let step = &steps[if forward { index } else { steps.len() - 1 - index }];
+        match (step, forward) {
+            (Step::Move(way), true) => at.offset = plus(&at.offset, &times(&at.to_joint, way)),
+            (Step::Move(way), false) => {
+                at.offset = plus(&at.offset, &times(&at.to_joint, &minus(way)));
+            }
+            (Step::Turn(matrix), true) => at.to_joint = multiplied(&at.to_joint, matrix),
+            (Step::Turn(matrix), false) => {
+                at.to_joint = multiplied(&at.to_joint, &transposed(matrix));
+            }
+            (Step::Slide(..) | Step::Revolve(..) | Step::Orient(_), _) => {}
+        }
+    }
+    at
+}
+
 /// Returns a frame after a step.
-fn taken(tree: &mut Mechanism, mut at: Frame, step: &Step, name: &str) -> Frame {
+fn taken(tree: &mut Mechanism, at: Frame, step: &Step, name: &str) -> Frame {
     match step {
-        Step::Move(way) => {
-            at.offset = plus(&at.offset, &times(&at.to_joint, way));
-            at
-        }
-        Step::Turn(matrix) => {
-            at.to_joint = multiplied(&at.to_joint, matrix);
-            at
-        }
+        Step::Move(_) | Step::Turn(_) => fixed(at, std::slice::from_ref(step), true),
         Step::Slide(axis, by) => tree.add(name, Kind::Slides, &at, axis, by),
         Step::Revolve(axis, by) => tree.add(name, Kind::Turns, &at, axis, by),
         Step::Orient(by) => tree.add_spherical(name, &at, by, true),
@@ -181,8 +197,7 @@ fn taken(tree: &mut Mechanism, mut at: Frame, step: &Step, name: &str) -> Frame 
 /// Returns a frame before a step.
 fn undone(tree: &mut Mechanism, at: Frame, step: &Step, name: &str) -> Frame {
     let step = match step {
-        Step::Move(way) => Step::Move(minus(way)),
-        Step::Turn(matrix) => Step::Turn(Box::new(transposed(matrix))),
+        Step::Move(_) | Step::Turn(_) => return fixed(at, std::slice::from_ref(step), false),
         Step::Slide(axis, by) => Step::Slide(axis.clone(), negative(by)),
         Step::Revolve(axis, by) => Step::Revolve(axis.clone(), negative(by)),
         Step::Orient(by) => return tree.add_spherical(name, &at, by, false),
@@ -190,7 +205,7 @@ fn undone(tree: &mut Mechanism, at: Frame, step: &Step, name: &str) -> Frame {
     taken(tree, at, &step, name)
 }
 
-fn root(roots: &HashMap<Node, Node>, mut node: Node) -> Node {
+pub(super) fn root(roots: &HashMap<Node, Node>, mut node: Node) -> Node {
     while let Some(next) = roots.get(&node) {
         node = *next;
     }

@@ -1,8 +1,9 @@
 //! Joints: identification of coordinates of instances with coordinates of the scene.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 
 use crate::scene::layout::{Layout, Link, Scope, find_port, frame_of_port};
+use crate::scene::loops;
 use crate::scene::ports::{dimension_of, ratio_of, require_ratio};
 use crate::scene::resolve::{Resolver, Wanted};
 use crate::scene::system::Required;
@@ -25,10 +26,12 @@ struct Edge {
 /// else that of the earliest instance with a kinetic energy of its own (a rotor's angle rather
 /// than that of the coupling's end on it), else the earliest. Joints may close no loop, so the
 /// others follow it by the product of ratios along a unique path.
+/// Cuts loops of frames, but leaves out no coordinate in `kept`.
 pub fn identify(
     spec: &SceneSpec,
     layout: &mut Layout,
     parameter: &impl Fn(ParameterId) -> f64,
+    kept: &BTreeSet<usize>,
     mistakes: &mut Vec<Mistake>,
 ) {
     let (mut edges, mut joined) = (Vec::new(), Vec::new());
@@ -59,6 +62,12 @@ pub fn identify(
     layout.joined_frames = joined;
     layout.required.extend(edges.iter().flat_map(|edge| edge.required.iter().cloned()));
     hold(spec, layout, &mut roots, mistakes);
+    let is_joined = |slot: usize| edges.iter().any(|edge| edge.slots.contains(&slot));
+    let is_kept = |slot: usize| kept.contains(&slot) || is_joined(slot) || layout.is_fixed(slot);
+    match loops::cuts(&mut Resolver::new(spec, layout), parameter, &is_kept) {
+        Ok(cuts) => layout.cuts = cuts,
+        Err(mistake) => mistakes.push(*mistake),
+    }
     let starts = starts(spec, layout, &mut roots);
     follow(layout, &edges, &starts);
     refuse_idle(spec, layout, mistakes);
@@ -106,10 +115,10 @@ fn refuse_idle(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) {
             || !unit.constraints.is_empty()
             || slots.iter().any(|slot| layout.attachment(*slot).is_some());
         let [first, others @ ..] = &slots[..] else { continue };
-        let is_held = layout.is_fixed(*first);
+        let is_held = layout.is_absent(*first);
         let moves_as_first = |slot: &usize| {
             let (one, other) = (&layout.links[*first], &layout.links[*slot]);
-            !is_held && !layout.is_fixed(*slot) && one.id == other.id && one.factor == other.factor
+            !is_held && !layout.is_absent(*slot) && one.id == other.id && one.factor == other.factor
         };
         if !lies_between || is_of_more || others.is_empty() || !others.iter().all(moves_as_first) {
             continue;
@@ -136,7 +145,7 @@ fn starts(spec: &SceneSpec, layout: &Layout, roots: &mut [usize]) -> Vec<usize> 
     let rank = |slot: usize| {
         (layout.attachment(slot).is_some(), layout.attachment(slot).is_none() && has_inertia(slot))
     };
-    for slot in (0..layout.links.len()).filter(|slot| !layout.is_fixed(*slot)) {
+    for slot in (0..layout.links.len()).filter(|slot| !layout.is_absent(*slot)) {
         let start = &mut starts[root(roots, slot)];
         if start.is_none_or(|start| rank(start) < rank(slot)) {
             *start = Some(slot);
@@ -300,7 +309,7 @@ fn follow(layout: &mut Layout, edges: &[Edge], starts: &[usize]) {
             }
         }
     }
-    // A fixed coordinate follows any other with factor 0.
+    // A fixed coordinate, or one that is left out, follows any other with factor 0.
     let fixed = || Link { id: CoordinateId(0), factor: Some(integer(0)) };
     layout.links = links.into_iter().map(|link| link.unwrap_or_else(fixed)).collect();
 }

@@ -1,8 +1,10 @@
 //! Layout of a scene: names and their indices, found before any expression is read.
 
-use std::collections::HashMap;
+use std::cell::RefCell;
+use std::collections::{BTreeSet, HashMap};
 
 pub use crate::scene::frame_part::FramePart;
+use crate::scene::loops::Cut;
 use crate::scene::parameters::numbers;
 use crate::scene::system::Required;
 use crate::scene::typed::integer;
@@ -172,6 +174,10 @@ pub struct Layout {
     pub required: Vec<Required>,
     /// Frames that joints make one, each as instance and index, and the place of the joint.
     pub joined_frames: Vec<([(usize, usize); 2], Span)>,
+    /// Connections of frames that are cut because they close loops.
+    pub cuts: Vec<Cut>,
+    /// Slots of coordinates that a cut joint leaves out although something mentions them.
+    missed: RefCell<BTreeSet<usize>>,
 }
 
 impl Layout {
@@ -240,7 +246,25 @@ impl Layout {
             held,
             required: Vec::new(),
             joined_frames: Vec::new(),
+            cuts: Vec::new(),
+            missed: RefCell::default(),
         }
+    }
+
+    /// Reports whether a coordinate is left out because its joint is cut.
+    pub fn is_left_out(&self, slot: usize) -> bool {
+        self.cuts.iter().any(|cut| cut.slots.contains(&slot))
+    }
+
+    /// Returns the slots of coordinates that are left out although something mentions them.
+    pub fn missed(&self) -> BTreeSet<usize> {
+        self.missed.borrow().clone()
+    }
+
+    /// Reports whether an orientation of an instance is part of the scene.
+    pub fn has_orientation(&self, instance: usize, index: usize) -> bool {
+        let number = self.first[instance][4] + index;
+        !self.cuts.iter().any(|cut| cut.orientation == Some(number))
     }
 
     /// Adds the ports on fields.
@@ -264,6 +288,11 @@ impl Layout {
     /// Reports whether a coordinate is fixed at zero.
     pub fn is_fixed(&self, slot: usize) -> bool {
         self.is_held(slot) || self.is_fixed_end(slot)
+    }
+
+    /// Reports whether a coordinate stands for none of the scene: it is fixed or left out.
+    pub fn is_absent(&self, slot: usize) -> bool {
+        self.is_fixed(slot) || self.is_left_out(slot)
     }
 
     /// Reports whether a coordinate is a fixed end of a field.
@@ -318,7 +347,9 @@ impl Layout {
 
     /// Returns the index of an orientation of an instance among those of all instances.
     pub fn orientation(&self, instance: usize, index: usize) -> usize {
-        self.first[instance][4] + index
+        let number = self.first[instance][4] + index;
+        let left_out = self.cuts.iter().filter_map(|cut| cut.orientation);
+        number - left_out.filter(|other| *other < number).count()
     }
 
     /// Returns the parts of an orientation. The part w is a coordinate without a velocity, after
@@ -326,6 +357,10 @@ impl Layout {
     pub fn parts(&self, instance: usize, index: usize, first: usize) -> Orientation {
         let scalar = self.representatives.len() + self.orientation(instance, index);
         let vector = [0, 1, 2].map(|axis| self.link(instance, first + axis).id);
+        if !self.has_orientation(instance, index) {
+            // Its parts are missed, so that the scene is composed again.
+            return Orientation { vector, scalar: vector[0] };
+        }
         Orientation { vector, scalar: CoordinateId(scalar as u32) }
     }
 
@@ -338,6 +373,27 @@ impl Layout {
         ConstraintId((first + index) as u32)
     }
 
+    /// Returns the id and the dimension of a constraint that closes a cut, by its name. Their ids
+    /// follow those of the scene's constraints.
+    pub fn closing(
+        &self,
+        spec: &SceneSpec,
+        instance: usize,
+        name: &str,
+    ) -> Option<(ConstraintId, Dimension)> {
+        let mut id = self.constraints + spec.constraints.len();
+        for cut in &self.cuts {
+            let (owner, prefix) = cut.name(spec);
+            for row in cut.joint.rows() {
+                if owner == instance && name == row.name(prefix) {
+                    return Some((ConstraintId(id as u32), row.dimension));
+                }
+                id += 1;
+            }
+        }
+        None
+    }
+
     /// Returns instance and index of a slot.
     pub fn coordinate(&self, slot: usize) -> (usize, usize) {
         let instance = self.first.partition_point(|first| first[0] <= slot).saturating_sub(1);
@@ -346,7 +402,15 @@ impl Layout {
 
     /// Returns the relation of a coordinate of an instance to one of the scene.
     pub fn link(&self, instance: usize, coordinate: usize) -> &Link {
-        &self.links[self.slot(instance, coordinate)]
+        self.link_of(self.slot(instance, coordinate))
+    }
+
+    /// Returns the relation of a coordinate to one of the scene, by slot.
+    pub fn link_of(&self, slot: usize) -> &Link {
+        if self.is_left_out(slot) {
+            self.missed.borrow_mut().insert(slot);
+        }
+        &self.links[slot]
     }
 
     /// Returns the factor of Q on the scene's coordinate, for Q on an instance's coordinate, by

@@ -149,6 +149,14 @@ impl Resolver<'_> {
             }
         };
         let Some(local) = names.get(name) else {
+            if let Scope::Instance(instance) = scope
+                && let Some((id, dimension)) = self.layout.closing(self.spec, instance, name)
+            {
+                let dimension = Dimension::ENERGY.over(dimension);
+                let dimension = dimension.ok_or_else(|| beyond_reason(span))?;
+                let uses = Uses { reaction: true, ..Uses::default() };
+                return self.leaf(Symbol::Multiplier(id), Unit { dimension, rad: 0 }, uses, span);
+            }
             let message = format!("unknown name {}", quoted(name));
             let help = did_you_mean(name, names.iter());
             return Err(Box::new(Mistake::new(span, message, "unknown").help(help)));

@@ -343,6 +343,8 @@ pub struct LagrangianSystem {
     pub starts_in_equilibrium: bool,
     /// Warnings about the spec.
     pub warnings: Vec<Diagnostic>,
+    /// Decisions that the user may want to know: loops that are cut.
+    pub notes: Vec<String>,
     /// Requirements on values computed from parameters. Runs with other parameter values are
     /// checked against them too.
     pub requirements: Vec<Required>,

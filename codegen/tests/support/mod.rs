@@ -267,6 +267,7 @@ pub fn pendulum_system() -> LagrangianSystem {
         },
         freeze: Freeze::default(),
         warnings: Vec::new(),
+        notes: Vec::new(),
         requirements: Vec::new(),
         files: vec![SourceFile {
             path: "specs/scenes/pendulum.toml".into(),

@@ -20,6 +20,8 @@ pub struct Description {
     pub outputs: Vec<Quantity>,
     pub events: Vec<Event>,
     pub constraints: Vec<Constraint>,
+    /// Loops of frames, and where they are cut.
+    pub loops: Vec<String>,
     pub checks: Vec<Check>,
     pub rigid: Vec<String>,
     pub run: RunDefaults,

@@ -40,7 +40,8 @@ impl Description {
             states: states(system),
             outputs: system.outputs.iter().map(|output| Quantity::of(&output.quantity)).collect(),
             events: of_all(spec, |unit| &unit.events, &spec.events, event),
-            constraints: of_all(spec, |unit| &unit.constraints, &spec.constraints, constraint),
+            constraints: constraints(spec, system),
+            loops: system.notes.clone(),
             checks: system.checks.iter().map(check).collect(),
             rigid: system.freeze.rigid.clone(),
             run: system.run.clone(),
@@ -136,6 +137,19 @@ fn event(sources: &Sources, prefix: &str, event: &EventSpec) -> Event {
         when: when.collect(),
         set: set.collect(),
     }
+}
+
+/// Returns the constraints of the text, and those that close loops.
+fn constraints(spec: &SceneSpec, system: &LagrangianSystem) -> Vec<Constraint> {
+    let mut all = of_all(spec, |unit| &unit.constraints, &spec.constraints, constraint);
+    let closing = system.constraints.iter().skip(all.len());
+    all.extend(closing.map(|constraint| Constraint {
+        name: constraint.name.path.clone(),
+        doc: constraint.doc.clone(),
+        expression: None,
+        when: Vec::new(),
+    }));
+    all
 }
 
 fn constraint(sources: &Sources, prefix: &str, constraint: &ConstraintSpec) -> Constraint {

@@ -52,6 +52,15 @@ impl Assembler<'_> {
                 is_dropped,
             });
         }
+        for cut in &self.layout.cuts {
+            let closed = self.resolver.closed(cut, &|id| self.values[id.0 as usize]);
+            for constraint in closed.unwrap_or_default() {
+                if let Err(mistake) = names.take(&constraint.name, cut.span) {
+                    self.mistakes.push(*mistake);
+                }
+                constraints.push(constraint);
+            }
+        }
         constraints
     }
 }

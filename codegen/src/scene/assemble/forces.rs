@@ -164,7 +164,7 @@ impl Assembler<'_> {
         let what = format!("the force on {}", quoted(&coordinate.name.value));
         let wanted = Wanted::new(dimension.unwrap_or(Dimension::ENERGY), what);
         let force = self.resolver.expect(ast, scope, &wanted)?.expr;
-        let link = &self.layout.links[slot];
+        let link = self.layout.link_of(slot);
         Ok((link.id, product(vec![Layout::factor(link), force])))
     }
 

@@ -134,6 +134,7 @@ impl<'a> Assembler<'a> {
         let spec = self.spec;
         let mut constraints = spec.constraints.len();
         constraints += self.instances().map(|(_, _, unit)| unit.constraints.len()).sum::<usize>();
+        constraints += self.layout.cuts.len();
         if constraints == 0
             && let Some((name, _)) = spec.guess.first()
         {
@@ -154,6 +155,9 @@ impl<'a> Assembler<'a> {
     fn orient(&mut self, initial: &mut Initial) {
         for (instance, _, unit) in self.instances() {
             for (index, orientation) in unit.orientations.iter().enumerate() {
+                if !self.layout.has_orientation(instance, index) {
+                    continue;
+                }
                 let scope = Scope::Instance(instance);
                 let found = self.resolver.quaternion_of(&orientation.rotations, scope);
                 let [w, vector @ ..] = found.unwrap_or_else(|mistake| {
@@ -249,6 +253,8 @@ impl<'a> Assembler<'a> {
             Some(Local::Coordinate(index)) => (index, 0),
             Some(Local::Velocity(index)) => (index, 1),
             Some(Local::Scalar(index)) => {
+                // Asks for its parts, in case that they are left out.
+                self.resolver.parts_of(instance, index);
                 let number = self.layout.orientation(instance, index);
                 return Ok((Target::Scalar(number), Dimension::ONE));
             }

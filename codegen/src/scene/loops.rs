@@ -119,7 +119,14 @@ pub fn cuts(
             }
         });
     }
-    refuse_rigid(&edges, &kinds)?;
+    if let Err(mistake) = refuse_rigid(&edges, &kinds) {
+        // Two worlds in one machine are such a loop; their gravity says more.
+        for instance in all {
+            let connected = resolver.connected(instance);
+            resolver.gravity(&connected)?;
+        }
+        return Err(mistake);
+    }
     let far = distances(&edges, &kinds);
     let mut order: Vec<usize> = (0..edges.len()).collect();
     order.sort_by_key(|index| {

@@ -327,3 +327,88 @@ fn a_linkage_of_bricard_moves_although_it_is_overconstrained() {
         assert!(reach[1] - reach[0] > 2.0, "it turns by {reach:?}");
     }
 }
+
+/// A crank about z, a rocker about y, and a slender rod on a universal joint and a ball.
+const RSSR: &str = r#"
+[initial]
+"A.phi" = 0
+"A.omega" = 10
+[guess]
+"B.phi_a" = -0.66
+"B.phi_b" = -0.81
+"D.phi" = -1.2
+[outputs]
+crank = "A.phi"
+rocker = "D.phi"
+[run]
+until = 2
+points = 41
+rtol = 1e-11
+"#;
+
+fn rssr() -> String {
+    let rod =
+        "mass = 0.8, centre_x = 0.225, inertia_xx = 0, inertia_yy = 0.0135, inertia_zz = 0.0135";
+    let units = [
+        ("world", "spatial/world", ""),
+        ("A", "spatial/revolute", ""),
+        ("crank", "spatial/body", "mass = 0, inertia_xx = 0, inertia_yy = 0, inertia_zz = 0.02"),
+        ("arm", "spatial/translation", "x = 0.1"),
+        ("B", "spatial/universal", ""),
+        ("rod", "spatial/body", rod),
+        ("way", "spatial/translation", "x = 0.45"),
+        ("C", "spatial/spherical", ""),
+        ("post", "spatial/translation", "x = 0.3, y = 0.2"),
+        ("D", "spatial/revolute", "n_y = 1, n_z = 0"),
+        ("rocker", "spatial/body", "mass = 0, inertia_xx = 0, inertia_yy = 0.03, inertia_zz = 0"),
+        ("lever", "spatial/translation", "x = 0.3"),
+    ];
+    let joints = "world.frame=A.a A.b=crank.a A.b=arm.a arm.b=B.a B.b=rod.a B.b=way.a way.b=C.a \
+                  world.frame=post.a post.b=D.a D.b=rocker.a D.b=lever.a C.b=lever.b";
+    scene(&units, joints, RSSR)
+}
+
+/// The same linkage in two coordinates, its energies written by hand. Its rocker turns the other way.
+const BY_HAND: &str = r#"
+[scene]
+name = "by_hand"
+[units]
+l = { unit = "linkage" }
+[initial]
+"l.a" = 0
+"l.a_dot" = 10
+[guess]
+"l.b" = 1.2
+[outputs]
+crank = "l.a"
+rocker = { expression = "-l.b", unit = "rad" }
+[run]
+until = 2
+points = 41
+rtol = 1e-11
+[define.linkage.coordinates]
+a = { unit = "rad" }
+b = { unit = "rad" }
+[define.linkage.helpers]
+ax = { expression = "0.1 [m]*cos(a)", unit = "m" }
+ay = { expression = "0.1 [m]*sin(a)", unit = "m" }
+bx = { expression = "0.3 [m] + 0.3 [m]*cos(b)", unit = "m" }
+bz = { expression = "0.3 [m]*sin(b)", unit = "m" }
+[define.linkage.energy]
+kinetic = "0.02 [kg m^2]*a_dot^2/2 + 0.03 [kg m^2]*b_dot^2/2 + 0.8 [kg]*(der(ax)^2 + der(ay)^2 + der(ax)*der(bx) + der(bx)^2 + der(bz)^2)/6"
+potential = "0.8 [kg]*9.81 [m/s^2]*bz/2"
+[define.linkage.constraints.rod]
+expression = "sqrt((ax - bx)^2 + (ay - 0.2 [m])^2 + bz^2) - 0.45 [m]"
+"#;
+
+#[test]
+fn a_linkage_with_balls_moves_as_its_energies_by_hand_say() {
+    let (machine, dropped, system) = closed(&rssr());
+    assert_eq!(constraints(&system), ["C.b_hold_x", "C.b_hold_y", "C.b_hold_z"]);
+    assert_eq!(coordinates(&system), ["A.phi", "B.phi_a", "B.phi_b", "D.phi"]);
+    assert!(dropped.is_empty());
+    let (found, wanted) = (run(&machine), run(&closed(BY_HAND).0));
+    let error = difference(&found, &wanted, &["crank", "rocker"]);
+    assert!(error < 1e-8, "{error:e} rad");
+    assert!(column(&found, "crank").last().is_some_and(|angle| *angle > 15.0));
+}

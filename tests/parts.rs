@@ -17,6 +17,7 @@ mod shapes;
 mod shared_friction;
 mod spatial;
 mod terminals;
+mod wheels;
 mod winches;
 
 use std::path::{Path, PathBuf};

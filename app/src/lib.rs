@@ -26,12 +26,12 @@ pub mod plot;
 mod progress;
 #[cfg(feature = "derive")]
 mod report;
+#[cfg(feature = "derive")]
+mod robot;
 mod rounding;
 mod spec_source;
 mod spectrum;
 mod trials;
-#[cfg(feature = "derive")]
-mod urdf;
 #[cfg(feature = "derive")]
 mod watch;
 

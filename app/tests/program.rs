@@ -18,6 +18,7 @@ mod fmu;
 mod fuzz;
 mod help;
 mod import;
+mod import_robots;
 mod improve;
 mod linearize;
 mod lists;

@@ -1,4 +1,4 @@
-//! `machinist import`: a robot description to a scene.
+//! `machinist import`: the description of a robot to a scene.
 
 use std::path::PathBuf;
 
@@ -8,11 +8,11 @@ use machinist_codegen::spec::MAX_FILE_BYTES;
 
 use super::output::{print, require_ending, write_file};
 use crate::failure::Failure;
-use crate::urdf;
+use crate::robot::{self, Convention, Motion, Spec};
 
 #[derive(Debug, Args)]
 pub struct Import {
-    /// Robot description, ending in .urdf or .xml
+    /// Robot in URDF or MJCF, ending in .urdf or .xml, or a Denavit-Hartenberg table, ending in .csv
     robot: PathBuf,
     /// Scene to write, ending in .toml
     #[arg(short, long, value_name = "FILE")]
@@ -20,15 +20,31 @@ pub struct Import {
     /// Let the base move freely, instead of fixing it to the world
     #[arg(long)]
     free_base: bool,
+    /// The table is in the modified convention, in which a and alpha of a row precede its joint
+    #[arg(long)]
+    modified: bool,
 }
 
 impl Import {
     pub fn execute(&self) -> Result<(), Failure> {
-        require_ending(&self.robot, &["urdf", "xml"], "the robot")?;
+        require_ending(&self.robot, &["urdf", "xml", "csv"], "the robot")?;
         require_ending(&self.out, &["toml"], "--out")?;
         let text = self.read()?;
         let file = self.robot.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let read = urdf::read(&text).and_then(|mut robot| {
+        let is_table = self.robot.extension().is_some_and(|ending| ending == "csv");
+        if self.modified && !is_table {
+            let message = "--modified is for Denavit-Hartenberg tables, which end in .csv";
+            return Err(Failure::input(message, ""));
+        }
+        let read = if is_table {
+            let convention =
+                if self.modified { Convention::Modified } else { Convention::Standard };
+            let stem = self.robot.file_stem().unwrap_or_default().to_string_lossy();
+            robot::of_table(&stem, &text, convention)
+        } else {
+            robot::of_xml(&text)
+        };
+        let read = read.and_then(|mut robot| {
             if self.free_base {
                 robot.release()?;
             }
@@ -39,13 +55,16 @@ impl Import {
             let message = format!("{}{line}: {}", self.robot.display(), error.message);
             Failure::input(message, error.help)
         })?;
-        let spec = urdf::Spec::new(&robot, &file).text();
+        let spec = Spec::new(&robot, &file).text();
         let warnings = checked(&spec)?;
         write_file(&self.out, |out| out.write_all(spec.as_bytes()))?;
         for warning in warnings {
             eprintln!("{warning}");
         }
-        let moving = robot.joints.iter().filter(|joint| joint.motion != urdf::Motion::Fixed);
+        for part in &robot.left_out {
+            eprintln!("machinist: {part} of {file} is left out");
+        }
+        let moving = robot.joints.iter().filter(|joint| joint.motion != Motion::Fixed);
         print(&format!(
             "wrote {}: {} links, {} joints that move\n",
             self.out.display(),

@@ -1,41 +1,23 @@
 //! Reading of URDF.
 
 use nalgebra::Matrix3;
-use roxmltree::{Document, Node, ParsingOptions};
+use roxmltree::{Document, Node};
 
-use super::robot::{Inertial, Joint, Limits, Link, Mimic, Motion, Pose, Robot, UrdfError};
-
-/// Maximum number of XML nodes.
-const MOST_NODES: u32 = 1_000_000;
-/// Maximum magnitude of a number, in SI units: no robot comes near it.
-const LARGEST: f64 = 1e9;
+use super::tree::{Inertial, Joint, Limits, Link, Mimic, Motion, Pose, Robot, RobotError};
+use super::xml::{Read, Reader, child};
 
 /// Reads a robot description, and checks it.
 ///
 /// # Errors
 /// The first mistake, with its line.
-pub fn read(text: &str) -> Result<Robot, UrdfError> {
-    // Document types are refused, and with them entities that expand without bound.
-    let options =
-        ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES, ..Default::default() };
-    let document = Document::parse_with_options(text, options).map_err(|error| {
-        let line = error.pos().row as usize;
-        UrdfError::new(line, format!("not valid XML: {error}"), "")
-    })?;
+pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
     let root = document.root_element();
-    let reader = Reader { document: &document };
+    let reader = Reader { document };
     if root.tag_name().name() != "robot" {
         let found = root.tag_name().name().escape_debug().to_string();
-        let message = format!("this is no robot description: the root is <{found}>, not <robot>");
+        let message =
+            format!("this is no robot description: the root is <{found}>, not <robot> or <mujoco>");
         return Err(reader.error(root, message, ""));
-    }
-    let xacro = |node: &Node<'_, '_>| {
-        node.tag_name().namespace().is_some_and(|uri| uri.contains("xacro"))
-            || node.attributes().any(|attribute| attribute.value().contains("${"))
-    };
-    if let Some(node) = root.descendants().filter(Node::is_element).find(xacro) {
-        let help = "expand it first: xacro robot.urdf.xacro > robot.urdf";
-        return Err(reader.error(node, "the file contains macros of xacro", help));
     }
     let mut robot = Robot { name: reader.name(root)?, ..Robot::default() };
     for node in root.children().filter(Node::is_element) {
@@ -52,89 +34,7 @@ pub fn read(text: &str) -> Result<Robot, UrdfError> {
     Ok(robot)
 }
 
-struct Reader<'a, 'input> {
-    document: &'a Document<'input>,
-}
-
-type Read<T> = Result<T, UrdfError>;
-
 impl Reader<'_, '_> {
-    fn line(&self, node: Node<'_, '_>) -> usize {
-        self.document.text_pos_at(node.range().start).row as usize
-    }
-
-    fn error(
-        &self,
-        node: Node<'_, '_>,
-        message: impl Into<String>,
-        help: impl Into<String>,
-    ) -> UrdfError {
-        UrdfError::new(self.line(node), message, help)
-    }
-
-    fn name(&self, node: Node<'_, '_>) -> Read<String> {
-        let name = self.attribute(node, "name")?.trim().to_owned();
-        if name.is_empty() || name.len() > 200 {
-            let tag = node.tag_name().name();
-            return Err(self.error(
-                node,
-                format!("the name of this <{tag}> is empty or too long"),
-                "",
-            ));
-        }
-        Ok(name)
-    }
-
-    fn attribute<'n>(&self, node: Node<'n, '_>, key: &str) -> Read<&'n str> {
-        node.attribute(key).ok_or_else(|| {
-            let tag = node.tag_name().name();
-            self.error(node, format!("<{tag}> lacks the attribute `{key}`"), "")
-        })
-    }
-
-    fn number_in(&self, node: Node<'_, '_>, key: &str, text: &str) -> Read<f64> {
-        let value: Option<f64> = text.trim().parse().ok();
-        match value {
-            Some(value) if value.is_finite() && value.abs() <= LARGEST => Ok(value),
-            Some(_) => {
-                let message = format!("`{key}` is {}, which no robot has", text.escape_debug());
-                let help = format!("numbers are finite and at most {LARGEST:e}, in SI units");
-                Err(self.error(node, message, help))
-            }
-            None => {
-                let message = format!("`{key}` is `{}`, not a number", text.escape_debug());
-                Err(self.error(node, message, "numbers are in SI units and have no unit"))
-            }
-        }
-    }
-
-    fn number(&self, node: Node<'_, '_>, key: &str) -> Read<f64> {
-        self.number_in(node, key, self.attribute(node, key)?)
-    }
-
-    fn number_or(&self, node: Option<Node<'_, '_>>, key: &str, default: f64) -> Read<f64> {
-        match node.and_then(|node| Some((node, node.attribute(key)?))) {
-            Some((node, text)) => self.number_in(node, key, text),
-            None => Ok(default),
-        }
-    }
-
-    fn vector(&self, node: Option<Node<'_, '_>>, key: &str, default: [f64; 3]) -> Read<[f64; 3]> {
-        let Some((node, text)) = node.and_then(|node| Some((node, node.attribute(key)?))) else {
-            return Ok(default);
-        };
-        let parts: Vec<&str> = text.split_whitespace().collect();
-        let [x, y, z] = parts[..] else {
-            let message = format!("`{key}` has three numbers, not {}", parts.len());
-            return Err(self.error(node, message, ""));
-        };
-        let mut values = [0.0; 3];
-        for (value, part) in values.iter_mut().zip([x, y, z]) {
-            *value = self.number_in(node, key, part)?;
-        }
-        Ok(values)
-    }
-
     fn pose(&self, of: Node<'_, '_>) -> Read<Pose> {
         let origin = child(of, "origin");
         Ok(Pose {
@@ -190,7 +90,7 @@ impl Reader<'_, '_> {
         let link = |tag: &str| {
             let link = child(node, tag)
                 .ok_or_else(|| self.error(node, format!("joint `{name}` lacks <{tag}>"), ""))?;
-            Ok::<_, UrdfError>(self.attribute(link, "link")?.trim().to_owned())
+            Ok::<_, RobotError>(self.attribute(link, "link")?.trim().to_owned())
         };
         let (parent, carried) = (link("parent")?, link("child")?);
         let axis = self.vector(child(node, "axis"), "xyz", [1.0, 0.0, 0.0])?;
@@ -214,6 +114,8 @@ impl Reader<'_, '_> {
             axis,
             damping,
             friction,
+            spring: [0.0; 2],
+            armature: 0.0,
             limits: self.limits(node)?,
             mimic: child(node, "mimic").map(|mimic| self.mimic(mimic)).transpose()?,
             name,
@@ -238,8 +140,4 @@ impl Reader<'_, '_> {
             offset: self.number_or(Some(node), "offset", 0.0)?,
         })
     }
-}
-
-fn child<'a, 'input>(node: Node<'a, 'input>, tag: &str) -> Option<Node<'a, 'input>> {
-    node.children().find(|child| child.is_element() && child.tag_name().name() == tag)
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// A mistake in a robot description.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct UrdfError {
+pub struct RobotError {
     /// Line in the file, from 1; 0 if it concerns the whole file.
     pub line: usize,
     /// The mistake, in one sentence.
@@ -13,10 +13,10 @@ pub struct UrdfError {
     pub help: String,
 }
 
-impl UrdfError {
+impl RobotError {
     /// Creates a mistake at a line.
     pub fn new(line: usize, message: impl Into<String>, help: impl Into<String>) -> Self {
-        UrdfError { line, message: message.into(), help: help.into() }
+        RobotError { line, message: message.into(), help: help.into() }
     }
 }
 
@@ -29,6 +29,10 @@ pub struct Robot {
     pub links: Vec<Link>,
     /// Joints in the order of the file.
     pub joints: Vec<Joint>,
+    /// Acceleration of free fall \[m/s^2\]; that of the earth along -z if absent.
+    pub gravity: Option<[f64; 3]>,
+    /// Parts of the file that take part in the motion, but not in the scene.
+    pub left_out: Vec<String>,
 }
 
 /// A rigid link. Its frame is that of the joint that carries it.
@@ -81,6 +85,8 @@ pub enum Motion {
     Turns,
     /// Displacement along the axis.
     Slides,
+    /// Any rotation.
+    Rolls,
     /// All six motions.
     Floats,
 }
@@ -106,6 +112,10 @@ pub struct Joint {
     pub damping: f64,
     /// Dry friction \[N m or N\].
     pub friction: f64,
+    /// Stiffness of a spring \[N m/rad or N/m\], and the position at which it is unloaded.
+    pub spring: [f64; 2],
+    /// Inertia of the drive's rotor, as felt by the joint \[kg m^2 or kg\].
+    pub armature: f64,
     /// Limits, which the scene mentions in a comment.
     pub limits: Option<Limits>,
     /// Another joint that it follows.
@@ -134,12 +144,33 @@ pub struct Mimic {
     pub offset: f64,
 }
 
+impl Joint {
+    /// Returns a joint without losses that carries a link.
+    pub fn plain(name: &str, line: usize, motion: Motion, [parent, child]: [&str; 2]) -> Self {
+        Joint {
+            name: name.to_owned(),
+            line,
+            motion,
+            parent: parent.to_owned(),
+            child: child.to_owned(),
+            origin: Pose::default(),
+            axis: [0.0, 0.0, 1.0],
+            damping: 0.0,
+            friction: 0.0,
+            spring: [0.0; 2],
+            armature: 0.0,
+            limits: None,
+            mimic: None,
+        }
+    }
+}
+
 impl Robot {
     /// Checks that links and joints form a tree, in which everything that moves has inertia.
     ///
     /// # Errors
     /// The first mistake.
-    pub fn check(&self) -> Result<(), UrdfError> {
+    pub fn check(&self) -> Result<(), RobotError> {
         unique("link", self.links.iter().map(|link| (&link.name, link.line)))?;
         unique("joint", self.joints.iter().map(|joint| (&joint.name, joint.line)))?;
         let links: BTreeSet<&str> = self.links.iter().map(|link| link.name.as_str()).collect();
@@ -149,24 +180,24 @@ impl Robot {
                 if !links.contains(link.as_str()) {
                     let message =
                         format!("joint `{}` refers to link `{link}`, which is missing", joint.name);
-                    return Err(UrdfError::new(joint.line, message, ""));
+                    return Err(RobotError::new(joint.line, message, ""));
                 }
             }
             if let Some(other) = carriers.insert(&joint.child, joint) {
                 let (child, a, b) = (&joint.child, &other.name, &joint.name);
                 let message = format!("link `{child}` is carried by two joints, `{a}` and `{b}`");
                 let help = "URDF describes trees; close a loop by constraints in the scene";
-                return Err(UrdfError::new(joint.line, message, help));
+                return Err(RobotError::new(joint.line, message, help));
             }
         }
         let mut roots = self.links.iter().filter(|link| !carriers.contains_key(&*link.name));
         let Some(root) = roots.next() else {
             let message = "every link is carried by another: the joints form a loop";
-            return Err(UrdfError::new(0, message, "one link has to be the base"));
+            return Err(RobotError::new(0, message, "one link has to be the base"));
         };
         if let Some(other) = roots.next() {
             let message = format!("there are two bases, `{}` and `{}`", root.name, other.name);
-            return Err(UrdfError::new(other.line, message, "connect them by a joint"));
+            return Err(RobotError::new(other.line, message, "connect them by a joint"));
         }
         let order = self.order(root);
         if order.len() < self.links.len() {
@@ -174,7 +205,7 @@ impl Robot {
             let first = self.links.iter().find(is_reached);
             let (name, line) = first.map_or(("", 0), |link| (&*link.name, link.line));
             let message = format!("link `{name}` is not connected to the base: it is in a loop");
-            return Err(UrdfError::new(line, message, ""));
+            return Err(RobotError::new(line, message, ""));
         }
         self.check_mimics()?;
         self.check_masses(&order)
@@ -212,26 +243,15 @@ impl Robot {
     ///
     /// # Errors
     /// If the robot stands in a world of its own.
-    pub fn release(&mut self) -> Result<(), UrdfError> {
+    pub fn release(&mut self) -> Result<(), RobotError> {
         let base = self.root().map(|root| root.name.clone()).unwrap_or_default();
         if self.links.iter().any(|link| link.name == WORLD) {
             let message = "the robot has a link `world`, to which its base is connected";
-            return Err(UrdfError::new(0, message, "make that joint floating instead"));
+            return Err(RobotError::new(0, message, "make that joint floating instead"));
         }
         self.links.insert(0, Link { name: WORLD.to_owned(), line: 0, inertial: None });
-        self.joints.push(Joint {
-            name: "base".to_owned(),
-            line: 0,
-            motion: Motion::Floats,
-            parent: WORLD.to_owned(),
-            child: base,
-            origin: Pose::default(),
-            axis: [1.0, 0.0, 0.0],
-            damping: 0.0,
-            friction: 0.0,
-            limits: None,
-            mimic: None,
-        });
+        let ends = [WORLD, &*base];
+        self.joints.push(Joint::plain("base", 0, Motion::Floats, ends));
         self.check()
     }
 
@@ -245,12 +265,12 @@ impl Robot {
         self.joints.iter().find(|joint| joint.name == name)
     }
 
-    fn check_mimics(&self) -> Result<(), UrdfError> {
+    fn check_mimics(&self) -> Result<(), RobotError> {
         for joint in &self.joints {
             let Some(mimic) = &joint.mimic else { continue };
             let refuse = |why: &str| {
                 let message = format!("joint `{}` follows `{}`, {why}", joint.name, mimic.joint);
-                Err(UrdfError::new(joint.line, message, "name a joint that moves by itself"))
+                Err(RobotError::new(joint.line, message, "name a joint that moves by itself"))
             };
             match self.joint(&mimic.joint) {
                 None => return refuse("which is missing"),
@@ -265,7 +285,7 @@ impl Robot {
     }
 
     /// Checks that every joint that moves carries mass.
-    fn check_masses(&self, order: &[&Link]) -> Result<(), UrdfError> {
+    fn check_masses(&self, order: &[&Link]) -> Result<(), RobotError> {
         let mut carried: BTreeMap<&str, bool> = BTreeMap::new();
         for link in order.iter().rev() {
             let own = link.inertial.as_ref().is_some_and(|inertial| !inertial.is_zero());
@@ -277,7 +297,7 @@ impl Robot {
                     joint.name, link.name
                 );
                 let help = "add <inertial> to the link, or make the joint fixed";
-                return Err(UrdfError::new(joint.line, message, help));
+                return Err(RobotError::new(joint.line, message, help));
             }
             *carried.entry(&joint.parent).or_default() |= has;
         }
@@ -288,12 +308,12 @@ impl Robot {
 fn unique<'a>(
     kind: &str,
     names: impl Iterator<Item = (&'a String, usize)>,
-) -> Result<(), UrdfError> {
+) -> Result<(), RobotError> {
     let mut known = BTreeSet::new();
     for (name, line) in names {
         if !known.insert(name) {
             let message = format!("two {kind}s are called `{}`", name.escape_debug());
-            return Err(UrdfError::new(line, message, ""));
+            return Err(RobotError::new(line, message, ""));
         }
     }
     Ok(())

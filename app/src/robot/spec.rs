@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write as _;
 
-use super::robot::{Joint, Link, Motion, Pose, Robot, WORLD};
+use super::tree::{Joint, Link, Motion, Pose, Robot, WORLD};
 
 /// A robot, with names that specs allow.
 pub struct Spec<'a> {
@@ -63,12 +63,13 @@ impl<'a> Spec<'a> {
         let title = quoted(&self.robot.name);
         let file = file.replace(|c: char| c.is_control(), " ");
         let source = quoted(&file);
+        let gravity = vector(self.robot.gravity.unwrap_or([0.0, 0.0, -9.81]));
         format!(
             "# Imported from {file} by `machinist import`.\n\n\
              [scene]\nname = \"{scene}\"\ntitle = {title}\nsource = {source}\n\n\
              [units.robot]\nunit = \"{scene}_robot\"\n\n\
              [run]\nuntil = 1.0\npoints = 201\nrtol = 1e-8\n\n\
-             [define.{scene}_robot]\ngravity = [0, 0, -9.81]\n"
+             [define.{scene}_robot]\ngravity = {gravity}\n"
         )
     }
 
@@ -84,6 +85,11 @@ impl<'a> Spec<'a> {
         } else {
             ("rad", "rotational")
         };
+        if joint.motion == Motion::Rolls {
+            let doc = quoted(&format!("joint {}", joint.name));
+            let _ = writeln!(text, "[define.{scene}_robot.orientations.{name}]\ndoc = {doc}\n");
+            return;
+        }
         if joint.motion == Motion::Floats {
             for end in FLOATING {
                 let _ = writeln!(
@@ -135,6 +141,10 @@ impl<'a> Spec<'a> {
         }
         head(text, name, parent);
         pose(text, "displacement", &joint.origin);
+        if joint.motion == Motion::Rolls {
+            let _ = writeln!(text, "spherical = \"{}\"", self.coordinates[&*joint.name]);
+            return;
+        }
         let (Some(position), axis) = (self.position(joint), vector(joint.axis)) else { return };
         let _ = match joint.motion {
             Motion::Turns => {
@@ -143,7 +153,7 @@ impl<'a> Spec<'a> {
             Motion::Slides => {
                 writeln!(text, "prismatic = {{ axis = {axis}, displacement = {position} }}")
             }
-            Motion::Fixed | Motion::Floats => Ok(()),
+            Motion::Fixed | Motion::Floats | Motion::Rolls => Ok(()),
         };
     }
 
@@ -203,12 +213,34 @@ impl<'a> Spec<'a> {
                 format!("{} [{unit}]*{name}_dot^2/2", number(joint.damping))
             })
             .collect();
-        if !damped.is_empty() {
-            let terms = damped.join(" + \\\n  ");
-            let _ = write!(
-                text,
-                "\n[define.{scene}_robot.energy]\ndissipation = \"\"\"\\\n  {terms}\"\"\"\n"
-            );
+        let kinetic = own().filter(|joint| joint.armature > 0.0).map(|joint| {
+            let unit = if joint.motion == Motion::Slides { "kg" } else { "kg m^2" };
+            let name = &self.coordinates[&*joint.name];
+            format!("{} [{unit}]*{name}_dot^2/2", number(joint.armature))
+        });
+        let potential = own().filter(|joint| joint.spring[0] > 0.0).map(|joint| {
+            let units =
+                if joint.motion == Motion::Slides { ["N/m", "m"] } else { ["N m/rad", "rad"] };
+            let name = &self.coordinates[&*joint.name];
+            let [stiffness, rest] = joint.spring;
+            let way = if rest == 0.0 {
+                name.clone()
+            } else {
+                format!("({name} - {} [{}])", number(rest), units[1]).replace("- -", "+ ")
+            };
+            format!("{} [{}]*{way}^2/2", number(stiffness), units[0])
+        });
+        let energies = [
+            ("kinetic", kinetic.collect::<Vec<_>>()),
+            ("potential", potential.collect()),
+            ("dissipation", damped),
+        ];
+        if energies.iter().any(|(_, terms)| !terms.is_empty()) {
+            let _ = write!(text, "\n[define.{scene}_robot.energy]\n");
+        }
+        for (key, terms) in energies.iter().filter(|(_, terms)| !terms.is_empty()) {
+            let terms = terms.join(" + \\\n  ");
+            let _ = writeln!(text, "{key} = \"\"\"\\\n  {terms}\"\"\"");
         }
         for joint in own().filter(|joint| joint.friction > 0.0) {
             let (name, [_, unit]) = (&self.coordinates[&*joint.name], units(joint));

@@ -1,0 +1,37 @@
+//! Descriptions of robots in URDF and MJCF and as tables of Denavit and Hartenberg, as read and as a
+//! spec.
+//!
+//! Excluded: meshes, transmissions, drives, sensors, contact and the extensions of simulators. Those
+//! that would change the motion are named.
+
+mod dh;
+mod mjcf;
+mod shapes;
+mod spec;
+mod tree;
+mod urdf;
+mod xml;
+
+pub use dh::Convention;
+pub use spec::Spec;
+pub use tree::{Motion, Robot, RobotError};
+
+/// Reads a robot from XML: MJCF if its root is `<mujoco>`, else URDF.
+///
+/// # Errors
+/// The first mistake, with its line.
+pub fn of_xml(text: &str) -> Result<Robot, RobotError> {
+    let document = xml::parsed(text)?;
+    match document.root_element().tag_name().name() {
+        "mujoco" => mjcf::read(&document),
+        _ => urdf::read(&document),
+    }
+}
+
+/// Reads a robot from a table of Denavit and Hartenberg.
+///
+/// # Errors
+/// The first mistake, with its line.
+pub fn of_table(name: &str, text: &str, convention: Convention) -> Result<Robot, RobotError> {
+    dh::read(name, text, convention)
+}

@@ -1,0 +1,98 @@
+//! Masses, centres and inertias of simple shapes, and of several of them together.
+
+use std::f64::consts::PI;
+
+use nalgebra::{Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
+
+use super::tree::{Inertial, Pose};
+
+/// A shape about its middle, by half sizes \[m\]; those with an axis have it along z.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// Radius.
+    Sphere(f64),
+    /// Half lengths along x, y and z.
+    Box([f64; 3]),
+    /// Half lengths along x, y and z.
+    Ellipsoid([f64; 3]),
+    /// Radius and half length.
+    Cylinder(f64, f64),
+    /// Radius, and half length of its cylinder.
+    Capsule(f64, f64),
+}
+
+impl Shape {
+    /// Returns the volume \[m^3\].
+    pub fn volume(self) -> f64 {
+        match self {
+            Self::Sphere(r) => 4.0 / 3.0 * PI * r.powi(3),
+            Self::Box([a, b, c]) => 8.0 * a * b * c,
+            Self::Ellipsoid([a, b, c]) => 4.0 / 3.0 * PI * a * b * c,
+            Self::Cylinder(r, h) => 2.0 * PI * r * r * h,
+            Self::Capsule(r, h) => PI * r * r * (2.0 * h + 4.0 / 3.0 * r),
+        }
+    }
+
+    /// Returns the principal moments of inertia per mass \[m^2\].
+    fn gyration(self) -> [f64; 3] {
+        let boxed = |share: f64, [a, b, c]: [f64; 3]| {
+            [share * (b * b + c * c), share * (a * a + c * c), share * (a * a + b * b)]
+        };
+        match self {
+            Self::Sphere(r) => [0.4 * r * r; 3],
+            Self::Box(half) => boxed(1.0 / 3.0, half),
+            Self::Ellipsoid(half) => boxed(0.2, half),
+            Self::Cylinder(r, h) => {
+                let across = r * r / 4.0 + h * h / 3.0;
+                [across, across, r * r / 2.0]
+            }
+            Self::Capsule(r, h) => {
+                // A cylinder and two half balls, whose centres are 3 r/8 beyond its ends.
+                let whole = self.volume();
+                let middle = Self::Cylinder(r, h).volume() / whole;
+                let ends = 1.0 - middle;
+                let across = middle * (r * r / 4.0 + h * h / 3.0)
+                    + ends * (0.4 * r * r + h * h + 0.75 * h * r);
+                [across, across, middle * r * r / 2.0 + ends * 0.4 * r * r]
+            }
+        }
+    }
+
+    /// Returns the inertia about the middle \[kg m^2\].
+    pub fn inertia(self, mass: f64) -> Matrix3<f64> {
+        Matrix3::from_diagonal(&(Vector3::from(self.gyration()) * mass))
+    }
+}
+
+/// Returns a pose as a position and a rotation.
+pub fn isometry(pose: &Pose) -> Isometry3<f64> {
+    let [roll, pitch, yaw] = pose.rpy;
+    let turn = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
+    Isometry3::from_parts(Translation3::from(Vector3::from(pose.xyz)), turn)
+}
+
+/// Returns a position and a rotation as a pose.
+pub fn pose(of: &Isometry3<f64>) -> Pose {
+    let (roll, pitch, yaw) = of.rotation.euler_angles();
+    Pose { xyz: of.translation.vector.into(), rpy: [roll, pitch, yaw] }
+}
+
+/// Returns the inertia of several bodies that are fixed to each other: mass, pose of the centre and
+/// axes, and inertia about the centre; `None` without mass.
+pub fn together(parts: &[(f64, Isometry3<f64>, Matrix3<f64>)]) -> Option<Inertial> {
+    let mass: f64 = parts.iter().map(|(mass, ..)| mass).sum();
+    if mass <= 0.0 {
+        return None;
+    }
+    let moment = parts.iter().map(|(mass, at, _)| at.translation.vector * *mass);
+    let centre = moment.sum::<Vector3<f64>>() / mass;
+    let mut whole = Matrix3::zeros();
+    for (mass, at, inertia) in parts {
+        let turn = at.rotation.to_rotation_matrix();
+        let way = at.translation.vector - centre;
+        let of_point = Matrix3::identity() * way.norm_squared() - way * way.transpose();
+        whole += turn.matrix() * inertia * turn.matrix().transpose() + of_point * *mass;
+    }
+    let inertia = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|at| whole[at]);
+    Some(Inertial { origin: Pose { xyz: centre.into(), rpy: [0.0; 3] }, mass, inertia })
+}

@@ -1,0 +1,264 @@
+//! `machinist import`: robots from MJCF and from Denavit-Hartenberg tables.
+
+use std::fmt::Write as _;
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use tempfile::TempDir;
+
+use crate::process::{answer, assert_refused, machinist};
+
+const MANY: &str = include_str!("urdf/many_joints.xml");
+
+/// Start of the model, and its state 0.5 s later by MuJoCo 4.0.0, with the integrator RK4 at steps of
+/// 1e-4 s; steps of 2e-4 s give the same within 1e-11.
+const MANY_RUN: [(&str, f64, f64); 14] = [
+    ("shoulder", 0.3, -0.601_281_247_502_495_6),
+    ("elbow", -0.5, 1.410_150_613_869_023),
+    ("twist", 0.4, 0.698_254_836_994_914_4),
+    ("slider", 0.05, -0.320_187_257_419_287_44),
+    ("shoulder_dot", 1.0, -0.834_040_478_955_629_9),
+    ("elbow_dot", 0.7, -2.368_686_826_251_72),
+    ("twist_dot", -1.2, 1.202_345_413_634_163_8),
+    ("slider_dot", 0.2, -2.534_999_723_190_751),
+    ("wrist_omega_x", 0.5, -6.048_299_065_554_382_5),
+    ("wrist_omega_y", -0.8, 14.531_379_414_145_53),
+    ("wrist_omega_z", 1.1, 12.365_103_471_465_233),
+    ("fly_turn_omega_x", 1.0, 1.085_884_366_573_550_7),
+    ("fly_turn_omega_y", -2.0, -2.020_487_843_338_368),
+    ("fly_turn_omega_z", 0.7, 0.467_108_010_194_569_6),
+];
+
+/// Imports a file, adds lines to the scene, runs it and returns its last row by name.
+fn run(folder: &TempDir, call: &[&str], more: &str) -> Vec<(String, f64)> {
+    answer(machinist(folder, &[&["import"], call, &["--out", "robot.toml"]].concat()));
+    let path = folder.path().join("robot.toml");
+    let text =
+        std::fs::read_to_string(&path).expect("a scene").replace("until = 1.0", "until = 0.5");
+    std::fs::write(&path, text + more).expect("written");
+    let run = ["run", "robot.toml", "--rtol", "1e-11", "--no-error", "--out", "-"];
+    let table = answer(machinist(folder, &run));
+    let mut lines = table.lines();
+    let names = lines.next().expect("a head").split(',');
+    let names = names.map(|name| name.split(" [").next().unwrap_or(name).trim().to_owned());
+    let last = lines.next_back().expect("rows").split(',');
+    names.zip(last.map(|cell| cell.parse().expect("a number"))).collect()
+}
+
+fn value(row: &[(String, f64)], name: &str) -> f64 {
+    row.iter().find(|(known, _)| known == name).unwrap_or_else(|| panic!("no {name}: {row:?}")).1
+}
+
+/// Hinges beside the origins of their bodies, two in a body, a slide, a ball, a free body, every
+/// kind of orientation and shape, classes, springs, a rotor.
+#[test]
+fn a_model_of_mujoco_moves_as_mujoco_says() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("many.xml"), MANY).expect("written");
+    let mut more = "\n[initial]\n".to_owned();
+    for (name, start, _) in MANY_RUN {
+        writeln!(more, "\"robot.{name}\" = {start:?}").expect("text");
+    }
+    let row = run(&folder, &["many.xml"], &more);
+    for (name, _, wanted) in MANY_RUN {
+        let found = value(&row, &format!("robot.{name}"));
+        assert!((found - wanted).abs() < 1e-9, "{name}: {found} instead of {wanted}");
+    }
+}
+
+#[test]
+fn parts_of_mujoco_that_no_scene_has_are_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let actuator = "</worldbody><actuator><motor joint=\"elbow\"/></actuator>";
+    let text = MANY.replace("</worldbody>", actuator);
+    std::fs::write(folder.path().join("many.xml"), text).expect("written");
+    let call = ["import", "many.xml", "--out", "many.toml"];
+    let output = machinist(&folder, &call).output().expect("it starts");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        output.status.success() && said.contains("<actuator> of many.xml is left out"),
+        "{said}"
+    );
+}
+
+#[test]
+fn bad_models_of_mujoco_are_refused_and_nothing_is_written() {
+    let deep = format!("{}{}<body name=\"upper\"", "<body>".repeat(600), "</body>".repeat(600));
+    for (before, after, wanted) in [
+        ("<worldbody>", "<include file=\"a.xml\"/><worldbody>", "<include> is not read"),
+        ("<mujoco model=\"many joints\">", "<!DOCTYPE a><mujoco>", "DTD"),
+        ("eulerseq=\"zyx\"", "coordinate=\"global\"", "global coordinates"),
+        ("eulerseq=\"zyx\"", "eulerseq=\"zya\"", "no orientation"),
+        ("type=\"slide\"", "type=\"screw\"", "is of type `screw`"),
+        ("stiffness=\"2\"", "stiffness=\"2 3\"", "polynomial"),
+        ("stiffness=\"2\"", "stiffness=\"-2\"", "must not be negative"),
+        ("stiffness=\"2\"", "ref=\"2\"", "has a `ref`"),
+        ("armature=\"0.01\"", "armature=\"nan\"", "which no robot has"),
+        ("armature=\"0.01\"", "armature=\"1 kg\"", "not a number"),
+        ("axis=\"0.1 1 0.3\"", "axis=\"0 0 0\"", "is zero"),
+        ("axis=\"0.1 1 0.3\"", "axis=\"0 1\"", "three numbers"),
+        ("quat=\"0.9 0.1 -0.3 0.2\"", "quat=\"0 0 0 0\"", "no orientation"),
+        ("type=\"ellipsoid\"", "type=\"mesh\"", "inertia of a mesh is not known"),
+        ("size=\"0.04 0.1\"", "size=\"0.04\"", "not complete"),
+        ("size=\"0.03\"", "size=\"0.03\" density=\"-1\"", "negative"),
+        ("mass=\"0.7\"", "", "lacks the attribute `mass`"),
+        ("mass=\"0.7\"", "mass=\"-0.7\"", "must not be negative"),
+        ("diaginertia=\"0.003 0.004 0.002\"", "", "either `diaginertia` or `fullinertia`"),
+        ("type=\"ball\" pos=\"0 0 0.03\" damping=\"0\"", "type=\"ball\"", "of ball joints"),
+        ("<body name=\"upper\"", &deep, "too deeply"),
+        ("name=\"lower\"", "name=\"upper\"", "two links are called"),
+        ("<body name=\"ball\"", "<body mocap=\"true\" name=\"ball\"", "motion capture"),
+        (
+            "<geom size=\"0.1\"/><geom type=\"box\" size=\"0.1 0.05 0.02\" pos=\"0.1 0.1 0\"/>",
+            "",
+            "neither it nor what it carries",
+        ),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        assert!(MANY.contains(before), "{before}");
+        std::fs::write(folder.path().join("bad.xml"), MANY.replacen(before, after, 1))
+            .expect("written");
+        let call = ["import", "bad.xml", "--out", "bad.toml"];
+        assert_refused(machinist(&folder, &call), &[wanted]);
+        assert!(!folder.path().join("bad.toml").exists(), "{after} wrote a scene");
+    }
+}
+
+/// Rows of a, alpha, d, theta, and whether the joint slides; masses, centres and inertias.
+const ROWS: [([f64; 4], bool); 4] = [
+    ([0.1, std::f64::consts::FRAC_PI_2, 0.4, 0.2], false),
+    ([0.5, -0.7, 0.1, -0.4], false),
+    ([0.05, 0.3, 0.2, 0.6], true),
+    ([0.2, 1.1, -0.1, 0.0], false),
+];
+const START: [f64; 4] = [0.3, -0.8, 0.15, 1.2];
+const RATES: [f64; 4] = [1.0, -0.5, 0.3, 2.0];
+
+fn turn(axis: Vector3<f64>, angle: f64) -> Isometry3<f64> {
+    Isometry3::from_parts(Translation3::identity(), UnitQuaternion::from_scaled_axis(axis * angle))
+}
+
+fn moved(x: f64, z: f64) -> Isometry3<f64> {
+    Isometry3::translation(x, 0.0, z)
+}
+
+/// Centre of a link in the frame of its row in the standard convention.
+fn centre(index: usize) -> Vector3<f64> {
+    let k = index as f64;
+    Vector3::new(-0.1 + 0.02 * k, 0.03 * k, 0.05)
+}
+
+fn table(modified: bool) -> String {
+    let unit = if modified { "alpha [deg],a [mm]" } else { "alpha,a [m]" };
+    let mut text = format!(
+        "joint,type,{unit},d [m],theta [rad],mass [kg],cx [m],cy,cz,ixx [kg m^2],iyy,izz,ixy,ixz,iyz\n"
+    );
+    for (index, ([a, alpha, d, theta], slides)) in ROWS.into_iter().enumerate() {
+        let centre = centre(index);
+        let inertia = nalgebra::Matrix3::from_diagonal(&Vector3::new(0.02, 0.03, 0.025));
+        // The constants of a standard row follow its joint, those of the next modified row.
+        let rest = moved(a, 0.0) * turn(Vector3::x(), alpha);
+        let (arm, centre, inertia) = if modified {
+            let before = index.checked_sub(1).map_or([0.0; 4], |before| ROWS[before].0);
+            let turned = rest.rotation.to_rotation_matrix();
+            let inertia = turned.matrix() * inertia * turned.matrix().transpose();
+            (
+                [before[1].to_degrees(), before[0] * 1e3],
+                (rest * nalgebra::Point3::from(centre)).coords,
+                inertia,
+            )
+        } else {
+            ([alpha, a], centre, inertia)
+        };
+        let kind = if slides { "prismatic" } else { "revolute" };
+        let [xy, xz, yz] = [inertia[(0, 1)], inertia[(0, 2)], inertia[(1, 2)]];
+        writeln!(
+            text,
+            "j{index},{kind},{:?},{:?},{d:?},{theta:?},1.5,{:?},{:?},{:?},{:?},{:?},{:?},{xy:?},{xz:?},{yz:?}",
+            arm[0], arm[1], centre.x, centre.y, centre.z,
+            inertia[(0, 0)], inertia[(1, 1)], inertia[(2, 2)],
+        )
+        .expect("text");
+    }
+    text
+}
+
+/// Both conventions describe the same arm, whose last frame is the product of the rows' matrices.
+#[test]
+fn tables_of_denavit_and_hartenberg_move_as_their_matrices() {
+    let mut more = "\n[initial]\n".to_owned();
+    for (index, (start, rate)) in START.into_iter().zip(RATES).enumerate() {
+        writeln!(more, "\"robot.j{index}\" = {start:?}\n\"robot.j{index}_dot\" = {rate:?}")
+            .expect("text");
+    }
+    let rows: Vec<Vec<(String, f64)>> = [false, true]
+        .into_iter()
+        .map(|modified| {
+            let folder = tempfile::tempdir().expect("a folder");
+            std::fs::write(folder.path().join("arm.csv"), table(modified)).expect("written");
+            let call: &[&str] = if modified { &["arm.csv", "--modified"] } else { &["arm.csv"] };
+            let frame = if modified { "link_4" } else { "frame_4" };
+            let outputs = format!(
+                "[outputs]\nx = \"robot.{frame}_x\"\ny = \"robot.{frame}_y\"\nz = \"robot.{frame}_z\"\n"
+            );
+            run(&folder, call, &format!("{more}{outputs}"))
+        })
+        .collect();
+    for (name, value_of) in rows[0].iter().filter(|(name, _)| name.starts_with("robot.")) {
+        let other = value(&rows[1], name);
+        assert!((value_of - other).abs() < 1e-8, "{name}: {value_of} and {other}");
+    }
+    for (row, is_modified) in rows.iter().zip([false, true]) {
+        let mut whole = Isometry3::identity();
+        for (index, ([a, alpha, d, theta], slides)) in ROWS.into_iter().enumerate() {
+            let q = value(row, &format!("robot.j{index}"));
+            let (turned, slid) = if slides { (theta, d + q) } else { (theta + q, d) };
+            whole *= turn(Vector3::z(), turned) * moved(0.0, slid);
+            if !is_modified || index < 3 {
+                whole *= moved(a, 0.0) * turn(Vector3::x(), alpha);
+            }
+        }
+        for (name, wanted) in ["x", "y", "z"].into_iter().zip(whole.translation.vector.iter()) {
+            let found = value(row, name);
+            assert!((found - wanted).abs() < 1e-12, "{name}: {found} instead of {wanted}");
+        }
+    }
+}
+
+#[test]
+fn bad_tables_are_refused_and_nothing_is_written() {
+    let good = table(false);
+    let row = good.lines().nth(1).expect("a row").to_owned();
+    for (before, after, wanted) in [
+        ("alpha,", "beta,", "there is no column `beta`"),
+        (",iyz", ",ixx", "two columns `ixx`"),
+        ("a [m]", "a [inch]", "is in `inch`"),
+        ("prismatic", "helical", "is of type `helical`"),
+        (",0.4,", ",nan,", "not a number"),
+        (",0.4,", ",1e300,", "not a number"),
+        (",0.4,", ",0.4 m,", "not a number"),
+        (",0.4,", ",", "not a table"),
+        (",1.5,", ",-1.5,", "must not be negative"),
+        ("j1,", "j0,", "two joints are called"),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        assert!(good.contains(before), "{before}");
+        std::fs::write(folder.path().join("bad.csv"), good.replacen(before, after, 1))
+            .expect("written");
+        let call = ["import", "bad.csv", "--out", "bad.toml"];
+        assert_refused(machinist(&folder, &call), &[wanted]);
+        assert!(!folder.path().join("bad.toml").exists(), "{after} wrote a scene");
+    }
+    for (text, wanted) in [
+        ("a,alpha,d\n1,2,3\n", "no column `theta`"),
+        ("a,alpha,d,theta\n", "no rows"),
+        ("", "no column `a`"),
+        ("a,alpha,d,theta\n1,0,0,0\n", "neither it nor what it carries has inertia"),
+        (&row, "there is no column"),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("bad.csv"), text).expect("written");
+        let call = ["import", "bad.csv", "--out", "bad.toml"];
+        assert_refused(machinist(&folder, &call), &[wanted]);
+        assert!(!folder.path().join("bad.toml").exists(), "{text}");
+    }
+}

@@ -15,6 +15,7 @@ mod symbolica;
 mod terms;
 
 use crate::expr::{Expr, Symbol, identity};
+use crate::interrupt;
 use plain::Plain;
 use serde::{Deserialize, Serialize};
 pub use session::{CasError, GREETED, session};
@@ -128,6 +129,7 @@ impl Cas {
 
     /// Converts an expression to a form.
     pub fn form(&mut self, expr: &Expr) -> Form {
+        interrupt::check();
         match &mut self.0 {
             #[cfg(feature = "symbolica")]
             Engine::Symbolica(vocabulary) => Known::of(vocabulary, expr).into(),
@@ -160,6 +162,7 @@ impl Cas {
 
     /// Returns the partial derivative by one symbol.
     pub fn derivative(&mut self, form: &Form, symbol: Symbol) -> Form {
+        interrupt::check();
         match (&mut self.0, &form.0) {
             #[cfg(feature = "symbolica")]
             (Engine::Symbolica(vocabulary), Kind::Symbolica(known)) => {
@@ -173,12 +176,14 @@ impl Cas {
 
     /// Returns the cheapest of several equal forms, by the cost of its tape.
     pub fn simplify(&mut self, form: &Form) -> Expr {
+        interrupt::check();
         simplify::cheapest(self, form)
     }
 
     /// Returns the shorter of a form and its expansion. The size of a form determines the size of
     /// its derivatives before they are simplified.
     pub fn shorter(&mut self, form: &Form) -> Form {
+        interrupt::check();
         simplify::shorter(self, form)
     }
 
@@ -196,6 +201,7 @@ impl Cas {
     /// Expands products and joins sin^2 + cos^2. Returns the form unchanged if that may cost too
     /// much.
     pub fn expand(&mut self, form: &Form) -> Form {
+        interrupt::check();
         if simplify::may_be_expanded(&self.expr(form)) {
             simplify::expanded(self, form)
         } else {
@@ -206,12 +212,14 @@ impl Cas {
     /// Returns whether a form is zero for all values of its symbols.
     #[must_use]
     pub fn is_zero(&self, form: &Form) -> bool {
+        interrupt::check();
         form.is_zero() || identity::is_zero(&self.expr(form))
     }
 
     /// Returns the sum of many forms; one-by-one addition would copy the sum each time.
     #[must_use]
     pub fn sum(&self, forms: Vec<Form>) -> Form {
+        interrupt::check();
         match self.0 {
             #[cfg(feature = "symbolica")]
             Engine::Symbolica(_) => Known::sum(forms.into_iter().map(Form::into_known)).into(),

@@ -8,3 +8,4 @@
 pub mod cas;
 pub mod expr;
 pub mod faults;
+pub mod interrupt;

@@ -68,6 +68,7 @@ where
 {
     #[cfg(feature = "faults")]
     let job = crate::faults::carried(job);
+    let job = crate::interrupt::carried(job);
     let job: Job = Box::new(move |cas| Box::new(job(cas)));
     let done = match algebra {
         #[cfg(feature = "symbolica")]

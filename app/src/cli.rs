@@ -68,6 +68,7 @@ pub mod walk;
 #[cfg(feature = "derive")]
 mod watch;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 #[cfg(feature = "derive")]
@@ -229,9 +230,9 @@ fn check_place(command: &clap::Command, matches: &ArgMatches) -> Result<(), Fail
 }
 
 /// Returns the colours asked for, before the command line is parsed.
-fn asked_colours() -> Option<Colours> {
+fn asked_colours(arguments: &[OsString]) -> Option<Colours> {
     let arguments: Vec<String> =
-        std::env::args_os().map(|argument| argument.to_string_lossy().into_owned()).collect();
+        arguments.iter().map(|argument| argument.to_string_lossy().into_owned()).collect();
     let value = |(at, argument): (usize, &String)| {
         let rest = ["--colours", "--color"].iter().find_map(|name| argument.strip_prefix(name))?;
         let next = || arguments.get(at + 1).cloned();
@@ -245,16 +246,22 @@ fn asked_colours() -> Option<Colours> {
 /// Runs the command that the arguments of this process ask for.
 #[must_use]
 pub fn main() -> ExitCode {
+    run(&std::env::args_os().collect::<Vec<_>>()).into()
+}
+
+/// Runs the command that arguments ask for, the first of which is the name of the program, and
+/// returns the exit code.
+pub fn run(arguments: &[OsString]) -> u8 {
     if let Err(failure) = config::load() {
         return failure.tell();
     }
-    let choice = match asked_colours().or_else(config::colours) {
+    let choice = match asked_colours(arguments).or_else(config::colours) {
         None | Some(Colours::Auto) => ColorChoice::Auto,
         Some(Colours::Always) => ColorChoice::Always,
         Some(Colours::Never) => ColorChoice::Never,
     };
     let mut command = command().color(choice);
-    let matches = command.get_matches_mut();
+    let matches = command.try_get_matches_from_mut(arguments).unwrap_or_else(|error| error.exit());
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     cli.colours.or_else(config::colours).into_iter().for_each(config::colour_messages);
     #[cfg(feature = "derive")]
@@ -322,7 +329,7 @@ pub fn main() -> ExitCode {
         Command::Watch(command) => command.execute(),
     };
     match done {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(failure) => failure.tell(),
     }
 }

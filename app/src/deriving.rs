@@ -11,11 +11,12 @@
 mod cache;
 mod child;
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use machinist::constraints::{self, Lasting};
 use machinist_algebra::cas::Algebra;
+use machinist_algebra::interrupt::Interrupted;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::{self, Derivation};
 use machinist_codegen::scene::compose;
@@ -188,16 +189,21 @@ pub fn model(scene: &SpecSource, keep: Keep) -> Result<Model, Failure> {
 /// Derives the model of a request, with the generator that made it. Drops constraints that always
 /// follow from others, with a note.
 pub fn stamped(request: &Request) -> Result<Stamped, Failure> {
-    let whole = derived_as_asked(request)?;
+    during("deriving", || stamped_with(request, &mut tell))
+}
+
+/// Like [`stamped`], but hands remarks to the caller instead of printing them.
+pub fn stamped_with(request: &Request, remark: &mut dyn FnMut(Remark)) -> Result<Stamped, Failure> {
+    let whole = derived_as_asked(request, remark)?;
     let lasting = repeated(&whole.model);
     if lasting.is_empty() {
         return Ok(whole);
     }
     for one in &lasting {
-        tell_once(dropped_note(&whole.model, one));
+        remark(Remark::Note(dropped_note(&whole.model, one)));
     }
     let dropped = lasting.into_iter().map(|one| (one.constraint, one.needs)).collect();
-    derived_as_asked(&Request { dropped, ..request.clone() })
+    derived_as_asked(&Request { dropped, ..request.clone() }, remark)
 }
 
 /// Returns the constraints that follow from others in every state.
@@ -227,19 +233,43 @@ pub fn dropped_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting
     )
 }
 
-/// Notes already shown by this process.
-static TOLD: Mutex<Vec<String>> = Mutex::new(Vec::new());
-
-fn tell_once(note: String) {
-    let mut told = TOLD.lock().unwrap_or_else(PoisonError::into_inner);
-    if !told.contains(&note) {
-        eprintln!("machinist: {note}");
-        told.push(note);
-    }
+/// Remark on a scene that is derived all the same.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Remark {
+    /// Warning of its spec.
+    Warning(Diagnostic),
+    /// Note on its derivation.
+    Note(String),
 }
 
-fn derived_as_asked(request: &Request) -> Result<Stamped, Failure> {
-    let mut derived = derive(std::slice::from_ref(request))?;
+/// Remarks already shown by this process.
+static SHOWN: Mutex<Vec<Remark>> = Mutex::new(Vec::new());
+
+/// Shows a remark on standard error, once.
+fn tell(remark: Remark) {
+    let mut shown = SHOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    if shown.contains(&remark) {
+        return;
+    }
+    match &remark {
+        Remark::Warning(warning) => eprintln!("{:?}", Report::new(warning.clone())),
+        Remark::Note(note) => eprintln!("machinist: {note}"),
+    }
+    shown.push(remark);
+}
+
+/// Shows warnings of a spec on standard error, each once.
+pub fn warn(system: &LagrangianSystem) {
+    warnings(system).for_each(tell);
+}
+
+fn warnings(system: &LagrangianSystem) -> impl Iterator<Item = Remark> {
+    let notes = system.notes.iter().map(|note| Remark::Note(format!("{}: {note}", system.name)));
+    notes.chain(system.warnings.iter().cloned().map(Remark::Warning))
+}
+
+fn derived_as_asked(request: &Request, remark: &mut dyn FnMut(Remark)) -> Result<Stamped, Failure> {
+    let mut derived = derive_with(std::slice::from_ref(request), remark)?;
     match derived.pop() {
         Some(Derived::Model(stamped)) => Ok(*stamped),
         _ => Err(broken("unexpected kind of answer")),
@@ -300,7 +330,7 @@ pub fn derivation(scene: &SpecSource, keep: Keep, purpose: Purpose) -> Result<De
         return Ok(whole);
     }
     for one in &lasting {
-        tell_once(dropped_note(whole.stages.needed(), one));
+        tell(Remark::Note(dropped_note(whole.stages.needed(), one)));
     }
     let dropped = lasting.into_iter().map(|one| (one.constraint, one.needs)).collect();
     let request =
@@ -311,29 +341,20 @@ pub fn derivation(scene: &SpecSource, keep: Keep, purpose: Purpose) -> Result<De
     }
 }
 
-/// Warnings already shown by this process.
-static SHOWN: Mutex<Vec<Diagnostic>> = Mutex::new(Vec::new());
-
-/// Shows warnings of a spec, and notes on loops that are cut, on standard error, each once.
-pub fn warn(system: &LagrangianSystem) {
-    for note in &system.notes {
-        tell_once(format!("{}: {note}", system.name));
-    }
-    let mut shown = SHOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    for warning in &system.warnings {
-        if !shown.contains(warning) {
-            shown.push(warning.clone());
-            eprintln!("{:?}", Report::new(warning.clone()));
-        }
-    }
+/// Answers requests, and shows remarks on standard error.
+fn derive(requests: &[Request]) -> Result<Vec<Derived>, Failure> {
+    during("deriving", || derive_with(requests, &mut tell))
 }
 
 /// Answers requests in their order: from the cache if possible, otherwise by deriving here, or in
 /// one child process if Symbolica derives them.
-fn derive(requests: &[Request]) -> Result<Vec<Derived>, Failure> {
+fn derive_with(
+    requests: &[Request],
+    remark: &mut dyn FnMut(Remark),
+) -> Result<Vec<Derived>, Failure> {
     let cache = Cache::of_user();
     let systems = all(requests, Request::system)?;
-    systems.iter().for_each(warn);
+    systems.iter().flat_map(warnings).for_each(remark);
     let asked = requests.iter().zip(systems).map(|(request, system)| {
         let algebra = request.purpose.algebra(&system);
         let key = cache::key(request, algebra, &system.files);
@@ -345,10 +366,8 @@ fn derive(requests: &[Request]) -> Result<Vec<Derived>, Failure> {
     for one in asked.iter_mut().filter(|one| one.derived.is_none()) {
         if one.algebra == Algebra::Plain { own.push(one) } else { others.push(one) }
     }
-    during("deriving", || -> Result<(), Failure> {
-        derive_here(own, &cache)?;
-        derive_by_child(others, &cache)
-    })?;
+    derive_here(own, &cache)?;
+    derive_by_child(others, &cache)?;
     asked.into_iter().map(|one| one.derived.ok_or_else(|| broken("too little"))).collect()
 }
 
@@ -367,7 +386,11 @@ fn derive_here(asked: Vec<&mut Asked>, cache: &Cache) -> Result<(), Failure> {
     let derived = all(&asked, |one| {
         let system = one.system.clone();
         let work = || one.request.derived_of(system, one.algebra);
-        catch_unwind(AssertUnwindSafe(work)).map_or(Ok(None), |derived| derived.map(Some))
+        match catch_unwind(AssertUnwindSafe(work)) {
+            Ok(derived) => derived.map(Some),
+            Err(payload) if payload.is::<Interrupted>() => resume_unwind(payload),
+            Err(_) => Ok(None),
+        }
     })?;
     for (one, derived) in asked.into_iter().zip(derived) {
         let derived = derived.ok_or_else(|| broken("internal error"))?;

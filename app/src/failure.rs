@@ -3,7 +3,6 @@
 use std::fmt::Display;
 use std::io;
 use std::path::Path;
-use std::process::ExitCode;
 
 use machinist::SimulateError;
 use machinist::error::nearest;
@@ -42,7 +41,7 @@ impl Failure {
     }
 
     /// Prints the messages on standard error and returns the exit code.
-    pub fn tell(&self) -> ExitCode {
+    pub fn tell(&self) -> u8 {
         let (reports, code) = match self {
             Self::Input(reports) => (reports.as_slice(), 2),
             Self::Unsuccessful(report) => (std::slice::from_ref(report), 1),
@@ -50,7 +49,7 @@ impl Failure {
         for report in reports {
             eprintln!("{report:?}");
         }
-        ExitCode::from(code)
+        code
     }
 }
 
@@ -64,8 +63,12 @@ pub struct Trouble {
     pub line: usize,
     /// Column in characters, from 1; 0 if there is none.
     pub column: usize,
+    /// Number of characters at fault; 0 if there is no location.
+    pub length: usize,
     /// Message in one sentence.
     pub message: String,
+    /// Hint for mending it; may be empty.
+    pub help: String,
     /// Full text as commands print it, without colours.
     pub text: String,
     /// True if the machine runs all the same.
@@ -74,7 +77,24 @@ pub struct Trouble {
 
 #[cfg(feature = "derive")]
 impl Trouble {
+    /// Returns a note on a machine that runs all the same.
+    #[must_use]
+    pub fn note(message: String) -> Self {
+        let text = format!("  machinist: {message}");
+        Self {
+            file: String::new(),
+            line: 0,
+            column: 0,
+            length: 0,
+            message,
+            help: String::new(),
+            text,
+            is_warning: true,
+        }
+    }
+
     /// Returns the same as a warning.
+    #[must_use]
     pub fn into_warning(self) -> Self {
         Self { is_warning: true, ..self }
     }
@@ -87,7 +107,9 @@ impl From<&Diagnostic> for Trouble {
             file: of.file.clone(),
             line: of.line,
             column: of.column,
+            length: of.length(),
             message: of.message.clone(),
+            help: of.help.clone().unwrap_or_default(),
             text: Diagnostics::from(of.clone()).render(),
             is_warning: of.is_warning,
         }

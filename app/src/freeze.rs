@@ -75,12 +75,19 @@ pub fn candidates(scene: &SpecSource) -> Result<Vec<Candidate>, Failure> {
 
 /// Returns an error if freezing exceeds the tolerance of the scene.
 pub fn admit(scene: &SpecSource, model: &Model) -> Result<(), Failure> {
+    admit_against(model, || deriving::model(scene, Keep::Exact))
+}
+
+/// Like [`admit`]; `exact` derives the model without freezing.
+pub fn admit_against(
+    model: &Model,
+    exact: impl FnOnce() -> Result<Model, Failure>,
+) -> Result<(), Failure> {
     let freeze = &model.freeze;
     if freeze.rigid.is_empty() {
         return Ok(());
     }
-    let exact = deriving::model(scene, Keep::Exact)?;
-    let price = Price::measure(exact, model.clone())?;
+    let price = Price::measure(exact()?, model.clone())?;
     match price.worst() {
         // An error that is not a number is never allowed.
         Some((output, error)) if error.is_nan() || *error > freeze.tolerance => {

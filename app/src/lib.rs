@@ -3,12 +3,15 @@
 //! Without the feature `derive` it reads no specs, needs no computer algebra, and runs built-in
 //! scenes and model files.
 //!
-//! This is a library only for its tests. Other programs should depend on `machinist`.
+//! This is a library for its tests and for the Python package ([`embedded`]). Other programs should
+//! depend on `machinist`.
 
 mod cli;
 mod config;
 #[cfg(feature = "derive")]
 mod deriving;
+#[cfg(feature = "derive")]
+pub mod embedded;
 #[cfg(feature = "derive")]
 mod explain;
 mod failure;
@@ -23,6 +26,7 @@ mod number;
 pub mod object;
 mod parquet;
 pub mod plot;
+mod program;
 mod progress;
 #[cfg(feature = "derive")]
 mod report;
@@ -37,5 +41,7 @@ mod watch;
 
 pub use cli::{command, main};
 pub use config::KEYS as CONFIGURATION_KEYS;
+#[cfg(feature = "derive")]
+pub use failure::Trouble;
 #[cfg(feature = "derive")]
 pub use report::Headless;

@@ -76,7 +76,7 @@ pub fn require(file: &Path) -> Result<(), Failure> {
 
 fn unavailable(file: &Path) -> Failure {
     let message = format!("--out {}: this program was built without Parquet", file.display());
-    let help = "`cargo build --release --features parquet` builds one with it; .csv holds the same";
+    let help = ".csv holds the same; `cargo install --path app` builds a program with Parquet";
     Failure::input(message, help)
 }
 

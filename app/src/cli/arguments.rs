@@ -59,6 +59,12 @@ impl DeriveArgs {
 pub fn algebra(name: &str) -> Result<Algebra, String> {
     let known = Algebra::ALL.iter().find(|algebra| algebra.name() == name);
     known.copied().ok_or_else(|| {
+        if name == "symbolica" {
+            return "this build has no Symbolica; `plain`, the default, derives the same motion, \
+                    and `cargo install --path app` in Machinist's sources builds a program with \
+                    both"
+                .to_owned();
+        }
         let names: Vec<&str> = Algebra::ALL.iter().map(|algebra| algebra.name()).collect();
         format!("this build supports {}", names.join(" and "))
     })

@@ -412,7 +412,7 @@ pub const BENCH: &str = "bench";
 
 /// Returns the spec of a name or a path. A name is searched in the specs of the current folder,
 /// then among the built-in ones.
-fn spec_of(argument: &str) -> Result<SpecSource, Failure> {
+pub fn spec_of(argument: &str) -> Result<SpecSource, Failure> {
     if is_path(argument) {
         return Ok(SpecSource::File(PathBuf::from(argument)));
     }

@@ -6,7 +6,7 @@
 //! too, so that it does not keep the lock of the algebra.
 
 use std::io::{ErrorKind, Read as _, Write as _, stdin, stdout};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use machinist_algebra::cas::{Algebra, GREETED};
@@ -14,6 +14,7 @@ use machinist_model::file::{open, seal};
 
 use super::{Derived, Request, broken};
 use crate::failure::{Failure, all};
+use crate::program;
 
 /// Command that starts the child.
 pub const COMMAND: &str = "derive-for-parent";
@@ -29,8 +30,7 @@ pub(super) fn ask(requests: &[(&Request, Algebra)]) -> Result<Vec<Derived>, Fail
     let failed = |error: &std::io::Error| {
         Failure::unsuccessful(format!("cannot start the derivation process: {error}"), "")
     };
-    let program = std::env::current_exe().map_err(|error| failed(&error))?;
-    let mut command = Command::new(program);
+    let mut command = program::again().map_err(|error| failed(&error))?;
     command.arg(COMMAND).stdin(Stdio::piped()).stdout(Stdio::piped());
     if GREETED_ONCE.swap(true, Ordering::Relaxed) {
         command.env(GREETED, "1");

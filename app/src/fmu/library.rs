@@ -90,7 +90,7 @@ fn built() -> Option<PathBuf> {
 
 fn missing() -> Failure {
     let message = format!("there is no `{}` beside this program", built_name());
-    Failure::input(message, build())
+    Failure::input(message, format!("`--source` exports C99, which needs none; {}", build()))
 }
 
 /// Returns the command that builds the library.

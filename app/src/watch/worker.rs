@@ -6,7 +6,7 @@
 
 use std::io::{BufRead as _, BufReader, Read as _, Write as _, stdout};
 use std::path::{Path, PathBuf};
-use std::process::{Child, ChildStderr, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStderr, ChildStdout, Stdio};
 use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::Duration;
@@ -25,6 +25,7 @@ use crate::cli::check::{counted, found};
 use crate::deriving::{derive_by, dropped_note, end_with_parent, repeated};
 use crate::failure::{Failure, Trouble};
 use crate::freeze::admit;
+use crate::program;
 use crate::report::{Content, Ran};
 use crate::spec_source::SpecSource;
 
@@ -104,7 +105,7 @@ fn ran(
     let mut outline = outline_by(Algebra::Plain, system.clone(), Keep::Needed)?;
     let lasting = repeated(&outline.model);
     if !lasting.is_empty() {
-        let notes = lasting.iter().map(|one| note(dropped_note(&outline.model, one)));
+        let notes = lasting.iter().map(|one| Trouble::note(dropped_note(&outline.model, one)));
         answer.troubles.extend(notes);
         for one in &lasting {
             system.drop_constraint(&one.constraint, &one.needs);
@@ -120,11 +121,6 @@ fn complete(ran: &mut Ran, system: &LagrangianSystem, answer: &mut Answer) -> Re
     let stages = derivation_by(Algebra::Plain, system.clone(), Keep::Needed)?.stages;
     answer.found = found(system, || Ok(stages.whole.clone()))?;
     ran.complete(stages)
-}
-
-fn note(message: String) -> Trouble {
-    let text = format!("  machinist: {message}");
-    Trouble { file: String::new(), line: 0, column: 0, message, text, is_warning: true }
 }
 
 fn tell(answer: &Answer) -> Result<(), Failure> {
@@ -150,8 +146,8 @@ impl Worker {
         let failed = |error: std::io::Error| {
             Failure::unsuccessful(format!("cannot start the derivation process: {error}"), "")
         };
-        let program = std::env::current_exe().map_err(failed)?;
-        let mut child = Command::new(program)
+        let mut child = program::again()
+            .map_err(failed)?
             .arg(COMMAND)
             .arg(format!("--time-limit={}", time_limit.as_secs_f64()))
             .arg("--")

@@ -145,6 +145,12 @@ impl Diagnostic {
         }
     }
 
+    /// Returns the number of characters of the span; 0 if the file could not be read.
+    #[must_use]
+    pub fn length(&self) -> usize {
+        self.source.as_ref().map_or(0, |source| source.length)
+    }
+
     /// Returns the diagnostic as a warning.
     #[must_use]
     pub fn as_warning(self) -> Self {
@@ -158,6 +164,8 @@ impl Diagnostic {
 struct Excerpt {
     name: String,
     text: String,
+    /// Number of characters of the whole mistake.
+    length: usize,
     /// Number of lines of the file before the first one kept.
     lines_before: usize,
     /// Span of the mistake, in bytes of `text`.
@@ -166,6 +174,7 @@ struct Excerpt {
 
 impl Excerpt {
     fn new(name: &str, text: &str, range: Range<usize>) -> Self {
+        let length = text[range.clone()].chars().count();
         let line = text[..range.start].matches('\n').count();
         let lines_before = line.saturating_sub(CONTEXT);
         let mut offset = 0;
@@ -187,7 +196,8 @@ impl Excerpt {
             offset += line.len();
         }
         let end = kept.len()..kept.len();
-        Excerpt { name: name.to_owned(), text: kept, lines_before, range: moved.unwrap_or(end) }
+        let (name, range) = (name.to_owned(), moved.unwrap_or(end));
+        Excerpt { name, text: kept, length, lines_before, range }
     }
 }
 

@@ -9,28 +9,51 @@ True
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from . import _machinist
 from ._machinist import __version__, built_in_names
-from ._designs import Design, design
-from ._fit import Fit
-from ._linear import Mode, Modes, Response
-from ._model import Model, load
-from ._run import Run
-from ._sensitivities import Sensitivities
-from ._state_space import StateSpace
-from ._sweep import Sweep, sweep
 from .errors import (
     AnalysisError,
     InputError,
     MachinistError,
+    Mistake,
     ModelFileError,
     ShapeError,
     SpecError,
+    SpecWarning,
     StoppedError,
     SweepError,
-    ToolMissingError,
     UnknownNameError,
 )
+
+if TYPE_CHECKING:
+    from ._designs import Design, design
+    from ._fit import Fit
+    from ._linear import Mode, Modes, Response
+    from ._model import Model, load
+    from ._run import Run
+    from ._sensitivities import Sensitivities
+    from ._state_space import StateSpace
+    from ._sweep import Sweep, sweep
+
+#: Modules of the names that are imported on first use: the program `machinist` does without NumPy.
+_LATER = {
+    "Design": "_designs",
+    "Fit": "_fit",
+    "Mode": "_linear",
+    "Model": "_model",
+    "Modes": "_linear",
+    "Response": "_linear",
+    "Run": "_run",
+    "Sensitivities": "_sensitivities",
+    "StateSpace": "_state_space",
+    "Sweep": "_sweep",
+    "design": "_designs",
+    "load": "_model",
+    "sweep": "_sweep",
+}
 
 __all__ = [
     "AnalysisError",
@@ -38,6 +61,7 @@ __all__ = [
     "Fit",
     "InputError",
     "MachinistError",
+    "Mistake",
     "Mode",
     "Model",
     "ModelFileError",
@@ -47,11 +71,11 @@ __all__ = [
     "Sensitivities",
     "ShapeError",
     "SpecError",
+    "SpecWarning",
     "StateSpace",
     "StoppedError",
     "Sweep",
     "SweepError",
-    "ToolMissingError",
     "UnknownNameError",
     "__version__",
     "built_in_names",
@@ -60,6 +84,19 @@ __all__ = [
     "methods",
     "sweep",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    module = _LATER.get(name)
+    if module is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f".{module}", __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_LATER})
 
 
 def methods() -> dict[str, str]:

@@ -1,69 +1,57 @@
-"""Models from specs, compiled by the program `machinist`."""
+"""Models from specs."""
 
 from __future__ import annotations
 
-import os
-import re
-import shutil
-import subprocess
-import tempfile
+import warnings
 from pathlib import Path
 
-from .errors import ModelFileError, SpecError, ToolMissingError
-
-_WHERE = re.compile(r"\[(?P<file>[^\[\]\n]+?):(?P<line>\d+):\d+\]")
-_MESSAGE = re.compile(r"^\s*(?:Error:\s*)?[×x]\s+(?P<message>.+)$", re.MULTILINE)
-_HELP = re.compile(r"^\s*help:\s*(?P<help>.+?)(?=^\s*$|\Z)", re.MULTILINE | re.DOTALL)
+from . import _machinist
+from .errors import Mistake, ModelFileError, SpecError, SpecWarning
 
 
-def program() -> str:
-    """Path of the program `machinist`, from the environment variable MACHINIST or else PATH."""
-    named = os.environ.get("MACHINIST")
-    found = shutil.which(named) if named else shutil.which("machinist")
-    if found:
-        return found
-    told = f"MACHINIST names `{named}`, which is no program" if named else "it is not on PATH"
-    raise ToolMissingError(
-        f"a spec is derived by the program `machinist`: {told}",
-        hint="`cargo install --path app` in Machinist's sources installs it; or let "
-        "`machinist compile SCENE --out FILE.model` write a model elsewhere, and load that",
+def derived(
+    *, file: Path | None = None, name: str | None = None, keep_all: bool = False
+) -> bytes | None:
+    """Model, as bytes, of a spec file or of a spec that comes with the package; None if no such
+    spec has this name."""
+    answer = _machinist.derive(file, name, keep_all)
+    if answer is None:
+        return None
+    content, told = answer
+    mistakes = [_mistake(*one) for one in told]
+    if content is None:
+        raise _refused(mistakes)
+    for mistake in mistakes:
+        # For the caller of `load`.
+        warnings.warn(SpecWarning(mistake), stacklevel=3)
+    return content
+
+
+def _mistake(
+    file: str, line: int, column: int, length: int, message: str, hint: str, report: str
+) -> Mistake:
+    return Mistake(
+        message=message,
+        file=file or None,
+        line=line or None,
+        column=column or None,
+        length=length or None,
+        hint=hint or None,
+        report=report,
     )
 
 
-def derived(scene: str | os.PathLike[str], *, keep_all: bool = False) -> bytes:
-    """Model, as bytes, of a spec or of a built-in scene of the program."""
-    tool = program()
-    with tempfile.TemporaryDirectory(prefix="machinist-") as folder:
-        out = Path(folder) / "machine.model"
-        command = [tool, "compile", os.fspath(scene), "--out", str(out)]
-        if keep_all:
-            command.append("--keep-all")
-        environment = {**os.environ, "NO_COLOR": "1"}
-        try:
-            done = subprocess.run(
-                command, capture_output=True, text=True, errors="replace", env=environment
-            )
-        except OSError as error:
-            raise ToolMissingError(f"{tool} cannot be run: {error}") from error
-        if done.returncode == 0 and out.is_file():
-            return out.read_bytes()
-        raise _refused(str(scene), done.stderr or done.stdout, done.returncode)
-
-
-def _refused(scene: str, report: str, code: int) -> SpecError:
-    """Error reported by the program for a spec, with the first file and line it gives."""
-    messages = [found["message"].strip() for found in _MESSAGE.finditer(report)]
-    told = [message for message in messages if not message.endswith("errors in the spec")]
-    message = "; ".join(told) or report.strip() or f"`machinist compile` ended with code {code}"
-    where = _WHERE.search(report)
-    file, line = (where["file"], int(where["line"])) if where else (scene, None)
-    # The program omits the root directory from file names.
-    if where and not Path(file).exists() and Path(os.sep, file).exists():
-        file = str(Path(os.sep, file))
-    advice = _HELP.search(report)
-    hint = " ".join(advice["help"].split()) if advice else None
-    error = SpecError(message, file=file, line=line, hint=hint)
-    error.report = report
+def _refused(mistakes: list[Mistake]) -> SpecError:
+    """Exception for the errors of a spec, at the place of the first."""
+    first = mistakes[0]
+    error = SpecError(
+        "; ".join(mistake.message for mistake in mistakes),
+        file=first.file,
+        line=first.line,
+        hint=first.hint,
+    )
+    error.mistakes = tuple(mistakes)
+    error.report = "\n".join(mistake.report for mistake in mistakes)
     return error
 
 

@@ -1,6 +1,7 @@
 """Native part of the package: the interface between Rust and Python."""
 
 from collections.abc import Sequence
+from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -51,6 +52,13 @@ class Run:
 def built_in_names() -> list[str]:
     """Names of the built-in scenes, sorted."""
 
+def machine_names() -> list[str]:
+    """Names of the machines of standard parts that come with the package, sorted."""
+
+def derive(
+    file: PathLike[str] | None, name: str | None, keep_all: bool
+) -> tuple[bytes | None, list[tuple[str, int, int, int, str, str, str]]] | None: ...
+def program(again: tuple[str, Sequence[str]], arguments: Sequence[str]) -> int: ...
 def methods() -> list[tuple[str, int, bool, str]]: ...
 def did_you_mean(name: str, known: list[str]) -> str: ...
 def modes(machine: Machine, settings: dict[str, Any], at: str, by: list[str]) -> dict[str, Any]: ...

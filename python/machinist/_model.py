@@ -40,34 +40,45 @@ def load(
     keep_all: bool = False,
 ) -> Model:
     """Load a machine from a spec (`drive.toml`), a model file (`drive.model`) or by the name of a
-    built-in scene (`saw_gin`).
+    scene (`saw_gin`, or one of the machines that `machinist list` shows).
 
-    Loading a spec requires the program `machinist`, from the environment variable MACHINIST or
-    PATH. Model files and built-in scenes do not require it.
+    A spec is derived in this process. Derived models are cached, as by the program `machinist`.
 
     :param elements: number of elements that discretize the fields of the scene, if any.
     :param order: order of these elements.
     :param keep_all: keep all parts of a spec, including those that no output needs.
     :raises UnknownNameError: no scene has this name.
-    :raises SpecError: the spec is invalid; gives file and line.
+    :raises SpecError: the spec is invalid; gives file, line and hint of each mistake.
     :raises ModelFileError: the file is damaged or has another version.
-    :raises ToolMissingError: a spec needs the program `machinist`, which was not found.
     """
     name = os.fspath(scene)
     if not isinstance(name, str):
         raise InputError(f"a scene is a name or a path, not {scene!r}")
     is_path = Path(name).suffix in {".toml", ".model"} or os.sep in name or "/" in name
-    if not is_path and not keep_all:
-        return _loaded(("built in", name), elements, order)
     if not is_path:
-        return _loaded(("model", _derive.derived(name, keep_all=True)), elements, order)
+        if not keep_all and name in _machinist.built_in_names():
+            return _loaded(("built in", name), elements, order)
+        found = _derive.derived(name=name, keep_all=keep_all)
+        if found is None:
+            raise _unknown(name)
+        return _loaded(("model", found), elements, order)
     content, is_model = _derive.read(Path(name), _machinist.MODEL_MARK)
     if is_model or Path(name).suffix == ".model":
         try:
             return _loaded(("model", content), elements, order)
         except ModelFileError as error:
             raise ModelFileError(error.message, file=name, hint=_again(error)) from None
-    return _loaded(("model", _derive.derived(name, keep_all=keep_all)), elements, order)
+    derived = _derive.derived(file=Path(name), keep_all=keep_all)
+    return _loaded(("model", derived), elements, order)
+
+
+def _unknown(name: str) -> UnknownNameError:
+    known = [*_machinist.built_in_names(), *_machinist.machine_names()]
+    likely = _machinist.did_you_mean(name, known)
+    hint = None if likely else (
+        f"built in are {', '.join(known)}; names of files end in .toml or .model"
+    )
+    return UnknownNameError(f"there is no scene `{name}`{likely}", hint=hint)
 
 
 def _again(error: ModelFileError) -> str:
@@ -86,12 +97,7 @@ def _loaded(payload: tuple[str, Any], elements: int | None, order: int | None) -
         else:
             found = _machinist.Machine.built_in(content, elements, order)
             if found is None:
-                known = _machinist.built_in_names()
-                likely = _machinist.did_you_mean(content, known)
-                hint = None if likely else (
-                    f"built in are {', '.join(known)}; names of files end in .toml or .model"
-                )
-                raise UnknownNameError(f"there is no scene `{content}`{likely}", hint=hint)
+                raise _unknown(content)
             machine = found
         _LOADED[key] = Model(machine, key)
     return _LOADED[key]

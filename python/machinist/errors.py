@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -11,12 +12,13 @@ __all__ = [
     "AnalysisError",
     "InputError",
     "MachinistError",
+    "Mistake",
     "ModelFileError",
     "ShapeError",
     "SpecError",
+    "SpecWarning",
     "StoppedError",
     "SweepError",
-    "ToolMissingError",
     "UnknownNameError",
 ]
 
@@ -86,14 +88,43 @@ class ModelFileError(InputError):
     """A file is not a model, is damaged or has another version."""
 
 
-class SpecError(InputError):
-    """A spec is invalid; `report` is the complete output of the program."""
+@dataclass(frozen=True)
+class Mistake:
+    """An error or a warning of a spec, with its place in the text."""
 
+    message: str
+    #: Invalid file, or None.
+    file: str | None
+    #: Line and column in the file, from 1, or None. Columns are characters.
+    line: int | None
+    column: int | None
+    #: Number of characters at fault, or None.
+    length: int | None
+    #: Suggested remedy, or None.
+    hint: str | None
+    #: The mistake with the text around it, as the program prints it.
+    report: str
+
+
+class SpecError(InputError):
+    """A spec is invalid. `file`, `line` and `hint` are those of the first of its `mistakes`."""
+
+    mistakes: tuple[Mistake, ...] = ()
+    #: All mistakes with the text around them, as the program prints them.
     report: str = ""
 
 
-class ToolMissingError(MachinistError, FileNotFoundError):
-    """The program `machinist`, which derives models from specs, was not found."""
+class SpecWarning(UserWarning):
+    """A spec is valid but questionable; `mistake` is the warning with its place in the text."""
+
+    def __init__(self, mistake: Mistake) -> None:
+        self.mistake = mistake
+        where = "" if mistake.line is None else f"{mistake.file}:{mistake.line}: "
+        more = f"\nhint: {mistake.hint}" if mistake.hint else ""
+        super().__init__(f"{where}{mistake.message}{more}")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (self.mistake,))
 
 
 class StoppedError(MachinistError, RuntimeError):

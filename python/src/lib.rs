@@ -7,11 +7,13 @@
 //! - [`failure`]: errors as exceptions of the package;
 //! - [`arrays`]: numbers passed from Python;
 //! - [`source`]: sources of simulators;
+//! - [`derive`]: models of specs, and the commands of the program;
 //! - [`settings`]: settings of a run, from keywords;
 //! - [`patience`]: interruption of runs by Ctrl-C;
 //! - [`machine`], [`run`], [`linear`], [`fit`], [`sweep`]: the interface for Python.
 
 mod arrays;
+mod derive;
 mod describe;
 mod failure;
 mod fit;
@@ -29,6 +31,12 @@ use pyo3::prelude::*;
 /// The native part of the package `machinist`.
 #[pymodule]
 mod _machinist {
+    #[pymodule_export]
+    use crate::derive::derive;
+    #[pymodule_export]
+    use crate::derive::machine_names;
+    #[pymodule_export]
+    use crate::derive::program;
     #[pymodule_export]
     use crate::fit::fit;
     #[pymodule_export]

@@ -91,13 +91,16 @@ impl Machine {
     /// The scene of a model file, from its bytes.
     #[staticmethod]
     fn of_model(
+        py: Python<'_>,
         bytes: &[u8],
         elements: Option<usize>,
         order: Option<usize>,
     ) -> Result<Self, Failure> {
-        let model = file::read(bytes)?.model;
-        let source = Source::of_model(model, Discretisation { elements, order })?;
-        Self::new(source, Some(fingerprint::of_bytes(bytes)))
+        py.detach(|| {
+            let model = file::read(bytes)?.model;
+            let source = Source::of_model(model, Discretisation { elements, order })?;
+            Self::new(source, Some(fingerprint::of_bytes(bytes)))
+        })
     }
 
     /// Hash that identifies the machine.

@@ -7,7 +7,7 @@ use machinist::error::StopCause;
 use pyo3::prelude::*;
 
 /// Interval between signal checks; Python handles signals in its main thread only.
-const PERIOD: Duration = Duration::from_millis(100);
+pub const PERIOD: Duration = Duration::from_millis(100);
 /// Number of steps between readings of the clock.
 const STEPS: u32 = 64;
 

@@ -63,19 +63,6 @@ def test_a_spec_that_is_wrong_is_told_with_file_line_and_hint(spec, tmp_path):
     assert "omegga" in error.report
 
 
-def test_without_the_program_a_spec_says_what_is_missing(tmp_path, monkeypatch):
-    own = tmp_path / "own.toml"
-    own.write_text("")
-    monkeypatch.setenv("MACHINIST", str(tmp_path / "nothing"))
-    with pytest.raises(machinist.ToolMissingError, match="MACHINIST names") as told:
-        machinist.load(own)
-    assert "machinist compile" in told.value.hint
-    monkeypatch.delenv("MACHINIST")
-    monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(FileNotFoundError, match="not on PATH"):
-        machinist.load(own)
-
-
 @pytest.mark.parametrize(
     ("name", "kind", "told"),
     [

@@ -16,11 +16,13 @@ SPACE = {"coupling.stiffness": (1e4, 1e5), "coupling.damping": (50.0, 300.0, "lo
 
 
 @pytest.mark.parametrize("of_file", [False, True])
-def test_a_sweep_by_the_program_is_the_same_table(gin, model_file, tmp_path: Path, of_file):
+def test_a_sweep_by_the_program_is_the_same_table(
+    program, gin, model_file, tmp_path: Path, of_file
+):
     scene, model = (str(model_file), machinist.load(model_file)) if of_file else ("saw_gin", gin)
     file = tmp_path / "table.parquet"
     ranges = ["coupling.stiffness=1e4..1e5", "coupling.damping=50..300:log"]
-    command = [_derive.program(), "sweep", scene, "--count", "5", "--until", "0.05"]
+    command = [program, "sweep", scene, "--count", "5", "--until", "0.05"]
     command += ["--parameter", ranges[0], "--parameter", ranges[1], "--out", str(file)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if "without Parquet" in done.stderr:
@@ -43,3 +45,12 @@ def test_a_sweep_by_the_program_is_the_same_table(gin, model_file, tmp_path: Pat
             model.sweep(SPACE, **{"n": 5, "until": 0.05, "path": file, **other})
     units = json.loads(written.schema.metadata[b"machinist.units"])
     assert units["coupling.stiffness"] == "N m/rad"
+
+
+def test_models_of_the_package_are_those_of_the_program(program, tmp_path):
+    for scene in ("saw_gin", "four_bar", "reed_beat_up", "gallery/bicycle"):
+        file = Path(__file__).parents[2] / "specs" / "scenes" / f"{scene}.toml"
+        out = tmp_path / "by_program.model"
+        command = [program, "compile", str(file), "--algebra", "plain", "--no-cache"]
+        subprocess.run([*command, "--out", str(out)], check=True, capture_output=True)
+        assert out.read_bytes() == _derive.derived(file=file), scene

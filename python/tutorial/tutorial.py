@@ -2,8 +2,8 @@
 # # Machinist from Python
 #
 # The built-in scene `saw_gin` is a motor that drives a toothed cylinder through an elastic coupling. It starts from
-# rest, and the load engages at 1.2 s. Load your own machine with `machinist.load("drive.toml")`, which requires the
-# program `machinist`, or with `machinist.load("drive.model")`, which does not.
+# rest, and the load engages at 1.2 s. Load your own machine with `machinist.load("drive.toml")`, or a model file with
+# `machinist.load("drive.model")`.
 
 # %%
 import time

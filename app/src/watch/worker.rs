@@ -99,7 +99,7 @@ fn ran(
     let files = system.files.iter().filter(|file| !file.path.as_os_str().is_empty());
     answer.files = Some(files.map(|file| (file.path.clone(), file.sha256.clone())).collect());
     answer.troubles = system.warnings.iter().map(Trouble::from).collect();
-    let notes = system.notes.iter().map(|told| note(format!("{}: {told}", system.name)));
+    let notes = system.notes.iter().map(|told| Trouble::note(format!("{}: {told}", system.name)));
     answer.troubles.extend(notes);
     answer.found = counted(&system);
     let mut outline = outline_by(Algebra::Plain, system.clone(), Keep::Needed)?;

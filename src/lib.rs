@@ -16,6 +16,7 @@ pub mod constraints;
 mod dense;
 pub mod error;
 pub mod error_estimate;
+pub mod estimator;
 pub mod field;
 #[cfg(feature = "fit")]
 pub mod fit;

@@ -37,6 +37,7 @@ mod summary;
 pub use correlation::Correlation;
 pub use distribution::{Distribution, Law};
 pub use evaluate::value_over;
+pub(crate) use hash::random_unit;
 pub use indices::{Index, Saltelli, SobolIndices};
 pub use linear::{Propagation, Share, propagate};
 pub use normal::{normal_cdf, normal_quantile};

@@ -14,12 +14,20 @@
 //!
 //! Switching surfaces are not located. There the error of a step is of second order in its
 //! length.
+//!
+//! [`ExtendedKalmanFilter`] estimates the state from measurements by these steps and their exact
+//! derivatives.
 
+mod carried;
+mod ekf;
 mod events;
+mod follow;
 mod projection;
 
 use crate::elimination::Elimination;
 use crate::{Real, Simulator};
+pub use ekf::{Correction, ExtendedKalmanFilter, FilterMemory, FilterSizes};
+use follow::{Follow, Nobody};
 use projection::Projection;
 
 /// Number type of fixed-step integration.
@@ -265,8 +273,19 @@ impl<R: StepNumber> FixedSteps<'_, R> {
     /// If there is less room than [`FixedSteps::room`] says, or the state has another length than
     /// the machine's.
     pub fn step(&self, time: R, step: R, state: &mut [R], room: &mut Room<'_, R>) -> Stepped {
+        self.step_followed((time, step), state, room, &mut Nobody)
+    }
+
+    /// As [`FixedSteps::step`]; a follower is told the parts and events of the step.
+    fn step_followed(
+        &self,
+        (time, step): (R, R),
+        state: &mut [R],
+        room: &mut Room<'_, R>,
+        follower: &mut impl Follow<R>,
+    ) -> Stepped {
         if self.simulator.events() > 0 {
-            return self.step_with_events(time, step, state, room);
+            return self.step_with_events((time, step), state, room, follower);
         }
         let mut rest = Rest(room.numbers);
         let mut scratch = self.scratch(&mut rest);
@@ -274,6 +293,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         let count = self.simulator.shape().discontinuities;
         if count == 0 {
             self.advance(time, step, state, end, &mut scratch);
+            follower.part(self, (time, step), state, end);
             state.copy_from_slice(end);
             return Stepped::Events(0);
         }
@@ -291,6 +311,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
             let length = jump.map_or(left, |jump| before_jump(now, left, jump));
             if R::literal(0.0) < length {
                 self.advance(now, length, state, end, &mut scratch);
+                follower.part(self, (now, length), state, end);
                 state.copy_from_slice(end);
             }
             let Some(jump) = jump else { break };
@@ -338,6 +359,28 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         if self.simulator.constraints() > 0 {
             scratch.projection.project(self, time, state);
         }
+    }
+
+    /// Puts a state that was changed by hand onto the constraints, then settles it as
+    /// [`FixedSteps::settle`].
+    ///
+    /// # Panics
+    /// As [`FixedSteps::step`].
+    pub fn restore_and_settle(&self, time: R, state: &mut [R], room: &mut Room<'_, R>) {
+        self.restore((time, state), room, &mut Nobody);
+        self.settle(time, state, room);
+    }
+
+    /// Projects a state that was changed onto the constraints. A follower is told.
+    fn restore(
+        &self,
+        (time, state): (R, &mut [R]),
+        room: &mut Room<'_, R>,
+        follower: &mut impl Follow<R>,
+    ) {
+        let mut scratch = self.scratch(&mut Rest(room.numbers));
+        self.project(time, state, &mut scratch);
+        follower.projected(self, time, state);
     }
 
     fn heun(&self, time: R, h: R, state: &[R], end: &mut [R], scratch: &mut Scratch<'_, R>) {

@@ -25,6 +25,11 @@ pub(super) fn unit(bits: u64) -> f64 {
     ((bits >> 12) as f64 + 0.5) * STEP
 }
 
+/// Returns a random number between 0 and 1 of a key, never 0 or 1.
+pub(crate) fn random_unit(key: &[u64]) -> f64 {
+    unit(hash(key))
+}
+
 /// Returns a random integer below `bound`, with the method of Lemire without its rejection: the
 /// bias is below `bound`/2^64.
 pub(super) fn below(bits: u64, bound: u64) -> u64 {

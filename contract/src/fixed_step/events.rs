@@ -1,6 +1,6 @@
 //! Events within a fixed step.
 
-use super::{FixedSteps, Rest, Room, Scratch, StepNumber, Stepped, before_jump};
+use super::{FixedSteps, Follow, Nobody, Rest, Room, Scratch, StepNumber, Stepped, before_jump};
 use crate::Direction;
 
 /// Values and rates of the guards, at the start or the end of a part of a step.
@@ -131,6 +131,17 @@ impl<R: StepNumber> FixedSteps<'_, R> {
     /// # Panics
     /// As [`FixedSteps::step`].
     pub fn settle(&self, time: R, state: &mut [R], room: &mut Room<'_, R>) {
+        self.settle_followed(time, state, room, &mut Nobody);
+    }
+
+    /// As [`FixedSteps::settle`]; a follower is told the events.
+    pub(super) fn settle_followed(
+        &self,
+        time: R,
+        state: &mut [R],
+        room: &mut Room<'_, R>,
+        follower: &mut impl Follow<R>,
+    ) {
         if self.simulator.events() == 0 {
             return;
         }
@@ -142,7 +153,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         watch.passed.fill(0);
         watch.sides.fill(0);
         let h = R::literal(0.0);
-        self.settle_asked((time, h), state, &mut watch, &mut scratch);
+        self.settle_asked((time, h), state, (&mut watch, &mut scratch), follower);
         self.look((time, h), state, &mut watch);
     }
 
@@ -152,8 +163,8 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         &self,
         (time, h): (R, R),
         state: &mut [R],
-        watch: &mut Watch<'_, R>,
-        scratch: &mut Scratch<'_, R>,
+        (watch, scratch): (&mut Watch<'_, R>, &mut Scratch<'_, R>),
+        follower: &mut impl Follow<R>,
     ) -> usize {
         let events = self.simulator.events();
         let mut happened = 0;
@@ -173,6 +184,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
                 watch.trial.copy_from_slice(state);
                 self.apply(event, time, watch.trial, watch.values);
                 if !self.is_watched(event, watch.trial) {
+                    follower.reset(self, event, time, state);
                     state.copy_from_slice(watch.trial);
                     watch.asked[event] = 0;
                     found = true;
@@ -184,6 +196,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
             }
             happened += 1;
             self.project(time, state, scratch);
+            follower.projected(self, time, state);
         }
         happened
     }
@@ -227,24 +240,29 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         })
     }
 
-    /// Resets the state where guards have crossed zero, at the end of a part of a step.
+    /// Resets the state where guards have crossed zero, at the end of a part of a step. `first` is
+    /// the event whose zero crossing ended the part; `None` if a known time did.
     fn happen(
         &self,
         (time, h): (R, R),
         state: &mut [R],
-        watch: &mut Watch<'_, R>,
-        scratch: &mut Scratch<'_, R>,
+        (watch, scratch): (&mut Watch<'_, R>, &mut Scratch<'_, R>),
+        first: Option<usize>,
+        follower: &mut impl Follow<R>,
     ) -> usize {
         let events = self.simulator.events();
         let mut happened = 0;
+        follower.before_events(self, first, time, state);
         self.simulator.guards(time, state, self.parameters, watch.before);
         for event in 0..events {
             if watch.passed[event] != 0 && self.is_watched(event, state) {
+                follower.reset(self, event, time, state);
                 self.apply(event, time, state, watch.values);
                 happened += 1;
             }
         }
         self.project(time, state, scratch);
+        follower.projected(self, time, state);
         for event in 0..events {
             let is_new = watch.passed[event] == 0 && !self.is_beyond(event, watch.before[event]);
             watch.asked[event] = i8::from(watch.sides[event] == 0 || is_new);
@@ -252,8 +270,9 @@ impl<R: StepNumber> FixedSteps<'_, R> {
                 watch.asked[event] = WAITS;
             }
         }
-        happened += self.settle_asked((time, h), state, watch, scratch);
+        happened += self.settle_asked((time, h), state, (watch, scratch), follower);
         self.look((time, h), state, watch);
+        follower.after_events(self, time, state);
         happened
     }
 
@@ -274,17 +293,19 @@ impl<R: StepNumber> FixedSteps<'_, R> {
     }
 
     /// Returns the fraction of a part of a step at which the first of the marked guards crosses
-    /// zero.
-    fn first_share(&self, h: R, watch: &mut Watch<'_, R>) -> R {
-        let mut first = R::literal(1.0);
+    /// zero, and its event.
+    fn first_share(&self, h: R, watch: &mut Watch<'_, R>) -> (R, usize) {
+        let (mut first, mut which) = (R::literal(1.0), 0);
         for event in (0..self.simulator.events()).filter(|event| watch.passed[*event] != 0) {
             let guard = [watch.start.values[event], watch.end.values[event]];
             let rate = [watch.start.rates[event], watch.end.rates[event]];
             let share = passing(watch.sides[event], h, guard, rate);
             watch.shares[event] = share;
+            // A crossing at the very end of the part is the first one as well.
+            which = if share < first || watch.passed[which] == 0 { event } else { which };
             first = if share < first { share } else { first };
         }
-        first
+        (first, which)
     }
 
     /// Accepts a part of a step without further events.
@@ -301,10 +322,10 @@ impl<R: StepNumber> FixedSteps<'_, R> {
 
     pub(super) fn step_with_events(
         &self,
-        time: R,
-        step: R,
+        (time, step): (R, R),
         state: &mut [R],
         room: &mut Room<'_, R>,
+        follower: &mut impl Follow<R>,
     ) -> Stepped {
         let mut rest = Rest(room.numbers);
         let mut scratch = self.scratch(&mut rest);
@@ -328,6 +349,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
             let found = self.pass(state, &mut watch);
             if !found || is_last {
                 too_many |= found;
+                follower.part(self, (now, length), state, end);
                 state.copy_from_slice(end);
                 self.accept(state, &mut watch);
                 let Some(jump) = jump else { break };
@@ -335,14 +357,16 @@ impl<R: StepNumber> FixedSteps<'_, R> {
                 now = jump;
                 self.simulator.guards(now, state, self.parameters, watch.end.values);
                 if self.pass(state, &mut watch) {
-                    happened += self.happen((now, left), state, &mut watch, &mut scratch);
+                    let room = (&mut watch, &mut scratch);
+                    happened += self.happen((now, left), state, room, None, follower);
                 }
                 continue;
             }
-            let first = self.first_share(length, &mut watch);
+            let (first, which) = self.first_share(length, &mut watch);
             if first < R::literal(1.0) {
                 self.advance(now, first * length, state, end, &mut scratch);
             }
+            follower.part(self, (now, first * length), state, end);
             state.copy_from_slice(end);
             now = now + first * length;
             left = left - first * length;
@@ -353,7 +377,8 @@ impl<R: StepNumber> FixedSteps<'_, R> {
                         || sign_of(watch.end.values[event]) == -watch.sides[event]);
                 watch.passed[event] = i8::from(passed);
             }
-            happened += self.happen((now, left), state, &mut watch, &mut scratch);
+            let room = (&mut watch, &mut scratch);
+            happened += self.happen((now, left), state, room, Some(which), follower);
         }
         if too_many { Stepped::TooManyParts } else { Stepped::Events(happened) }
     }

@@ -8,8 +8,8 @@ use crate::{Real, Shape, Simulator};
 pub(super) struct Projection<'w, R> {
     /// The matrix of `[M, G^T; G, 0]`, row by row.
     matrix: &'w mut [R],
-    shift: &'w mut [R],
-    off: &'w mut [R],
+    pub(super) shift: &'w mut [R],
+    pub(super) off: &'w mut [R],
     mass: &'w mut [R],
     slopes: &'w mut [R],
     /// A state and two rates, with quaternions only.
@@ -86,7 +86,7 @@ impl<'w, R: StepNumber> Projection<'w, R> {
 
     /// Computes the smallest change in the norm of the mass matrix: `M d + G^T mu = 0`, `G d =
     /// off`.
-    fn shortest(&mut self, of: &FixedSteps<'_, R>, time: R, state: &[R]) {
+    pub(super) fn shortest(&mut self, of: &FixedSteps<'_, R>, time: R, state: &[R]) {
         let simulator = of.simulator;
         let [size, constraints, ..] = sizes(simulator);
         let coordinates = size - constraints;

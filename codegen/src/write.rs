@@ -14,8 +14,9 @@ use std::io::{self, Write as _};
 use std::path::{Component, Path, PathBuf};
 
 use crate::emit::c99::{self, C99Options};
-use crate::emit::rust::{MARK, emit, emit_index};
+use crate::emit::rust::{MARK, emit, emit_estimator, emit_index};
 use crate::emit::{EmitError, EmitOptions};
+use machinist_contract::fixed_step::StepMethod;
 use machinist_model::Model;
 
 /// The command that updates emitted scenes.
@@ -142,6 +143,48 @@ pub fn emit_c99(
     for c99::C99File { name, text } in emitted {
         files.push((path_within(folder, &name)?, name, text));
     }
+    write_all(folder, files, mode)
+}
+
+/// Emits a model and a filter for it as Rust to `folder`: `<scene>.rs`, `<scene>_ekf.rs`, and
+/// `mod.rs` with both. `start` is the state at the start of its run.
+///
+/// # Errors
+/// As [`emit_scenes`].
+pub fn emit_rust_estimator(
+    folder: &Path,
+    model: &Model,
+    (filter, method, start): (&c99::EstimatorOptions, StepMethod, &[f64]),
+    command: &str,
+    mode: Mode,
+) -> Result<Summary, WriteError> {
+    let refuse = |source| WriteError::Emit { scene: model.name.clone(), source };
+    let options = EmitOptions { command: command.to_owned(), scene_features: false };
+    let name = &model.name;
+    let index = format!(
+        "{MARK} {}; do not edit.\n\npub mod {name};\npub mod {name}_ekf;\n",
+        env!("CARGO_PKG_VERSION")
+    );
+    let scene = emit(model, &options).map_err(refuse)?;
+    let own = emit_estimator(model, filter, method, start, &options).map_err(refuse)?;
+    let texts = [
+        (format!("{name}.rs"), scene),
+        (format!("{name}_ekf.rs"), own),
+        ("mod.rs".to_owned(), index),
+    ];
+    let mut files = Vec::with_capacity(texts.len());
+    for (file, text) in texts {
+        files.push((path_within(folder, &file)?, file, text));
+    }
+    write_all(folder, files, mode)
+}
+
+/// Writes or compares files of one scene.
+fn write_all(
+    folder: &Path,
+    files: Vec<(PathBuf, String, String)>,
+    mode: Mode,
+) -> Result<Summary, WriteError> {
     if mode == Mode::Check {
         return check_all(files, Vec::new());
     }

@@ -32,6 +32,7 @@ pub mod series;
 mod simulator;
 #[cfg(any(feature = "compiled", feature = "wasm"))]
 mod straight;
+mod tangent;
 mod tape;
 mod validate;
 #[cfg(feature = "wasm")]
@@ -51,5 +52,6 @@ pub use names::{Direction, Name, Place, Quantity, RunDefaults, SourceFile, Table
 pub use prune::{Dependence, needed_nodes, operations, reachable, reachable_at};
 pub use reduction::{LeftOut, Reduction, What, Why};
 pub use simulator::{ModelSimulator, Running};
+pub use tangent::Directions;
 pub use tape::{Function, Node, NodeId, Op, OpKey, TableId, Tape};
 pub use validate::Malformed;

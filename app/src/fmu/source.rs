@@ -65,6 +65,7 @@ impl Sources {
             command: settings.command.clone(),
             inputs: Vec::new(),
             start: start(model)?,
+            estimator: None,
         };
         let of_sources =
             format!("{} {version:?} {} {step:?}", env!("CARGO_PKG_VERSION"), method.name());

@@ -7,6 +7,7 @@
 mod body;
 mod cost;
 mod description;
+mod estimator;
 mod events;
 mod expression;
 mod functions;
@@ -27,6 +28,8 @@ use super::EmitError;
 use body::{Scope, body};
 pub use cost::{StepCalls, StepCost, step_calls, step_cost};
 pub use description::needs_start;
+pub use estimator::EstimatorOptions;
+use estimator::Tangents;
 use expression::Written;
 use names::Namer;
 pub use unit::{FmiVersion, Settable, UnitKind, UnitOptions, UnitVariable, emit_unit};
@@ -87,6 +90,8 @@ pub struct C99Options {
     /// The state in which a run of the spec starts, if its initial values do not determine it: on
     /// the constraints, or in equilibrium.
     pub start: Option<Vec<f64>>,
+    /// An extended Kalman filter beside the machine.
+    pub estimator: Option<EstimatorOptions>,
 }
 
 /// An emitted file.
@@ -160,6 +165,8 @@ struct Scene<'a> {
     motion_results: Vec<String>,
     /// Indices of the parameters that are inputs.
     inputs: Vec<usize>,
+    /// Derivatives for the filter, if there is one.
+    tangents: Option<Tangents>,
 }
 
 impl<'a> Scene<'a> {
@@ -170,7 +177,16 @@ impl<'a> Scene<'a> {
             Namer::members(model.parameters.iter().map(|p| p.quantity.name.ident.as_str()));
         let output_members = Namer::members(model.wanted.iter().map(|o| o.name.ident.as_str()));
         let hoisted = Hoisted::new(model);
-        let mut namer = Namer::for_locals(helpers::names(model, &hoisted, options.real));
+        let tangents = match &options.estimator {
+            Some(filter) => {
+                estimator::check(model, options.method)?;
+                Some(Tangents::of(model, filter))
+            }
+            None => None,
+        };
+        let tapes = helpers::tapes(model, &hoisted, tangents.as_ref());
+        let mut namer = Namer::for_locals(helpers::names(&tapes, options.real));
+        drop(tapes);
         let tables = model.tables.iter();
         let tables: Vec<String> =
             tables.map(|table| namer.claim(&format!("{}_table", table.name.ident))).collect();
@@ -193,6 +209,7 @@ impl<'a> Scene<'a> {
             motion: None,
             motion_results: Vec::new(),
             inputs: inputs(model, &options.inputs)?,
+            tangents,
         };
         scene.name_constants()?;
         scene.motion = solve::Motion::of(&scene)?;

@@ -7,6 +7,7 @@
 mod batch;
 mod body;
 mod describe;
+mod estimator;
 mod excitation;
 mod field;
 mod functions;
@@ -27,6 +28,7 @@ use quote::{format_ident, quote};
 
 use crate::emit::{EmitError, EmitOptions};
 use body::Scope;
+pub use estimator::emit_estimator;
 pub(crate) use header::MARK;
 use machinist_model::Model;
 use motion::Motion;

@@ -8,7 +8,7 @@ use machinist_model::{Model, Quantity, SparsityPattern};
 
 use super::functions::{Emitted, nonzeros};
 use super::layout::{comment, remark, statement};
-use super::{MARK, Real, Scene, events, helpers, solve, step};
+use super::{MARK, Real, Scene, estimator, events, helpers, solve, step};
 use crate::emit::EmitError;
 
 /// Returns the header of a scene.
@@ -26,6 +26,7 @@ pub(super) fn header(scene: &Scene<'_>, functions: &[Emitted]) -> String {
         declared.join("\n"),
         events::declarations(scene),
         step::declarations(scene),
+        estimator::declarations(scene),
         "#ifdef __cplusplus\n}\n#endif\n".to_owned(),
         format!("#endif /* {guard} */\n"),
     ];

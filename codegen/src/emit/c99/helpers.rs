@@ -7,6 +7,7 @@ use std::fmt::Write as _;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Function, Model, Op, Tape, needed_nodes};
 
+use super::estimator::Tangents;
 use super::expression::{function_name, power_name};
 use super::{Real, Scene};
 use crate::emit::EmitError;
@@ -32,15 +33,20 @@ struct Needs {
 }
 
 /// Returns the tapes that are emitted.
-pub(super) fn tapes<'a>(model: &'a Model, hoisted: &'a Hoisted) -> Vec<&'a Tape> {
+pub(super) fn tapes<'a>(
+    model: &'a Model,
+    hoisted: &'a Hoisted,
+    tangents: Option<&'a Tangents>,
+) -> Vec<&'a Tape> {
     let own = model.functions().map(|row| hoisted.tape(model, row.id));
-    own.chain([&hoisted.constants, &hoisted.motion]).collect()
+    let own = own.chain([&hoisted.constants, &hoisted.motion]);
+    own.chain(tangents.into_iter().flat_map(Tangents::tapes)).collect()
 }
 
 impl Needs {
-    fn of(model: &Model, hoisted: &Hoisted) -> Self {
+    fn of(tapes: &[&Tape]) -> Self {
         let mut needs = Self::default();
-        for tape in tapes(model, hoisted) {
+        for tape in tapes {
             needs.add(tape);
         }
         needs
@@ -73,8 +79,8 @@ impl Needs {
 }
 
 /// Returns the names of the helpers of a scene, which variables must not take.
-pub(super) fn names(model: &Model, hoisted: &Hoisted, real: Real) -> Vec<String> {
-    let needs = Needs::of(model, hoisted);
+pub(super) fn names(tapes: &[&Tape], real: Real) -> Vec<String> {
+    let needs = Needs::of(tapes);
     let functions = needs.functions.iter().map(|function| function_name(*function, real));
     let powers = needs.powers.iter().map(|exponent| power_name(*exponent));
     let always = ["sine_and_cosine", "interpolate", "motion", "solve", "substitute"];
@@ -84,7 +90,7 @@ pub(super) fn names(model: &Model, hoisted: &Hoisted, real: Real) -> Vec<String>
 
 /// Returns the helpers of a scene.
 pub(super) fn helpers(scene: &Scene<'_>) -> Result<String, EmitError> {
-    let needs = Needs::of(scene.model, &scene.hoisted);
+    let needs = Needs::of(&tapes(scene.model, &scene.hoisted, scene.tangents.as_ref()));
     let needs_function = |function| needs.functions.contains(&function);
     let mut parts = Vec::new();
     if scene.options.real == Real::Double {

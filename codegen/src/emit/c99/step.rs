@@ -8,7 +8,7 @@ use machinist_model::{Direction, State, StateKind};
 use super::description::needs_start;
 use super::functions::broken_head;
 use super::layout::{comment, statement};
-use super::{Real, Scene, cost, implicit};
+use super::{Real, Scene, cost, estimator, implicit};
 use crate::emit::EmitError;
 
 const RUNGE_KUTTA: &str = include_str!("snippets/runge_kutta.c");
@@ -199,6 +199,9 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
         parts.push(scene.filled(&with_library_names(&text, scene.options.real)));
     }
     parts.push(scene.filled(TIME));
+    if scene.options.estimator.is_some() {
+        parts.push(estimator::carried(scene)?);
+    }
     if !scene.inputs.is_empty() {
         parts.push(set_inputs(scene));
     }
@@ -209,18 +212,22 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
     parts.push(match (scene.model.events.is_empty(), has_jumps(scene)) {
         (true, false) => {
             let put_back = project(scene, 4, "machine->time + step", "&end");
-            scene.filled(&STEP.replace("PROJECT\n", &put_back))
+            scene.filled(&estimator::hooked(scene, &STEP.replace("PROJECT\n", &put_back)))
         }
         (true, true) => {
             let put_back = project(scene, 12, "machine->time + length", "&end");
-            scene.filled(&JUMPS.replace("PROJECT\n", &put_back))
+            scene.filled(&estimator::hooked(scene, &JUMPS.replace("PROJECT\n", &put_back)))
         }
         (false, _) => {
-            let hosted = scene.filled(&with_library_names(EVENTS_HOSTED, scene.options.real));
+            let hosted = estimator::marked(scene, EVENTS_HOSTED);
+            let hosted = scene.filled(&with_library_names(&hosted, scene.options.real));
             format!("{}\n{hosted}", events(scene))
         }
     });
     parts.push(begin(scene)?);
+    if scene.options.estimator.is_some() {
+        parts.push(estimator::definitions(scene)?);
+    }
     Ok(parts.join("\n"))
 }
 
@@ -351,7 +358,7 @@ fn events(scene: &Scene<'_>) -> String {
     let directions = directions.collect::<Vec<_>>().join(", ");
     let held = |indent| project(scene, indent, "machine->time", "&machine->state");
     let text = EVENTS
-        .replace("HOLD\n    }", &format!("{}    }}", held(8)))
+        .replace("HOLD\nHELD_COLUMNS_8", &format!("{}HELD_COLUMNS_8", held(8)))
         .replace("HOLD\n", &held(4))
         .replace("PROJECT_END\n", &project(scene, 8, "machine->time + length", "&end"))
         .replace("PROJECT_FIRST\n", &project(scene, 12, "machine->time + first * length", "&end"));
@@ -364,6 +371,7 @@ fn events(scene: &Scene<'_>) -> String {
     let text = text
         .replace("        int found;\nNEXT_JUMP\n", &format!("{declared}{next}"))
         .replace("AT_JUMP\n", at);
+    let text = estimator::hooked(scene, &text);
     let text = scene.filled(&with_library_names(&text, scene.options.real));
     let list = statement(&directions, 4);
     let ends = scene.model.events.iter().map(|event| {
@@ -382,7 +390,7 @@ fn events(scene: &Scene<'_>) -> String {
 }
 
 /// Replaces names of the C library in a snippet by those for the number type.
-fn with_library_names(text: &str, real: Real) -> String {
+pub(super) fn with_library_names(text: &str, real: Real) -> String {
     let [absolute, epsilon, digits] = match real {
         Real::Double => ["fabs(", "DBL_EPSILON", "(unsigned int)DBL_MANT_DIG"],
         Real::Float => ["fabsf(", "FLT_EPSILON", "(unsigned int)FLT_MANT_DIG"],

@@ -40,6 +40,14 @@ pub(super) fn index_header(options: &EmitOptions) -> String {
     as_comment(&provenance(options))
 }
 
+/// Returns the header of the module of a filter.
+pub(super) fn estimator_header(model: &Model, options: &EmitOptions) -> String {
+    let mut lines = provenance(options);
+    lines.push(String::new());
+    lines.push(format!("Extended Kalman filter: {}", model.title));
+    format!("{}\n", as_comment(&lines))
+}
+
 fn provenance(options: &EmitOptions) -> Vec<String> {
     let version = env!("CARGO_PKG_VERSION");
     vec![

@@ -51,7 +51,7 @@ static scene_real_t passing(int side, scene_real_t h, const scene_real_t guard[2
 /* Sets right modes that contradict their guards: an event that leaves the modes it is watched for
  * in and whose guard is beyond zero happens at once. `asked` says which; it is cleared of those
  * that happen. Gives their number. */
-static int settle(scene_machine_t *machine, scene_real_t h, int asked[SCENE_EVENTS])
+static int settle(scene_machine_t *machine, scene_real_t h, int asked[SCENE_EVENTS]#DECLARED)
 {
     scene_real_t guards[SCENE_EVENTS], rates[SCENE_EVENTS];
     int happened = 0;
@@ -71,6 +71,9 @@ static int settle(scene_machine_t *machine, scene_real_t h, int asked[SCENE_EVEN
             }
             scene_apply((unsigned int)event, machine->time, &trial, &machine->p, &machine->c);
             if (scene_is_watched((unsigned int)event, &trial) == 0) {
+@                if (follow != NULL) {
+@                    follow_reset(follow, machine, event);
+@                }
                 machine->state = trial;
                 asked[event] = 0;
                 found = 1;
@@ -81,6 +84,7 @@ static int settle(scene_machine_t *machine, scene_real_t h, int asked[SCENE_EVEN
         }
         ++happened;
 HOLD
+HELD_COLUMNS_8
     }
     return happened;
 }
@@ -111,7 +115,7 @@ static void look(scene_machine_t *machine, scene_real_t h, const int passed[SCEN
     }
 }
 
-void scene_settle(scene_machine_t *machine)
+SETTLE_HEAD
 {
     int asked[SCENE_EVENTS], passed[SCENE_EVENTS];
     size_t event;
@@ -121,12 +125,12 @@ void scene_settle(scene_machine_t *machine)
         passed[event] = 0;
         machine->side[event] = 0;
     }
-    (void)settle(machine, R(0.0), asked);
+    (void)settle(machine, R(0.0), asked#PASSED);
     look(machine, R(0.0), passed, asked);
 }
 
 /* Applies the events whose guards have passed zero. Gives how many happened. */
-static int apply_passed(scene_machine_t *machine, const int passed[SCENE_EVENTS])
+static int apply_passed(scene_machine_t *machine, const int passed[SCENE_EVENTS]#DECLARED)
 {
     int happened = 0;
     size_t event;
@@ -134,12 +138,16 @@ static int apply_passed(scene_machine_t *machine, const int passed[SCENE_EVENTS]
     for (event = 0u; event < SCENE_EVENTS; ++event) {
         if ((passed[event] != 0)
             && (scene_is_watched((unsigned int)event, &machine->state) != 0)) {
+@            if (follow != NULL) {
+@                follow_reset(follow, machine, event);
+@            }
             scene_apply((unsigned int)event, machine->time, &machine->state, &machine->p,
                         &machine->c);
             ++happened;
         }
     }
 HOLD
+HELD_COLUMNS_4
     return happened;
 }
 
@@ -164,15 +172,18 @@ static int undoes(const scene_machine_t *machine, size_t event, const int passed
 }
 
 /* Gives new values where guards have passed zero, at the end of a part of a step. */
-static int happen(scene_machine_t *machine, scene_real_t h, const int passed[SCENE_EVENTS])
+static int happen(scene_machine_t *machine, scene_real_t h, const int passed[SCENE_EVENTS]#FIRST_DECLARED)
 {
     scene_real_t before[SCENE_EVENTS];
     int asked[SCENE_EVENTS];
     int happened;
     size_t event;
 
+@    if (follow != NULL) {
+@        follow_before(follow, machine, first);
+@    }
     scene_guards(machine->time, &machine->state, &machine->p, &machine->c, before);
-    happened = apply_passed(machine, passed);
+    happened = apply_passed(machine, passed#PASSED);
     for (event = 0u; event < SCENE_EVENTS; ++event) {
         asked[event] = (machine->side[event] == 0)
             || ((passed[event] == 0) && (is_beyond(event, before[event]) == 0));
@@ -180,8 +191,11 @@ static int happen(scene_machine_t *machine, scene_real_t h, const int passed[SCE
             asked[event] = WAITS;
         }
     }
-    happened += settle(machine, h, asked);
+    happened += settle(machine, h, asked#PASSED);
     look(machine, h, passed, asked);
+@    if (follow != NULL) {
+@        follow_after(follow, machine);
+@    }
     return happened;
 }
 
@@ -206,7 +220,7 @@ static int pass(const scene_machine_t *machine, const scene_real_t guards[SCENE_
     return found;
 }
 
-int scene_step(scene_machine_t *machine, scene_real_t step)
+STEP_HEAD
 {
     scene_real_t guards[2][SCENE_EVENTS], rates[2][SCENE_EVENTS];
     scene_real_t shares[SCENE_EVENTS];
@@ -223,6 +237,7 @@ int scene_step(scene_machine_t *machine, scene_real_t step)
         const int is_last = (part == SCENE_PARTS_A_STEP);
         scene_real_t length = left;
         scene_real_t first = R(1.0);
+@        size_t which = SCENE_EVENTS;
         int found;
 NEXT_JUMP
         scene_guards(machine->time, &machine->state, &machine->p, &machine->c, guards[0]);
@@ -234,6 +249,9 @@ PROJECT_END
         found = pass(machine, guards[1], passed);
         if ((found == 0) || is_last) {
             too_many = (found != 0) ? 1 : too_many;
+@            if (follow != NULL) {
+@                follow_part(follow, machine, length, &machine->state, &end);
+@            }
             machine->state = end;
             for (event = 0u; event < SCENE_EVENTS; ++event) {
                 const int side = sign_of(guards[1][event]);
@@ -251,6 +269,7 @@ AT_JUMP
                 const scene_real_t guard[2] = { guards[0][event], guards[1][event] };
                 const scene_real_t rate[2] = { rates[0][event], rates[1][event] };
                 shares[event] = passing(machine->side[event], length, guard, rate);
+@                which = ((shares[event] < first) || (which == SCENE_EVENTS)) ? event : which;
                 first = (shares[event] < first) ? shares[event] : first;
             }
         }
@@ -259,6 +278,9 @@ AT_JUMP
                     &end);
 PROJECT_FIRST
         }
+@        if (follow != NULL) {
+@            follow_part(follow, machine, first * length, &machine->state, &end);
+@        }
         machine->state = end;
         machine->time = machine->time + first * length;
         left = left - first * length;
@@ -268,7 +290,7 @@ PROJECT_FIRST
                 && ((shares[event] <= first)
                     || (sign_of(guards[1][event]) == -machine->side[event]));
         }
-        happened += happen(machine, left, passed);
+        happened += happen(machine, left, passed#WHICH);
     }
     machine->time = start;
     machine->time_rest = rest;

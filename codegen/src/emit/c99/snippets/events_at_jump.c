@@ -3,7 +3,7 @@
                 machine->time = after;
                 scene_guards(machine->time, &machine->state, &machine->p, &machine->c, guards[1]);
                 if (pass(machine, guards[1], passed) != 0) {
-                    happened += happen(machine, left, passed);
+                    happened += happen(machine, left, passed#KNOWN);
                 }
                 continue;
             }

@@ -34,7 +34,7 @@ int scene_happen(scene_machine_t *machine, const scene_real_t guards[SCENE_EVENT
         scene_follow(machine, guards);
         return 0;
     }
-    return happen(machine, h, passed);
+    return happen(machine, h, passed#NOBODY);
 }
 
 void scene_follow(scene_machine_t *machine, const scene_real_t guards[SCENE_EVENTS])

@@ -1,4 +1,4 @@
-int scene_step(scene_machine_t *machine, scene_real_t step)
+STEP_HEAD
 {
     const scene_real_t start = machine->time;
     const scene_real_t rest = machine->time_rest;
@@ -19,6 +19,9 @@ int scene_step(scene_machine_t *machine, scene_real_t step)
         if (R(0.0) < length) {
             advance(machine->time, length, &machine->state, &machine->p, &machine->c, &end);
 PROJECT
+@            if (follow != NULL) {
+@                follow_part(follow, machine, length, &machine->state, &end);
+@            }
             machine->state = end;
         }
         left = (jumps != 0) ? left - (jump - machine->time) : R(0.0);

@@ -1,9 +1,12 @@
-int scene_step(scene_machine_t *machine, scene_real_t step)
+STEP_HEAD
 {
     scene_state_t end;
 
     advance(machine->time, step, &machine->state, &machine->p, &machine->c, &end);
 PROJECT
+@    if (follow != NULL) {
+@        follow_part(follow, machine, step, &machine->state, &end);
+@    }
     machine->state = end;
     pass_time(machine, step);
     return 0;

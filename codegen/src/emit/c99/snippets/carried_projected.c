@@ -1,0 +1,23 @@
+
+/* Puts the columns onto the constraints, first in position, then in velocity. */
+static void follow_projected(struct carried *of, scene_real_t time, const scene_state_t *state,
+                             const scene_parameters_t *p, const scene_constants_t *c)
+{
+    scene_real_t off[SCENE_CONSTRAINTS], shift[SADDLE], dp[SCENE_DIRECTIONS];
+    size_t column, k;
+
+    for (column = 0u; column < of->count; ++column) {
+        scene_real_t *x = of->columns[column];
+        directions_of(of, column, dp);
+        constraint_values_along(time, state, p, x, dp, of->timing[column], off);
+        shortest(time, state, p, c, off, NULL, shift);
+        for (k = 0u; k < SCENE_COORDINATES; ++k) {
+            x[k] = x[k] - shift[k];
+        }
+        constraint_rates_along(time, state, p, x, dp, of->timing[column], off);
+        shortest(time, state, p, c, off, NULL, shift);
+        for (k = 0u; k < SCENE_COORDINATES; ++k) {
+            x[SCENE_COORDINATES + k] = x[SCENE_COORDINATES + k] - shift[k];
+        }
+    }
+}

@@ -7,10 +7,13 @@
 mod board;
 mod compiler;
 mod driver;
+mod filter;
 
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
-use machinist_codegen::emit::c99::{C99Options, Real, StepCalls, emit, needs_start, step_calls};
+use machinist_codegen::emit::c99::{
+    C99Options, EstimatorOptions, Real, StepCalls, emit, needs_start, step_calls,
+};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
 use machinist_contract::fixed_step::StepMethod;
@@ -53,6 +56,15 @@ fn options(real: Real, model: &Model) -> C99Options {
         operating_point(&Simulation::new(&simulator), Place::Initial).expect("a start").state
     });
     C99Options { real, command: "a test".to_owned(), start, ..C99Options::default() }
+}
+
+fn options_with(
+    real: Real,
+    model: &Model,
+    estimator: EstimatorOptions,
+    method: StepMethod,
+) -> C99Options {
+    C99Options { method, estimator: Some(estimator), ..options(real, model) }
 }
 
 /// Returns time, state and parameters that differ from those of the spec.

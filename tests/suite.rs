@@ -23,6 +23,7 @@ mod contacts;
 mod cycles;
 mod equilibrium;
 mod error_estimates;
+mod estimators;
 mod events;
 mod exact;
 mod fast_guards;

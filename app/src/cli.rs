@@ -18,6 +18,7 @@ mod completions;
 mod cycle;
 #[cfg(feature = "derive")]
 mod derive;
+mod estimator;
 #[cfg(feature = "derive")]
 pub mod explain;
 mod fit;

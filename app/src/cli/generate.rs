@@ -12,6 +12,7 @@ use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_model::Model;
 
 use super::arguments::{DeriveArgs, KeepArgs};
+use super::estimator::EstimatorArgs;
 use super::output::print;
 use super::{scene, specs};
 use crate::deriving;
@@ -33,7 +34,7 @@ enum Target {
 
 #[derive(Debug, Args)]
 pub struct Generate {
-    /// With --target c99: name or file of the scene, or a model file
+    /// With --target c99 or --estimator: name or file of the scene, or a model file
     scene: Option<String>,
     /// Target language
     #[arg(long, value_name = "NAME", default_value = "rust")]
@@ -46,6 +47,8 @@ pub struct Generate {
     specs: PathBuf,
     #[command(flatten)]
     c99: c99::Options,
+    #[command(flatten)]
+    estimator: EstimatorArgs,
     /// Folder for the emitted files. Default for Rust: generated/src/scenes
     #[arg(short, long, help_heading = "Output", value_name = "DIR")]
     out: Option<PathBuf>,
@@ -65,18 +68,30 @@ impl Generate {
                     let message = "--target c99 needs a folder for the files of the scene";
                     return Err(Failure::input(message, format!("-o {scene}")));
                 };
-                self.c99.execute(scene, self.keep.keep_all, out, mode)
+                self.c99.execute((scene, &self.estimator), self.keep.keep_all, out, mode)
             }
             (Target::C99, None) => {
                 let message = "--target c99 emits one scene at a time, but none is given";
                 Err(Failure::input(message, "machinist gen --target c99 SCENE -o FOLDER"))
             }
+            (Target::Rust, Some(scene)) if self.estimator.is_given() => {
+                let Some(out) = &self.out else {
+                    let message = "an estimator needs a folder for the files of the scene";
+                    return Err(Failure::input(message, format!("-o {scene}")));
+                };
+                self.c99.estimator(scene, &self.estimator, self.keep.keep_all, out, mode)
+            }
             (Target::Rust, Some(scene)) => {
                 let message = format!("--target rust emits all scenes of a folder, not `{scene}`");
-                let help = "leave the name out; `--specs` names another folder of scenes";
+                let help = "leave the name out; `--specs` names another folder of scenes; with \
+                            `--estimator` one scene is emitted";
                 Err(Failure::input(message, help))
             }
             (Target::Rust, None) => {
+                if self.estimator.is_given() {
+                    let message = "an estimator is for one scene, but none is given";
+                    return Err(Failure::input(message, "machinist gen SCENE --estimator ekf ..."));
+                }
                 self.c99.refuse()?;
                 self.rust(mode)
             }

@@ -1,6 +1,7 @@
 //! `machinist verify`: all checks of every built-in scene, or of one machine of the user's own,
 //! with their verdicts.
 
+mod estimator;
 #[cfg(feature = "derive")]
 mod independent;
 mod machine;
@@ -16,6 +17,7 @@ use super::output::print;
 use super::table::{indented, rows, width};
 use crate::failure::Failure;
 use crate::progress::during;
+use estimator::EstimatorRuns;
 pub use machine::Changes;
 #[cfg(feature = "derive")]
 pub use machine::verify_spec;
@@ -38,12 +40,15 @@ pub struct Verify {
     machine: MachineArgs,
     #[command(flatten)]
     run: RunArgs,
+    #[command(flatten)]
+    runs: EstimatorRuns,
 }
 
 impl Verify {
     pub fn execute(&self) -> Result<(), Failure> {
+        self.runs.check(self.scene.as_ref())?;
         let verdicts = match &self.scene {
-            Some(scene) => self.of_machine(scene)?,
+            Some(scene) => [self.of_machine(scene)?, self.of_estimator(scene)?].concat(),
             None => self.of_built_in()?,
         };
         if verdicts.is_empty() {
@@ -112,6 +117,14 @@ impl Verify {
             scenes: None,
         };
         during("verifying", || verify_all(&options)).map_err(|error| Failure::input(error, ""))
+    }
+
+    fn of_estimator(&self, scene: &str) -> Result<Vec<Verdict>, Failure> {
+        let is_wanted = self.only.as_ref().is_none_or(|text| "estimator:".contains(&**text));
+        if !self.runs.estimator.is_given() || !is_wanted {
+            return Ok(Vec::new());
+        }
+        self.runs.verdicts(scene, &self.machine, &self.run)
     }
 
     fn of_machine(&self, scene: &str) -> Result<Vec<Verdict>, Failure> {

@@ -4,14 +4,17 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use machinist::Simulation;
+use machinist::estimator::EstimatorIndices;
 use machinist::linear_analysis::{Place, operating_point};
-use machinist_codegen::emit::c99::{C99Options, Real, needs_start, step_cost};
-use machinist_codegen::write::{Mode, WriteError, emit_c99};
+use machinist_codegen::emit::c99::{C99Options, EstimatorOptions, Real, needs_start, step_cost};
+use machinist_codegen::write::{Mode, Summary, WriteError, emit_c99, emit_rust_estimator};
+use machinist_contract::Simulator;
 use machinist_contract::fixed_step::StepMethod;
 use machinist_fmu::variables::{Unfit, Variables};
 use machinist_model::{Model, ModelSimulator};
 
 use super::describe;
+use crate::cli::estimator::EstimatorArgs;
 use crate::cli::output::print;
 use crate::cli::run::step_method;
 use crate::cli::scene::stamped;
@@ -24,12 +27,12 @@ enum Width {
     F32,
 }
 
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct Options {
     /// With --target c99: type of numbers, f64 (double) or f32 (float). Default: f64
     #[arg(long, value_name = "TYPE")]
     real: Option<Width>,
-    /// With --target c99: step method, rk4, heun or ros2. Default: rk4
+    /// With --target c99 or --estimator: step method, rk4, heun or ros2. Default: rk4
     #[arg(long, value_name = "NAME", value_parser = step_method)]
     step: Option<StepMethod>,
     /// With --target c99: parameters that become inputs, in a separate struct, and can be set
@@ -54,42 +57,64 @@ impl Options {
         }
     }
 
-    pub fn execute(
+    /// Emits a scene with a filter as Rust.
+    pub fn estimator(
         &self,
         scene: &str,
+        estimator: &EstimatorArgs,
+        keep_all: bool,
+        out: &Path,
+        mode: Mode,
+    ) -> Result<(), Failure> {
+        Self { step: None, ..self.clone() }.refuse()?;
+        let model = stamped(scene, keep_all)?.model;
+        let method = self.step.unwrap_or_default();
+        let filter = emitted(&model, estimator, method)?;
+        let start = match start(&model)? {
+            Some(start) => start,
+            None => initial(&model),
+        };
+        let name = Path::new(scene).file_name().unwrap_or(scene.as_ref()).to_string_lossy();
+        let mut command = format!("machinist gen {name} -o .{}", estimator.told());
+        if let Some(step) = self.step {
+            command.extend([" --step ", step.name()]);
+        }
+        let filter = (&filter, method, &start[..]);
+        let summary = emit_rust_estimator(out, &model, filter, &command, mode);
+        print(&describe(&fresh(summary)?, ""))
+    }
+
+    pub fn execute(
+        &self,
+        (scene, estimator): (&str, &EstimatorArgs),
         keep_all: bool,
         out: &Path,
         mode: Mode,
     ) -> Result<(), Failure> {
         let model = stamped(scene, keep_all)?.model;
         self.check_inputs(&model)?;
+        let method = self.step.unwrap_or_default();
+        let filter =
+            estimator.is_given().then(|| emitted(&model, estimator, method)).transpose()?;
         let options = C99Options {
             real: match self.real {
                 None | Some(Width::F64) => Real::Double,
                 Some(Width::F32) => Real::Float,
             },
-            method: self.step.unwrap_or_default(),
-            command: self.command(scene, keep_all),
+            method,
+            command: format!("{}{}", self.command(scene, keep_all), estimator.told()),
             inputs: self.inputs.clone(),
             start: start(&model)?,
+            estimator: filter,
         };
-        match emit_c99(out, &model, &options, mode) {
-            Ok(summary) => {
-                let cost = step_cost(&model, options.method);
-                let most = match cost.parts {
-                    1 => String::new(),
-                    parts => format!(", at most {} in {parts} parts", cost.most),
-                };
-                let step = format!("a step takes {} operations{most}\n", cost.usual);
-                print(&format!("{}{step}", describe(&summary, "")))
-            }
-            Err(WriteError::NotFresh { files, .. }) => {
-                let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
-                let message = format!("out of date: {}", names.join(", "));
-                Err(Failure::unsuccessful(message, "without `--check` it is written again"))
-            }
-            Err(error) => Err(error.into()),
-        }
+        let summary = fresh(emit_c99(out, &model, &options, mode))?;
+        let cost = step_cost(&model, options.method);
+        let most = match cost.parts {
+            1 => String::new(),
+            parts => format!(", at most {} in {parts} parts", cost.most),
+        };
+        let step = format!("a step takes {} operations{most}\n", cost.usual);
+        print(&format!("{}{step}", describe(&summary, "")))
     }
 
     /// Returns an error for inputs that are given twice, that do not exist, or that the equations
@@ -126,6 +151,45 @@ impl Options {
         }
         command
     }
+}
+
+/// Returns the summary of written files, or an error that names files that are out of date.
+fn fresh(summary: Result<Summary, WriteError>) -> Result<Summary, Failure> {
+    match summary {
+        Ok(summary) => Ok(summary),
+        Err(WriteError::NotFresh { files, .. }) => {
+            let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+            let message = format!("out of date: {}", names.join(", "));
+            Err(Failure::unsuccessful(message, "without `--check` it is written again"))
+        }
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Returns the filter of a scene for emission.
+fn emitted(
+    model: &Model,
+    estimator: &EstimatorArgs,
+    method: StepMethod,
+) -> Result<EstimatorOptions, Failure> {
+    if let Some(field) = model.fields.first() {
+        let name = &field.quantities[0].name.path;
+        let message = format!("field `{name}` is discretized at the start of a run");
+        return Err(Failure::input(message, "estimators are emitted for scenes without fields"));
+    }
+    let simulator = ModelSimulator::interpreted(model.clone());
+    let found = estimator.indices(simulator.single(), method)?;
+    let EstimatorIndices { measured, estimated, diffusing, disturbed, start, .. } = found;
+    Ok(EstimatorOptions { measured, estimated, diffusing, disturbed, start })
+}
+
+/// Returns the initial state of the spec.
+fn initial(model: &Model) -> Vec<f64> {
+    let simulator = ModelSimulator::interpreted(model.clone());
+    let parameters: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+    let mut state = vec![0.0; model.states.len()];
+    simulator.initial_state(&parameters, &mut state);
+    state
 }
 
 /// Explains why a parameter cannot be an input.

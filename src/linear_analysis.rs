@@ -18,6 +18,7 @@
 //! machines whose coordinates are each coupled to few others, such as chains, are possible for up
 //! to [`MAX_STATES_OF_CHAINS`] states.
 
+mod along;
 mod banded;
 mod bends;
 mod campbell;
@@ -50,6 +51,7 @@ use nalgebra::{DMatrix, DVector};
 use sparse_rows::SparseRows;
 use within::Within;
 
+pub use along::{Piece, models_along};
 pub use campbell::{
     Branch, Campbell, Critical, Growing, Variation, campbell, campbell_over_speeds,
 };

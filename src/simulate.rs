@@ -370,9 +370,15 @@ impl<'a> Simulation<'a> {
     }
 
     /// Returns the start time of the run \[s\].
-    #[cfg(any(feature = "fit", feature = "linear"))]
-    pub(crate) fn start_time(&self) -> f64 {
+    #[must_use]
+    pub fn start_time(&self) -> f64 {
         self.from
+    }
+
+    /// Returns the end time of the run \[s\].
+    #[must_use]
+    pub fn end_time(&self) -> f64 {
+        self.until
     }
 
     /// Returns the state at the start and the parameters, after checking them.

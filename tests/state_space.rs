@@ -1,5 +1,6 @@
 //! State-space models against references by SciPy and mpmath, differences of runs, and null spaces.
 
+mod along;
 mod scenes;
 
 use machinist::linear_analysis::{Hold, Rows, StateSpace, Weight};

@@ -70,8 +70,16 @@ impl Where {
 
     /// Linearizes the scene at the place asked for.
     pub fn linearize<'s>(&self, scene: &'s Scene) -> Result<Linearization<'s>, Failure> {
+        self.linearize_at(scene, self.at)
+    }
+
+    fn linearize_at<'s>(
+        &self,
+        scene: &'s Scene,
+        place: Place,
+    ) -> Result<Linearization<'s>, Failure> {
         let run = self.run(scene)?;
-        let point = during("simulating", || operating_point(&run, self.at))?;
+        let point = during("simulating", || operating_point(&run, place))?;
         Ok(Linearization::at(scene.simulator(), point)?)
     }
 
@@ -85,8 +93,19 @@ impl Where {
         analyse: impl Fn(&Scene, &Linearization<'_>, &[String]) -> Result<T, Failure>,
         tried: impl Fn(&Linearization<'_>, &[String]) -> Result<(), LinearError>,
     ) -> Result<T, Failure> {
+        self.analyse_at(self.at, inputs, analyse, tried)
+    }
+
+    /// As [`Where::analyse`], at a place of the command's own.
+    pub fn analyse_at<T>(
+        &self,
+        place: Place,
+        inputs: &[&str],
+        analyse: impl Fn(&Scene, &Linearization<'_>, &[String]) -> Result<T, Failure>,
+        tried: impl Fn(&Linearization<'_>, &[String]) -> Result<(), LinearError>,
+    ) -> Result<T, Failure> {
         let (scene, names) = self.load_with_inputs(inputs)?;
-        let linearization = self.linearize(&scene)?;
+        let linearization = self.linearize_at(&scene, place)?;
         let failed = match tried(&linearization, &names) {
             Ok(()) => return analyse(&scene, &linearization, &names),
             Err(error) => error,
@@ -101,7 +120,7 @@ impl Where {
         let Some(scene) = Scene::load_with_forces(self.scene(), &loading, forces)? else {
             return Err(failed.into());
         };
-        let linearization = self.linearize(&scene)?;
+        let linearization = self.linearize_at(&scene, place)?;
         tried(&linearization, &names)?;
         analyse(&scene, &linearization, &names)
     }

@@ -1,19 +1,24 @@
 //! `machinist linearize`: the state-space model of a scene, with regulators and Kalman filters.
 
+mod along;
 mod answer;
 mod table;
 
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use machinist::linear_analysis::{Estimator, Hold, Regulator, Signal, StateSpace, Weight};
+use machinist::linear_analysis::{
+    Estimator, Hold, Place, Regulator, Signal, StateSpace, Weight, models_along,
+};
 
 use super::amount::{Amount, assignment, in_unit, time};
 use super::linear::Where;
 use super::output::{print, require_ending, write_file};
 use super::scene::Scene;
 use crate::failure::Failure;
-use crate::matrices::mat_file;
+use crate::matrices::{Entry, mat_file};
+use crate::progress::during;
+use along::Along;
 use answer::Answer;
 
 #[derive(Debug, Args)]
@@ -37,6 +42,15 @@ pub struct Linearize {
     /// on inputs; per root of hertz if not sampled
     #[arg(long, value_name = "NAME=DEVIATION", value_parser = assignment, value_delimiter = ',')]
     kalman: Vec<(String, Amount)>,
+    /// Models along the run: at times with this step, `10ms`, or at several times, `0.1,0.2,0.5`
+    #[arg(
+        long,
+        value_name = "STEP|TIMES",
+        value_parser = time,
+        value_delimiter = ',',
+        conflicts_with_all = ["at", "lqr", "kalman"]
+    )]
+    along: Vec<f64>,
     /// Print JSON
     #[arg(long, help_heading = "Output")]
     json: bool,
@@ -75,6 +89,15 @@ impl Linearize {
             require_format(file)?;
         }
         let inputs: Vec<&str> = self.inputs.iter().map(String::as_str).collect();
+        if !self.along.is_empty() {
+            let text = self.at.analyse_at(
+                Place::Initial,
+                &inputs,
+                |scene, _, inputs| self.told_along(scene, inputs),
+                |linearization, inputs| linearization.state_space(inputs, &self.outputs).map(drop),
+            )?;
+            return print(&text);
+        }
         let text = self.at.analyse(
             &inputs,
             |scene, linearization, inputs| {
@@ -84,6 +107,37 @@ impl Linearize {
             |linearization, inputs| linearization.state_space(inputs, &self.outputs).map(drop),
         )?;
         print(&text)
+    }
+
+    /// Returns the models along the run, after writing the file.
+    fn told_along(&self, scene: &Scene, inputs: &[String]) -> Result<String, Failure> {
+        let run = self.at.run(scene)?;
+        let simulator = scene.simulator();
+        let span = [run.start_time(), run.end_time()];
+        let times = times_along(&self.along, span)?;
+        let mut pieces =
+            during("linearizing", || models_along(&run, &times, inputs, &self.outputs))?;
+        if let Some(period) = self.sample {
+            for model in pieces.iter_mut().flat_map(|piece| &mut piece.models) {
+                *model = model.clone().sampled(period, self.hold.into())?;
+            }
+        }
+        let (scene, title) = (simulator.name(), simulator.title());
+        let along = Along { scene, title, pieces: &pieces };
+        if let Some(file) = &self.out {
+            let named = along.entries();
+            let entries: Vec<(&str, Entry)> =
+                named.iter().map(|(name, entry)| (name.as_str(), entry.clone())).collect();
+            write_entries(file, &entries, || along.json())?;
+        }
+        if self.json {
+            return Ok(along.json()? + "\n");
+        }
+        let mut text = along.told();
+        if let Some(file) = &self.out {
+            text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
+        }
+        Ok(text)
     }
 
     /// Completes the model and returns the answer, after writing the file.
@@ -117,14 +171,52 @@ impl Linearize {
 
 /// Writes the answer in the format of the ending.
 fn write_answer(file: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
+    write_entries(file, &answer.entries(), || answer.json())
+}
+
+/// Writes matrices, or JSON, in the format of the ending.
+fn write_entries(
+    file: &Path,
+    entries: &[(&str, Entry)],
+    json: impl FnOnce() -> Result<String, Failure>,
+) -> Result<(), Failure> {
     let failed = |error: std::io::Error| Failure::file(file, &error);
     let bytes = match ending(file).as_str() {
-        "mat" => mat_file(&answer.entries()).map_err(failed)?,
+        "mat" => mat_file(entries).map_err(failed)?,
         #[cfg(feature = "derive")]
-        "npz" => crate::matrices::npz_file(&answer.entries()).map_err(failed)?,
-        _ => (answer.json()? + "\n").into_bytes(),
+        "npz" => crate::matrices::npz_file(entries).map_err(failed)?,
+        _ => (json()? + "\n").into_bytes(),
     };
     write_file(file, |out| out.write_all(&bytes))
+}
+
+/// Maximum number of models along a run.
+const MOST_MODELS: usize = 100_000;
+
+/// Returns the times of a step over a run, or several times within it.
+fn times_along(given: &[f64], [from, until]: [f64; 2]) -> Result<Vec<f64>, Failure> {
+    let [step] = given else {
+        let mut pairs = given.iter().zip(given.iter().skip(1));
+        if let Some((before, after)) = pairs.find(|(before, after)| before >= after) {
+            let message = format!("--along: {after} s does not follow {before} s");
+            return Err(Failure::input(message, "give the times in order"));
+        }
+        if let Some(time) = given.iter().find(|time| !(from <= **time && **time <= until)) {
+            let message = format!("--along: the run from {from} s to {until} s has no {time} s");
+            return Err(Failure::input(message, "`--until` changes the end of the run"));
+        }
+        return Ok(given.to_vec());
+    };
+    let count = ((until - from) / step + 1e-9).floor();
+    if !(*step > 0.0 && count >= 1.0 && count < MOST_MODELS as f64) {
+        let message = format!(
+            "--along {step}: a step is above 0, within the run of {} s, and gives at \
+                               most {MOST_MODELS} models",
+            until - from
+        );
+        return Err(Failure::input(message, ""));
+    }
+    Ok((0..=count as usize).map(|index| (from + index as f64 * step).min(until)).collect())
 }
 
 /// Refuses files of other formats before anything is computed.

@@ -35,16 +35,19 @@ if TYPE_CHECKING:
     from ._model import Model, load
     from ._run import Run
     from ._sensitivities import Sensitivities
-    from ._state_space import StateSpace
+    from ._state_space import Estimator, LinearPiece, Regulator, StateSpace
     from ._sweep import Sweep, sweep
 
 #: Modules of the names that are imported on first use: the program `machinist` does without NumPy.
 _LATER = {
     "Design": "_designs",
+    "Estimator": "_state_space",
     "Fit": "_fit",
+    "LinearPiece": "_state_space",
     "Mode": "_linear",
     "Model": "_model",
     "Modes": "_linear",
+    "Regulator": "_state_space",
     "Response": "_linear",
     "Run": "_run",
     "Sensitivities": "_sensitivities",
@@ -58,14 +61,17 @@ _LATER = {
 __all__ = [
     "AnalysisError",
     "Design",
+    "Estimator",
     "Fit",
     "InputError",
+    "LinearPiece",
     "MachinistError",
     "Mistake",
     "Mode",
     "Model",
     "ModelFileError",
     "Modes",
+    "Regulator",
     "Response",
     "Run",
     "Sensitivities",

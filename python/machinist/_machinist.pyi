@@ -77,6 +77,18 @@ def state_space(
     signals: tuple[Sequence[str], Sequence[str]],
     sampling: tuple[float, str] | None,
 ) -> dict[str, Any]: ...
+def design(
+    kind: str,
+    matrices: tuple[list[Array], tuple[int, int, int]],
+    period: float | None,
+    weights: Sequence[tuple[str, float]],
+) -> dict[str, Any]: ...
+def pieces_along(
+    machine: Machine,
+    settings: dict[str, Any],
+    signals: tuple[Sequence[str], Sequence[str]],
+    times: ArrayLike,
+) -> list[dict[str, Any]]: ...
 def fit(
     machine: Machine,
     settings: dict[str, Any],

@@ -16,7 +16,7 @@ from ._fit import Fit, measured_runs
 from ._linear import Modes, Response
 from ._run import Run
 from ._sensitivities import Sensitivities
-from ._state_space import StateSpace
+from ._state_space import LinearPiece, StateSpace
 from ._sweep import Sweep, sweep
 from ._tables import Event, Parameter, Quantity, State, Table, html, text
 from .errors import InputError, ModelFileError, StoppedError, UnknownNameError
@@ -362,6 +362,28 @@ class Model:
         place = _place(at)
         told = _machinist.state_space(self._machine, given, place, signals, sampling)
         return StateSpace(self.name, place, told)
+
+    def linearize_along(
+        self,
+        inputs: str | Sequence[str],
+        outputs: str | Sequence[str],
+        times: ArrayLike,
+        *,
+        parameters: Parameters | None = None,
+        initial: Mapping[str, float] | ArrayLike | None = None,
+        **settings: Any,
+    ) -> list[LinearPiece]:
+        """Linear models A(t), B(t), C(t), D(t) about the motion of a run, at some times [s].
+
+        A piece ends where a mode changes, as a brake closes: there the order of x may change.
+
+        :param inputs: parameters, or coordinates for a force on each.
+        :param outputs: outputs or states.
+        """
+        given = _given(parameters=parameters, initial=initial, **settings)
+        signals = (_names(inputs), _names(outputs))
+        told = _machinist.pieces_along(self._machine, given, signals, times)
+        return [LinearPiece(piece) for piece in told]
 
     def sensitivities(
         self,

@@ -40,7 +40,11 @@ mod _machinist {
     #[pymodule_export]
     use crate::fit::fit;
     #[pymodule_export]
+    use crate::linear::design;
+    #[pymodule_export]
     use crate::linear::modes;
+    #[pymodule_export]
+    use crate::linear::pieces_along;
     #[pymodule_export]
     use crate::linear::response;
     #[pymodule_export]

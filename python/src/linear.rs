@@ -2,7 +2,8 @@
 
 use machinist::Simulation;
 use machinist::linear_analysis::{
-    Hold, LinearError, Linearization, Mode, ModeKind, NoSlope, Place, PointSlopes, operating_point,
+    Hold, LinearError, Linearization, Mode, ModeKind, NoSlope, Piece, Place, PointSlopes,
+    RegulatorError, Rows, Signal, StateSpace, Weight, models_along, operating_point,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -243,5 +244,109 @@ pub fn state_space<'py>(
     answer.set_item("drift", array(py, model.drift))?;
     answer.set_item("eliminated", model.eliminated)?;
     answer.set_item("period", model.sampling.map(|sampling| sampling.period))?;
+    Ok(answer)
+}
+
+/// Matrices A, B, C and D, row by row, and their numbers of states, inputs and outputs.
+type Matrices<'py> = ([Bound<'py, PyAny>; 4], (usize, usize, usize));
+
+/// Regulator (`lqr`) or estimator (`kalman`) of a state-space model, as a dictionary of rows.
+/// `weights` are the places of weighted inputs and outputs, `u` or `y` with a number from 1, and
+/// their deviations.
+#[pyfunction]
+pub fn design<'py>(
+    py: Python<'py>,
+    kind: &str,
+    matrices: Matrices<'py>,
+    period: Option<f64>,
+    weights: Vec<(String, f64)>,
+) -> Result<Bound<'py, PyDict>, Failure> {
+    let (given, (states, inputs, outputs)) = matrices;
+    let rows = |index: usize, height: usize, width: usize| -> Result<Rows, Failure> {
+        let values = numbers("the matrix", &given[index], Some(height * width))?;
+        let row = |row: usize| values.as_slice()[row * width..(row + 1) * width].to_vec();
+        Ok((0..height).map(row).collect())
+    };
+    let model = [
+        rows(0, states, states)?,
+        rows(1, states, inputs)?,
+        rows(2, outputs, states)?,
+        rows(3, outputs, inputs)?,
+    ];
+    let model = StateSpace::of_matrices(model, period)?;
+    let weight = |(name, deviation)| Weight { name, deviation };
+    let weights: Vec<Weight> = weights.into_iter().map(weight).collect();
+    let refused = |error: RegulatorError| Failure::input(error.to_string());
+    let answer = PyDict::new(py);
+    let poles = |poles: &[[f64; 2]]| poles.iter().map(|[re, im]| (*re, *im)).collect::<Vec<_>>();
+    if kind == "lqr" {
+        let found = py.detach(|| model.lqr(&weights)).map_err(refused)?;
+        answer.set_item("poles", poles(&found.poles))?;
+        answer.set_item("gain", array(py, found.gain.concat()))?;
+        answer.set_item("cost", array(py, found.cost.concat()))?;
+    } else {
+        let found = py.detach(|| model.kalman(&weights)).map_err(refused)?;
+        answer.set_item("poles", poles(&found.poles))?;
+        answer.set_item("gain", array(py, found.gain.concat()))?;
+        let correction = found.innovation_gain.map(|gain| array(py, gain.concat()));
+        answer.set_item("correction", correction)?;
+        answer.set_item("covariance", array(py, found.covariance.concat()))?;
+    }
+    Ok(answer)
+}
+
+/// Linear models along a run, in pieces of one order, as dictionaries of rows.
+#[pyfunction]
+pub fn pieces_along<'py>(
+    py: Python<'py>,
+    machine: &Machine,
+    settings: &Bound<'py, PyDict>,
+    signals: (Vec<String>, Vec<String>),
+    times: &Bound<'py, PyAny>,
+) -> Result<Bound<'py, PyList>, Failure> {
+    let (inputs, outputs) = signals;
+    let settings = Settings::of(settings)?;
+    let times = numbers("times", times, None)?.as_slice().to_vec();
+    let (found, quiet) = py.detach(|| {
+        let patience = Patience::new();
+        let end = || patience.end();
+        let found = machine.source.with(|simulator| {
+            let run = settings.apply(Simulation::new(simulator))?.until_told(&end);
+            models_along(&run, &times, &inputs, &outputs)
+        });
+        (found, patience.require_quiet())
+    });
+    quiet?;
+    let pieces: Vec<Piece> = found?.map_err(|error: LinearError| Failure::from(error))?;
+    let answer = PyList::empty(py);
+    for Piece { modes, models } in pieces {
+        let row = PyDict::new(py);
+        let first = &models[0];
+        let names = |signals: &[Signal]| {
+            signals.iter().map(|signal| (signal.name.clone(), signal.unit.clone())).collect()
+        };
+        for (key, signals) in
+            [("states", &first.states), ("inputs", &first.inputs), ("outputs", &first.outputs)]
+        {
+            let names: Vec<(String, String)> = names(signals);
+            row.set_item(key, names)?;
+        }
+        row.set_item("eliminated", first.eliminated.clone())?;
+        row.set_item("modes", modes)?;
+        let all = |of: fn(&StateSpace) -> Vec<f64>| models.iter().flat_map(of).collect::<Vec<f64>>();
+        for (key, numbers) in [
+            ("times", all(|model| vec![model.time])),
+            ("a", all(|model| model.a.concat())),
+            ("b", all(|model| model.b.concat())),
+            ("c", all(|model| model.c.concat())),
+            ("d", all(|model| model.d.concat())),
+            ("drift", all(|model| model.drift.clone())),
+            ("x", all(|model| model.states.iter().map(|signal| signal.value).collect())),
+            ("y", all(|model| model.outputs.iter().map(|signal| signal.value).collect())),
+        ] {
+            row.set_item(key, array(py, numbers))?;
+        }
+        answer.append(row)?;
+    }
     Ok(answer)
 }

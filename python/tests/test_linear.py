@@ -103,3 +103,99 @@ def test_a_sampled_model_is_that_of_scipy(gin):
         assert sampled.period == 1e-3 and sampled.to_scipy().dt == 1e-3
     with pytest.raises(machinist.MachinistError, match="did you mean"):
         gin.linearize("motor.phase_voltag", "twist")
+
+
+def systems(model, rng):
+    """The machine's own model, and random, stiff, badly scaled and unstable ones of several sizes."""
+    yield model.A, model.B, model.C
+    for n, m, p, spread in [
+        (1, 1, 1, 0), (2, 1, 1, 0), (3, 2, 1, 0), (4, 1, 2, 2), (5, 2, 2, 3),
+        (6, 3, 2, 0), (8, 2, 3, 2), (10, 3, 3, 0), (12, 4, 2, 1),
+    ]:  # fmt: skip
+        a = rng.standard_normal((n, n))
+        scale = 10.0 ** np.linspace(-0.5 * spread, 0.5 * spread, n)
+        yield (
+            a * scale[:, None] / scale,
+            rng.standard_normal((n, m)) * scale[:, None],
+            rng.standard_normal((p, n)) / scale,
+        )
+
+
+def state_space_of(a, b, c, period):
+    told = {
+        "states": [(f"x{k}", "1", 0.0) for k in range(len(a))],
+        "inputs": [(f"u{k}", "1", 0.0) for k in range(b.shape[1])],
+        "outputs": [(f"y{k}", "1", 0.0) for k in range(len(c))],
+        "a": a.ravel(), "b": b.ravel(), "c": c.ravel(), "d": np.zeros((len(c), b.shape[1])).ravel(),
+        "time": 0.0, "drift": np.zeros(len(a)), "eliminated": [], "period": period,
+        "poles": [], "zeros": [], "uncontrollable": [], "unobservable": [],
+    }  # fmt: skip
+    return machinist.StateSpace("system", "equilibrium", told)
+
+
+def test_gains_are_those_of_scipy(gin):
+    linalg = pytest.importorskip("scipy.linalg")
+    model = gin.linearize(["motor.phase_voltage"], ["twist", "motor.omega"])
+    rng = np.random.default_rng(5)
+    count = 0
+    for a, b, c in systems(model, rng):
+        count += 1
+        n, m, p = len(a), b.shape[1], len(c)
+        for period in (None, 1e-3):
+            if period is not None:
+                # Samples of the continuous system.
+                both = np.block([[a, b], [np.zeros((m, n + m))]])
+                both = linalg.expm(both * period / max(1.0, abs(a).max() * period))
+                a, b = both[:n, :n], both[:n, n:]
+            solve = linalg.solve_continuous_are if period is None else linalg.solve_discrete_are
+            system = state_space_of(a, b, c, period)
+            q, r = c.T @ c, np.diag(1.0 + np.arange(m))
+            K, S, E = system.lqr(q, r)
+            x = solve(a, b, q, r)
+            wanted = np.linalg.solve(r if period is None else r + b.T @ x @ b,
+                                     b.T @ x if period is None else b.T @ x @ a)
+            assert abs(K - wanted).max() < 1e-10 * abs(wanted).max()
+            assert abs(S - x).max() < 1e-9 * abs(x).max()
+            assert len(E) == n and (E.real < 0 if period is None else abs(E) < 1).all()
+            w, v = np.diag(1.0 + np.arange(m)), np.diag(2.0 + np.arange(p))
+            L, P, _ = system.kalman(w, v)
+            x = solve(a.T, c.T, b @ w @ b.T, v)
+            wanted = np.linalg.solve(v if period is None else v + c @ x @ c.T,
+                                     c @ x if period is None else c @ x @ a.T).T
+            assert abs(L - wanted).max() < 1e-10 * abs(wanted).max()
+            assert abs(P - x).max() < 1e-9 * abs(x).max()
+            # Deviations are the diagonal weights of outputs.
+            names = {name: 1.0 for name in system.outputs}
+            names |= {name: 1.0 / np.sqrt(1.0 + k) for k, name in enumerate(system.inputs)}
+            assert abs(system.lqr(names).K - K).max() < 1e-10 * abs(K).max()
+    assert count == 10
+
+
+def test_designs_that_make_no_sense_are_refused(gin):
+    model = gin.linearize(["motor.phase_voltage"], ["twist", "motor.omega"])
+    n = len(model.states)
+    for ask, told in [
+        (lambda: model.lqr({"twst": 1.0}), "did you mean"),
+        (lambda: model.lqr({"twist": 1.0}), "no input"),
+        (lambda: model.lqr(np.eye(n)), "R is missing"),
+        (lambda: model.lqr(-np.eye(n), 1.0), "negative"),
+        (lambda: model.lqr(np.eye(n), -1.0), "positive definite"),
+        (lambda: model.kalman({"twist": 1.0, "motor.phase_voltage": 1.0}, 1.0), "matrices"),
+    ]:
+        with pytest.raises(machinist.MachinistError, match=told):
+            ask()
+
+
+def test_models_along_a_run_are_those_at_its_times(gin):
+    names = (["motor.phase_voltage"], ["twist", "motor.omega"])
+    times = [0.2, 0.9, 1.4]
+    (piece,) = gin.linearize_along(*names, times)
+    assert piece.A.shape == (3, len(piece.states), len(piece.states)) and not piece.modes
+    for index, time in enumerate(times):
+        alone = gin.linearize(*names, at=time)
+        assert alone.states == piece.states
+        size = abs(alone.A).max()
+        assert abs(piece.A[index] - alone.A).max() < 1e-6 * size
+        np.testing.assert_allclose(piece.B[index], alone.B, rtol=1e-6)
+        np.testing.assert_allclose(piece.C[index], alone.C, rtol=1e-6, atol=1e-9)
+    assert "3 linear models" in repr(piece)

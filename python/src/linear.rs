@@ -333,7 +333,8 @@ pub fn pieces_along<'py>(
         }
         row.set_item("eliminated", first.eliminated.clone())?;
         row.set_item("modes", modes)?;
-        let all = |of: fn(&StateSpace) -> Vec<f64>| models.iter().flat_map(of).collect::<Vec<f64>>();
+        let all =
+            |of: fn(&StateSpace) -> Vec<f64>| models.iter().flat_map(of).collect::<Vec<f64>>();
         for (key, numbers) in [
             ("times", all(|model| vec![model.time])),
             ("a", all(|model| model.a.concat())),

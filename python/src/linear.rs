@@ -317,7 +317,7 @@ pub fn pieces_along<'py>(
         (found, patience.require_quiet())
     });
     quiet?;
-    let pieces: Vec<Piece> = found?.map_err(|error: LinearError| Failure::from(error))?;
+    let pieces: Vec<Piece> = found?.map_err(Failure::from)?;
     let answer = PyList::empty(py);
     for Piece { modes, models } in pieces {
         let row = PyDict::new(py);

@@ -13,6 +13,7 @@ mod conformance;
 mod csv;
 mod cycle;
 mod deriving;
+mod estimator;
 mod fit;
 mod fmu;
 mod fuzz;

@@ -374,22 +374,23 @@ fn a_wrong_noise_is_found_inconsistent() {
     };
     let simulator = of_specs("saw_gin", Keep::Needed);
     let simulator: &dyn Simulator<f64> = simulator.single();
-    let mut indices = design.indices(simulator).expect("names of the scene");
+    let indices = design.indices(simulator).expect("names of the scene");
     let place = operating_point(&Simulation::new(simulator), Place::Time(1.5)).expect("a point");
     let start = (place.time, &place.state[..], &place.parameters[..]);
     let run = ConsistencyRun { step: 1e-3, steps: 50, draws: 50, instants: 5, seed: 3 };
+    let within = |instants: &[Instant]| instants.iter().filter(|it| it.is_within()).count();
     let right = Consistency::of(simulator, &indices, start, &run);
-    assert!(right.nees.iter().filter(|nees| nees.is_within()).count() >= 4);
-    // The machine's own noise is that of the design, so the filter is given another by hand.
-    let mut estimator =
-        Estimator::at(simulator, &indices, place.time, &place.state, &place.parameters);
-    let _ = estimator.predict(1e-3);
-    let nominal = estimator.deviations();
-    indices.disturbed[0].1 *= 2.0;
-    let mut estimator =
-        Estimator::at(simulator, &indices, place.time, &place.state, &place.parameters);
-    let _ = estimator.predict(1e-3);
-    assert!(estimator.deviations().iter().zip(nominal).any(|(wide, narrow)| *wide > narrow));
+    assert!(within(&right.nees) >= 4 && within(&right.nis) >= 4);
+    let mut rougher = indices.clone();
+    rougher.disturbed[0].1 *= 10.0;
+    let [mut worse, mut better] = [indices.clone(), indices.clone()];
+    worse.measured.iter_mut().for_each(|(_, deviation)| *deviation *= 1.5);
+    better.measured.iter_mut().for_each(|(_, deviation)| *deviation *= 0.6);
+    let against = |noise| Consistency::against(simulator, [&indices, noise], start, &run);
+    assert_eq!(within(&against(&rougher).nees[2..]), 0, "noise of the load");
+    for noise in [&worse, &better] {
+        assert_eq!(within(&against(noise).nis), 0, "noise of the measurements");
+    }
 }
 
 #[test]

@@ -257,6 +257,6 @@ mod tests {
             "--out table.parquet: this program was built without Parquet"
         );
         let help = told[0].help().expect("help").to_string();
-        assert!(help.contains("--features parquet"), "{help}");
+        assert!(help.contains("`cargo install --path app`"), "{help}");
     }
 }

@@ -95,9 +95,29 @@ impl Consistency {
     pub fn of(
         simulator: &dyn Simulator<f64>,
         indices: &EstimatorIndices,
+        start: (f64, &[f64], &[f64]),
+        run: &ConsistencyRun,
+    ) -> Self {
+        Self::against(simulator, [indices, indices], start, run)
+    }
+
+    /// Tests an estimator on a machine with the noise of another design, which has the same
+    /// measurements and estimated parameters.
+    ///
+    /// # Panics
+    /// If the designs have other measurements or estimated parameters, or as [`Self::of`].
+    #[must_use]
+    pub fn against(
+        simulator: &dyn Simulator<f64>,
+        [indices, noise]: [&EstimatorIndices; 2],
         (time, state, parameters): (f64, &[f64], &[f64]),
         run: &ConsistencyRun,
     ) -> Self {
+        let outputs = |of: &EstimatorIndices| -> Vec<usize> {
+            of.measured.iter().map(|(output, _)| *output).collect()
+        };
+        assert_eq!(outputs(indices), outputs(noise), "the same outputs are measured");
+        assert_eq!(indices.estimated, noise.estimated, "the same parameters are estimated");
         assert!(0 < run.instants && run.instants <= run.steps, "instants are steps");
         let begun = Estimator::at(simulator, indices, time, state, parameters);
         let root = begun.root().to_vec();
@@ -107,7 +127,7 @@ impl Consistency {
         for draw in 0..run.draws {
             let mut random = Random { key: [run.seed, draw as u64], count: 0 };
             let mut estimator = Estimator::at(simulator, indices, time, state, parameters);
-            let mut truth = Truth::new(&estimator, indices, time);
+            let mut truth = Truth::new(&estimator, noise, time);
             truth.begin(&root, &mut random);
             let mut instant = 0;
             for step in 1..=run.steps {

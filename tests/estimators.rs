@@ -157,11 +157,12 @@ fn covariances_follow_the_derivative_across_events_and_their_times() {
 
 #[test]
 fn covariances_follow_the_derivative_as_a_brake_slips_and_locks() {
-    // The tightening rope tears the drum loose at 3.09 s; a constraint holds it again at 3.11 s.
+    // The tightening rope tears the drum loose at 3.09 s; a constraint holds it again at 3.11 s. Heun's
+    // steps find these times to first order in their length.
     for state in ["motor.phi", "motor.omega", "wheel.omega", "motor.current"] {
         compare_with_differences(
             "drives/winch",
-            (3.08, 5e-4, 60),
+            (3.08, 2.5e-4, 120),
             (&[state], &[]),
             (1e-7, [1e-2; 2]),
         );

@@ -486,7 +486,7 @@ impl<'a> Watch<'a> {
             .copied()
             .filter(|index| !self.watched[*index].is_border() || is_same(index))
             .collect();
-        self.take_sides_of_kinks(time, state, &crossed);
+        self.take_sides_of_kinks((time, state), &crossed, |index| !is_same(&index));
         let fresh = |index: usize| {
             let residual = self.residual(index, time, state, guards[index]);
             Side::Fresh { passed: false, residual }
@@ -562,7 +562,7 @@ impl<'a> Watch<'a> {
                 && (!self.watched[*index].is_border() || thrown_back.contains(index))
         };
         let passed: Vec<usize> = passed.into_iter().filter(is_settled).collect();
-        self.take_sides_of_kinks(time, state, &passed);
+        self.take_sides_of_kinks((time, state), &passed, |_| true);
         Ok(())
     }
 
@@ -645,7 +645,7 @@ impl<'a> Watch<'a> {
         if self.system.is_sliding() {
             self.system.put_onto_surfaces(time, state)?;
         }
-        self.take_sides_of_kinks(time, state, &[]);
+        self.take_sides_of_kinks((time, state), &[], |_| true);
         Ok(())
     }
 

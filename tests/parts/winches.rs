@@ -52,8 +52,10 @@ fn a_winch_of_standard_parts_lifts_and_holds_its_load() {
             assert!((held - torque).abs() < most, "{what}: {held} for {torque}");
             let after =
                 run.times.iter().zip(column(&run, "speed")).filter(|(time, _)| **time > 8.0);
+            // Far below the tolerance of the speed of 80 rad/s.
+            let rest = 1e-3 * rtol * 80.0;
             for (time, speed) in after {
-                assert!(speed.abs() < 1e-12, "{what}: {speed} at {time}");
+                assert!(speed.abs() < rest, "{what}: {speed} at {time}");
             }
         }
     }

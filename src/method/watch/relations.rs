@@ -398,15 +398,21 @@ impl Watch<'_> {
     }
 
     /// Sets the sides of guards of relations and borders at the start of a segment; `passed` are
-    /// those that crossed zero there.
-    pub(super) fn take_sides_of_kinks(&self, time: f64, state: &[f64], passed: &[usize]) {
+    /// those that crossed zero there, and `may_have_moved` names those whose values may have jumped.
+    pub(super) fn take_sides_of_kinks(
+        &self,
+        (time, state): (f64, &[f64]),
+        passed: &[usize],
+        may_have_moved: impl Fn(usize) -> bool,
+    ) {
         let events = self.system.simulator().events();
         let slides = self.system.slides();
         let inner = &mut *self.inner.borrow_mut();
         let guards = inner.parts.all_at(self.system, time, state);
         for (index, &(residual, rate)) in guards.iter().enumerate().skip(events) {
-            let side = self.side_of_kink(inner, &slides, index, residual, passed.contains(&index));
-            if passed.contains(&index) && matches!(self.watched[index], Watched::Zone(_)) {
+            let moved = Some(residual).filter(|_| may_have_moved(index));
+            let side = self.side_of_kink(inner, &slides, index, moved, passed.contains(&index));
+            if side != inner.sides[index] && matches!(self.watched[index], Watched::Zone(_)) {
                 (inner.longest, inner.entered) = (f64::INFINITY, time);
             }
             inner.sides[index] = side;
@@ -433,7 +439,7 @@ impl Watch<'_> {
         inner: &Inner,
         slides: &[Slide],
         index: usize,
-        guard: f64,
+        moved: Option<f64>,
         has_passed: bool,
     ) -> Side {
         let held = self.system.held();
@@ -441,11 +447,12 @@ impl Watch<'_> {
         let is_sliding = |relation: usize| slides.iter().any(|it| it.relation == relation);
         match self.watched[index] {
             Watched::Event(_) => inner.sides[index],
-            Watched::Border(_) | Watched::Zone(_) => match inner.sides[index] {
-                Side::Known(side) if has_passed => Side::Known(-side),
-                // A relation that changed may have moved it.
-                _ if guard.abs() > inner.parts.rounding(index) => Side::Known(guard.signum()),
-                side @ Side::Known(_) => side,
+            Watched::Border(_) | Watched::Zone(_) => match (inner.sides[index], moved) {
+                (Side::Known(side), _) if has_passed => Side::Known(-side),
+                (_, Some(guard)) if guard.abs() > inner.parts.rounding(index) => {
+                    Side::Known(guard.signum())
+                }
+                (side @ Side::Known(_), _) => side,
                 _ => Side::Known(1.0),
             },
             Watched::Nearest(_) if !has_passed => Side::Known(1.0),

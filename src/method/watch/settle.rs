@@ -51,7 +51,7 @@ impl Watch<'_> {
         if self.system.is_sliding() {
             self.system.put_onto_surfaces(time, state)?;
         }
-        self.take_sides_of_kinks(time, state, &[]);
+        self.take_sides_of_kinks((time, state), &[], |_| true);
         let guards = self.guards(time, state);
         let inner = &mut *self.inner.borrow_mut();
         inner.start.copy_from_slice(state);

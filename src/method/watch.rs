@@ -532,10 +532,8 @@ impl<'a> Watch<'a> {
         kinks: &[usize],
     ) -> Result<(), Stopped> {
         let mut changes: Vec<_> = kinks.iter().filter_map(|index| self.change_at(*index)).collect();
-        if self.hold_flat(time, state, &changes) {
+        if self.hold_flat(time, state, &changes)? {
             changes.clear();
-            // Otherwise its rate across the surface would lead away from it.
-            self.system.put_onto_surfaces(time, state)?;
         }
         self.settle_relations((time, state), &changes)?;
         if self.system.is_sliding() {

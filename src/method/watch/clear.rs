@@ -46,8 +46,8 @@ pub(super) struct ClearBox {
     wait: u32,
     pause: u32,
     reach: Vec<f64>,
-    /// Number of steps within the box so far.
-    used: usize,
+    /// True once the ranges of guards within the box are noted.
+    is_noted: bool,
 }
 
 impl ClearBox {
@@ -67,7 +67,7 @@ impl ClearBox {
             wait: FIRST,
             pause: FIRST,
             reach: vec![0.0; system.states()],
-            used: 0,
+            is_noted: false,
         }
     }
 
@@ -80,7 +80,7 @@ impl ClearBox {
     fn leave(&mut self) {
         self.clear = Clear::None;
         self.is_clear.fill(false);
-        self.used = 0;
+        self.is_noted = false;
     }
 
     /// Returns whether a watched function is clear.
@@ -158,13 +158,10 @@ impl Watch<'_> {
             it.steps = (0.5 * it.steps).max(LEAST);
         }
     }
-}
 
-impl Watch<'_> {
     /// Takes note of how far guards may go within the box, where no step evaluates them.
     pub(super) fn note_excursions_of_box(&self, inner: &mut Inner) {
-        inner.clear.used += 1;
-        if inner.clear.used > 1 {
+        if std::mem::replace(&mut inner.clear.is_noted, true) {
             return;
         }
         for (index, watched) in self.watched.iter().enumerate() {

@@ -469,44 +469,64 @@ impl Watch<'_> {
         }
     }
 
-    /// Makes the motion slide along a surface of order two if it oscillates about the surface
-    /// within the tolerances, unless energy is conserved: such a motion never comes to rest.
-    /// Returns whether it does.
-    pub(super) fn hold_flat(&self, time: f64, state: &mut [f64], changes: &[Change]) -> bool {
-        if self.system.simulator().conserves_energy(self.system.parameters()) == Some(true) {
-            return false;
-        }
+    /// Puts the motion onto a surface of order two, along which it then slides, if it oscillates
+    /// about the surface within the tolerances, unless energy is conserved: such a motion never
+    /// comes to rest. Returns whether it does.
+    ///
+    /// # Errors
+    /// As [`System::put_onto_surfaces`](crate::method::System::put_onto_surfaces).
+    pub(super) fn hold_flat(
+        &self,
+        time: f64,
+        state: &mut [f64],
+        changes: &[Change],
+    ) -> Result<bool, Stopped> {
+        let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
         let mut slides = self.system.slides();
         for change in changes.iter().filter(|it| !it.leaves) {
-            let relation = change.relation;
-            let place = self.watched.iter().position(|it| *it == Watched::Branch(relation));
-            let Some(place) = place else { continue };
-            let (excursion, earlier) = {
-                let inner = &mut *self.inner.borrow_mut();
-                let excursion = inner.parts.take_excursion(place);
-                (excursion, inner.relations.excursions[relation].replace(excursion))
-            };
-            let room = self.blur(place, time, state);
-            if earlier.is_none_or(|earlier| earlier > room) || excursion > room {
-                continue;
-            }
-            let along = [BELOW, ABOVE].map(|slot| {
-                self.system.held().set(relation, slot);
-                let mut rate = vec![0.0; self.system.states()];
-                self.system.state_rate(time, &state[..rate.len()], &mut rate);
-                self.system.bend_along(relation, (time, &state[..rate.len()]), &rate)
-            });
-            self.system.held().set(relation, change.slot);
-            if along[0] > 0.0 && along[1] < 0.0 && self.system.tangents().is_none() {
-                slides.push(Slide { relation, order: Order::Second });
+            if self.is_within_tolerances(time, state, change)
+                && simulator.conserves_energy(parameters) != Some(true)
+                && self.is_driven_back(time, state, change)
+                && self.system.tangents().is_none()
+            {
+                slides.push(Slide { relation: change.relation, order: Order::Second });
             }
         }
         let is_held = slides.len() > self.system.slides().len();
         if is_held {
             slides.sort_by_key(|slide| slide.relation);
             self.system.slide(&slides);
+            // Its rate across the surface would lead away from it.
+            self.system.put_onto_surfaces(time, state)?;
             self.system.note(FLAT.to_owned());
         }
-        is_held
+        Ok(is_held)
+    }
+
+    /// Returns whether the guard of a relation that changes has been within the tolerances since
+    /// the change before the last one.
+    fn is_within_tolerances(&self, time: f64, state: &[f64], change: &Change) -> bool {
+        let place = self.watched.iter().position(|it| *it == Watched::Branch(change.relation));
+        let Some(place) = place else { return false };
+        let (excursion, earlier) = {
+            let inner = &mut *self.inner.borrow_mut();
+            let excursion = inner.parts.take_excursion(place);
+            (excursion, inner.relations.excursions[change.relation].replace(excursion))
+        };
+        let Some(earlier) = earlier else { return false };
+        excursion.max(earlier) <= self.blur(place, time, state)
+    }
+
+    /// Returns whether both branches of a relation that changes accelerate its guard towards zero.
+    fn is_driven_back(&self, time: f64, state: &[f64], change: &Change) -> bool {
+        let states = &state[..self.system.states()];
+        let [below, above] = [BELOW, ABOVE].map(|slot| {
+            self.system.held().set(change.relation, slot);
+            let mut rate = vec![0.0; states.len()];
+            self.system.state_rate(time, states, &mut rate);
+            self.system.bend_along(change.relation, (time, states), &rate)
+        });
+        self.system.held().set(change.relation, change.slot);
+        below > 0.0 && above < 0.0
     }
 }

@@ -28,7 +28,7 @@ use miette::Report;
 use serde::{Deserialize, Serialize};
 
 use crate::config;
-use crate::failure::{Failure, all};
+use crate::failure::{Failure, Trouble, all};
 use crate::progress::during;
 use crate::spec_source::SpecSource;
 use cache::Key;
@@ -195,19 +195,25 @@ pub fn stamped(request: &Request) -> Result<Stamped, Failure> {
 /// Like [`stamped`], but hands remarks to the caller instead of printing them.
 pub fn stamped_with(request: &Request, remark: &mut dyn FnMut(Remark)) -> Result<Stamped, Failure> {
     let whole = derived_as_asked(request, remark)?;
-    let lasting = repeated(&whole.model);
-    if lasting.is_empty() {
+    let dropped = to_drop(&whole.model, remark);
+    if dropped.is_empty() {
         return Ok(whole);
     }
-    for one in &lasting {
-        remark(Remark::Note(dropped_note(&whole.model, one)));
-    }
-    let dropped = lasting.into_iter().map(|one| (one.constraint, one.needs)).collect();
     derived_as_asked(&Request { dropped, ..request.clone() }, remark)
 }
 
+/// Returns the constraints of a model that always follow from others, each with the parameters that
+/// must keep their values for this, after a remark on each.
+pub fn to_drop(model: &Model, remark: &mut dyn FnMut(Remark)) -> Vec<(String, Vec<String>)> {
+    let dropped = repeated(model).into_iter().map(|one| {
+        remark(Remark::Note(dropped_note(model, &one)));
+        (one.constraint, one.needs)
+    });
+    dropped.collect()
+}
+
 /// Returns the constraints that follow from others in every state.
-pub fn repeated(model: &Model) -> Vec<Lasting> {
+fn repeated(model: &Model) -> Vec<Lasting> {
     if model.constraints.is_empty() || !model.fields.is_empty() {
         return Vec::new();
     }
@@ -217,7 +223,7 @@ pub fn repeated(model: &Model) -> Vec<Lasting> {
 }
 
 /// Returns the note about a redundant constraint that is dropped.
-pub fn dropped_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting) -> String {
+fn dropped_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting) -> String {
     if repeats.is_empty() {
         return format!(
             "constraint `{constraint}` of {} holds in any position: it is redundant and dropped",
@@ -242,6 +248,15 @@ pub enum Remark {
     Note(String),
 }
 
+impl From<&Remark> for Trouble {
+    fn from(remark: &Remark) -> Self {
+        match remark {
+            Remark::Warning(warning) => warning.into(),
+            Remark::Note(note) => Self::note(note.clone()),
+        }
+    }
+}
+
 /// Remarks already shown by this process.
 static SHOWN: Mutex<Vec<Remark>> = Mutex::new(Vec::new());
 
@@ -264,8 +279,12 @@ pub fn warn(system: &LagrangianSystem) {
 }
 
 fn warnings(system: &LagrangianSystem) -> impl Iterator<Item = Remark> {
-    let notes = system.notes.iter().map(|note| Remark::Note(format!("{}: {note}", system.name)));
-    notes.chain(system.warnings.iter().cloned().map(Remark::Warning))
+    notes(system).chain(system.warnings.iter().cloned().map(Remark::Warning))
+}
+
+/// Returns the notes on a scene, which name it.
+pub fn notes(system: &LagrangianSystem) -> impl Iterator<Item = Remark> {
+    system.notes.iter().map(|note| Remark::Note(format!("{}: {note}", system.name)))
 }
 
 fn derived_as_asked(request: &Request, remark: &mut dyn FnMut(Remark)) -> Result<Stamped, Failure> {
@@ -325,14 +344,10 @@ pub fn derivations(
 pub fn derivation(scene: &SpecSource, keep: Keep, purpose: Purpose) -> Result<Derivation, Failure> {
     let mut found = derivations(std::slice::from_ref(scene), keep, purpose)?;
     let whole = found.pop().ok_or_else(|| broken("nothing"))?;
-    let lasting = repeated(whole.stages.needed());
-    if lasting.is_empty() {
+    let dropped = to_drop(whole.stages.needed(), &mut tell);
+    if dropped.is_empty() {
         return Ok(whole);
     }
-    for one in &lasting {
-        tell(Remark::Note(dropped_note(whole.stages.needed(), one)));
-    }
-    let dropped = lasting.into_iter().map(|one| (one.constraint, one.needs)).collect();
     let request =
         Request { wanted: Wanted::Everything, purpose, dropped, ..Request::model(scene, keep) };
     match derive(&[request])?.pop() {

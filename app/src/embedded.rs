@@ -97,7 +97,7 @@ pub fn derive(
     };
     match done {
         Ok(Ok(stamped)) => {
-            let warnings = remarks.iter().map(warning).collect();
+            let warnings = remarks.iter().map(Trouble::from).collect();
             Ok(Derived { stamped, warnings: located(warnings) })
         }
         Ok(Err(failure)) => Err(Refused::Wrong(located(failure.troubles()))),
@@ -118,13 +118,6 @@ fn stamped(
     let exact = || -> Result<Model, Failure> { Ok(model(Keep::Exact)?.model) };
     admit_against(&stamped.model, exact)?;
     Ok(stamped)
-}
-
-fn warning(remark: &Remark) -> Trouble {
-    match remark {
-        Remark::Warning(warning) => warning.into(),
-        Remark::Note(note) => Trouble::note(note.clone()),
-    }
 }
 
 /// Returns the same with the path of its file in place of the label.

@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 use super::Message;
 use crate::cli::arguments::TimeArgs;
 use crate::cli::check::{counted, found};
-use crate::deriving::{derive_by, dropped_note, end_with_parent, repeated};
+use crate::deriving::{Remark, derive_by, end_with_parent, notes, to_drop};
 use crate::failure::{Failure, Trouble};
 use crate::freeze::admit;
 use crate::program;
@@ -99,16 +99,14 @@ fn ran(
     let files = system.files.iter().filter(|file| !file.path.as_os_str().is_empty());
     answer.files = Some(files.map(|file| (file.path.clone(), file.sha256.clone())).collect());
     answer.troubles = system.warnings.iter().map(Trouble::from).collect();
-    let notes = system.notes.iter().map(|told| Trouble::note(format!("{}: {told}", system.name)));
-    answer.troubles.extend(notes);
+    answer.troubles.extend(notes(&system).map(|note| Trouble::from(&note)));
     answer.found = counted(&system);
     let mut outline = outline_by(Algebra::Plain, system.clone(), Keep::Needed)?;
-    let lasting = repeated(&outline.model);
-    if !lasting.is_empty() {
-        let notes = lasting.iter().map(|one| Trouble::note(dropped_note(&outline.model, one)));
-        answer.troubles.extend(notes);
-        for one in &lasting {
-            system.drop_constraint(&one.constraint, &one.needs);
+    let remark = &mut |remark: Remark| answer.troubles.push(Trouble::from(&remark));
+    let dropped = to_drop(&outline.model, remark);
+    if !dropped.is_empty() {
+        for (constraint, needs) in &dropped {
+            system.drop_constraint(constraint, needs);
         }
         outline = outline_by(Algebra::Plain, system.clone(), Keep::Needed)?;
     }

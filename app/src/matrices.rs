@@ -44,13 +44,14 @@ mod mat {
 ///
 /// # Errors
 /// If an entry has 4 GiB or more.
-pub fn mat_file(entries: &[(&str, Entry)]) -> io::Result<Vec<u8>> {
+pub fn mat_file(entries: &[(impl AsRef<str>, Entry)]) -> io::Result<Vec<u8>> {
     let mut file = format!("{:<116}", "MATLAB 5.0 MAT-file, written by machinist").into_bytes();
     // No data of subsystems, version 1.0, little-endian.
     file.extend([0; 8]);
     file.extend(0x0100_u16.to_le_bytes());
     file.extend(b"IM");
     for (name, entry) in entries {
+        let name = name.as_ref();
         let array = match entry {
             Entry::Matrix(rows, columns) => doubles(name, rows, *columns)?,
             Entry::Text(text) => text_array(name, text)?,
@@ -110,9 +111,11 @@ fn element(kind: u32, bytes: &[u8]) -> io::Result<Vec<u8>> {
 /// # Errors
 /// If an entry has 4 GiB or more.
 #[cfg(feature = "derive")]
-pub fn npz_file(entries: &[(&str, Entry)]) -> io::Result<Vec<u8>> {
-    let files: Vec<(String, Vec<u8>)> =
-        entries.iter().map(|(name, entry)| (format!("{name}.npy"), npy(entry))).collect();
+pub fn npz_file(entries: &[(impl AsRef<str>, Entry)]) -> io::Result<Vec<u8>> {
+    let files: Vec<(String, Vec<u8>)> = entries
+        .iter()
+        .map(|(name, entry)| (format!("{}.npy", name.as_ref()), npy(entry)))
+        .collect();
     let files: Vec<(&str, &[u8])> =
         files.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())).collect();
     crate::fmu::zip_archive(&files)

@@ -125,10 +125,7 @@ impl Linearize {
         let (scene, title) = (simulator.name(), simulator.title());
         let along = Along { scene, title, pieces: &pieces };
         if let Some(file) = &self.out {
-            let named = along.entries();
-            let entries: Vec<(&str, Entry)> =
-                named.iter().map(|(name, entry)| (name.as_str(), entry.clone())).collect();
-            write_entries(file, &entries, || along.json())?;
+            write_entries(file, || along.entries(), || along.json())?;
         }
         if self.json {
             return Ok(along.json()? + "\n");
@@ -171,20 +168,20 @@ impl Linearize {
 
 /// Writes the answer in the format of the ending.
 fn write_answer(file: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
-    write_entries(file, &answer.entries(), || answer.json())
+    write_entries(file, || answer.entries(), || answer.json())
 }
 
 /// Writes matrices, or JSON, in the format of the ending.
-fn write_entries(
+fn write_entries<N: AsRef<str>>(
     file: &Path,
-    entries: &[(&str, Entry)],
+    entries: impl FnOnce() -> Vec<(N, Entry)>,
     json: impl FnOnce() -> Result<String, Failure>,
 ) -> Result<(), Failure> {
     let failed = |error: std::io::Error| Failure::file(file, &error);
     let bytes = match ending(file).as_str() {
-        "mat" => mat_file(entries).map_err(failed)?,
+        "mat" => mat_file(&entries()).map_err(failed)?,
         #[cfg(feature = "derive")]
-        "npz" => crate::matrices::npz_file(entries).map_err(failed)?,
+        "npz" => crate::matrices::npz_file(&entries()).map_err(failed)?,
         _ => (json()? + "\n").into_bytes(),
     };
     write_file(file, |out| out.write_all(&bytes))

@@ -8,7 +8,7 @@
 //! A prismatic joint adds q to d instead. Mass, centre and inertia of a link are along the axes of the
 //! frame of its row.
 
-use super::tree::{Inertial, Joint, Link, Motion, Pose, Robot, RobotError, WORLD};
+use super::tree::{Inertial, Joint, LARGEST, Link, Motion, Pose, Robot, RobotError, WORLD};
 
 /// Convention of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,9 +49,6 @@ const COLUMNS: [(&str, Unit); 18] = [
     ("damping", Unit::Other("")),
     ("friction", Unit::Other("")),
 ];
-
-/// Maximum magnitude of a number, in SI units.
-const LARGEST: f64 = 1e9;
 
 /// Reads a table, and checks the robot.
 ///

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Isometry3, Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
 
-use super::shapes::{Shape, isometry, pose, together};
+use super::shapes::{Shape, isometry, negative_principal, pose, together};
 use super::tree::{Inertial, Joint, Limits, Link, Motion, Pose, Robot, RobotError, WORLD};
 use super::xml::{Read, Reader, child};
 
@@ -246,7 +246,7 @@ impl<'a, 'input> Model<'a, 'input> {
         if node.has_attribute("mocap") {
             return Err(self.reader.error(node, "bodies of motion capture are not read", ""));
         }
-        let line = self.line(node);
+        let line = self.reader.line(node);
         let name = node.attribute("name").map_or_else(|| self.free_name("body"), str::to_owned);
         let (mut last, mut at) = (parent.to_owned(), self.place(node, None)?);
         let is_joint =
@@ -269,10 +269,6 @@ impl<'a, 'input> Model<'a, 'input> {
         rest.origin = pose(&at);
         self.robot.joints.push(rest);
         Ok(name)
-    }
-
-    fn line(&self, node: Node<'_, '_>) -> usize {
-        self.reader.error(node, "", "").line
     }
 
     fn free_name(&self, wanted: &str) -> String {
@@ -345,7 +341,7 @@ impl<'a, 'input> Model<'a, 'input> {
             spring: [losses[2], value("springref")? * angle],
             armature: value("armature")?,
             limits,
-            ..Joint::plain(&name, self.line(node), motion, ["", ""])
+            ..Joint::plain(&name, self.reader.line(node), motion, ["", ""])
         })
     }
 
@@ -369,10 +365,7 @@ impl<'a, 'input> Model<'a, 'input> {
                 return Err(self.reader.error(node, message, ""));
             }
         };
-        let [xx, yy, zz, xy, xz, yz] = inertia;
-        let least = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz).symmetric_eigenvalues().min();
-        let size = inertia.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
-        if mass < 0.0 || least < -1e-9 * size {
+        if mass < 0.0 || negative_principal(inertia).is_some() {
             return Err(self.reader.error(node, "mass and inertia must not be negative", ""));
         }
         Ok(Inertial { origin: pose(&self.place(node, None)?), mass, inertia })

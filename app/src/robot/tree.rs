@@ -2,6 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Maximum magnitude of a number, in SI units: no robot comes near it.
+pub const LARGEST: f64 = 1e9;
+
 /// A mistake in a robot description.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RobotError {

@@ -1,8 +1,8 @@
 //! Reading of URDF.
 
-use nalgebra::Matrix3;
 use roxmltree::{Document, Node};
 
+use super::shapes::negative_principal;
 use super::tree::{Inertial, Joint, Limits, Link, Mimic, Motion, Pose, Robot, RobotError};
 use super::xml::{Read, Reader, child};
 
@@ -64,10 +64,7 @@ impl Reader<'_, '_> {
         for (entry, key) in inertia.iter_mut().zip(["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]) {
             *entry = self.number(tensor, key)?;
         }
-        let [xx, yy, zz, xy, xz, yz] = inertia;
-        let least = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz).symmetric_eigenvalues().min();
-        let size = inertia.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
-        if least < -1e-9 * size {
+        if let Some(least) = negative_principal(inertia) {
             let message = format!("the inertia has the principal value {least:e} kg m^2, below 0");
             return Err(self.error(tensor, message, "it is about the centre of mass, in kg m^2"));
         }

@@ -2,12 +2,10 @@
 
 use roxmltree::{Document, Node, ParsingOptions};
 
-use super::tree::RobotError;
+use super::tree::{LARGEST, RobotError};
 
 /// Maximum number of XML nodes.
 const MOST_NODES: u32 = 1_000_000;
-/// Maximum magnitude of a number, in SI units: no robot comes near it.
-const LARGEST: f64 = 1e9;
 
 /// Parses a document.
 ///

@@ -139,11 +139,7 @@ pub fn emit_c99(
 ) -> Result<Summary, WriteError> {
     let refuse = |source| WriteError::Emit { scene: model.name.clone(), source };
     let emitted = c99::emit(model, options).map_err(refuse)?;
-    let mut files = Vec::with_capacity(emitted.len());
-    for c99::C99File { name, text } in emitted {
-        files.push((path_within(folder, &name)?, name, text));
-    }
-    write_all(folder, files, mode)
+    write_all(folder, emitted.into_iter().map(|c99::C99File { name, text }| (name, text)), mode)
 }
 
 /// Emits a model and a filter for it as Rust to `folder`: `<scene>.rs`, `<scene>_ekf.rs`, and
@@ -172,19 +168,17 @@ pub fn emit_rust_estimator(
         (format!("{name}_ekf.rs"), own),
         ("mod.rs".to_owned(), index),
     ];
-    let mut files = Vec::with_capacity(texts.len());
-    for (file, text) in texts {
-        files.push((path_within(folder, &file)?, file, text));
-    }
-    write_all(folder, files, mode)
+    write_all(folder, texts, mode)
 }
 
-/// Writes or compares files of one scene.
+/// Writes or compares files of one scene, by name and text.
 fn write_all(
     folder: &Path,
-    files: Vec<(PathBuf, String, String)>,
+    texts: impl IntoIterator<Item = (String, String)>,
     mode: Mode,
 ) -> Result<Summary, WriteError> {
+    let files = texts.into_iter().map(|(file, text)| Ok((path_within(folder, &file)?, file, text)));
+    let files = files.collect::<Result<Vec<_>, WriteError>>()?;
     if mode == Mode::Check {
         return check_all(files, Vec::new());
     }

@@ -160,10 +160,7 @@ impl EstimatorIndices {
     pub fn filter<'a>(&'a self, simulator: &'a dyn Simulator<f64>) -> ExtendedKalmanFilter<'a> {
         ExtendedKalmanFilter {
             simulator,
-            method: match self.method {
-                StepMethod::Heun => FixedMethod::Heun,
-                _ => FixedMethod::RungeKutta4,
-            },
+            method: self.method.explicit().unwrap_or(FixedMethod::RungeKutta4),
             parts_a_step: FixedSteps::<f64>::enough_parts(simulator),
             measured: &self.measured,
             estimated: &self.estimated,

@@ -85,6 +85,16 @@ impl StepMethod {
     /// All methods.
     pub const ALL: [Self; 3] = [Self::RungeKutta4, Self::Heun, Self::Rosenbrock2];
 
+    /// Returns the method, if it needs nothing of the machine.
+    #[must_use]
+    pub fn explicit(self) -> Option<FixedMethod<'static>> {
+        match self {
+            Self::RungeKutta4 => Some(FixedMethod::RungeKutta4),
+            Self::Heun => Some(FixedMethod::Heun),
+            Self::Rosenbrock2 => None,
+        }
+    }
+
     /// Returns its name on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {

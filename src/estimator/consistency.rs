@@ -310,14 +310,9 @@ impl<'a> Truth<'a> {
     }
 
     fn settle(&mut self) {
-        let (mut state, mut numbers, mut signs) = (
-            std::mem::take(&mut self.state),
-            std::mem::take(&mut self.numbers),
-            std::mem::take(&mut self.signs),
-        );
-        let mut room = Room { numbers: &mut numbers, signs: &mut signs };
-        self.steps(&self.parameters).restore_and_settle(self.clock.time(), &mut state, &mut room);
-        (self.state, self.numbers, self.signs) = (state, numbers, signs);
+        let time = self.clock.time();
+        let parameters = self.parameters.clone();
+        self.with(&parameters, |steps, state, room| steps.restore_and_settle(time, state, room));
     }
 
     fn step(&mut self, step: f64, random: &mut Random) {
@@ -333,15 +328,27 @@ impl<'a> Truth<'a> {
             parameters[parameter] += intensity / step.sqrt() * random.normal();
         }
         self.simulator.prepare(&parameters, &mut self.constants);
+        let time = self.clock.time();
+        self.with(&parameters, |steps, state, room| {
+            let _ = steps.step(time, step, state, room);
+        });
+        self.clock.pass(step);
+    }
+
+    /// Calls with the steps at some parameters, the state and the workspace.
+    fn with(
+        &mut self,
+        parameters: &[f64],
+        call: impl FnOnce(&FixedSteps<'_, f64>, &mut [f64], &mut Room<'_, f64>),
+    ) {
         let (mut state, mut numbers, mut signs) = (
             std::mem::take(&mut self.state),
             std::mem::take(&mut self.numbers),
             std::mem::take(&mut self.signs),
         );
         let mut room = Room { numbers: &mut numbers, signs: &mut signs };
-        let _ = self.steps(&parameters).step(self.clock.time(), step, &mut state, &mut room);
+        call(&self.steps(parameters), &mut state, &mut room);
         (self.state, self.numbers, self.signs) = (state, numbers, signs);
-        self.clock.pass(step);
     }
 
     fn outputs(&self) -> Vec<f64> {

@@ -26,10 +26,7 @@ pub fn emit_estimator(
     let simulator = simulator.single();
     let of_machine = ExtendedKalmanFilter {
         simulator,
-        method: match method {
-            StepMethod::Heun => FixedMethod::Heun,
-            _ => FixedMethod::RungeKutta4,
-        },
+        method: method.explicit().unwrap_or(FixedMethod::RungeKutta4),
         parts_a_step: FixedSteps::<f64>::enough_parts(simulator),
         measured: &filter.measured,
         estimated: &filter.estimated,

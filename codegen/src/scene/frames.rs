@@ -205,7 +205,16 @@ fn undone(tree: &mut Mechanism, at: Frame, step: &Step, name: &str) -> Frame {
     taken(tree, at, &step, name)
 }
 
-pub(super) fn root(roots: &HashMap<Node, Node>, mut node: Node) -> Node {
+/// Joins the trees of two nodes; returns whether they were apart.
+pub(super) fn join(roots: &mut HashMap<Node, Node>, ends: [Node; 2]) -> bool {
+    let [one, other] = ends.map(|end| root(roots, end));
+    if one != other {
+        roots.insert(one, other);
+    }
+    one != other
+}
+
+fn root(roots: &HashMap<Node, Node>, mut node: Node) -> Node {
     while let Some(next) = roots.get(&node) {
         node = *next;
     }

@@ -11,7 +11,7 @@ use machinist_algebra::expr::{Expr, ParameterId, Symbol};
 
 use crate::scene::bodies::Step;
 use crate::scene::evaluate;
-use crate::scene::frames::{Edge, EdgeId, Node, edges, root};
+use crate::scene::frames::{Edge, EdgeId, Node, edges, join};
 use crate::scene::layout::{Layout, Scope, coordinate_spec};
 use crate::scene::resolve::Resolver;
 use crate::spatial::orientation::Orientation;
@@ -141,13 +141,7 @@ pub fn cuts(
     let mut roots: HashMap<Node, Node> = HashMap::new();
     let (mut tree, mut loose) = (Vec::new(), Vec::new());
     for index in order {
-        let [one, other] = edges[index].ends.map(|end| root(&roots, end));
-        if one == other {
-            loose.push(index);
-        } else {
-            roots.insert(one, other);
-            tree.push(index);
-        }
+        if join(&mut roots, edges[index].ends) { &mut tree } else { &mut loose }.push(index);
     }
     loose.sort_unstable();
     let slots_in_all = resolver.layout.links.len();
@@ -170,24 +164,18 @@ pub fn cuts(
 
 fn has_loop(edges: &[Edge]) -> bool {
     let mut roots: HashMap<Node, Node> = HashMap::new();
-    edges.iter().any(|edge| {
-        let [one, other] = edge.ends.map(|end| root(&roots, end));
-        roots.insert(one, other);
-        one == other
-    })
+    !edges.iter().all(|edge| join(&mut roots, edge.ends))
 }
 
 /// Refuses loops without joints, whose parts either fit or do not.
 fn refuse_rigid(edges: &[Edge], kinds: &[(bool, Option<Candidate>)]) -> Result<(), Box<Mistake>> {
     let mut roots: HashMap<Node, Node> = HashMap::new();
     for (edge, _) in edges.iter().zip(kinds).filter(|(_, (moves, _))| !moves) {
-        let [one, other] = edge.ends.map(|end| root(&roots, end));
-        if one == other {
+        if !join(&mut roots, edge.ends) {
             let message = "this closes a loop of frames without a joint";
             let mistake = Mistake::new(edge.span, message, "a rigid loop");
             return Err(Box::new(mistake.help("leave it out, or put a joint into the loop")));
         }
-        roots.insert(one, other);
     }
     Ok(())
 }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest as _, Sha256};
 
 /// Folders whose source text determines models.
-const FOLDERS: [&str; 3] = ["src", "../algebra/src", "../model/src"];
+const FOLDERS: [&str; 3] = ["src", "../crates/algebra/src", "../crates/model/src"];
 
 fn main() -> io::Result<()> {
     let mut files = Vec::new();

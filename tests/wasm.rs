@@ -1,7 +1,7 @@
 //! Machines as run by web pages compared with interpreted ones, to the last bit where the host uses
 //! our own functions.
 
-#[path = "../model/tests/support/hosted.rs"]
+#[path = "../crates/model/tests/support/hosted.rs"]
 mod hosted;
 
 use hosted::Hosted;

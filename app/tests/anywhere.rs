@@ -104,7 +104,7 @@ fn a_new_crate_is_the_example_under_another_name() {
     }
     // The crates are taken from this repository.
     let manifest = text(&made.join("Cargo.toml"));
-    for folder in [root.to_owned(), root.join("contract"), root.join("codegen")] {
+    for folder in [root.to_owned(), root.join("crates/contract"), root.join("codegen")] {
         assert!(manifest.contains(&format!("path = {folder:?}")), "{manifest}");
     }
 

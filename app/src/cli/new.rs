@@ -42,7 +42,7 @@ const LOCK: (&str, &str) = template!("Cargo.lock", "lock.txt");
 const OWN_NAMES: [&str; 3] = ["own-machine", "own_machine", "OwnMachine"];
 /// Dependencies of the template by path, and their folders in the sources.
 const DEPENDENCIES: [(&str, &str); 3] =
-    [("../..", ""), ("../../contract", "contract"), ("../../codegen", "codegen")];
+    [("../..", ""), ("../../crates/contract", "crates/contract"), ("../../codegen", "codegen")];
 
 /// Names that Cargo or Windows refuse for a crate and its program, or that another crate of the
 /// build has.

@@ -1,9 +1,9 @@
 //! Model files damaged at random, but with a valid hash, are refused, or they run.
 //! `MACHINIST_FUZZ=100000 cargo test -p machinist-model --test fuzz` sets the number of trials.
 
-#[path = "../../tests/common/damaged_model.rs"]
+#[path = "../../../tests/common/damaged_model.rs"]
 mod damaged_model;
-#[path = "../../tests/common/mutation.rs"]
+#[path = "../../../tests/common/mutation.rs"]
 mod mutation;
 mod support;
 

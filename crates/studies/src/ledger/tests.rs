@@ -83,9 +83,9 @@ fn every_row_is_whole_and_is_held_by_what_there_is() {
 
 /// Returns the names of test functions in the repository.
 fn names_of_tests() -> Vec<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut names = Vec::new();
-    let mut folders = vec![root.join("studies/src"), root.join("tests")];
+    let mut folders = vec![root.join("crates/studies/src"), root.join("tests")];
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
             let path = entry.path();
@@ -136,7 +136,7 @@ fn stands_at(at: &str, wanted: &str, number: u32) -> bool {
 #[test]
 fn the_book_shows_the_ledger() {
     const MARKS: [&str; 2] = ["<!-- rows of the ledger -->", "<!-- end of them -->"];
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/book/src/studies.md");
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/book/src/studies.md");
     let text = std::fs::read_to_string(&page).expect("the chapter");
     let (before, rest) = text.split_once(MARKS[0]).expect("the mark before the rows");
     let (shown, after) = rest.split_once(MARKS[1]).expect("the mark after them");

@@ -106,6 +106,52 @@ fn bounces_that_decay_stop_with_the_name_of_the_event_where_they_end() {
     }
 }
 
+/// At a place other than zero the guard is a difference, and its rounding throws the mass back again
+/// and again.
+#[test]
+fn impacts_that_decay_at_a_wall_anywhere_stop_where_they_end() {
+    let mass = scene(
+        r#"
+        place = { value = 0.27, unit = "m" }
+        [define.ball.energy]
+        kinetic = "1 [kg]*v^2/2"
+        potential = "40 [N/m]*x^2/2"
+        dissipation = "0.2 [N*s/m]*v^2/2"
+        [[define.ball.forces]]
+        coordinate = "x"
+        expression = "40 [N/m]*place + 3 [N] + cos(2 [1/s]*t)*1 [N]"
+        [define.ball.events.bounce]
+        guard = "x - place"
+        direction = "rising"
+        set = { v = "-restitution*v" }
+        "#,
+    );
+    for (place, restitution) in [(0.27, 0.46), (2.7, 0.3), (-0.013, 0.6), (31.0, 0.5)] {
+        let run = |method: Method, rtol: f64| {
+            let run = Simulation::new(&mass).method(method).rtol(rtol);
+            let run = run.parameter("ball.place", place).expect("a parameter");
+            let run = run.parameter("ball.restitution", restitution).expect("a parameter");
+            let run = run.initial_value("ball.x", place - 0.2).expect("a state");
+            let stopped = run.max_steps(20_000).run().expect_err("it is endless");
+            let SimulateError::Stopped { time, cause: StopCause::Zeno { .. }, .. } = stopped else {
+                panic!("{method}, {place}, {rtol}: {stopped}");
+            };
+            time
+        };
+        let end = run(Method::Dop853, 1e-12);
+        for method in watching(&mass) {
+            for rtol in [1e-5, 1e-7, 1e-9] {
+                let found = run(method, rtol);
+                let allowed = 100.0 * rtol + 1e-6;
+                assert!(
+                    (found - end).abs() < allowed,
+                    "{method}, {place}, {restitution}, {rtol}: {found} and not {end}"
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn a_guard_is_seen_each_way_once_or_both_ways() {
     for (direction, first, expected) in [("rising", 1.5, 1), ("falling", 0.5, 2), ("both", 0.5, 3)]

@@ -94,6 +94,9 @@ struct Inner {
     /// Time and guards of a crossing that has been found.
     happening: Option<(f64, Vec<usize>)>,
     latest: VecDeque<f64>,
+    /// How many times in a row each event has happened without its guard leaving zero in between by
+    /// more than rounding.
+    unresolved: Vec<usize>,
     switches: Vec<Switch>,
     happened: Happened,
     /// State before the last change, if sensitivities are carried.
@@ -210,6 +213,7 @@ impl<'a> Watch<'a> {
             entered: *from,
             happening: None,
             latest,
+            unresolved: vec![0; system.simulator().events()],
             switches: Vec::new(),
             happened: Happened::default(),
             front: None,
@@ -464,6 +468,7 @@ impl<'a> Watch<'a> {
         events.sort_unstable();
         for index in events {
             if !self.is_kink(index) && self.is_armed(index, state) {
+                self.require_resolved(index, time)?;
                 self.apply(index, time, &mut state[..states])?;
                 self.settle_relations((time, state), &[])?;
                 passed[index] =
@@ -783,6 +788,20 @@ impl<'a> Watch<'a> {
     /// Counts changes of relations and stops a run with infinitely many.
     fn count_changes(&self, time: f64, count: usize) -> Result<(), Stopped> {
         (0..count).try_for_each(|_| self.count_one(time, "a comparison of the spec"))
+    }
+
+    /// Stops a run in which rounding alone decides when an event happens.
+    fn require_resolved(&self, index: usize, time: f64) -> Result<(), Stopped> {
+        let inner = &mut *self.inner.borrow_mut();
+        let excursion = inner.parts.take_excursion(index);
+        let is_resolved = excursion > inner.parts.rounding(index);
+        let count = &mut inner.unresolved[index];
+        *count = if is_resolved { 0 } else { *count + 1 };
+        if *count < ENDLESS {
+            return Ok(());
+        }
+        let event = self.system.simulator().event(index).name.to_owned();
+        Err(Stopped { time, cause: StopCause::Zeno { event, count: ENDLESS } })
     }
 
     fn count_one(&self, time: f64, event: &str) -> Result<(), Stopped> {

@@ -280,3 +280,133 @@ fn a_relay_slides_on_while_another_comparison_switches() {
         }
     }
 }
+
+/// Speeds of a mass under a rising force, held by a brake that reads the speed in steps:
+///
+/// ```text
+/// m v' = a t - k q floor(v/q + 1/2)
+/// ```
+///
+/// Where the speed reaches the edge of a step, it stays there until the force exceeds the brake's
+/// next one.
+fn braked_speeds([m, a, k, q]: [f64; 4], times: &[f64]) -> Vec<f64> {
+    let (mut since, mut speed, mut step) = (0.0, 0.0, 0.0);
+    let mut speeds = Vec::new();
+    let mut times = times.iter().copied().peekable();
+    loop {
+        let brake = k * q * step;
+        let at = |t: f64| {
+            speed + (a * (t - since).powi(2) / 2.0 + (a * since - brake) * (t - since)) / m
+        };
+        let edge = (step + 0.5) * q;
+        // a s^2/2 + (a t0 - brake) s = m (edge - speed)
+        let slope = (a * since - brake) / a;
+        let reached = since - slope + (slope * slope + 2.0 * m * (edge - speed) / a).sqrt();
+        let left = reached.max(k * q * (step + 1.0) / a);
+        while let Some(t) = times.next_if(|t| *t <= left) {
+            speeds.push(if t <= reached { at(t) } else { edge });
+        }
+        if times.peek().is_none() {
+            return speeds;
+        }
+        (since, speed, step) = (left, edge, step + 1.0);
+    }
+}
+
+fn braked(until: f64) -> ModelSimulator {
+    machine(
+        &format!("until = {until}"),
+        r#"
+        [define.u.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.u.parameters]
+        m = { value = 2.0, unit = "kg" }
+        a = { value = 3.0, unit = "N/s" }
+        k = { value = 5.0, unit = "N s/m" }
+        q = { value = 0.3, unit = "m/s" }
+        [define.u.energy]
+        kinetic = "m*v^2/2"
+        [[define.u.forces]]
+        coordinate = "x"
+        expression = "a*t - k*q*(v/q + 1/2 - mod(v/q + 1/2, 1))"
+        "#,
+    )
+}
+
+#[test]
+fn a_speed_read_in_steps_stays_at_the_edges_where_its_force_holds_it() {
+    let machine = braked(10.0);
+    let times: Vec<f64> = (0..41).map(|k| 0.25 * f64::from(k)).collect();
+    let methods =
+        [CARRYING.to_vec(), vec![Method::Rodas5p, Method::Taylor, Method::Exact]].concat();
+    for (m, a, k, q) in [
+        (2.0, 3.0, 5.0, 0.3),
+        (0.2, 3.0, 5.0, 0.3),
+        (2.0, 30.0, 5.0, 0.3),
+        (2.0, 0.7, 50.0, 0.02),
+        (1e-3, 0.7, 2.0, 0.1),
+        (40.0, 20.0, 0.5, 1.0),
+    ] {
+        let expected = braked_speeds([m, a, k, q], &times);
+        for method in &methods {
+            let values = [("u.m", m), ("u.a", a), ("u.k", k), ("u.q", q)];
+            let run = simulation(&machine, &values).method(*method).run();
+            let run = run.unwrap_or_else(|stopped| panic!("{method}, m = {m}, a = {a}: {stopped}"));
+            for (found, expected) in run.column("u.v").expect("a column").iter().zip(&expected) {
+                let allowed = 1e-7 * expected.abs().max(q);
+                assert!(
+                    (found - expected).abs() <= allowed,
+                    "{method}, m = {m}, a = {a}, q = {q}: {found} and not {expected}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_speed_read_in_steps_has_the_sensitivities_of_its_closed_form() {
+    let machine = braked(10.0);
+    let times: Vec<f64> = (0..41).map(|k| 0.25 * f64::from(k)).collect();
+    let values = [("u.m", 2.0), ("u.a", 3.1), ("u.k", 5.0), ("u.q", 0.3)];
+    for method in CARRYING {
+        let speeds = |all: &[f64]| braked_speeds(all.try_into().expect("four"), &times);
+        compare(&carried(&machine, method, &values), "u.v", &values, 1e-6, speeds);
+    }
+}
+
+/// m x'' = -load - c x' - k q floor(x/q): a digital controller that holds a load.
+#[test]
+fn a_load_held_by_an_encoder_comes_to_rest_on_an_edge_of_its_lines() {
+    let machine = machine(
+        "until = 60.0",
+        r#"
+        [define.u.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.u.parameters]
+        q = { value = 0.01, unit = "m" }
+        c = { value = 2.0, unit = "N s/m" }
+        load = { value = 1.3, unit = "N" }
+        [define.u.energy]
+        kinetic = "0.8 [kg]*v^2/2"
+        dissipation = "c*v^2/2"
+        [[define.u.forces]]
+        coordinate = "x"
+        expression = "-load - 40 [N/m]*(x - mod(x, q))"
+        "#,
+    );
+    let methods = [Method::Tsit5, Method::Dop853, Method::Radau, Method::Rodas5p, Method::Auto];
+    for (q, c, load) in [(0.01, 2.0, 1.3), (0.01, 0.5, 0.05), (0.1, 4.0, 3.0), (0.001, 1.0, 0.3)] {
+        for (method, rtol) in methods.into_iter().flat_map(|it| [(it, 1e-5), (it, 1e-7)]) {
+            let values = [("u.q", q), ("u.c", c), ("u.load", load), ("u.x", 0.02)];
+            let run = simulation(&machine, &values).method(method).rtol(rtol).run();
+            let run = run.unwrap_or_else(|stopped| panic!("{method}, q = {q}: {stopped}"));
+            // The load is between the forces on both sides of the edge.
+            let edge = q * (-load / (40.0 * q)).ceil();
+            let [x, v] = ["u.x", "u.v"].map(|name| run.column(name).expect("a column")[40]);
+            assert!((x - edge).abs() <= 2.0 * rtol, "{method}, q = {q}, {rtol}: {x}, not {edge}");
+            assert!(v.abs() <= 1e-3 * q, "{method}, q = {q}, {rtol}: {v} m/s");
+        }
+    }
+}

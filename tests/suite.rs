@@ -66,6 +66,7 @@ mod sensitivities;
 mod series;
 mod simulate;
 mod slides;
+mod sliding_twins;
 mod slow_beside_fast;
 mod small_states;
 mod sparsity;

@@ -11,6 +11,9 @@
 //! Forces enter accelerations and multipliers linearly, and so do the alphas of several surfaces,
 //! unless forces of different relations are multiplied with each other. The combination is then not
 //! unique, and the motion is refused.
+//!
+//! The surface of a comparison is where its difference is zero. That of `floor(a)` is where a is the
+//! upper of the two integers between which the result jumps.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -34,10 +37,34 @@ pub(crate) enum Order {
     Second,
 }
 
+/// Slots of a relation on both sides of a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sides {
+    pub(crate) below: f64,
+    pub(crate) above: f64,
+}
+
+impl Sides {
+    /// Returns the sides of a surface from the slot below it.
+    pub(crate) fn above_slot(below: f64) -> Self {
+        Self { below, above: if below.is_infinite() { ABOVE } else { below + 1.0 } }
+    }
+
+    /// Returns the value of the relation's guard on the surface.
+    fn level(self) -> f64 {
+        if self.above.is_infinite() { 0.0 } else { self.above }
+    }
+
+    pub(crate) fn both(self) -> [f64; 2] {
+        [self.below, self.above]
+    }
+}
+
 /// A relation along whose surface a motion slides.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Slide {
     pub(crate) relation: usize,
+    pub(crate) sides: Sides,
     pub(crate) order: Order,
 }
 
@@ -55,7 +82,7 @@ impl System<'_> {
     /// Lets the motion slide along the given surfaces and no others.
     pub(crate) fn slide(&self, slides: &[Slide]) {
         for slide in slides {
-            self.held().set(slide.relation, BELOW);
+            self.held().set(slide.relation, slide.sides.below);
         }
         self.slides.replace(slides.to_vec());
     }
@@ -109,9 +136,9 @@ impl System<'_> {
     pub(super) fn for_each_side(&self, alphas: &[f64], mut call: impl FnMut(f64)) {
         call(1.0 - alphas.iter().sum::<f64>());
         for (slide, alpha) in self.slides().iter().zip(alphas) {
-            self.held().set(slide.relation, ABOVE);
+            self.held().set(slide.relation, slide.sides.above);
             call(*alpha);
-            self.held().set(slide.relation, BELOW);
+            self.held().set(slide.relation, slide.sides.below);
         }
     }
 
@@ -147,18 +174,20 @@ impl System<'_> {
             shifted[by] += step;
             let (state, parameters) = shifted.split_at_mut(states);
             let slides = self.slides();
-            let mut rates = |above: Option<usize>| {
-                let first = parameters.len() - self.simulator().relations();
-                let slot = above.map(|relation| first + relation);
-                slot.inspect(|slot| parameters[*slot] = ABOVE);
+            let first = parameters.len() - self.simulator().relations();
+            let mut rates = |above: Option<&Slide>| {
+                if let Some(slide) = above {
+                    parameters[first + slide.relation] = slide.sides.above;
+                }
                 let mut rates = vec![0.0; self.simulator().kinks()];
                 self.simulator().kink_rates(time, state, parameters, &mut rates);
-                slot.inspect(|slot| parameters[*slot] = BELOW);
+                if let Some(slide) = above {
+                    parameters[first + slide.relation] = slide.sides.below;
+                }
                 DVector::from_iterator(slides.len(), slides.iter().map(|it| rates[it.relation]))
             };
             let below = rates(None);
-            let columns: Vec<_> =
-                slides.iter().map(|slide| rates(Some(slide.relation)) - &below).collect();
+            let columns: Vec<_> = slides.iter().map(|slide| rates(Some(slide)) - &below).collect();
             DMatrix::from_columns(&columns).lu().solve(&-below)
         });
         match (ahead, behind) {
@@ -210,16 +239,16 @@ impl System<'_> {
         let slides = self.slides();
         for _ in 0..ROUNDS {
             let guards = self.kink_guards(time, &state[..states]);
+            let off = |slide: &Slide| guards[slide.relation] - slide.sides.level();
             let first = |slide: &Slide| slide.order == Order::First;
-            let is_near = |slide: &&Slide| guards[slide.relation] == 0.0;
-            if slides.iter().filter(|slide| first(slide)).all(|slide| is_near(&slide)) {
+            if slides.iter().filter(|slide| first(slide)).all(|slide| off(slide) == 0.0) {
                 break;
             }
             let Combination { rates, slopes, .. } = self.combination(time, &state[..states]);
             let count = slides.len();
             let right = DVector::from_iterator(
                 count,
-                slides.iter().map(|it| if first(it) { -guards[it.relation] } else { 0.0 }),
+                slides.iter().map(|it| if first(it) { -off(it) } else { 0.0 }),
             );
             let Some(shares) = slopes.columns(1, count).into_owned().lu().solve(&right) else {
                 let state = self.name(0);
@@ -239,14 +268,12 @@ impl System<'_> {
 
     /// Projects onto g = 0 and g' = 0 by the shortest way, measured by the scales of the states.
     fn put_onto_flat_surfaces(&self, time: f64, state: &mut [f64], slides: &[Slide]) {
-        let of: Vec<usize> = slides
-            .iter()
-            .filter(|slide| slide.order == Order::Second)
-            .map(|slide| slide.relation)
-            .collect();
+        let of: Vec<&Slide> = slides.iter().filter(|slide| slide.order == Order::Second).collect();
         let residuals = |state: &[f64]| {
             let (guards, rates) = (self.kink_guards(time, state), self.kink_rates(time, state));
-            let pairs = of.iter().flat_map(|index| [guards[*index], rates[*index]]);
+            let pairs = of.iter().flat_map(|slide| {
+                [guards[slide.relation] - slide.sides.level(), rates[slide.relation]]
+            });
             DVector::from_iterator(2 * of.len(), pairs)
         };
         for _ in 0..ROUNDS {
@@ -333,12 +360,12 @@ impl System<'_> {
             slopes[(row, 0)] = slope(slide, &below, &rates[0]);
         }
         for (column, of) in slides.iter().enumerate() {
-            self.held().set(of.relation, ABOVE);
+            self.held().set(of.relation, of.sides.above);
             let (above, along) = (self.kink_rates(time, state), rate());
             for (row, slide) in slides.iter().enumerate() {
                 slopes[(row, column + 1)] = slope(slide, &above, &along) - slopes[(row, 0)];
             }
-            self.held().set(of.relation, BELOW);
+            self.held().set(of.relation, of.sides.below);
             rates.push(along);
         }
         let count = slides.len();

@@ -14,7 +14,7 @@ use super::rows::{Kind, Row, along_surfaces};
 use crate::dense::balance;
 use crate::method::Stretch;
 use crate::method::one_step::Bounded;
-use crate::method::sliding::{ABOVE, BELOW, Slide};
+use crate::method::sliding::Slide;
 
 /// Maximum number of states and waves.
 const MOST_ROWS: usize = 600;
@@ -156,9 +156,9 @@ impl Equations {
         if !slides.is_empty() {
             let mut above = Vec::new();
             for slide in slides {
-                system.held().set(slide.relation, ABOVE);
+                system.held().set(slide.relation, slide.sides.above);
                 let made = piece(&rest);
-                system.held().set(slide.relation, BELOW);
+                system.held().set(slide.relation, slide.sides.below);
                 let mut rates = made?.0;
                 rates.truncate(states);
                 above.push(rates);

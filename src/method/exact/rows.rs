@@ -174,8 +174,13 @@ pub(super) fn along_surfaces(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::method::sliding::{BELOW, Sides};
 
     const CONSTANT: Kind = Kind { origin: 0.0, power: 0, mu: Complex::ZERO };
+
+    fn slide() -> Slide {
+        Slide { relation: 0, sides: Sides::above_slot(BELOW), order: Order::First }
+    }
 
     fn row(slopes: &[(usize, f64)], constant: f64) -> Row {
         let waves = vec![(CONSTANT, Complex::from(constant))];
@@ -190,7 +195,7 @@ mod tests {
         let rates =
             |side: f64| vec![row(&[(1, 1.0)], 0.0), row(&[(0, -stiffness)], -side * friction)];
         let guard = row(&[(1, 1.0)], -speed);
-        let slide = Slide { relation: 0, order: Order::First };
+        let slide = slide();
         let along = along_surfaces(&[slide], rates(-1.0), &[rates(1.0)], &[guard]).expect("linear");
         let value = |row: &Row, state: [f64; 2]| {
             row.change(&state) + row.waves.iter().map(|(_, amplitude)| amplitude.re).sum::<f64>()
@@ -207,7 +212,7 @@ mod tests {
     fn a_jump_that_depends_on_the_state_makes_the_motion_nonlinear() {
         let below = vec![row(&[(0, -1.0)], 0.0)];
         let above = vec![row(&[(0, -2.0)], -1.0)];
-        let slide = Slide { relation: 0, order: Order::First };
+        let slide = slide();
         assert!(along_surfaces(&[slide], below, &[above], &[row(&[(0, 1.0)], 0.0)]).is_none());
     }
 

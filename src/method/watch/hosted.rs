@@ -19,7 +19,7 @@ use super::passing::{AT_REST, Zero, is_wanted};
 use super::settle::is_beyond;
 use super::{Problem, ROUNDINGS, Side, Stopped, Switch, System, Watch, Watched};
 use crate::error::StopCause;
-use crate::method::sliding::{Order, Slide};
+use crate::method::sliding::{Order, Sides, Slide};
 
 /// State of the guards between two pieces of a run.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -71,8 +71,10 @@ impl Memory {
         system.held().set_all(&self.slots);
         let order = |is_second: bool| if is_second { Order::Second } else { Order::First };
         let slides = self.slides.iter();
-        let slides =
-            slides.map(|(relation, second)| Slide { relation: *relation, order: order(*second) });
+        let slides = slides.map(|&(relation, second)| {
+            let sides = Sides::above_slot(self.slots[relation]);
+            Slide { relation, sides, order: order(second) }
+        });
         system.slide(&slides.collect::<Vec<_>>());
     }
 

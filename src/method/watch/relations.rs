@@ -17,7 +17,7 @@ use machinist_contract::{Reader, RelationKind};
 use super::{Inner, Side, Watch, Watched, Zero};
 use crate::error::StopCause;
 use crate::method::Stopped;
-use crate::method::sliding::{ABOVE, BELOW, Order, Slide};
+use crate::method::sliding::{ABOVE, BELOW, Order, Sides, Slide};
 
 const FLAT: &str = "a motion that oscillates about a switching surface by less than the tolerances \
                     follows the surface instead; its rates across the surface are left out";
@@ -39,10 +39,22 @@ pub(super) struct Relations {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Change {
     pub(super) relation: usize,
+    /// Watched function that crosses zero.
+    guard: usize,
+    sides: Sides,
     /// The slot on the other side.
     pub(super) slot: f64,
     /// True if the motion leaves a surface along which it slid.
     leaves: bool,
+}
+
+/// A relation at its surface.
+#[derive(Debug, Clone, Copy)]
+struct Contact {
+    relation: usize,
+    sides: Sides,
+    /// Slot of the side to which the motion was going.
+    toward: f64,
 }
 
 impl Relations {
@@ -67,19 +79,21 @@ impl Watch<'_> {
 
     /// Returns the change of a relation whose guard crosses zero.
     pub(super) fn change_at(&self, guard: usize) -> Option<Change> {
-        let held = self.system.held();
-        let change = |relation, slot, leaves| Some(Change { relation, slot, leaves });
-        match self.watched[guard] {
-            Watched::Event(_) | Watched::Border(_) | Watched::Zone(_) | Watched::Nearest(_) => None,
-            Watched::Branch(index) => {
-                let slot = if held.slot(index) < 0.0 { ABOVE } else { BELOW };
-                change(index, slot, false)
-            }
-            Watched::Low(index) => change(index, held.slot(index) - 1.0, false),
-            Watched::High(index) => change(index, held.slot(index) + 1.0, false),
-            Watched::FromBelow(index) => change(index, BELOW, true),
-            Watched::FromAbove(index) => change(index, ABOVE, true),
-        }
+        let relation = self.watched[guard].relation()?;
+        let held = self.system.held().slot(relation);
+        let below = match self.watched[guard] {
+            Watched::Branch(_) => BELOW,
+            Watched::Low(_) => held - 1.0,
+            // Along a surface the slot below it is held.
+            _ => held,
+        };
+        let sides = Sides::above_slot(below);
+        let (slot, leaves) = match self.watched[guard] {
+            Watched::FromBelow(_) => (sides.below, true),
+            Watched::FromAbove(_) => (sides.above, true),
+            _ => (if held > below { sides.below } else { sides.above }, false),
+        };
+        Some(Change { relation, guard, sides, slot, leaves })
     }
 
     /// Settles relations at a state at which some of them change.
@@ -101,21 +115,19 @@ impl Watch<'_> {
         self.find_active(state);
         let is_active = |relation: usize| self.inner.borrow().relations.active[relation];
         slides.retain(|slide| is_active(slide.relation));
-        let zero: Vec<(usize, f64)> =
-            zero.into_iter().filter(|(relation, _)| is_active(*relation)).collect();
+        let zero: Vec<Contact> = zero.into_iter().filter(|it| is_active(it.relation)).collect();
         self.leave_or_slide((time, state), &slides, &zero)?;
         self.find_active(state);
         Ok(())
     }
 
-    /// Sets relations to the sides of their guards. Returns branches at zero, with the sides to
-    /// which they were going.
+    /// Sets relations to the sides of their guards. Returns those at their surfaces.
     fn take_sides(
         &self,
         (time, state): (f64, &[f64]),
         changes: &[Change],
         slides: &[Slide],
-    ) -> Vec<(usize, f64)> {
+    ) -> Vec<Contact> {
         let held = self.system.held();
         let mut zero = Vec::new();
         let mut guards = self.system.kink_guards(time, state);
@@ -137,26 +149,34 @@ impl Watch<'_> {
             }
             let slot = match (self.kind(relation), change) {
                 (RelationKind::Zone, _) => before,
-                (RelationKind::Whole, Some(change)) => {
-                    // A jump of the relations it reads may have moved it further.
-                    let is_near = (guard - change.slot - 0.5).abs() <= 1.0;
-                    if is_near { change.slot } else { guard.floor() }
+                // A jump of the relations it reads may have moved it further.
+                (RelationKind::Whole, Some(change)) if (guard - change.slot - 0.5).abs() > 1.0 => {
+                    guard.floor()
                 }
-                (RelationKind::Whole, None) => self.whole((time, state), relation, guard),
-                (RelationKind::Branch, Some(change)) => {
+                (RelationKind::Whole, None) if guard > guard.floor() => guard.floor(),
+                (RelationKind::Whole, None) => {
+                    let sides = Sides::above_slot(guard - 1.0);
+                    // What reads it is evaluated on the side to which it goes.
+                    let falls = self.system.kink_rates(time, state)[relation] < 0.0;
+                    let toward = if falls { sides.below } else { sides.above };
+                    zero.push(Contact { relation, sides, toward });
+                    toward
+                }
+                (_, Some(change)) => {
                     // A relation that changes again at once has been seen to leave for that side;
                     // its first derivatives are rounding.
                     let last = &mut self.inner.borrow_mut().relations.times[relation];
                     let is_again = (time - *last).abs() <= 4.0 * f64::EPSILON * time.abs();
                     *last = time;
                     if !change.leaves && !is_again {
-                        zero.push((relation, change.slot));
+                        let Change { sides, slot: toward, .. } = *change;
+                        zero.push(Contact { relation, sides, toward });
                     }
                     change.slot
                 }
                 (RelationKind::Branch, None) if guard == 0.0 => {
                     let toward = if before == 0.0 { ABOVE } else { before };
-                    zero.push((relation, toward));
+                    zero.push(Contact { relation, sides: Sides::above_slot(BELOW), toward });
                     toward
                 }
                 (RelationKind::Branch, None) => self.side_of(relation, guard, before),
@@ -178,17 +198,6 @@ impl Watch<'_> {
         let zero = place.and_then(|place| inner.zeros[place]);
         let is_zero = zero.is_some_and(|zero| guard.abs() <= zero.residual.abs());
         if is_zero && before != 0.0 { before } else { side }
-    }
-
-    /// Returns the integer below an argument; for an integer argument that falls, the next lower
-    /// one.
-    fn whole(&self, (time, state): (f64, &[f64]), relation: usize, argument: f64) -> f64 {
-        let whole = argument.floor();
-        if argument > whole {
-            return whole;
-        }
-        let falls = self.system.kink_rates(time, state)[relation] < 0.0;
-        if falls { whole - 1.0 } else { whole }
     }
 
     /// Finds the relations that are active in the modes of a state: outer ones before those on
@@ -236,44 +245,45 @@ impl Watch<'_> {
         &self,
         (time, state): (f64, &[f64]),
         slides: &[Slide],
-        zero: &[(usize, f64)],
+        zero: &[Contact],
     ) -> Result<(), Stopped> {
         self.system.slide(slides);
-        let all: Vec<(usize, f64)> = slides
-            .iter()
-            .map(|slide| (slide.relation, BELOW))
-            .chain(zero.iter().copied())
-            .collect();
+        let along = slides.iter().map(|&Slide { relation, sides, .. }| Contact {
+            relation,
+            sides,
+            toward: sides.below,
+        });
+        let all: Vec<Contact> = along.chain(zero.iter().copied()).collect();
         if zero.is_empty() && slides.is_empty() {
             return Ok(());
         }
         // Enough rounds for all relations to change in turn, and one more.
         for _ in 0..2 * all.len() + 2 {
             let mut has_changed = false;
-            for &(relation, toward) in &all {
-                has_changed |= self.leave_or_slide_along((time, state), relation, toward)?;
+            for contact in &all {
+                has_changed |= self.leave_or_slide_along((time, state), *contact)?;
             }
             if !has_changed {
                 return Ok(());
             }
         }
-        Err(self.chatters(time, state, all[0].0))
+        Err(self.chatters(time, state, &all[0]))
     }
 
     /// Does the same for one relation; returns whether it has changed.
     fn leave_or_slide_along(
         &self,
         (time, state): (f64, &[f64]),
-        relation: usize,
-        toward: f64,
+        contact: Contact,
     ) -> Result<bool, Stopped> {
+        let Contact { relation, sides, toward } = contact;
         let (system, held) = (self.system, self.system.held());
         let mut others = system.slides();
         let own = others.iter().position(|slide| slide.relation == relation);
         let own = own.map(|place| others.remove(place));
         let before = held.slot(relation);
         system.slide(&others);
-        let leaving = [BELOW, ABOVE].map(|slot| {
+        let leaving = sides.both().map(|slot| {
             held.set(relation, slot);
             self.leaving((time, state), relation)
         });
@@ -281,16 +291,15 @@ impl Watch<'_> {
         // Sign of the first nonzero derivative; zero if all derivatives evaluated vanish.
         let goes = |leaving: Option<(Order, f64)>| leaving.map_or(0.0, |(_, rate)| rate.signum());
         let slot = match (goes(below), goes(above)) {
-            (low, high) if low >= 0.0 && high > 0.0 => ABOVE,
-            (low, high) if low < 0.0 && high <= 0.0 => BELOW,
+            (low, high) if low >= 0.0 && high > 0.0 => sides.above,
+            (low, high) if low < 0.0 && high <= 0.0 => sides.below,
             (low, high) if low > 0.0 && high < 0.0 => {
                 let order = match (below, above) {
                     (Some((Order::First, _)), _) | (_, Some((Order::First, _))) => Order::First,
                     _ => Order::Second,
                 };
-                held.set(relation, BELOW);
-                let slide = Slide { relation, order };
-                return self.slide_along((time, state), (others, own), (slide, toward));
+                held.set(relation, sides.below);
+                return self.slide_along((time, state), (others, own), (contact, order));
             }
             _ => toward,
         };
@@ -303,11 +312,13 @@ impl Watch<'_> {
         &self,
         (time, state): (f64, &[f64]),
         (mut others, own): (Vec<Slide>, Option<Slide>),
-        (slide, toward): (Slide, f64),
+        (contact, order): (Contact, Order),
     ) -> Result<bool, Stopped> {
-        let is_carried = self.system.tangents().is_none() || slide.order == Order::First;
-        if !is_carried || !self.enters_forces_only(time, state, slide.relation) {
-            return Err(self.chatters(time, state, slide.relation));
+        let Contact { relation, sides, toward } = contact;
+        let slide = Slide { relation, sides, order };
+        let is_carried = self.system.tangents().is_none() || order == Order::First;
+        if !is_carried || !self.enters_forces_only(time, state, &contact) {
+            return Err(self.chatters(time, state, &contact));
         }
         let is_alone = others.is_empty();
         let before = others.clone();
@@ -319,19 +330,20 @@ impl Watch<'_> {
         let is_share = |alpha: &f64| (-1e-9..=1.0 + 1e-9).contains(alpha);
         if !is_alone && !alphas.iter().all(is_share) {
             self.system.slide(&before);
-            self.system.held().set(slide.relation, toward);
+            self.system.held().set(relation, toward);
             return Ok(own.is_some());
         }
         if !alphas.iter().all(|alpha| alpha.is_finite()) {
-            return Err(self.chatters(time, state, slide.relation));
+            return Err(self.chatters(time, state, &contact));
         }
         Ok(own != Some(slide))
     }
 
     /// Returns whether a relation is neither in the mass matrix nor in constraints; no motion
     /// slides along such relations.
-    fn enters_forces_only(&self, time: f64, state: &[f64], relation: usize) -> bool {
+    fn enters_forces_only(&self, time: f64, state: &[f64], contact: &Contact) -> bool {
         let (simulator, held) = (self.system.simulator(), self.system.held());
+        let Contact { relation, sides, .. } = *contact;
         let before = held.slot(relation);
         let inertia = |slot: f64| {
             held.set(relation, slot);
@@ -345,7 +357,7 @@ impl Watch<'_> {
             values.extend(rows);
             values
         };
-        let is_same = inertia(BELOW) == inertia(ABOVE);
+        let is_same = inertia(sides.below) == inertia(sides.above);
         held.set(relation, before);
         is_same
     }
@@ -361,9 +373,9 @@ impl Watch<'_> {
             // Along the surfaces, add the change of the rate from all branches below.
             let below = rate;
             for (slide, alpha) in slides.iter().zip(system.alphas(time, state)) {
-                system.held().set(slide.relation, ABOVE);
+                system.held().set(slide.relation, slide.sides.above);
                 rate += alpha * (system.kink_rates(time, state)[relation] - below);
-                system.held().set(slide.relation, BELOW);
+                system.held().set(slide.relation, slide.sides.below);
             }
         }
         let mut along = vec![0.0; states];
@@ -378,11 +390,11 @@ impl Watch<'_> {
     }
 
     /// Returns the stop cause where no motion continues.
-    fn chatters(&self, time: f64, state: &[f64], relation: usize) -> Stopped {
+    fn chatters(&self, time: f64, state: &[f64], contact: &Contact) -> Stopped {
         // The state that the relation changes most, relative to its size.
         let (system, held) = (self.system, self.system.held());
-        let mut rates = [BELOW, ABOVE].map(|slot| {
-            held.set(relation, slot);
+        let mut rates = contact.sides.both().map(|slot| {
+            held.set(contact.relation, slot);
             let mut rate = vec![0.0; system.states()];
             system.rate_of_modes(time, &state[..system.states()], &mut rate);
             rate
@@ -459,7 +471,9 @@ impl Watch<'_> {
             Watched::Branch(relation) if active[relation] && !is_sliding(relation) => {
                 Side::Known(held.slot(relation).signum())
             }
-            Watched::Low(relation) | Watched::High(relation) if active[relation] => {
+            Watched::Low(relation) | Watched::High(relation)
+                if active[relation] && !is_sliding(relation) =>
+            {
                 Side::Known(1.0)
             }
             Watched::FromBelow(relation) | Watched::FromAbove(relation) if is_sliding(relation) => {
@@ -489,7 +503,8 @@ impl Watch<'_> {
                 && self.is_driven_back(time, state, change)
                 && self.system.tangents().is_none()
             {
-                slides.push(Slide { relation: change.relation, order: Order::Second });
+                let Change { relation, sides, .. } = *change;
+                slides.push(Slide { relation, sides, order: Order::Second });
             }
         }
         let is_held = slides.len() > self.system.slides().len();
@@ -506,21 +521,25 @@ impl Watch<'_> {
     /// Returns whether the guard of a relation that changes has been within the tolerances since
     /// the change before the last one.
     fn is_within_tolerances(&self, time: f64, state: &[f64], change: &Change) -> bool {
-        let place = self.watched.iter().position(|it| *it == Watched::Branch(change.relation));
-        let Some(place) = place else { return false };
         let (excursion, earlier) = {
             let inner = &mut *self.inner.borrow_mut();
-            let excursion = inner.parts.take_excursion(place);
+            let excursion = inner.parts.take_excursion(change.guard);
+            // For an integer, the other end of its interval was far away.
+            for (place, watched) in self.watched.iter().enumerate() {
+                if watched.relation() == Some(change.relation) {
+                    inner.parts.take_excursion(place);
+                }
+            }
             (excursion, inner.relations.excursions[change.relation].replace(excursion))
         };
         let Some(earlier) = earlier else { return false };
-        excursion.max(earlier) <= self.blur(place, time, state)
+        excursion.max(earlier) <= self.blur(change.guard, time, state)
     }
 
     /// Returns whether both branches of a relation that changes accelerate its guard towards zero.
     fn is_driven_back(&self, time: f64, state: &[f64], change: &Change) -> bool {
         let states = &state[..self.system.states()];
-        let [below, above] = [BELOW, ABOVE].map(|slot| {
+        let [below, above] = change.sides.both().map(|slot| {
             self.system.held().set(change.relation, slot);
             let mut rate = vec![0.0; states.len()];
             self.system.state_rate(time, states, &mut rate);

@@ -17,7 +17,7 @@ pub(super) enum Watched {
     Low(usize),
     /// Distance of the argument below the next integer.
     High(usize),
-    /// Share of the rate above in a motion that slides along a branch.
+    /// Share of the rate above in a motion that slides along the surface of a relation.
     FromBelow(usize),
     /// Share of the rate below in such a motion.
     FromAbove(usize),
@@ -44,7 +44,12 @@ impl Watched {
                     ]);
                 }
                 RelationKind::Zone => all.extend([Self::Zone(index), Self::Nearest(index)]),
-                RelationKind::Whole => all.extend([Self::Low(index), Self::High(index)]),
+                RelationKind::Whole => all.extend([
+                    Self::Low(index),
+                    Self::High(index),
+                    Self::FromBelow(index),
+                    Self::FromAbove(index),
+                ]),
             }
         }
         all.extend((relations..simulator.kinks()).map(Self::Border));

@@ -2,6 +2,10 @@
 // A relation at zero takes the side to which g' on both sides points, or g'' where g' vanishes; the
 // motion slides where both point at the surface.
 
+// Slot above a surface, and its place, by the slot below: of a comparison, or of an integer.
+const aboveSlot = (below) => (below === BELOW ? ABOVE : below + 1);
+const levelOf = (below) => (below === BELOW ? 0 : below + 1);
+
 class Relations {
   constructor(system) {
     Object.assign(this, { system, machine: system.machine, all: system.machine.known.relations });
@@ -16,7 +20,7 @@ class Relations {
   }
 
   slide(slides) {
-    slides.forEach(({ relation }) => { this.machine.slots[relation] = BELOW; });
+    slides.forEach(({ relation, below }) => { this.machine.slots[relation] = below; });
     this.system.slides = slides.slice().sort((a, b) => a.relation - b.relation);
   }
 
@@ -31,8 +35,8 @@ class Relations {
     this.findActive(armed);
   }
 
-  // Takes the sides of guards, each after those that it reads. Returns branches at zero, with the
-  // slots to which they were going.
+  // Takes the sides of guards, each after those that it reads. Returns those at their
+  // surfaces, with the slots to which they were going.
   takeSides(time, state, changes, slides, isWithin) {
     const { slots } = this.machine;
     const before = this.machine.kinks("kink_guards", time, state);
@@ -44,21 +48,23 @@ class Relations {
       const hasJumped = kind === "branch" && guard !== before[relation];
       const change = hasJumped ? undefined : changes.find((it) => it.relation === relation);
       if (!change && this.atChange[relation] === guard) return;
-      let next = guard < 0 ? BELOW : ABOVE;
-      if (kind === "whole") {
-        next = Math.floor(guard);
-        const isFalling = () => this.machine.kinks("kink_rates", time, state)[relation] < 0;
-        if (change && Math.abs(guard - change.slot - 0.5) <= 1) next = change.slot;
-        else if (guard === next && isFalling()) next--;
+      const isWhole = kind === "whole";
+      let next = isWhole ? Math.floor(guard) : guard < 0 ? BELOW : ABOVE;
+      if (isWhole && (change ? Math.abs(guard - change.slot - 0.5) > 1 : guard !== next)) {
+        // Between integers, moved there by what it reads if it changes.
       } else if (change) {
         next = change.slot;
         // One that changes again at once was seen to leave for that side.
         const isAgain = Math.abs(time - this.times[relation]) <= 4 * EPSILON * Math.abs(time);
         this.times[relation] = time;
-        if (!change.leaves && !isAgain) zero.push({ relation, toward: next });
+        if (!change.leaves && !isAgain) zero.push({ relation, below: change.below, toward: next });
+      } else if (isWhole) {
+        // What reads it is evaluated on the side to which it goes.
+        if (this.machine.kinks("kink_rates", time, state)[relation] < 0) next--;
+        zero.push({ relation, below: guard - 1, toward: next });
       } else if (guard === 0) {
         next = slot || ABOVE;
-        zero.push({ relation, toward: next });
+        zero.push({ relation, below: BELOW, toward: next });
       } else if (slot && isWithin(relation, guard)) {
         next = slot;
       }
@@ -92,7 +98,7 @@ class Relations {
 
   leaveOrSlide(time, state, slides, zero) {
     this.slide(slides);
-    const all = [...slides.map(({ relation }) => ({ relation, toward: BELOW })), ...zero];
+    const all = [...slides.map(({ relation, below }) => ({ relation, below, toward: below })), ...zero];
     // Each may change in turn, and once more.
     for (let round = 0; round < 2 * all.length + 2; round++) {
       if (!all.filter((one) => this.leave(time, state, one)).length) return;
@@ -101,13 +107,14 @@ class Relations {
   }
 
   // Lets one leave its surface or slide along it; whether that changes anything.
-  leave(time, state, { relation, toward }) {
+  leave(time, state, { relation, below: low, toward }) {
     const { system, machine } = this;
     const { slots } = machine;
     const before = slots[relation];
     const own = system.slides.find((slide) => slide.relation === relation);
     this.slide(system.slides.filter((slide) => slide !== own));
-    const [below, above] = [BELOW, ABOVE].map((slot) => {
+    const high = aboveSlot(low);
+    const [below, above] = [low, high].map((slot) => {
       slots[relation] = slot;
       const rate = system.blended("kink_rates", time, state, machine.known.kinks)[relation];
       const bend = system.bend(relation, time, state, system.rates(time, state));
@@ -117,18 +124,18 @@ class Relations {
     });
     if (below.way > 0 && above.way < 0) {
       const isSecond = below.isSecond && above.isSecond;
-      return this.slideAlong(time, state, { relation, isSecond }, own, toward);
+      return this.slideAlong(time, state, { relation, below: low, isSecond }, own, toward);
     }
     slots[relation] = toward;
-    if (below.way >= 0 && above.way > 0) slots[relation] = ABOVE;
-    if (below.way < 0 && above.way <= 0) slots[relation] = BELOW;
+    if (below.way >= 0 && above.way > 0) slots[relation] = high;
+    if (below.way < 0 && above.way <= 0) slots[relation] = low;
     return own !== undefined || slots[relation] !== before;
   }
 
   slideAlong(time, state, slide, own, toward) {
     const { system, machine } = this;
     const before = system.slides;
-    const inertia = [BELOW, ABOVE].map((slot) => {
+    const inertia = [slide.below, aboveSlot(slide.below)].map((slot) => {
       machine.slots[slide.relation] = slot;
       return ["mass_matrix", "constraint_matrix"].map((name) =>
         machine.values(name, time, state, machine.known[name].entries.length).join());

@@ -39,10 +39,10 @@ class System {
   // Results of `call` above each surface, below all others.
   above(call) {
     const { slots } = this.machine;
-    return this.slides.map(({ relation }) => {
-      slots[relation] = ABOVE;
+    return this.slides.map(({ relation, below }) => {
+      slots[relation] = aboveSlot(below);
       const found = call();
-      slots[relation] = BELOW;
+      slots[relation] = below;
       return found;
     });
   }
@@ -116,23 +116,25 @@ class System {
   // their forces, onto those of second order by the shortest way.
   project(time, state) {
     this.constraints?.project(time, state);
-    const guards = () => this.machine.kinks("kink_guards", time, state);
+    const off = () => {
+      const values = this.machine.kinks("kink_guards", time, state);
+      return this.slides.map(({ relation, below }) => values[relation] - levelOf(below));
+    };
     for (let round = 0; round < 3 && this.slides.length; round++) {
-      const values = guards();
-      const shares = this.slides.map(({ relation, isSecond }) => (isSecond ? 0 : -values[relation]));
+      const values = off();
+      const shares = this.slides.map(({ isSecond }, place) => (isSecond ? 0 : -values[place]));
       if (shares.every((share) => share === 0)) break;
       const { factors, across } = this.combination(time, state);
       factors.solve(shares);
       across.forEach((side, k) => side.forEach((value, index) => { state[index] += shares[k] * value; }));
     }
-    const second = this.slides.filter(({ isSecond }) => isSecond).map(({ relation }) => relation);
-    if (!second.length) return;
+    const second = (values) => values.filter((_, place) => this.slides[place].isSecond);
+    if (!this.slides.some(({ isSecond }) => isSecond)) return;
     const entries = range(state.length).filter((entry) => !this.machine.isMode[entry]);
-    nearest(state, entries, entries.map((entry) => this.machine.scales[entry]), () =>
-      ["kink_guards", "kink_rates"].flatMap((name) => {
-        const values = this.machine.kinks(name, time, state);
-        return second.map((relation) => values[relation]);
-      }));
+    nearest(state, entries, entries.map((entry) => this.machine.scales[entry]), () => {
+      const rates = this.machine.kinks("kink_rates", time, state);
+      return [...second(off()), ...second(this.slides.map(({ relation }) => rates[relation]))];
+    });
   }
 
   // Refuses a state, or rates, that are no finite numbers or have no finite squares.

@@ -4,7 +4,7 @@
 // Number of events within this share of the run that count as endless (Zeno).
 const ENDLESS = 50;
 const NO_TIME = 1e-10;
-const KINDS = { branch: ["branch", "fromBelow", "fromAbove"], whole: ["low", "high"], zone: ["zone", "nearest"] };
+const KINDS = { branch: ["branch", "fromBelow", "fromAbove"], whole: ["low", "high", "fromBelow", "fromAbove"], zone: ["zone", "nearest"] };
 const WAYS = { rising: 1, falling: -1, both: 0 };
 
 class Watch {
@@ -90,12 +90,15 @@ class Watch {
   changeAt(index) {
     const { kind, of: relation } = this.list[index];
     const slot = this.machine.slots[relation];
+    const change = (below, isUp, leaves = false) =>
+      ({ relation, index, below, leaves, slot: isUp ? aboveSlot(below) : below });
     switch (kind) {
-      case "branch": return { relation, slot: slot < 0 ? ABOVE : BELOW, index };
-      case "low": return { relation, slot: slot - 1 };
-      case "high": return { relation, slot: slot + 1 };
-      case "fromBelow": return { relation, slot: BELOW, leaves: true };
-      case "fromAbove": return { relation, slot: ABOVE, leaves: true };
+      case "branch": return change(BELOW, slot < 0);
+      case "low": return change(slot - 1, false);
+      case "high": return change(slot, true);
+      // Along a surface the slot below it is held.
+      case "fromBelow": return change(slot, false, true);
+      case "fromAbove": return change(slot, true, true);
       default: return null;
     }
   }
@@ -125,7 +128,7 @@ class Watch {
         return;
       }
       const [isActive, isSliding] = [this.relations.active[of], this.relations.isSliding(of)];
-      let side = Number(kind === "branch" ? isActive && !isSliding : kind === "low" || kind === "high" ? isActive : isSliding);
+      let side = Number(kind === "fromBelow" || kind === "fromAbove" ? isSliding : isActive && !isSliding);
       if (kind === "branch") side *= Math.sign(this.machine.slots[of]);
       if (kind === "border" || kind === "zone") side = sides[index] ? sides[index] * (hasCrossed ? -1 : 1) : value < 0 ? -1 : 1;
       if (kind === "zone" && hasCrossed) [this.longest, this.entered] = [Infinity, time];
@@ -315,21 +318,21 @@ class Watch {
   // tolerances; whether it does.
   holdFlat(time, state, changes) {
     const { system, machine, relations } = this;
-    const held = changes.filter(({ index, relation, slot }) => {
-      if (index === undefined) return false;
+    const held = changes.filter(({ index, relation, below: low, slot, leaves }) => {
+      if (leaves) return false;
       const excursion = this.looks.excursions[index];
       const earlier = this.excursions[relation] ?? Infinity;
       this.excursions[relation] = excursion;
       const room = this.blur(index, time, state);
       if (!(earlier <= room && excursion <= room)) return false;
-      const [below, above] = [BELOW, ABOVE].map((side) => {
+      const [below, above] = [low, aboveSlot(low)].map((side) => {
         machine.slots[relation] = side;
         return system.bend(relation, time, state, system.rates(time, state));
       });
       machine.slots[relation] = slot;
       return below > 0 && above < 0;
     });
-    if (held.length) relations.slide([...system.slides, ...held.map(({ relation }) => ({ relation, isSecond: true }))]);
+    if (held.length) relations.slide([...system.slides, ...held.map(({ relation, below }) => ({ relation, below, isSecond: true }))]);
     return held.length > 0;
   }
 

@@ -18,6 +18,7 @@
 mod clear;
 mod counters;
 mod crossing;
+mod happening;
 mod hosted;
 mod led;
 mod noise;
@@ -37,15 +38,13 @@ use serde::{Deserialize, Serialize};
 use super::one_step::OneStep;
 use super::sliding::{ABOVE, BELOW};
 use super::{Problem, Stopped, Stretch, System};
-use crate::error::StopCause;
 use crate::trajectory::Switch;
 use clear::ClearBox;
 use counters::Counters;
 pub(crate) use hosted::Memory;
 use led::Turn;
-use passing::{Guard, Outcome, Parts, Step, Zero, is_wanted};
+use passing::{Guard, Outcome, Parts, Step, Zero};
 use relations::{Change, Relations};
-use settle::is_beyond;
 use watched::{Sources, Watched};
 
 /// Maximum number of events within [`NO_TIME`] before a run is declared Zeno. The limit is higher
@@ -370,237 +369,9 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Ends the step at `time` for the crossings found, in state `end`.
-    pub(super) fn happens(&self, time: f64, first: f64, end: &[f64]) {
-        let inner = &mut *self.inner.borrow_mut();
-        let near = ROUNDINGS * f64::EPSILON * time.abs().max(inner.time.abs());
-        let mut happening = Vec::new();
-        let guards = inner.parts.all_at(self.system, time, end);
-        inner.parts.note_arcs(time, &guards);
-        for (index, (outcome, (guard, rate))) in inner.outcomes.iter().zip(guards).enumerate() {
-            match *outcome {
-                Outcome::Passes { time: passing, from } if passing <= first + near => {
-                    // It may have crossed the other way within the step.
-                    if let side @ Side::Known(_) = &mut inner.sides[index] {
-                        *side = Side::Known(from);
-                    }
-                    happening.push(index);
-                }
-                Outcome::Passes { from, .. } if inner.sides[index] != Side::Known(from) => {
-                    // Either it crossed in the direction without an event, or it crosses now.
-                    let zero = inner.parts.rounding(index).max(near * rate.abs());
-                    inner.sides[index] = if guard.abs() > zero {
-                        Side::Known(guard.signum())
-                    } else {
-                        Side::Fresh { passed: true, residual: guard.abs() }
-                    };
-                }
-                Outcome::Passes { from, .. } => {
-                    let residual = inner.zeros[index].map_or(0.0, |zero| zero.residual);
-                    if (guard - residual) * from < 0.0 {
-                        happening.push(index);
-                    } else {
-                        inner.sides[index] = Side::Known(from);
-                    }
-                }
-                Outcome::Stays(end @ Side::Known(_))
-                    if !self.is_kink(index)
-                        && guard.abs() > inner.parts.rounding(index)
-                        && time > inner.time =>
-                {
-                    let side = Side::Known(guard.signum());
-                    let start = inner.sides[index];
-                    // An event that did not cross is beyond zero only by rounding, as speeds of
-                    // parts at rest are.
-                    if !is_beyond(self.direction(index), guard) || [start, end].contains(&side) {
-                        inner.sides[index] = side;
-                    }
-                }
-                Outcome::Stays(_) => {}
-            }
-        }
-        inner.turn.take_if(|turn| turn.time > time + near);
-        if let Some(turn) = &inner.turn {
-            happening.extend(&turn.begins);
-            happening.sort_unstable();
-            happening.dedup();
-        }
-        inner.happening = Some((time, happening));
-    }
-
-    /// Returns whether only relations change or borders are crossed.
-    pub(super) fn is_of_kinks(&self) -> bool {
-        let inner = self.inner.borrow();
-        let happening = inner.happening.as_ref().map(|(_, guards)| &guards[..]);
-        happening.is_some_and(|guards| {
-            !guards.is_empty() && guards.iter().all(|index| self.is_kink(*index))
-        })
-    }
-
-    /// Applies the events for which the method stopped to `state`, in the order of the spec. Each
-    /// event happens only if it is still armed. Returns the time.
-    ///
-    /// # Errors
-    /// Returns an error if a new value is not finite, or if events do not end.
-    pub(super) fn switch(&self, state: &mut [f64]) -> Result<Option<f64>, Stopped> {
-        let Some((time, mut events)) = self.inner.borrow_mut().happening.take() else {
-            return Ok(None);
-        };
-        let states = self.system.states();
-        self.inner.borrow_mut().happened = Happened::default();
-        self.keep_front(time, state);
-        let guards_before = self.guards(time, state);
-        let mut passed = vec![Passed::No; guards_before.len()];
-        let leapt: Vec<bool> =
-            (0..passed.len()).map(|index| self.has_leapt(index, time, state)).collect();
-        // Guards that crossed and whose event turned them back.
-        let mut turned_back: Vec<usize> = (0..passed.len())
-            .filter(|index| self.has_passed(*index) && !self.is_approached(*index, time, state))
-            .collect();
-        let kinks: Vec<usize> =
-            events.iter().copied().filter(|index| self.is_kink(*index)).collect();
-        for index in &kinks {
-            passed[*index] = Passed::GoesOn;
-        }
-        self.change_relations((time, &mut *state), &kinks)?;
-        let jumped = self.jumped_over_zero((time, state), &guards_before, &events);
-        events.extend(&jumped);
-        events.sort_unstable();
-        for index in events {
-            if !self.is_kink(index) && self.is_armed(index, state) {
-                self.require_resolved(index, time)?;
-                self.apply(index, time, &mut state[..states])?;
-                self.settle_relations((time, state), &[])?;
-                passed[index] =
-                    if self.is_armed(index, state) { Passed::GoesOn } else { Passed::Left };
-                self.count(index, time)?;
-                if !self.is_approached(index, time, state) {
-                    turned_back.push(index);
-                }
-            }
-        }
-        let all = passed.iter().enumerate().filter(|(_, passed)| **passed != Passed::No);
-        self.inner.borrow_mut().happened.passed = all.map(|(index, _)| index).collect();
-        self.settle_after(time, state, &guards_before, &mut passed)?;
-        self.settle_relations((time, state), &[])?;
-        let guards = self.guards(time, state);
-        // What crossed zero and was then moved by a relation is on the side where it is now.
-        let is_same = |index: &usize| guards[*index].to_bits() == guards_before[*index].to_bits();
-        let crossed: Vec<usize> = kinks
-            .iter()
-            .copied()
-            .filter(|index| !self.watched[*index].is_border() || is_same(index))
-            .collect();
-        self.take_sides_of_kinks((time, state), &crossed, |index| !is_same(&index));
-        let fresh = |index: usize| {
-            let residual = self.residual(index, time, state, guards[index]);
-            Side::Fresh { passed: false, residual }
-        };
-        // A guard that other events move towards zero crosses again, as for a ball that is hit from
-        // both sides.
-        turned_back.retain(|index| self.is_approached(*index, time, state));
-        let again = turned_back;
-        let inner = &mut *self.inner.borrow_mut();
-        inner.turn = None;
-        let events = self.system.simulator().events();
-        for (index, side) in inner.sides.iter_mut().enumerate().take(events) {
-            let was_watched = *side != Side::Idle;
-            let is_same = is_same(&index);
-            if !self.is_armed(index, state) {
-                *side = Side::Idle;
-            } else if jumped.contains(&index) && guards[index] != 0.0
-                || passed[index] == Passed::GoesOn && is_same && leapt[index]
-            {
-                // Not near zero: an event moved the guard there, or the guard is as steep as a
-                // jump.
-                *side = Side::Known(guards[index].signum());
-            } else if passed[index] == Passed::GoesOn
-                || passed[index] == Passed::No && again.contains(&index)
-            {
-                let residual = 4.0 * guards_before[index].abs();
-                *side = Side::Fresh { passed: !again.contains(&index), residual };
-            } else if passed[index] == Passed::Left || !(was_watched && is_same) {
-                *side = fresh(index);
-            } else if guards[index] == 0.0 && matches!(side, Side::Known(_)) {
-                // Zero on the branch that relations took. One whose event has happened at this
-                // instant is known to have crossed.
-                *side = Side::Fresh { passed: false, residual: 0.0 };
-            }
-        }
-        Ok(Some(time))
-    }
-
-    /// Changes relations whose guards cross zero.
-    fn change_relations(
-        &self,
-        (time, state): (f64, &mut [f64]),
-        kinks: &[usize],
-    ) -> Result<(), Stopped> {
-        let mut changes: Vec<_> = kinks.iter().filter_map(|index| self.change_at(*index)).collect();
-        if self.hold_flat(time, state, &changes)? {
-            changes.clear();
-        }
-        self.settle_relations((time, state), &changes)?;
-        if self.system.is_sliding() {
-            self.system.put_onto_surfaces(time, state)?;
-        }
-        self.count_changes(time, changes.len())
-    }
-
-    /// Settles relations after velocities jumped; at guards in `thrown_back` the motion stays on
-    /// its side.
-    ///
-    /// # Errors
-    /// As [`Watch::switch`].
-    pub(super) fn settle_after_impulses(
-        &self,
-        time: f64,
-        state: &[f64],
-        thrown_back: &[usize],
-    ) -> Result<(), Stopped> {
-        self.settle_relations((time, state), &[])?;
-        let passed = self.inner.borrow().happened.passed.clone();
-        let is_settled = |index: &usize| {
-            self.is_kink(*index)
-                && (!self.watched[*index].is_border() || thrown_back.contains(index))
-        };
-        let passed: Vec<usize> = passed.into_iter().filter(is_settled).collect();
-        self.take_sides_of_kinks((time, state), &passed, |_| true);
-        Ok(())
-    }
-
     /// Returns the rounding error of a watched function in the last step.
     pub(crate) fn rounding_of(&self, index: usize) -> f64 {
         self.inner.borrow().parts.rounding(index)
-    }
-
-    /// Returns the events whose guards cross zero in their direction because relations changed.
-    fn jumped_over_zero(
-        &self,
-        (time, state): (f64, &[f64]),
-        before: &[f64],
-        passed: &[usize],
-    ) -> Vec<usize> {
-        if self.system.simulator().relations() == 0 {
-            return Vec::new();
-        }
-        let after = self.guards(time, state);
-        let inner = &mut *self.inner.borrow_mut();
-        let mut jumped = Vec::new();
-        for index in 0..self.system.simulator().events() {
-            let Side::Known(side) = inner.sides[index] else { continue };
-            let is_beyond = side * after[index] < 0.0
-                && after[index].to_bits() != before[index].to_bits()
-                && after[index].abs() > inner.parts.rounding(index);
-            if is_beyond && !passed.contains(&index) {
-                if is_wanted(self.direction(index), side) {
-                    jumped.push(index);
-                } else {
-                    inner.sides[index] = Side::Known(-side);
-                }
-            }
-        }
-        jumped
     }
 
     /// Marks that the method ended here without an event, so that another segment begins.
@@ -627,29 +398,6 @@ impl<'a> Watch<'a> {
             shifted[entry] = state[entry];
             kinks.iter().all(|kink| here[*kink].to_bits() == there[*kink].to_bits())
         })
-    }
-
-    /// Settles relations after a jump in time.
-    pub(super) fn jump_in_time(
-        &self,
-        stretch: &Stretch<'_>,
-        state: &mut [f64],
-    ) -> Result<(), Stopped> {
-        self.inner.borrow_mut().parts.ends = (stretch.from, stretch.until);
-        self.settle_at_jump(stretch.within(stretch.from), state)
-    }
-
-    /// Settles relations just behind a jump in time.
-    fn settle_at_jump(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
-        if self.system.simulator().relations() == 0 {
-            return Ok(());
-        }
-        self.settle_relations((time, state), &[])?;
-        if self.system.is_sliding() {
-            self.system.put_onto_surfaces(time, state)?;
-        }
-        self.take_sides_of_kinks((time, state), &[], |_| true);
-        Ok(())
     }
 
     /// Returns the changes at the last stop for events, or of the modes at the start.
@@ -748,75 +496,6 @@ impl<'a> Watch<'a> {
         let when = self.system.simulator().event(index).when;
         // Modes are integers, but for rounding.
         when.iter().all(|(entry, value)| (state[*entry as usize] - value).abs() < 0.5)
-    }
-
-    /// Applies the new values of an event.
-    fn apply(&self, index: usize, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
-        let simulator = self.system.simulator();
-        let lengths: Vec<usize> =
-            (0..simulator.events()).map(|event| simulator.event(event).sets.len()).collect();
-        let mut values = vec![0.0; lengths.iter().sum()];
-        // New values use live relations, whatever is held.
-        simulator.resets(time, state, self.system.parameters(), &mut values);
-        let first: usize = lengths[..index].iter().sum();
-        let event = simulator.event(index);
-        for (entry, value) in event.sets.iter().zip(&values[first..]) {
-            let entry = *entry as usize;
-            if !value.is_finite() {
-                let what = format!(
-                    "the new value of `{}` at event `{}`",
-                    self.system.name(entry),
-                    event.name
-                );
-                return Err(Stopped { time, cause: StopCause::NotFinite { what } });
-            }
-            state[entry] = if simulator.is_mode(entry) { value.round() } else { *value };
-        }
-        Ok(())
-    }
-
-    /// Counts an event and stops a run with infinitely many.
-    fn count(&self, index: usize, time: f64) -> Result<(), Stopped> {
-        let event = self.system.simulator().event(index).name.to_owned();
-        self.system.count(|work| work.switches += 1);
-        self.inner.borrow_mut().happened.applied.push(index);
-        self.count_one(time, &event)?;
-        self.inner.borrow_mut().switches.push(Switch { time, event });
-        Ok(())
-    }
-
-    /// Counts changes of relations and stops a run with infinitely many.
-    fn count_changes(&self, time: f64, count: usize) -> Result<(), Stopped> {
-        (0..count).try_for_each(|_| self.count_one(time, "a comparison of the spec"))
-    }
-
-    /// Stops a run in which rounding alone decides when an event happens.
-    fn require_resolved(&self, index: usize, time: f64) -> Result<(), Stopped> {
-        let inner = &mut *self.inner.borrow_mut();
-        let excursion = inner.parts.take_excursion(index);
-        let is_resolved = excursion > inner.parts.rounding(index);
-        let count = &mut inner.unresolved[index];
-        *count = if is_resolved { 0 } else { *count + 1 };
-        if *count < ENDLESS {
-            return Ok(());
-        }
-        let event = self.system.simulator().event(index).name.to_owned();
-        Err(Stopped { time, cause: StopCause::Zeno { event, count: ENDLESS } })
-    }
-
-    fn count_one(&self, time: f64, event: &str) -> Result<(), Stopped> {
-        let inner = &mut *self.inner.borrow_mut();
-        inner.latest.push_back(time);
-        // Many parts may begin at the same time.
-        let endless = ENDLESS.max(self.most() + 2 * self.system.simulator().relations());
-        if inner.latest.len() > endless {
-            let earliest = inner.latest.pop_front().unwrap_or(time);
-            if time - earliest <= NO_TIME * self.span.max(time.abs()) {
-                let event = event.to_owned();
-                return Err(Stopped { time, cause: StopCause::Zeno { event, count: endless } });
-            }
-        }
-        Ok(())
     }
 }
 

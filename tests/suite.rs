@@ -15,6 +15,7 @@ mod c99;
 mod campbell;
 mod chains;
 mod classics;
+mod clutched_chains;
 mod complex_step;
 mod conserves;
 mod constrained_fields;

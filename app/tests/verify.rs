@@ -232,6 +232,48 @@ fn a_drag_of_the_wrong_sign_fails_by_the_forces() {
     assert!(failed.contains(&"no force feeds every motion".to_owned()), "{failed:?}");
 }
 
+/// A block on a damped contact, which would pull at other velocities, slides with friction.
+#[test]
+fn forces_of_a_contact_that_would_pull_are_left_out() {
+    let block = |sign: &str| {
+        format!(
+            r#"
+            [scene]
+            name = "block"
+            [units.block]
+            unit = "block"
+            [units.contact]
+            unit = "one_sided_contact"
+            inputs = {{ gap = "block.y", rate = "block.y_dot" }}
+            [[forces]]
+            port = "block.along"
+            expression = "{sign}0.2*contact.force*sign(block.x_dot)"
+            [initial]
+            "block.x_dot" = 2
+            "block.y" = 1e-3
+            [run]
+            until = 0.5
+            points = 51
+            rtol = 1e-8
+            [define.block.coordinates.x]
+            unit = "m"
+            [define.block.coordinates.y]
+            unit = "m"
+            [define.block.ports.along]
+            kind = "translational"
+            coordinate = "x"
+            [define.block.energy]
+            kinetic = "2 [kg]*(x_dot^2 + y_dot^2)/2"
+            potential = "2 [kg]*9.81 [m/s^2]*y"
+            "#
+        )
+    };
+    for (sign, expected) in [("-", vec![]), ("", vec!["no force feeds every motion".to_owned()])] {
+        let (_folder, path) = written(&block(sign));
+        assert_eq!(failed(&rows(&path, &[]).1), expected);
+    }
+}
+
 #[test]
 fn a_voltage_that_goes_by_the_speed_is_no_force() {
     let by_speed = "(supply + 0.5 [V s^2/m^2]*x_dot^2)";

@@ -10,7 +10,7 @@ use machinist_studies::verify::CheckFailure;
 use machinist_studies::winder_walk::Winder;
 use maud::{Markup, html};
 
-use super::figure::{self, Named};
+use super::figure::{self, Named, Scales};
 use crate::number::number;
 
 /// Computed answers.
@@ -90,7 +90,7 @@ fn coupling(study: &Study) -> Markup {
         "Largest acceleration of the cylinder over run-up and load, by stiffness and dissipation of
          the coupling."
     };
-    let torque = html! { "Largest torque of the coupling, likewise." };
+    let torque = html! { "Largest torque of the coupling, by its stiffness and dissipation." };
     html! {
         @if let [_, own, more] = rows.as_slice() {
             (judged(stiffnesses, [&own.accelerations, &more.accelerations], study.own))
@@ -99,8 +99,8 @@ fn coupling(study: &Study) -> Markup {
                 (number(1e-3 * study.excited, 3)) " kN m/rad."
             }
         }
-        (figure::curves("conclusions-acceleration", [axis, "acceleration [rad/s\u{b2}]"], &of(|row| &row.accelerations), true, &caption))
-        (figure::curves("conclusions-torque", [axis, "torque [N m]"], &of(|row| &row.torques), true, &torque))
+        (figure::curves("conclusions-acceleration", [axis, "acceleration [rad/s\u{b2}]"], &of(|row| &row.accelerations), Scales::LogarithmicAcross, &caption))
+        (figure::curves("conclusions-torque", [axis, "torque [N m]"], &of(|row| &row.torques), Scales::LogarithmicAcross, &torque))
     }
 }
 
@@ -142,23 +142,23 @@ fn winding(study: &Study) -> Markup {
     html! {
         p {
             "Pressed with " (number(bench.preload, 3)) " N the bench winder winds stably at every radius
-             up to " (number(ends.speed, 3)) " m/s; beyond, at R = " (number(1e3 * ends.radius, 3))
-            " mm, " (ends.condition.name()) ", and what varies the pressure most is "
-            (ends.disturbance.name()) ". "
+             up to " (number(ends.speed, 3)) " m/s. Above this speed, at R = "
+            (number(1e3 * ends.radius, 3)) " mm, " (ends.condition.name())
+            "; the disturbance that varies the pressure most is " (ends.disturbance.name()) ". "
             @if let Some((pressure, limit)) = best {
-                "The greatest speed of all pressures is " (number(limit.speed, 3)) " m/s at "
-                (number(*pressure, 3)) " N, where " (limit.condition.name()) " first, by "
-                (limit.disturbance.name()) "."
+                "Of all pressures, " (number(*pressure, 3)) " N allows the greatest speed, "
+                (number(limit.speed, 3)) " m/s; above it, " (limit.condition.name())
+                " first, because of " (limit.disturbance.name()) "."
             }
         }
         (figure::curves(
             "conclusions-speeds",
             ["pressure with the empty bobbin [N]", "greatest stable speed [m/s]"],
             &curves,
-            false,
+            Scales::Linear,
             &html! {
-                "Greatest speed up to which winding is stable at every radius, over the pressure, at
-                 worst phases."
+                "Greatest speed up to which winding is stable at every radius and at the worst phases, by
+                 the pressure."
             },
         ))
         @let window = &study.window;
@@ -166,8 +166,8 @@ fn winding(study: &Study) -> Markup {
         @let most = window.most.iter().copied().fold(f64::INFINITY, f64::min);
         p {
             "At " (number(window.speed, 3)) " m/s, at every radius of the growing package, a pressure
-             from " (number(least, 3)) " N to " (number(most, 3)) " N winds stably: below, contact or
-             adhesion is lost, above, the yarn is pressed too hard."
+             from " (number(least, 3)) " N to " (number(most, 3)) " N winds stably. Below it, contact
+             or adhesion is lost; above it, the yarn is pressed too hard."
         }
         (self::window(window))
     }
@@ -186,7 +186,7 @@ fn window(window: &PressureWindow) -> Markup {
         "conclusions-window",
         ["radius of the package [mm]", "pressure [N]"],
         &curves,
-        false,
+        Scales::Linear,
         &html! {
             "Figure 8 of the study for the bench winder at " (number(window.speed, 3))
             " m/s: the pressure and the window that it has to keep."
@@ -229,8 +229,8 @@ fn fell(beats: &[Beat]) -> Markup {
         relative("angle of the shaft", &|beat| beat.largest()[0]),
         relative("angle of the reed", &|beat| beat.largest()[1]),
         relative("stress before the reed", &|beat| beat.largest()[2]),
-        relative("stress beyond it", &|beat| beat.largest()[3]),
-        relative("way into the fell", &Beat::forward),
+        relative("stress after the reed", &|beat| beat.largest()[3]),
+        relative("travel into the fell", &Beat::forward),
     ];
     let at = |share: f64| beats.iter().find(|beat| (beat.share - share).abs() < 1e-9);
     html! {
@@ -240,21 +240,21 @@ fn fell(beats: &[Beat]) -> Markup {
                 "Against a fell that only pushes, from C2 = C1/2 to C1, the shaft's largest angle changes
                  by " (number(change[0], 2)) " %, the reed's by " (number(change[1], 2))
                 " %, the stress before the reed by " (number(change[2], 3))
-                " %: " (verdict(&change)) ". The way into the fell shortens by "
+                " %: " (verdict(&change)) ". The travel into the fell falls by "
                 (number(100.0 * (1.0 - stiff.forward() / soft.forward()), 2))
-                " % meanwhile, and the stress goes from "
+                " %, and the stress rises from "
                 (number(1e-6 * none.largest()[2], 3)) " MPa without a fell to "
                 (number(1e-6 * last.largest()[2], 3)) " MPa at C2 = " (number(last.share, 2))
-                " C1. The study states no limit: one of " (number(1e-6 * EXAMPLE, 3))
+                " C1. The study states no limit of the stress; a limit of " (number(1e-6 * EXAMPLE, 3))
                 " MPa, for example, allows C2 up to " (number(stiffest(beats, EXAMPLE), 2)) " C1."
             }
         }
         (figure::curves(
             "conclusions-fell",
-            ["stiffness of the fell, C2/C1", "over that without a fell"],
+            ["stiffness of the fell, C2/C1", "ratio to the value without a fell"],
             &curves,
-            false,
-            &html! { "Largest angles and stresses over a period of the drive, a fell that only pushes." },
+            Scales::Linear,
+            &html! { "Largest angles and stresses over a period of the drive, with a fell that only pushes." },
         ))
     }
 }

@@ -18,7 +18,7 @@ use machinist_studies::reed_study::{Beat, COMPARED, beats};
 use machinist_studies::verify::CheckFailure;
 use maud::{Markup, html};
 
-use super::figure::{self, Named};
+use super::figure::{self, Named, Scales};
 use super::modes::{self, Modes, NoModes};
 use crate::failure::Failure;
 use crate::number::number;
@@ -112,7 +112,7 @@ impl Along {
         html! {
             (figure::picture(&format!("{scene}-{}-twist", self.name), axes, &self.twist, &self.unit, &twist))
             @if !self.shapes.is_empty() {
-                (figure::curves(&format!("{scene}-{}-shapes", self.name), ["x [m]", "shape"], &self.shapes, false, &shapes))
+                (figure::curves(&format!("{scene}-{}-shapes", self.name), ["x [m]", "shape"], &self.shapes, Scales::Linear, &shapes))
             }
         }
     }
@@ -180,7 +180,7 @@ impl Study {
         html! {
             h3 { "Error against number of elements" }
             @match &self.errors {
-                Ok(curves) => (figure::curves("fields-errors", ["elements", "relative error"], curves, true, &html! {
+                Ok(curves) => (figure::curves("fields-errors", ["elements", "relative error"], curves, Scales::Logarithmic, &html! {
                     "Fifth frequency of " code { "shaft_step_torque" } " against its closed form:
                      errors fall with the number of elements to the power of twice their order, down
                      to rounding."
@@ -195,7 +195,7 @@ impl Study {
                          motion little and the stress markedly."
                     }
                     (contact("fell that only pushes", "one-sided", machine))
-                    (contact("fell that also pulls, as a linear reading has it", "linear", linear))
+                    (contact("fell that also pulls, the linear reading", "linear", linear))
                 }
                 Err(error) => p.warning { "The reed did not run: " (error) },
             }
@@ -234,17 +234,18 @@ fn contact(fell: &str, id: &str, beats: &[Beat; 3]) -> Markup {
     let names = beats.each_ref().map(|beat| format!("C2 = {} C1", number(beat.share, 2)));
     let [none, half, whole] = beats;
     let (first, last) = (none.change_to(half), half.change_to(whole));
-    let of = |index: usize| -> Vec<Named> {
+    let of = |index: usize, unit: f64| -> Vec<Named> {
+        let scaled = |beat: &Beat| beat.columns[index].iter().map(|value| value / unit).collect();
         let beats = beats.iter().zip(&names);
-        beats.map(|(b, name)| (name.clone(), b.times.clone(), b.columns[index].clone())).collect()
+        beats.map(|(beat, name)| (name.clone(), beat.times.clone(), scaled(beat))).collect()
     };
-    let curves = |index: usize, what: &str, axis: &str| {
+    let curves = |index: usize, what: &str, axis: &str, unit: f64| {
         let caption = html! { (what) ", " (fell) "." };
         figure::curves(
             &format!("fields-{id}-{index}"),
             ["time [s]", axis],
-            &of(index),
-            false,
+            &of(index, unit),
+            Scales::Linear,
             &caption,
         )
     };
@@ -276,9 +277,9 @@ fn contact(fell: &str, id: &str, beats: &[Beat; 3]) -> Markup {
                 }
             }
         }
-        (curves(1, "Angle of the reed", "angle of the reed [rad]"))
-        (curves(0, "Angle of the shaft at the reed", "angle of the shaft [rad]"))
-        (curves(2, "Stress at the shaft's surface before the reed", "stress [Pa]"))
-        (curves(3, "Stress beyond it", "stress [Pa]"))
+        (curves(1, "Angle of the reed", "angle of the reed [rad]", 1.0))
+        (curves(0, "Angle of the shaft at the reed", "angle of the shaft [rad]", 1.0))
+        (curves(2, "Stress at the shaft's surface before the reed", "stress [MPa]", 1e6))
+        (curves(3, "Stress at the shaft's surface after the reed", "stress [MPa]", 1e6))
     }
 }

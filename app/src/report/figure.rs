@@ -157,23 +157,44 @@ pub fn classes(
 /// Curve with its name.
 pub type Named = (String, Vec<f64>, Vec<f64>);
 
-/// Plots curves of one quantity over another, on logarithmic axes if wanted.
+/// Scales of both axes. Few points are marked, as those of logarithmic axes are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scales {
+    /// Both linear.
+    Linear,
+    /// The horizontal axis is logarithmic.
+    LogarithmicAcross,
+    /// Both logarithmic.
+    Logarithmic,
+}
+
+impl Scales {
+    fn axes(self) -> [Axis; 2] {
+        let linear = || Axis::Linear("".into());
+        let logarithmic = || Axis::Logarithmic("".into());
+        match self {
+            Self::Linear => [linear(), linear()],
+            Self::LogarithmicAcross => [logarithmic(), linear()],
+            Self::Logarithmic => [logarithmic(), logarithmic()],
+        }
+    }
+}
+
+/// Plots curves of one quantity over another.
 pub fn curves(
     id: &str,
     titles: [&str; 2],
     curves: &[Named],
-    is_logarithmic: bool,
+    scales: Scales,
     caption: &Markup,
 ) -> Markup {
-    let axis =
-        || if is_logarithmic { Axis::Logarithmic("".into()) } else { Axis::Linear("".into()) };
     let across: Vec<f64> = curves.iter().flat_map(|(_, x, _)| x.clone()).collect();
     let up: Vec<f64> = curves.iter().flat_map(|(_, _, y)| y.clone()).collect();
-    let mut panel = Panel::new(Frame::WHOLE, [axis(), axis()], titles, (&across, &up));
+    let mut panel = Panel::new(Frame::WHOLE, scales.axes(), titles, (&across, &up));
     for (index, (name, x, y)) in curves.iter().enumerate() {
         let (thin_x, thin_y) = reduced(x, y);
         panel.line(index, name, &thin_x, &thin_y);
-        if is_logarithmic {
+        if scales != Scales::Linear {
             for (x, y) in x.iter().zip(y) {
                 panel.dot(index, *x, *y, None);
             }

@@ -9,10 +9,10 @@ use crate::number::number;
 pub fn section(ledger: &Result<Vec<LedgerRow>, String>) -> Markup {
     html! {
         p {
-            "Every equation, table, figure and number that the studies print, next to what their
-             equations and numbers give as printed, and in the consistent reading that the scenes
-             follow; where it is, and what holds it. Every number but the
-             printed ones was computed for this page."
+            "Every equation, table, figure and number of the studies: the printed value, the result of
+             the equations as printed, and that of the consistent reading, which the scenes follow.
+             Below each reading stand its place in Machinist and the check or test that covers it.
+             All values except the printed ones were computed for this page."
         }
         @match ledger {
             Ok(rows) => (table(rows)),
@@ -25,20 +25,40 @@ fn table(rows: &[LedgerRow]) -> Markup {
     html! {
         @for study in Study::ALL {
             h3 { (study.name()) }
-            div.scroll { (table_of(rows.iter().filter(|row| row.study == study))) }
+            @let (numbers, words): (Vec<_>, Vec<_>) =
+                rows.iter().filter(|row| row.study == study).partition(|row| has_numbers(row));
+            div.scroll { (table_of_words(words.into_iter())) }
+            div.scroll { (table_of_numbers(numbers.into_iter())) }
         }
     }
 }
 
-/// Renders the rows of one study. Place and check share a column, so that the reading has room.
-fn table_of<'a>(rows: impl Iterator<Item = &'a LedgerRow>) -> Markup {
+fn has_numbers(row: &LedgerRow) -> bool {
+    [row.printed, row.as_printed, row.consistent].iter().any(Option::is_some)
+}
+
+/// Renders the rows of one study that have no numbers.
+fn table_of_words<'a>(rows: impl Iterator<Item = &'a LedgerRow>) -> Markup {
+    html! {
+        table.ledger {
+            thead { tr { th { "In the study" } th { "Subject" } th { "Reading" } } }
+            tbody {
+                @for row in rows {
+                    tr { td { (row.at) } td { (row.figure) } td { (reading(row)) } }
+                }
+            }
+        }
+    }
+}
+
+fn table_of_numbers<'a>(rows: impl Iterator<Item = &'a LedgerRow>) -> Markup {
     html! {
         table.ledger {
             thead {
                 tr {
                     th { "In the study" } th { "Subject" } th.number { "Printed" }
-                    th.number { "Result as printed" } th.number { "Consistent" } th { "Unit" }
-                    th { "Reading" } th { "In Machinist; checked by" }
+                    th.number { "As printed" } th.number { "Consistent" } th { "Unit" }
+                    th { "Reading" }
                 }
             }
             tbody {
@@ -50,12 +70,19 @@ fn table_of<'a>(rows: impl Iterator<Item = &'a LedgerRow>) -> Markup {
                         td.number { (optional(row.as_printed)) }
                         td.number { (optional(row.consistent)) }
                         td.unit { (row.unit) }
-                        td { (row.verdict) }
-                        td { (coded(row.place)) br; (coded(&row.held.told())) }
+                        td { (reading(row)) }
                     }
                 }
             }
         }
+    }
+}
+
+/// Renders the reading of a row; below it the place in Machinist and the check.
+fn reading(row: &LedgerRow) -> Markup {
+    html! {
+        (row.verdict)
+        div.held { (coded(row.place)) br; (coded(&row.held.told())) }
     }
 }
 

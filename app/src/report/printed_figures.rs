@@ -6,7 +6,7 @@ use machinist_studies::closed_form::printed_laws::{
 use machinist_studies::closed_form::shaft::{LoadDensity, SAW_GIN_SHAFT as CONSISTENT};
 use maud::{Markup, html};
 
-use super::figure::{self, Named};
+use super::figure::{self, Named, Scales};
 use crate::number::number;
 
 const TIMES: u32 = 1800;
@@ -18,25 +18,25 @@ pub fn section() -> Markup {
     html! {
         p {
             "Slope and angle of the saw cylinder's shaft by formulas (14) and (15) of the study. Its
-             headline figures, 1.89 deg/m and 4.39 deg, come out with the density J for J/l and the
-             load term halved, the second as that slope times the length. The consistent shaft under
-             the mean load twists by some hundredths of a degree."
+             headline figures, 1.89 deg/m and 4.39 deg, follow from the density J instead of J/l and
+             half the load term; the second is that slope times the length. The consistent shaft
+             under the mean load twists by some hundredths of a degree."
         }
         (figure::curves(
             "printed-slope",
             ["time [s]", "slope [deg/m]"],
             &slopes(&shaft),
-            false,
+            Scales::Linear,
             &html! { "Figure 5 as printed, (14): slope over time at several x." },
         ))
         (figure::curves(
             "printed-angle",
             ["x [m]", "angle [deg]"],
             &angles(&shaft),
-            false,
+            Scales::Linear,
             &html! {
-                "Figure 6: angle along the shaft at " (number(TWIST_TIME, 2)) " s, (15); consistent
-                 the static twist under the mean load, spread evenly."
+                "Figure 6: angle along the shaft at " (number(TWIST_TIME, 2)) " s, (15); the
+                 consistent curve is the static twist under the mean load, spread evenly."
             },
         ))
     }

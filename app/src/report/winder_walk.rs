@@ -43,13 +43,13 @@ pub fn section(report: &Report) -> Markup {
         p {
             "A linear model of a winder is enough if every operating frequency stays a factor of "
             (number(spectrum::ENOUGH, 2)) " from the resonance while the package grows ("
-            (report.named("winder_linear")) "); one of a stiffening layer, if
-             they stay a factor of " (number(layer::ENOUGH, 2)) " from the resonance at the
-             amplitude that there is (" (report.named("winder_nonlinear"))
+            (report.named("winder_linear")) "); a stiffening layer, if
+             they stay a factor of " (number(layer::ENOUGH, 2)) " from the resonance at its
+             amplitude (" (report.named("winder_nonlinear"))
             "); what is left takes the full one (" (report.named("winder_full"))
-            "). All three are run each time, to say what the later ones change. Figures are the
-             worst over the radii of the package; of another winder, "
-            code { "machinist studies walk" } " says the same."
+            "). All three run each time, to show what the later ones change. Values are the worst
+             over the radii of the package. " code { "machinist studies walk" }
+            " computes them for other winders."
         }
         @match &report.winder {
             Ok(study) => {

@@ -78,6 +78,7 @@ mod sweep;
 mod switched_fields;
 mod taylor;
 mod turning;
+mod turning_drums;
 mod unrolled;
 mod variable_mass;
 mod verified_fields;

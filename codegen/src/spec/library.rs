@@ -271,6 +271,7 @@ pub const MACHINES: &[LibraryScene] = &[
     scene!(in "drives", "shaft_crank"),
     scene!(in "drives", "winch"),
     scene!(in "drives", "winder_elastic_slip"),
+    scene!(in "drives", "winder_turning_drum"),
     scene!(in "gallery", "bicycle"),
     scene!(in "gallery", "conveyor"),
     scene!(in "gallery", "crane"),

@@ -66,7 +66,7 @@ impl BobbinHolder {
     /// Returns N and Q \[N\]; NaN if the package does not reach the drum.
     #[must_use]
     pub fn forces(&self) -> [f64; 2] {
-        self.balances().forces(self.winding_force, 0.0)
+        self.balances().forces(Drag { force: self.winding_force, ..Drag::default() })
     }
 
     /// Returns N and Q \[N\] where the drum drags the bobbin by a share of its pressure, P = share
@@ -75,7 +75,25 @@ impl BobbinHolder {
     /// -f.
     #[must_use]
     pub fn forces_by_share(&self, share: f64) -> [f64; 2] {
-        self.balances().forces(0.0, share)
+        self.balances().forces(Drag { share, ..Drag::default() })
+    }
+
+    /// Returns N and Q \[N\] where the drum drags a bobbin that turns freely on its axle by force +
+    /// share N, positive to the left over the drum. The force turns the bobbin and acts on the holder
+    /// at A, unlike in equations (9) to (14), where it acts at K as on a bobbin that is held.
+    /// Friction of the axle turns the plate by `-axle` N.
+    #[must_use]
+    pub fn forces_beside_turning_bobbin(&self, force: f64, share: f64, axle: f64) -> [f64; 2] {
+        self.balances().forces(Drag { force, share, arm: self.radii[0], couple: -axle })
+    }
+
+    /// Returns the angle \[rad\] of [`unstable_lift`](Self::unstable_lift) where the drum drags a
+    /// bobbin that turns freely.
+    #[must_use]
+    pub fn unstable_lift_beside_turning_bobbin(&self, force: f64, share: f64, axle: f64) -> f64 {
+        turning_point(0.0, LARGEST_LIFT, |lift| {
+            self.lifted(lift).forces_beside_turning_bobbin(force, share, axle)[1] > 0.0
+        })
     }
 
     /// Returns the angle \[rad\] between the post and its stop in the unstable working position,
@@ -189,14 +207,27 @@ struct Balances {
     stop_arm: f64,
 }
 
+/// Tangential force P = force + share N of the drum on the bobbin.
+#[derive(Debug, Clone, Copy, Default)]
+struct Drag {
+    force: f64,
+    share: f64,
+    /// Distance of its line of action from K towards A \[m\].
+    arm: f64,
+    /// Moment on the plate over N \[m\].
+    couple: f64,
+}
+
 impl Balances {
-    /// N and Q with P = force + share N.
-    fn forces(&self, force: f64, share: f64) -> [f64; 2] {
+    /// Returns N and Q.
+    fn forces(&self, Drag { force, share, arm, couple }: Drag) -> [f64; 2] {
+        // n x t = 1.
         let [others, of_normal, of_winding] = self.about_c;
-        let normal = -(others + force * of_winding) / (of_normal + share * of_winding);
+        let of_winding = of_winding + arm;
+        let normal = -(others + force * of_winding) / (of_normal + share * of_winding + couple);
         let [others, of_normal, of_winding] = self.about_o;
-        let winding = force + share * normal;
-        [normal, -(others + winding * of_winding + normal * of_normal) / self.stop_arm]
+        let moment = (force + share * normal) * (of_winding + arm);
+        [normal, -(others + moment + normal * (of_normal + couple)) / self.stop_arm]
     }
 }
 

@@ -49,18 +49,34 @@ pub const SWINGING_HOLDER: SwingingHolder = SwingingHolder {
 
 /// A quantity with its first and second derivatives by both angles.
 #[derive(Debug, Clone, Copy)]
-struct Bent {
-    value: f64,
-    slopes: Vector2<f64>,
+pub(super) struct Bent {
+    pub value: f64,
+    pub slopes: Vector2<f64>,
     bend: Matrix2<f64>,
 }
 
 /// A point with its derivatives by both angles, and second derivatives by each angle.
 #[derive(Debug, Clone, Copy)]
-struct Place {
-    at: Vector2<f64>,
-    slopes: [Vector2<f64>; 2],
+pub(super) struct Place {
+    pub at: Vector2<f64>,
+    pub slopes: [Vector2<f64>; 2],
     bends: [Vector2<f64>; 2],
+}
+
+/// Quantities that contacts do not change, at two angles.
+pub(super) struct Ways {
+    /// M.
+    pub mass: Matrix2<f64>,
+    /// Potential of the weights \[J\].
+    pub weights: Bent,
+    /// Elongation of the strut's spring \[m\].
+    pub slide: Bent,
+    /// Gap between bobbin and drum \[m\].
+    pub gap: Bent,
+    /// Gap between post and stop \[m\].
+    pub stop_gap: Bent,
+    /// Centre of the bobbin \[m\].
+    pub bobbin: Place,
 }
 
 /// All quantities at two angles.
@@ -99,7 +115,21 @@ impl SwingingHolder {
         values
     }
 
-    fn position(&self, [post, plate]: [f64; 2]) -> Position {
+    fn position(&self, angles: [f64; 2]) -> Position {
+        let Ways { slide, gap, stop_gap, weights: mut potential, mass, .. } = self.ways(angles);
+        let contact = (self.contact_stiffness, self.contact_damping);
+        let strut = (self.holder.spring[0], self.damping);
+        let springs = [(strut, slide), (contact, gap), (contact, stop_gap)];
+        let mut damping = Matrix2::zeros();
+        for ((stiffness, damper), way) in springs {
+            potential.add_spring(stiffness, &way);
+            damping += damper * way.slopes * way.slopes.transpose();
+        }
+        Position { mass, damping, potential }
+    }
+
+    /// Returns M and all displacements where post and plate are at these angles \[rad\].
+    pub(super) fn ways(&self, [post, plate]: [f64; 2]) -> Ways {
         let BobbinHolder { masses, axle, drum, foot, stop, radii, strut, spring, .. } = self.holder;
         let [post_mass, plate_mass, cylinder_mass, rod_mass, bobbin_mass] = masses;
         let on_plate = |along: f64, across: f64| self.place([post, plate], [along, across]);
@@ -122,7 +152,7 @@ impl SwingingHolder {
             bend: Matrix2::new(-open, 0.0, 0.0, 0.0),
         };
 
-        let mut potential = Bent { value: 0.0, slopes: Vector2::zeros(), bend: Matrix2::zeros() };
+        let mut weights = Bent { value: 0.0, slopes: Vector2::zeros(), bend: Matrix2::zeros() };
         for (weight, raised) in [
             (
                 post_mass,
@@ -137,17 +167,10 @@ impl SwingingHolder {
             (cylinder_mass, pin.height()),
             (half * (cylinder_mass - rod_mass), height),
         ] {
-            potential.add(GRAVITY * weight, &raised);
-        }
-        let contact = (self.contact_stiffness, self.contact_damping);
-        let springs = [((spring[0], self.damping), slide), (contact, gap), (contact, stop_gap)];
-        let mut damping = Matrix2::zeros();
-        for ((stiffness, damper), way) in springs {
-            potential.add_spring(stiffness, &way);
-            damping += damper * way.slopes * way.slopes.transpose();
+            weights.add(GRAVITY * weight, &raised);
         }
         let mass = self.mass(&pin, &middle, &bobbin, foot);
-        Position { mass, damping, potential }
+        Ways { mass, weights, slide, gap, stop_gap, bobbin }
     }
 
     /// Returns a point of the plate, given along the direction from C to D and to the right of it.

@@ -38,8 +38,9 @@ const TOLD: &[Told] = &[
     Told {
         at: "introduction",
         figure: "combined bending and torsion, named as the example",
-        verdict: "the study derives torsion only, and the scene models torsion only: field \
-                  densities depend on u, u_x and u_t; a beam in bending needs u_xx",
+        verdict: "the study derives torsion only, and the scene models torsion only: a density of \
+                  the field language has one field with u_x and u_t; a beam in bending needs u_xx \
+                  or, by Timoshenko, two fields",
         place: "`reed_beat_up`, torsion",
         held: STEADY,
     },

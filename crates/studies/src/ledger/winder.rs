@@ -24,54 +24,123 @@ fn of(at: &'static str, place: &'static str, held: Held) -> LedgerRow {
     LedgerRow::of(Study::Winder, at, place, held)
 }
 
-/// Returns (13) and (14) with P = N f, and at rest with P = N k/R.
+/// Returns (13) and (14) with P = N f, and at rest with P = N k/R, then the same forces on a bobbin
+/// that turns freely, and the unstable positions of both.
 fn reactions() -> Result<Vec<LedgerRow>, CheckFailure> {
     let machine = winder_full();
     let friction = machine.value("pair.friction")?;
     let rolling = machine.value("pair.rolling_arm")? / HOLDER.radii[0];
-    let row = |at, figure, share: f64| {
-        let [pressure, reaction] = HOLDER.forces_by_share(share);
+    let slipping = Slipping {
+        friction,
+        tension: machine.value("pair.tension")?,
+        support_arm: machine.value("pair.support_arm")?,
+    };
+    let at_rest = "lift of the post in the unstable position, drum at rest";
+    Ok(vec![
+        reaction("(13)", "reaction Q of the stop, P = N f to the left", friction),
+        reaction("(14)", "reaction Q of the stop, P = N f to the right", -friction),
+        reaction("(9)", "reaction Q of the stop at rest, P = N k/R to the left", rolling),
+        reaction("(9)", "reaction Q of the stop at rest, P = N k/R to the right", -rolling),
+        slipping.reaction("(13)", "reaction Q while the bobbin slips, P = N f to the left", 1.0),
+        slipping.reaction("(14)", "reaction Q while the bobbin slips, P = N f to the right", -1.0),
+        lift(at_rest, HOLDER.unstable_lift(0.0), BALANCED),
+        lift(
+            "lift of the post in the unstable position, P = N f to the left",
+            HOLDER.unstable_lift(friction),
+            BALANCED,
+        ),
+        lift(
+            "lift of the post in the unstable position, P = N f to the right",
+            HOLDER.unstable_lift(-friction),
+            BALANCED,
+        ),
+        slipping.lift("lift of the post while the bobbin slips, P = N f to the left", 1.0),
+        slipping.lift("lift of the post while the bobbin slips, P = N f to the right", -1.0),
+    ])
+}
+
+fn reaction(at: &'static str, figure: &'static str, share: f64) -> LedgerRow {
+    let [pressure, reaction] = HOLDER.forces_by_share(share);
+    LedgerRow {
+        figure,
+        unit: "N",
+        consistent: Some(reaction),
+        verdict: format!(
+            "not printed; {}, with N = {} N and P = {} N at K as on a bobbin that is held; for \
+             our holder Q is then larger with P to the right",
+            if reaction > 0.0 { "Q > 0, a stable position" } else { "the post lifts" },
+            digits_of(pressure, 4),
+            digits_of(share * pressure, 3)
+        ),
+        ..of(
+            at,
+            "`winder_holder_drop`, parameter `grip`; `closed_form::bobbin_holder`",
+            Held::Verify(
+                "winder_holder_drop: forces at contact and stop once it has settled, P = N f and N k/R either way",
+            ),
+        )
+    }
+}
+
+/// A bobbin on a drum that turns faster: friction and thread turn it, and act on the holder at its
+/// axle.
+struct Slipping {
+    friction: f64,
+    tension: f64,
+    support_arm: f64,
+}
+
+impl Slipping {
+    /// Returns Q with P to the left for 1, to the right for -1.
+    fn reaction(&self, at: &'static str, figure: &'static str, direction: f64) -> LedgerRow {
+        let [pressure, reaction] = HOLDER.forces_beside_turning_bobbin(
+            -direction * self.tension,
+            direction * self.friction,
+            direction * self.support_arm,
+        );
         LedgerRow {
             figure,
             unit: "N",
             consistent: Some(reaction),
             verdict: format!(
-                "not printed; {}, with N = {} N and P = {} N for our holder, whose Q is larger \
-                 with P to the right",
-                if reaction > 0.0 { "Q > 0, a stable position" } else { "the post lifts" },
-                digits_of(pressure, 4),
-                digits_of(share * pressure, 3)
+                "not printed; (13), (14) have P at K, but P turns a free bobbin and acts on the \
+                 holder at A: with N = {} N, Q is larger with P to the left, as the study says",
+                digits_of(pressure, 4)
             ),
-            ..of(
-                at,
-                "`winder_holder_drop`, parameter `grip`; `closed_form::bobbin_holder`",
-                Held::Verify(
-                    "winder_holder_drop: forces at contact and stop once it has settled, P = N f and N k/R either way",
-                ),
+            ..of(at, TURNING, Held::Test("forces_on_a_turning_bobbin_are_balances_of_moments"))
+        }
+    }
+
+    fn lift(&self, figure: &'static str, direction: f64) -> LedgerRow {
+        let lifted = HOLDER.unstable_lift_beside_turning_bobbin(
+            -direction * self.tension,
+            direction * self.friction,
+            direction * self.support_arm,
+        );
+        LedgerRow {
+            place: TURNING,
+            held: Held::Test("a_drum_that_begins_to_turn_pulls_the_post_onto_its_stop"),
+            ..lift(
+                figure,
+                lifted,
+                "not printed; the bobbin turns freely, and P acts at its axle: to the left it \
+                 pulls the post onto its stop",
             )
         }
-    };
-    Ok(vec![
-        row("(13)", "reaction Q of the stop, P = N f to the left", friction),
-        row("(14)", "reaction Q of the stop, P = N f to the right", -friction),
-        row("(9)", "reaction Q of the stop at rest, P = N k/R to the left", rolling),
-        row("(9)", "reaction Q of the stop at rest, P = N k/R to the right", -rolling),
-        lift("lift of the post in the unstable position, drum at rest", 0.0),
-        lift("lift of the post in the unstable position, P = N f to the left", friction),
-        lift("lift of the post in the unstable position, P = N f to the right", -friction),
-    ])
+    }
 }
 
+const TURNING: &str = "`drives/winder_turning_drum`; `closed_form::turning_drum`";
+const BALANCED: &str = "not printed; below it the post falls onto its stop, above it the post lifts off; with P at K, \
+     as on a bobbin that is held, P to the right raises it";
+
 /// Returns figure 4: the position in which the post balances off its stop.
-fn lift(figure: &'static str, share: f64) -> LedgerRow {
+fn lift(figure: &'static str, lifted: f64, verdict: &str) -> LedgerRow {
     LedgerRow {
         figure,
         unit: "rad",
-        consistent: Some(HOLDER.unstable_lift(share)),
-        verdict:
-            "not printed; below it the post falls onto its stop, above it the post lifts off; in \
-             our holder a drum that drags to the right raises it"
-                .to_owned(),
+        consistent: Some(lifted),
+        verdict: verdict.to_owned(),
         ..of(
             "figure 4",
             "`winder_holder_drop`; `closed_form::bobbin_holder`",

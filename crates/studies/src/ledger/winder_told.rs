@@ -211,7 +211,7 @@ const TOLD: &[Told] = &[
         at: "figures 2, 3, 4",
         figure: "holder at work, filling, and at work in an unstable position",
         verdict: "consistent; the study gives no dimensions, so all are ours",
-        place: "`winder_linkage`, `winder_holder_drop`",
+        place: "`winder_linkage`, `winder_holder_drop`, `drives/winder_turning_drum`",
         held: Held::Verify(
             "winder_linkage: places of post, plate, cylinder, rod and bobbin along the run",
         ),
@@ -245,14 +245,11 @@ const TOLD: &[Told] = &[
     Told {
         at: "section 3",
         figure: "a turning drum pulls the mechanism into its stable position",
-        verdict: "consistent: between the unstable positions for a drum at rest and for a drum \
-                  that drags the bobbin (numbers below), the post lifts off at rest and falls \
-                  onto its stop when the drum turns; the dimensions decide which direction of \
-                  rotation does so",
-        place: "`winder_holder_drop`, parameters `lift`, `plate_angle`, `grip`",
-        held: Held::Verify(
-            "winder_holder_drop: where the post goes from 0.02 rad below and above its unstable position",
-        ),
+        verdict: "consistent: the drum drags the bobbin by friction, which acts at the axle of a \
+                  bobbin that turns; to the left, as printed, it pulls a post that lifts off on a \
+                  drum at rest onto its stop, to the right it lifts a post off (numbers below)",
+        place: "`drives/winder_turning_drum`, parameters `lift`, `direction`",
+        held: Held::Test("a_drum_that_begins_to_turn_pulls_the_post_onto_its_stop"),
     },
     Told {
         at: "(9), (10)",

@@ -71,8 +71,8 @@ impl BobbinHolder {
 
     /// Returns N and Q \[N\] where the drum drags the bobbin by a share of its pressure, P = share
     /// N: the friction f of a turning drum, or k/R of a bobbin that rolls at rest; positive to the
-    /// left over the drum. Equations (11) to (14) of the study: Q is largest for f and least for
-    /// -f.
+    /// left over the drum. Equations (11) to (14) of the study, whose force acts at K as on a bobbin
+    /// that is held.
     #[must_use]
     pub fn forces_by_share(&self, share: f64) -> [f64; 2] {
         self.balances().forces(Drag { share, ..Drag::default() })

@@ -56,19 +56,28 @@ struct Steady {
 /// nothing turns, or if the machine is too large.
 pub(super) fn turning(simulator: &dyn Simulator<f64>, point: &Point) -> Option<DMatrix<f64>> {
     let symmetries = Symmetries::around(simulator, point)?;
-    let steady = symmetries.fitted(point);
-    if steady.off.is_nan() || steady.off > STEADY {
-        return None;
-    }
+    // The fewest combinations of symmetries that explain the motion: an upright top hardly moves
+    // by the others.
+    let mut fits = (1..=symmetries.all.len()).map(|kept| symmetries.fitted(point, kept));
+    let steady = fits.find(|steady| steady.off <= STEADY)?;
     let (turns, _) = symmetries.together(&steady.shares);
     Some(turns)
 }
 
 /// Returns the steady rotation near a turning state: at its rate of turning, or else near that
 /// rate.
+///
+/// A slightly tilted top hardly shows how fast it turns about the vertical and how fast about its
+/// axis, so its nutation is taken for a fast turn of both against each other. The search therefore
+/// begins again without the combinations of symmetries that move the state least.
 pub(super) fn steady_rotation(simulator: &dyn Simulator<f64>, guess: &Point) -> Option<Point> {
     let symmetries = Symmetries::around(simulator, guess)?;
-    symmetries.steady_near(guess, false).or_else(|| symmetries.steady_near(guess, true))
+    (1..=symmetries.all.len()).rev().find_map(|kept| {
+        let shares = symmetries.fitted(guess, kept).shares;
+        symmetries
+            .steady_near(guess, &shares, false)
+            .or_else(|| symmetries.steady_near(guess, &shares, true))
+    })
 }
 
 impl<'a> Symmetries<'a> {
@@ -119,8 +128,12 @@ impl<'a> Symmetries<'a> {
     }
 
     /// Searches by Newton's method, which may change the rate of turning or not.
-    fn steady_near(&self, guess: &Point, changes_rate: bool) -> Option<Point> {
-        let fitted = self.fitted(guess).shares;
+    fn steady_near(
+        &self,
+        guess: &Point,
+        fitted: &DVector<f64>,
+        changes_rate: bool,
+    ) -> Option<Point> {
         let (mut point, mut shares) = (guess.clone(), fitted.clone());
         for _ in 0..ROUNDS {
             let step = self.step(&point, &shares, changes_rate)?;
@@ -133,8 +146,8 @@ impl<'a> Symmetries<'a> {
         let scale = |index: usize| self.simulator.state_scale(index);
         let far = |index: usize| (point.state[index] - guess.state[index]).abs() / scale(index);
         let is_near = (0..self.coordinates).all(|index| far(index) <= NEAR)
-            && (&shares - &fitted).norm() <= NEAR * fitted.norm();
-        let steady = self.fitted(&point);
+            && (&shares - fitted).norm() <= NEAR * fitted.norm();
+        let steady = self.fitted(&point, self.all.len());
         let (turns, _) = self.together(&steady.shares);
         let is_turning = turns.amax() > 0.0;
         (is_near && is_turning && steady.off <= STEADY).then_some(point)
@@ -172,8 +185,9 @@ impl<'a> Symmetries<'a> {
     }
 
     /// Returns the motion along a symmetry that is nearest to that of a state. If it is not unique,
-    /// outputs change least along it, so that deviations agree with what they show.
-    fn fitted(&self, point: &Point) -> Steady {
+    /// outputs change least along it, so that deviations agree with what they show. Of the
+    /// combinations of symmetries, only the `kept` ones that move the state most are determined.
+    fn fitted(&self, point: &Point, kept: usize) -> Steady {
         let n = self.coordinates;
         let rate = rate(self.simulator, point);
         let scale = |index: usize| self.simulator.state_scale(index);
@@ -186,7 +200,9 @@ impl<'a> Symmetries<'a> {
             }
         }
         let svd = matrix.clone().svd(true, true);
-        let least = NOTHING * svd.singular_values.max().max(f64::MIN_POSITIVE);
+        let values = &svd.singular_values;
+        let nothing = NOTHING * values.max().max(f64::MIN_POSITIVE);
+        let least = values.get(kept).map_or(nothing, |value| value.max(nothing));
         let nearest = svd.solve(&wanted, least).unwrap_or_else(|_| DVector::zeros(self.all.len()));
         let of_states = (2 * n..rate.len()).map(|index| rate[index] / scale(index));
         let of_states = of_states.map(|rate| rate * rate).sum::<f64>().sqrt();
@@ -221,7 +237,8 @@ impl<'a> Symmetries<'a> {
     }
 
     /// Returns Newton's step of [q, z, shares] for f(q, S q + b, z) = (.., S q', 0) on the
-    /// constraints, the least one in the scales of states.
+    /// constraints, the least one in the scales of states, and across all symmetries: what they move
+    /// is steady as well, but far from the state.
     fn step(
         &self,
         point: &Point,
@@ -250,12 +267,13 @@ impl<'a> Symmetries<'a> {
         let constraints = Constraints::of(self.simulator, &point.parameters);
         let held = constraints.map(|constraints| constraints.matrix(point.time, &point.state));
         let count = held.as_ref().map_or(0, DMatrix::nrows);
-        let mut system = DMatrix::zeros(n + m + count, n + m + self.all.len());
+        let fixed = n + m + count;
+        let positions = DVector::from_column_slice(&point.state[..n]);
+        let mut system = DMatrix::zeros(fixed + self.all.len(), n + m + self.all.len());
         system.view_mut((0, 0), (n + m, n)).copy_from(&by_position);
         system.view_mut((0, n), (n + m, m)).copy_from(&matrix.view((n, 2 * n), (n + m, m)));
         for (number, (s, b)) in self.all.iter().enumerate() {
-            let q = DVector::from_column_slice(&point.state[..n]);
-            let mut column = &onto * (s * q + b);
+            let mut column = &onto * (s * &positions + b);
             let mut mechanical = column.rows_mut(0, n);
             mechanical -= s * &speeds;
             system.view_mut((0, n + m + number), (n + m, 1)).copy_from(&column);
@@ -263,9 +281,17 @@ impl<'a> Symmetries<'a> {
         if let Some(held) = &held {
             system.view_mut((n + m, 0), (count, n)).copy_from(held);
         }
-        let mut right_side = DVector::zeros(n + m + count);
+        let mut right_side = DVector::zeros(system.nrows());
         right_side.rows_mut(0, n + m).copy_from(&-off);
         let scale = |entry: usize| self.simulator.state_scale(entry);
+        let weight = system.amax();
+        for (number, (s, b)) in self.all.iter().enumerate() {
+            let along = s * &positions + b;
+            for column in 0..n {
+                let across = weight * along[column] / scale(column).powi(2);
+                system[(fixed + number, column)] = across;
+            }
+        }
         let size = |column: usize| match column {
             _ if column < n => scale(column),
             _ if column < n + m => scale(column + n),

@@ -51,6 +51,7 @@ mod massless;
 mod methods;
 mod mode_slopes;
 mod narrow;
+mod nonholonomic;
 mod onsets;
 mod orders;
 mod orientations;

@@ -345,6 +345,16 @@ impl<'a> Constraints<'a> {
         self.filled(&self.slopes(time, state))
     }
 
+    /// Returns G at a state for coordinates in units of their typical sizes.
+    pub(crate) fn scaled_matrix(&self, time: f64, state: &[f64]) -> DMatrix<f64> {
+        let states = self.simulator.shape().states();
+        let mut matrix = self.matrix(time, &state[..states]);
+        for (column, scale) in self.scales(Level::Positions).into_iter().enumerate() {
+            matrix.column_mut(column).scale_mut(scale);
+        }
+        matrix
+    }
+
     /// Returns the entries of G at a state, in the order of its pattern.
     pub(crate) fn slopes(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; self.simulator.constraint_matrix_pattern().entries.len()];

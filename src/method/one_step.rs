@@ -1,6 +1,8 @@
 //! The driver of all one-step methods: step sizes, samples, limits and failures. A method itself
 //! only tries steps.
 
+mod change_point;
+mod control;
 mod ending;
 mod kept;
 
@@ -9,8 +11,11 @@ use machinist_contract::Real;
 use super::{Samples, Stopped, Stretch, Watch};
 use crate::error::StopCause;
 use crate::method::sensitivity::Tangents;
+use change_point::{Past, past};
+use control::Control;
+pub(crate) use control::Pace;
 use ending::{Ending, end_at};
-use kept::Kept;
+use kept::{Kept, put_back_between};
 
 /// A method that needs only the state at the start of a step.
 pub(crate) trait OneStep {
@@ -92,6 +97,11 @@ pub(crate) trait OneStep {
         false
     }
 
+    /// Returns whether the method itself is a step past a change point.
+    fn passes_change_points(&self) -> bool {
+        false
+    }
+
     /// Carries sensitivities over the current step, from its start to its end. Returns their error
     /// over the tolerances, as defined by [`Tangents::error`].
     fn carry(&mut self, _tangents: &Tangents<'_>, _start: &[f64], _end: &mut [f64]) -> f64 {
@@ -160,21 +170,6 @@ impl Trial {
     }
 }
 
-/// Step size control: after error e of step h and error e' of the previous one, the next step is
-/// `safety` h e^-exponent e'^memory, within limits (a PI controller; Hairer, Norsett, Wanner,
-/// sections II.4 and IV.2).
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Pace {
-    pub(super) exponent: f64,
-    pub(super) memory: f64,
-    pub(super) safety: f64,
-    pub(super) smallest: f64,
-    pub(super) largest: f64,
-    /// A step that would grow by less than this factor stays, and so do the factors of its matrix;
-    /// 1 if there are none to keep.
-    pub(super) hold: f64,
-}
-
 /// Point at which [`drive`] was told to end before the end of the stretch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Left {
@@ -195,106 +190,141 @@ pub(super) fn drive<M: OneStep>(
     mut leave: impl FnMut(&M, f64) -> bool,
 ) -> Result<Option<Left>, Stopped> {
     require_possible_tolerance(stretch, state)?;
-    let (mut time, mut step) = (from.time, from.step);
-    let mut last_error = 1e-4;
-    let mut before = None;
-    let mut rejected = false;
+    let mut control = Control::from(from);
     let mut kept = Kept::new(state);
     loop {
+        let time = control.time;
         let longest = stretch.watch.map_or(f64::INFINITY, Watch::longest_step);
-        let End { now, tried, arrives } = end_of_step(time, step.min(longest), stretch.until);
+        let step = control.step.min(longest);
+        let End { now, tried, arrives } = end_of_step(time, step, stretch.until);
         let arrives = arrives > 0.0;
         method.is_last(arrives);
         // On every pass, whatever its result.
         stretch.require_uninterrupted(time)?;
         let trial = attempt(method, stretch, samples, (tried, now));
-        let pace = method.pace();
-        let is_good = trial.is_good();
         // On every pass, whatever its result.
         stretch.require_uninterrupted(time)?;
-        if let Trial::Error(error) = trial
-            && is_good
-        {
-            if let Some((watch, passing)) =
-                stretch.watch.and_then(|it| Some((it, it.first_passing(method, now)?)))
-            {
-                if watch.is_too_long(tried) {
-                    stretch.count_rejected(time)?;
-                    continue;
-                }
-                match end_at(method, stretch, (time, now), passing, state, samples)? {
-                    Ending::Event => return Ok(None),
-                    Ending::Change { time: behind } => {
-                        begin_behind(method, stretch, &mut kept, (behind, state));
-                        step = method.own_step().unwrap_or(tried);
-                        (time, before, rejected) = (behind, None, false);
-                        if stretch.leaps_to_end(behind, state, samples) {
-                            return Ok(None);
-                        }
-                        stretch.require_fewer_passes(behind)?;
-                        continue;
+        let error = match trial {
+            Trial::Error(error) if trial.is_good() => error,
+            _ => {
+                control.reject(stretch, tried * shrink(trial, method.pace()))?;
+                if control.is_refused() {
+                    match past(method, stretch, &mut kept, &mut control, (state, samples))? {
+                        Past::Event => return Ok(None),
+                        Past::ChangePoint => continue,
+                        Past::Ahead(step) => control.step = control.step.min(step),
+                        Past::Nothing => {}
                     }
-                    Ending::NotReached => step = 0.5 * (passing - time),
-                    Ending::OfError => step = 0.5 * tried,
                 }
-                stretch.count_rejected(time)?;
-                rejected = true;
-                if is_too_small(step, time) {
-                    if leaps(stretch, &kept, (time, state), samples) {
-                        return Ok(None);
-                    }
-                    return Err(explain(stretch, trial, (time, &kept.end)));
+                if is_over(stretch, &kept, &control, trial, (state, samples))? {
+                    return Ok(None);
                 }
                 continue;
             }
-            stretch.watch.map_or(Ok(()), |watch| watch.pass(method, now))?;
-            stretch.system.count_step();
-            let moves = kept.end.iter().copied().zip(method.end().iter().copied());
-            let stood_still = rests(moves.take(stretch.system.states()), stretch.atol);
-            let has_moved = kept.put_back(method, stretch, now)?;
-            stretch.require_bounded(now, &kept.end)?;
-            constrain_tangents(stretch, now, &kept.end);
-            sample(method, stretch, (now, &kept.end), state, samples)?;
-            method.accept();
-            stretch.system.tangents().inspect(|tangents| tangents.accept());
-            let factor = pace.factor(pace.believed(error, tried, before), last_error);
-            let factor = if rejected { factor.min(1.0) } else { factor };
-            step = method.own_step().unwrap_or(tried * factor);
-            if stood_still {
-                step = step.min(stretch.looked_at() / LOOKS);
+        };
+        if let Some((watch, passing)) =
+            stretch.watch.and_then(|it| Some((it, it.first_passing(method, now)?)))
+        {
+            if watch.is_too_long(tried) {
+                stretch.count_rejected(time)?;
+                continue;
             }
-            last_error = error.max(1e-4);
-            before = Some((tried, error));
-            rejected = false;
-            time = now;
-            let is_enough = leave(method, tried);
-            if has_moved {
-                method.begin(now, &kept.end);
-                stretch.watch.inspect(|watch| watch.put_back(now, &kept.end));
-            }
-            if arrives || is_enough {
-                state.copy_from_slice(&kept.end);
-                enter_counts(stretch, time, state);
-                return Ok((!arrives).then_some(Left { time, step }));
-            }
-            state.copy_from_slice(&kept.end);
-            enter_counts(stretch, time, state);
-            stretch.require_wanted(time, state)?;
-            if let Some(cause) = stretch.leads_nowhere(step, time, &kept.end) {
-                return Err(Stopped { time, cause });
-            }
-        } else {
-            stretch.count_rejected(time)?;
-            step = tried * shrink(trial, pace);
-            rejected = true;
-            if is_too_small(step, time) {
-                if leaps(stretch, &kept, (time, state), samples) {
-                    return Ok(None);
+            let step = match end_at(method, stretch, (time, now), passing, state, samples)? {
+                Ending::Event => return Ok(None),
+                Ending::Change { time: behind } => {
+                    begin_behind(method, stretch, &mut kept, (behind, state));
+                    control.begin(behind, method.own_step().unwrap_or(tried));
+                    if stretch.leaps_to_end(behind, state, samples) {
+                        return Ok(None);
+                    }
+                    stretch.require_fewer_passes(behind)?;
+                    continue;
                 }
-                return Err(explain(stretch, trial, (time, &kept.end)));
+                Ending::NotReached => 0.5 * (passing - time),
+                Ending::OfError => 0.5 * tried,
+            };
+            control.reject(stretch, step)?;
+            if is_over(stretch, &kept, &control, trial, (state, samples))? {
+                return Ok(None);
+            }
+            continue;
+        }
+        let moves = kept.end.iter().copied().zip(method.end().iter().copied());
+        let stood_still = rests(moves.take(stretch.system.states()), stretch.atol);
+        let mut put_back = kept.put_back(method, stretch, now);
+        if put_back.as_ref().map_or(true, |moved| moved.is_far()) {
+            kept.take_back();
+            control.longest = control.longest.max(tried);
+            match past(method, stretch, &mut kept, &mut control, (state, samples))? {
+                Past::Event => return Ok(None),
+                Past::ChangePoint => continue,
+                Past::Ahead(step) => {
+                    control.reject(stretch, step.min(0.5 * tried))?;
+                    if is_over(stretch, &kept, &control, trial, (state, samples))? {
+                        return Ok(None);
+                    }
+                    continue;
+                }
+                Past::Nothing => put_back = kept.put_back(method, stretch, now),
             }
         }
+        let has_moved = put_back?.is_noticed();
+        accept(method, stretch, (now, &kept.end), state, samples)?;
+        control.accept(method, now, (tried, error));
+        if stood_still {
+            control.step = control.step.min(stretch.looked_at() / LOOKS);
+        }
+        let is_enough = leave(method, tried);
+        if has_moved {
+            method.begin(now, &kept.end);
+            stretch.watch.inspect(|watch| watch.put_back(now, &kept.end));
+        }
+        state.copy_from_slice(&kept.end);
+        enter_counts(stretch, now, state);
+        if arrives || is_enough {
+            return Ok((!arrives).then_some(Left { time: now, step: control.step }));
+        }
+        stretch.require_wanted(now, state)?;
+        if let Some(cause) = stretch.leads_nowhere(control.step, now, &kept.end) {
+            return Err(Stopped { time: now, cause });
+        }
     }
+}
+
+/// Accepts the current step with its end on the constraints, and takes samples up to it.
+fn accept(
+    method: &mut dyn OneStep,
+    stretch: &Stretch<'_>,
+    (now, end): (f64, &[f64]),
+    scratch: &mut [f64],
+    samples: &mut Samples<'_>,
+) -> Result<(), Stopped> {
+    stretch.watch.map_or(Ok(()), |watch| watch.pass(method, now))?;
+    stretch.system.count_step();
+    stretch.require_bounded(now, end)?;
+    constrain_tangents(stretch, now, end);
+    sample(method, stretch, (now, end), scratch, samples)?;
+    method.accept();
+    stretch.system.tangents().inspect(|tangents| tangents.accept());
+    Ok(())
+}
+
+/// Returns whether the run is over because its next step would be too small, and only rounding is
+/// left of the stretch.
+fn is_over(
+    stretch: &Stretch<'_>,
+    kept: &Kept,
+    control: &Control,
+    trial: Trial,
+    (state, samples): (&mut [f64], &mut Samples<'_>),
+) -> Result<bool, Stopped> {
+    if !is_too_small(control.step, control.time) {
+        return Ok(false);
+    }
+    if leaps(stretch, kept, (control.time, state), samples) {
+        return Ok(true);
+    }
+    Err(explain(stretch, trial, (control.time, &kept.end)))
 }
 
 /// Returns whether only rounding is left of the stretch after the last step; the state is then at
@@ -357,30 +387,6 @@ pub(super) fn drive_all<M: OneStep>(
     drive(method, stretch, start, state, samples, |_, _| false).map(|_| ())
 }
 
-impl Pace {
-    /// Returns the error by which to choose the next step, from the error of a step and, before it,
-    /// a step and its error.
-    ///
-    /// An error estimate is a number that changes its sign. It passes through zero now and then
-    /// where the error does not: in a fast oscillation as often as once in a few hundred steps. A
-    /// step that grew because of this would be far too long, and might be accepted by the same
-    /// chance. So an error far below the prediction of the previous step is not believed at once.
-    fn believed(&self, error: f64, step: f64, before: Option<(f64, f64)>) -> f64 {
-        const LUCK: f64 = 1e-2;
-        let foretold = |(step_before, error): (f64, f64)| {
-            error * (step / step_before).powf(1.0 / self.exponent)
-        };
-        before.map_or(error, |before| error.max(LUCK * foretold(before)))
-    }
-
-    fn factor(&self, error: f64, last_error: f64) -> f64 {
-        let wanted = self.safety * error.powf(-self.exponent) * last_error.powf(self.memory);
-        // An error of zero asks for an infinite step; a NaN cannot occur.
-        let factor = wanted.min(self.largest).max(self.smallest);
-        if (1.0..=self.hold).contains(&factor) { 1.0 } else { factor }
-    }
-}
-
 /// End of a step.
 pub(super) struct End<R> {
     pub(super) now: R,
@@ -438,7 +444,7 @@ fn sample(
             if let Some(index) = scratch.iter().position(|value| !value.is_finite()) {
                 return Err(stretch.not_finite("the state", index, time));
             }
-            stretch.constrain(time, scratch)?;
+            put_back_between(stretch, time, scratch);
             tangents.inspect(|tangents| tangents.sample(method, stretch, time, scratch));
         }
         enter_counts(stretch, time, scratch);

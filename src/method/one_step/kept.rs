@@ -3,45 +3,86 @@
 use super::OneStep;
 use crate::method::{Stopped, Stretch};
 
+/// Distance from the constraints, in tolerances of a step, beyond which projection is not believed:
+/// near a change point it enlarges errors without bound.
+const FAR: f64 = 100.0;
+
 /// The end of a step, on the constraints.
 pub(super) struct Kept {
     pub(super) end: Vec<f64>,
+    /// The end of the step before, with constraints.
+    before: Vec<f64>,
+}
+
+/// The distance by which a state was projected, in tolerances.
+#[derive(Clone, Copy)]
+pub(super) struct Moved(f64);
+
+impl Moved {
+    /// Returns whether the next step has to start from the projected state.
+    pub(super) fn is_noticed(self) -> bool {
+        /// Share of the tolerances of a step.
+        const NOTICED: f64 = 1e-3;
+        self.0 > NOTICED
+    }
+
+    /// Returns whether the projected state is not believed.
+    pub(super) fn is_far(self) -> bool {
+        self.0.is_nan() || self.0 > FAR
+    }
 }
 
 impl Kept {
     pub(super) fn new(state: &[f64]) -> Self {
-        Self { end: state.to_vec() }
+        Self { end: state.to_vec(), before: Vec::new() }
     }
 
-    /// Projects the end of the current step onto the constraints. Returns whether the move is large
-    /// enough for the next step to start from it.
+    /// Projects the end of the current step onto the constraints. Returns how far it moved.
     pub(super) fn put_back(
         &mut self,
         method: &dyn OneStep,
         stretch: &Stretch<'_>,
         time: f64,
-    ) -> Result<bool, Stopped> {
-        /// Share of the tolerances of a step.
-        const NOTICED: f64 = 1e-3;
+    ) -> Result<Moved, Stopped> {
         let end = method.end();
-        self.end.copy_from_slice(end);
         let is_sliding = stretch.system.is_sliding();
         if stretch.system.constraints().is_none() && !is_sliding {
-            return Ok(false);
+            self.end.copy_from_slice(end);
+            return Ok(Moved(0.0));
         }
+        self.before.clone_from(&self.end);
+        self.end.copy_from_slice(end);
         if is_sliding {
             stretch.system.put_onto_surfaces(stretch.within(time), &mut self.end)?;
         }
         stretch.constrain(time, &mut self.end)?;
-        Ok(self.moved_from(stretch, end) > NOTICED)
+        Ok(Moved(distance(stretch, &self.end, end)))
     }
 
-    /// Returns the largest distance of the end from a state, in tolerances.
-    fn moved_from(&self, stretch: &Stretch<'_>, state: &[f64]) -> f64 {
-        let moved = (0..stretch.system.states()).map(|index| {
-            let allowed = stretch.atol[index] + stretch.rtol * state[index].abs();
-            (self.end[index] - state[index]).abs() / allowed
-        });
-        moved.fold(0.0, f64::max)
+    /// Makes the start of the step before the last projection the end again.
+    pub(super) fn take_back(&mut self) {
+        self.end.clone_from(&self.before);
     }
+}
+
+/// Projects a state within a step onto the constraints, if projection is to be believed: its step
+/// may pass a change point, where the state of the method is nearer to the motion.
+pub(super) fn put_back_between(stretch: &Stretch<'_>, time: f64, state: &mut [f64]) {
+    if stretch.system.constraints().is_none() {
+        return;
+    }
+    let mut projected = state.to_vec();
+    let is_projected = stretch.constrain(time, &mut projected).is_ok();
+    if is_projected && !Moved(distance(stretch, &projected, state)).is_far() {
+        state.copy_from_slice(&projected);
+    }
+}
+
+/// Returns the largest distance of one state from another, in tolerances.
+fn distance(stretch: &Stretch<'_>, one: &[f64], other: &[f64]) -> f64 {
+    let distances = (0..stretch.system.states()).map(|index| {
+        let allowed = stretch.atol[index] + stretch.rtol * other[index].abs();
+        (one[index] - other[index]).abs() / allowed
+    });
+    distances.fold(0.0, f64::max)
 }

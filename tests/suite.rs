@@ -14,6 +14,7 @@ mod branches;
 mod c99;
 mod campbell;
 mod chains;
+mod change_points;
 mod classics;
 mod clutched_chains;
 mod complex_step;

@@ -1,0 +1,128 @@
+//! Loops that pass positions in which their constraints lose rank.
+
+use machinist::{Method, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_model::ModelSimulator;
+
+use crate::loops::closed;
+use crate::own_scene::{folder_of_specs, of_text};
+use crate::spatial::column;
+
+/// Methods for constrained machines, with tolerances.
+const RUNS: [(Method, f64); 8] = [
+    (Method::Auto, 1e-5),
+    (Method::Auto, 1e-8),
+    (Method::Auto, 1e-11),
+    (Method::Dop853, 1e-7),
+    (Method::Dop853, 1e-10),
+    (Method::Tsit5, 1e-6),
+    (Method::Radau, 1e-9),
+    (Method::Rodas5p, 1e-7),
+];
+
+/// A crank and a rocker of equal length, and a coupler as long as the base.
+fn parallelogram(damping: f64) -> ModelSimulator {
+    let text = format!(
+        r#"
+        [scene]
+        name = "parallelogram"
+        [units.p]
+        unit = "parallelogram"
+        [outputs]
+        a = "p.a"
+        b = "p.b"
+        c = "p.c"
+        [initial]
+        "p.a" = 1
+        "p.a_dot" = 2
+        [guess]
+        "p.c" = 1
+        [run]
+        until = 20
+        points = 201
+        rtol = 1e-9
+        method = "auto"
+        [define.parallelogram.coordinates]
+        a = {{ unit = "rad" }}
+        b = {{ unit = "rad" }}
+        c = {{ unit = "rad" }}
+        [define.parallelogram.parameters]
+        l = {{ value = 0.3, unit = "m" }}
+        d = {{ value = 0.8, unit = "m" }}
+        m = {{ value = 1.5, unit = "kg" }}
+        k = {{ value = {damping}, unit = "N m s/rad" }}
+        [define.parallelogram.energy]
+        kinetic = "m*l^2/6*(a_dot^2 + c_dot^2) + m/2*(l^2*a_dot^2 + d^2*b_dot^2/3 + l*d*a_dot*b_dot*cos(a - b))"
+        dissipation = "k*a_dot^2/2"
+        [define.parallelogram.constraints]
+        x = {{ expression = "l*cos(a) + d*cos(b) - l*cos(c) - d" }}
+        y = {{ expression = "l*sin(a) + d*sin(b) - l*sin(c)" }}
+        "#
+    );
+    of_text(&text, Keep::All)
+}
+
+fn run(machine: &ModelSimulator, method: Method, rtol: f64) -> Trajectory {
+    let run = Simulation::new(machine).method(method).rtol(rtol).run();
+    run.unwrap_or_else(|error| panic!("{method:?} at {rtol:e}: {error}"))
+}
+
+/// Returns the largest distance of two columns.
+fn off(one: &[f64], other: impl Fn(usize) -> f64) -> f64 {
+    one.iter().enumerate().map(|(row, value)| (value - other(row)).abs()).fold(0.0, f64::max)
+}
+
+/// Without gravity it turns steadily; with damping its rate decays, as all of it turns with the
+/// inertia 5/3 m l^2.
+#[test]
+fn a_parallelogram_turns_on_through_positions_in_line() {
+    let [steady, damped] = [0.0, 0.01].map(parallelogram);
+    let rate = 0.01 / (5.0 / 3.0 * 1.5 * 0.09);
+    for (method, rtol) in RUNS {
+        for machine in [&steady, &damped] {
+            let run = run(machine, method, rtol);
+            let turned = |row: usize| {
+                let time = 0.1 * row as f64;
+                let is_steady = std::ptr::eq(machine, &raw const steady);
+                1.0 + if is_steady { 2.0 * time } else { 2.0 * -(-rate * time).exp_m1() / rate }
+            };
+            let allowed = 1e3 * rtol;
+            for name in ["a", "c"] {
+                let off = off(column(&run, name), turned);
+                assert!(off < allowed, "{method:?} at {rtol:e}: {name} is off by {off:e}");
+            }
+            let off = off(column(&run, "b"), |_| 0.0);
+            assert!(off < allowed, "{method:?} at {rtol:e}: b is off by {off:e}");
+        }
+    }
+}
+
+/// Rods of one length and mass turn as one angle from upright: 3 phi'' = (7/2) g sin(phi), here
+/// by the classical method of Runge and Kutta.
+#[test]
+fn windows_of_four_bars_pass_their_positions_in_line() {
+    const STEPS: usize = 2000;
+    let file = folder_of_specs().join("iftomm/four_bars.toml");
+    let text = std::fs::read_to_string(file).expect("a scene");
+    // Its checks read a file beside it.
+    let (bars, _, _) = closed(text.split("[checks").next().expect("a scene"));
+    let run = Simulation::new(&bars).run().expect("a run");
+    let step = 0.1 / STEPS as f64;
+    let rate = |[phi, speed]: [f64; 2]| [speed, 3.5 / 3.0 * 9.81 * phi.sin()];
+    let mut state: [f64; 2] = [0.0, 1.0];
+    let (x, y) = (column(&run, "x"), column(&run, "y"));
+    for (row, (x, y)) in x.iter().zip(y).enumerate() {
+        let off = (x - state[0].sin()).hypot(y - state[0].cos());
+        assert!(off < 1e-8, "row {row}: off by {off:e}");
+        for _ in 0..STEPS {
+            let add = |by: f64, rate: [f64; 2]| [state[0] + by * rate[0], state[1] + by * rate[1]];
+            let one = rate(state);
+            let two = rate(add(0.5 * step, one));
+            let three = rate(add(0.5 * step, two));
+            let four = rate(add(step, three));
+            state = std::array::from_fn(|i| {
+                state[i] + step / 6.0 * (one[i] + 2.0 * (two[i] + three[i]) + four[i])
+            });
+        }
+    }
+}

@@ -4,8 +4,7 @@ use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::ModelSimulator;
 
-use crate::loops::closed;
-use crate::own_scene::{folder_of_specs, of_text};
+use crate::own_scene::{of_specs, of_text};
 use crate::spatial::column;
 
 /// Methods for constrained machines, with tolerances.
@@ -102,10 +101,7 @@ fn a_parallelogram_turns_on_through_positions_in_line() {
 #[test]
 fn windows_of_four_bars_pass_their_positions_in_line() {
     const STEPS: usize = 2000;
-    let file = folder_of_specs().join("iftomm/four_bars.toml");
-    let text = std::fs::read_to_string(file).expect("a scene");
-    // Its checks read a file beside it.
-    let (bars, _, _) = closed(text.split("[checks").next().expect("a scene"));
+    let bars = of_specs("iftomm/four_bars", Keep::All);
     let run = Simulation::new(&bars).run().expect("a run");
     let step = 0.1 / STEPS as f64;
     let rate = |[phi, speed]: [f64; 2]| [speed, 3.5 / 3.0 * 9.81 * phi.sin()];

@@ -35,7 +35,7 @@ fn scene(units: Units<'_>, joints: &str, rest: &str) -> String {
 }
 
 /// Returns a machine without its redundant constraints, their names, and the system.
-pub fn closed(text: &str) -> (ModelSimulator, Vec<String>, LagrangianSystem) {
+fn closed(text: &str) -> (ModelSimulator, Vec<String>, LagrangianSystem) {
     let mut system = system_of(text);
     let derived = |system: &LagrangianSystem| {
         let model = pipeline::compile(system.clone(), Keep::Needed);

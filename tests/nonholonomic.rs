@@ -45,14 +45,15 @@ fn the_bicycle_of_the_benchmark_has_its_eigenvalues() {
     };
     let [slower, faster] = [-1e-8, 1e-8].map(|by| weave(4.292_382_536_341_11 + by));
     assert!(slower > 0.0 && faster < 0.0, "{slower:e} {faster:e}");
+    // Rounding of the eigenvalues of rolling on, all zero, is far smaller than that of the capsize.
     let capsize = |speed: f64| {
         let found = eigenvalues(&bicycle, speed);
-        let real = found.iter().filter(|value| value.im == 0.0).map(|value| value.re);
-        real.fold(f64::MIN, f64::max)
+        let slow = found.iter().filter(|value| value.im == 0.0 && value.re.abs() < 1.0);
+        slow.map(|value| value.re).max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("the capsize")
     };
-    // Where it passes zero, it meets the eigenvalues of rolling on, and rounding enters by its root.
-    let [slower, faster] = [-1e-5, 1e-5].map(|by| capsize(6.024_262_015_388_37 + by));
+    let [slower, faster] = [-1e-3, 1e-3].map(|by| capsize(6.024_262_015_388_37 + by));
     assert!(slower < 0.0 && faster > 0.0, "{slower:e} {faster:e}");
+    assert!((slower + faster).abs() < 0.01 * faster, "{slower:e} {faster:e}");
 }
 
 #[test]
@@ -92,7 +93,7 @@ fn stone_rates(state: &[f64; 6]) -> [f64; 6] {
 
 #[test]
 fn a_rattleback_reverses_its_spin_as_the_laws_of_newton_and_euler_say() {
-    const STEPS: usize = 1000;
+    const STEPS: usize = 150;
     let stone = of_specs("rolling/rattleback", Keep::All);
     let run = Simulation::new(&stone).run().expect("a run");
     let spin = column(&run, "spin");

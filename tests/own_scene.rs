@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock};
 
+use machinist::constraints::lasting;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_contract::Describe;
 use machinist_model::{Model, ModelSimulator};
 
 /// Returns the folder `specs/scenes`.
@@ -53,7 +55,7 @@ static DERIVED: Mutex<Derived> = Mutex::new(Derived::new());
 pub fn model_of_specs(name: &str, keep: Keep) -> Model {
     let key = (name.to_owned(), keep);
     let model = Arc::clone(DERIVED.lock().expect("models").entry(key).or_default());
-    model.get_or_init(|| of_path(&folder_of_specs().join(format!("{name}.toml")), keep)).clone()
+    model.get_or_init(|| as_run(&folder_of_specs().join(format!("{name}.toml")), keep)).clone()
 }
 
 /// Returns that scene as a simulator.
@@ -93,6 +95,28 @@ fn written(files: &[(&str, &str)]) -> tempfile::TempDir {
         std::fs::write(folder.path().join(name), text).expect("written");
     }
     folder
+}
+
+/// Returns the model of a scene without constraints that always repeat others, as the program runs
+/// it.
+fn as_run(path: &Path, keep: Keep) -> Model {
+    let model = of_path(path, keep);
+    if !model.fields.is_empty() {
+        return model;
+    }
+    let whole = ModelSimulator::interpreted(model.clone());
+    let parameters: Vec<f64> =
+        (0..whole.shape().parameters).map(|index| whole.parameter_default(index)).collect();
+    let dropped = lasting(&whole, &parameters, 0.0);
+    if dropped.is_empty() {
+        return model;
+    }
+    let checked = pipeline::check(path);
+    let mut system = checked.unwrap_or_else(|errors| panic!("{}", errors.render()));
+    for one in &dropped {
+        system.drop_constraint(&one.constraint, &one.needs);
+    }
+    pipeline::compile(system, keep).unwrap_or_else(|errors| panic!("{}", errors.render()))
 }
 
 fn of_path(path: &Path, keep: Keep) -> Model {

@@ -93,7 +93,7 @@ fn stone_rates(state: &[f64; 6]) -> [f64; 6] {
 
 #[test]
 fn a_rattleback_reverses_its_spin_as_the_laws_of_newton_and_euler_say() {
-    const STEPS: usize = 150;
+    const STEPS: usize = 300;
     let stone = of_specs("rolling/rattleback", Keep::All);
     let run = Simulation::new(&stone).run().expect("a run");
     let spin = column(&run, "spin");

@@ -202,12 +202,13 @@ pub(super) fn drive<M: OneStep>(
         // On every pass, whatever its result.
         stretch.require_uninterrupted(time)?;
         let trial = attempt(method, stretch, samples, (tried, now));
+        let pace = method.pace();
         // On every pass, whatever its result.
         stretch.require_uninterrupted(time)?;
         let error = match trial {
             Trial::Error(error) if trial.is_good() => error,
             _ => {
-                control.reject(stretch, tried * shrink(trial, method.pace()))?;
+                control.reject(stretch, tried * shrink(trial, pace))?;
                 if control.is_refused() {
                     match past(method, stretch, &mut kept, &mut control, (state, samples))? {
                         Past::Event => return Ok(None),
@@ -270,7 +271,7 @@ pub(super) fn drive<M: OneStep>(
         }
         let has_moved = put_back?.is_noticed();
         accept(method, stretch, (now, &kept.end), state, samples)?;
-        control.accept(method, now, (tried, error));
+        control.accept(method, pace, now, (tried, error));
         if stood_still {
             control.step = control.step.min(stretch.looked_at() / LOOKS);
         }

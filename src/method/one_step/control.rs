@@ -76,10 +76,10 @@ impl Control {
     pub(super) fn accept(
         &mut self,
         method: &mut dyn OneStep,
+        pace: Pace,
         now: f64,
         (tried, error): (f64, f64),
     ) {
-        let pace = method.pace();
         let factor = pace.factor(pace.believed(error, tried, self.before), self.last_error);
         let factor = if self.refusals > 0 { factor.min(1.0) } else { factor };
         self.step = method.own_step().unwrap_or(tried * factor);

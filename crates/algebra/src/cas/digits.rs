@@ -63,12 +63,35 @@ fn spreads(expr: &Expr, multiplied_out: &Expr) -> bool {
     if kept.is_empty() {
         return false;
     }
-    multiplied_out.visit(&mut |part| {
+    visit_values(multiplied_out, &mut |part| {
         if matches!(part, Expr::Sum(_)) {
             kept.retain(|kept| kept != part);
         }
     });
     !kept.is_empty()
+}
+
+/// Calls `see` with an expression and its parts, without the sides of comparisons: expansion leaves
+/// them as they are, and no digits are lost there.
+fn visit_values<'a>(expr: &'a Expr, see: &mut impl FnMut(&'a Expr)) {
+    see(expr);
+    match expr {
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Shared(_) => {}
+        Expr::Call(Function::SelectLess, parts) => {
+            for part in parts.iter().skip(2) {
+                visit_values(part, see);
+            }
+        }
+        Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
+            for part in parts {
+                visit_values(part, see);
+            }
+        }
+        Expr::Power(base, exponent) => {
+            visit_values(base, see);
+            visit_values(exponent, see);
+        }
+    }
 }
 
 fn is_below(exponent: &Expr) -> bool {

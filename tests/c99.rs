@@ -27,7 +27,7 @@ use compiler::{Compiler, Program};
 
 /// A motor, events and modes, branches, tables, constraints, constraints in modes, a prescribed
 /// motion that solves for the Jacobian, and standard parts.
-const SCENES: [&str; 20] = [
+const SCENES: [&str; 21] = [
     "saw_gin",
     "winder_full",
     "stick_slip",
@@ -44,6 +44,7 @@ const SCENES: [&str; 20] = [
     "parts/hydraulic/valve",
     "parts/planar/slot",
     "parts/rotational/clutch",
+    "parts/rotational/dwell_cam",
     "parts/rotational/table_cam",
     "parts/rotational/one_way_clutch",
     "parts/translational/rope",

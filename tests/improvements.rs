@@ -173,6 +173,60 @@ fn the_softest_spring_that_stops_a_mass_in_time_is_that_of_the_closed_form() {
     assert!((values[0] / (12e3_f64.powi(2) / (500.0 * 4.0)) - 1.0).abs() < 1e-6, "{values:?}");
 }
 
+/// A mass on a spring whose end rises by an inclined sine in T goes on with the amplitude
+/// h |sin(pi r)|/(pi r |1 - r^2|), where r is T over the period: with none if r = 2, 3, ...
+#[test]
+fn a_rise_that_leaves_no_vibration_takes_a_whole_number_of_periods() {
+    let scene = of_text(
+        r#"
+        [scene]
+        name = "lifted"
+        [units.load]
+        unit = "load"
+        [run]
+        until = 1.0
+        points = 1001
+        rtol = 1e-11
+        method = "dop853"
+        [outputs]
+        energy = { expression = "load.left", unit = "J" }
+        [define.load.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.load.parameters]
+        rise = { value = 0.23, unit = "s" }
+        period = { value = 0.1, unit = "s" }
+        lift = { value = 0.02, unit = "m" }
+        [define.load.helpers.end]
+        expression = "lift*motion_law('inclined sine', t/rise)"
+        unit = "m"
+        [define.load.helpers.left]
+        expression = "2 [kg]*v^2/2 + 2 [kg]*(2*pi/period)^2*(x - end)^2/2"
+        unit = "J"
+        [define.load.energy]
+        kinetic = "2 [kg]*v^2/2"
+        potential = "2 [kg]*(2*pi/period)^2*(x - end)^2/2"
+        "#,
+        Keep::Needed,
+    );
+    let run = Simulation::new(&scene);
+    for ratio in [0.4, 0.9, 1.3, 2.3, 2.5, 3.7, 8.2] {
+        let moved = run.clone().parameter("load.rise", 0.1 * ratio).expect("a parameter");
+        let last = moved.run().expect("it runs").last("energy").expect("an output");
+        let amplitude = 0.02 * (std::f64::consts::PI * ratio).sin().abs()
+            / (std::f64::consts::PI * ratio * (1.0 - ratio * ratio).abs());
+        let found = last.sqrt() / (std::f64::consts::TAU / 0.1);
+        assert!((found - amplitude).abs() < 1e-10, "{ratio}: {found} for {amplitude}");
+    }
+    for start in [0.18, 0.23, 0.28, 0.37] {
+        let unknowns = [unknown("load.rise", start, (0.15, 0.6))];
+        let (values, ..) = improved(&run, &unknowns, "sqrt(final(energy) + 1e-12)", &[]);
+        let periods = values[0] / 0.1;
+        let whole = periods.round();
+        assert!((periods - whole).abs() < 1e-4 && whole >= 2.0, "{start}: {periods} periods");
+    }
+}
+
 #[test]
 fn what_cannot_be_met_ends_where_it_is_missed_by_the_least() {
     let scene = buffer();

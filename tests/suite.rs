@@ -51,6 +51,7 @@ mod loose;
 mod massless;
 mod methods;
 mod mode_slopes;
+mod motion_laws;
 mod narrow;
 mod nonholonomic;
 mod onsets;

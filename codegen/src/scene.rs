@@ -16,6 +16,7 @@ mod joints;
 mod layout;
 mod lookup;
 mod loops;
+mod motion_laws;
 mod names;
 mod parameters;
 mod ports;
@@ -23,6 +24,7 @@ mod resolve;
 pub mod scatter;
 mod spline;
 pub mod system;
+mod tables;
 mod typed;
 mod vectors;
 

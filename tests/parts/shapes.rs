@@ -116,6 +116,93 @@ fn a_follower_lifts_off_at_the_speed_at_which_its_spring_is_too_weak() {
     }
 }
 
+/// Returns a modified sine and its slope.
+fn modified_sine(x: f64) -> (f64, f64) {
+    let over = 1.0 / (4.0 + PI);
+    match x {
+        x if x <= 0.0 => (0.0, 0.0),
+        x if x < 0.125 => {
+            let way = PI * x - (4.0 * PI * x).sin() / 4.0;
+            (over * way, over * PI * (1.0 - (4.0 * PI * x).cos()))
+        }
+        x if x < 0.875 => {
+            let angle = PI * (4.0 * x + 1.0) / 3.0;
+            let way = 2.0 + PI * x - 2.25 * angle.sin();
+            (over * way, over * PI * (1.0 - 3.0 * angle.cos()))
+        }
+        x if x < 1.0 => {
+            let way = 4.0 + PI * x - (4.0 * PI * x).sin() / 4.0;
+            (over * way, over * PI * (1.0 - (4.0 * PI * x).cos()))
+        }
+        _ => (1.0, 0.0),
+    }
+}
+
+/// Steps of Runge and Kutta from corner to corner of the law, with the contact by the hand-written
+/// law. At high speeds the follower leaves the cam and lands on it again.
+#[test]
+fn a_follower_of_a_cam_with_dwells_lifts_off_and_lands_as_by_small_steps() {
+    let mut lifted = 0;
+    for (speed, damping, [rise, dwell, fall], stiffness) in [
+        (10.0, 100.0, [1.5, 1.0, 1.5], 1e6),
+        (30.0, 0.0, [1.5, 1.0, 1.5], 1e6),
+        (60.0, 300.0, [1.0, 0.3, 2.0], 1e6),
+        (90.0, 50.0, [0.8, 1.2, 0.9], 2e5),
+        (140.0, 1e3, [2.0, 0.1, 0.7], 1e7),
+    ] {
+        let set = [
+            ("cam.damping", damping),
+            ("cam.rise", rise),
+            ("cam.dwell", dwell),
+            ("cam.fall", fall),
+            ("cam.stiffness", stiffness),
+        ];
+        let text = std::fs::read_to_string(
+            crate::own_scene::folder_of_specs().join("parts/rotational/dwell_cam.toml"),
+        );
+        let text = text.expect("the example").replace("30 [rad/s]", &format!("{speed} [rad/s]"));
+        let text = text.replace("phi_dot\" = 30", &format!("phi_dot\" = {speed}"));
+        let fast = of_text(&text, Keep::All);
+        let until = 1.7 * TAU / speed;
+        let run = set.iter().try_fold(Simulation::new(&fast).rtol(1e-11), |run, (name, value)| {
+            run.parameter(name, *value)
+        });
+        let run = run.expect("parameters").until(until).run().expect("it runs");
+        let cam = |t: f64| {
+            let turn = (speed * t - 0.5).rem_euclid(TAU);
+            let (up, up_slope) = modified_sine(turn / rise);
+            let (down, down_slope) = modified_sine((turn - rise - dwell) / fall);
+            (0.02 * (up - down), 0.02 * speed * (up_slope / rise - down_slope / fall))
+        };
+        let rate = |t: f64, y: [f64; 2]| {
+            let (lift, slope) = cam(t);
+            let push = contact(stiffness, damping, lift - y[0], slope - y[1]);
+            [y[1], (push - 1e4 * (y[0] + 0.03) - 5.0 * y[1]) / 0.5]
+        };
+        let steps = 400_000;
+        let h = until / f64::from(steps);
+        let mut y = [-2.97e-4, 0.0];
+        for k in 0..steps {
+            let t = h * f64::from(k);
+            let ahead = |r: [f64; 2], h: f64| [y[0] + h * r[0], y[1] + h * r[1]];
+            let a = rate(t, y);
+            let b = rate(t + h / 2.0, ahead(a, h / 2.0));
+            let c = rate(t + h / 2.0, ahead(b, h / 2.0));
+            let d = rate(t + h, ahead(c, h));
+            let mean = [0, 1].map(|i| (a[i] + 2.0 * (b[i] + c[i]) + d[i]) / 6.0);
+            y = ahead(mean, h);
+        }
+        let error = (run.last("lift").expect("an output") - y[0]).abs();
+        assert!(error < 2e-9, "{speed}: {error:e}");
+        let forces = column(&run, "force");
+        assert!(forces.iter().all(|force| *force >= 0.0), "{speed}: it pulls");
+        lifted += usize::from(forces.contains(&0.0));
+        let profile = off(&run, "profile", |t| cam(t).0);
+        assert!(profile < 1e-12, "{speed}: {profile:e}");
+    }
+    assert!((2..=4).contains(&lifted), "{lifted} of 5 lift off");
+}
+
 #[test]
 fn a_cam_by_a_table_is_the_cam_of_its_law_turn_after_turn() {
     let scene = example("rotational/table_cam", Keep::All);

@@ -186,7 +186,7 @@ impl<'a> Resolver<'a> {
             )),
             Node::Text(_) => Err(Box::new(
                 Mistake::new(ast.span, "a quoted text is not a value", "not here")
-                    .help("only `table` takes texts"),
+                    .help("only `table` and `motion_law` take texts"),
             )),
         };
         self.level -= 1;

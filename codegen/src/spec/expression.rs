@@ -283,9 +283,10 @@ impl<'a> Parser<'a> {
                 "a name is not expected here".to_owned(),
                 "is `*` missing? Units of measure are written in brackets: 0.1 [s]",
             ),
-            Token::Text(_) => {
-                ("a quoted text is not expected here".to_owned(), "only `table` takes texts")
-            }
+            Token::Text(_) => (
+                "a quoted text is not expected here".to_owned(),
+                "only `table` and `motion_law` take texts",
+            ),
             Token::Unit(_) => (
                 "a unit in brackets is not expected here".to_owned(),
                 "it follows a number: 0.1 [s]",

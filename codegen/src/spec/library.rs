@@ -123,6 +123,7 @@ pub const LIBRARY: &[LibraryUnit] = &[
     part!("rotational/conveyor"),
     part!("rotational/damper"),
     part!("rotational/differential"),
+    part!("rotational/dwell_cam"),
     part!("rotational/end_stops"),
     part!("rotational/fixed"),
     part!("rotational/fluid_coupling"),

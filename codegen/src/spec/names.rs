@@ -36,6 +36,7 @@ pub const FUNCTIONS: &[&str] = &[
     "smooth_step",
     "step",
     "piecewise",
+    "motion_law",
     "table",
     "der",
     "cbrt",

@@ -208,7 +208,11 @@ impl Walk<'_> {
                 .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), value| {
                     (a.min(value), b.max(value))
                 });
-            let weight = scale / (greatest - least).max(LEAST_RANGE * scale);
+            // A state that keeps its value within a period, as the speed of a drive, is measured by
+            // that value.
+            let (range, size) = (greatest - least, greatest.abs().max(least.abs()));
+            let moves = range > LEAST_RANGE * scale.max(size);
+            let weight = scale / (if moves { range } else { size }).max(LEAST_RANGE * scale);
             for segment in 0..m {
                 self.weights[segment * n + at] = weight * weight / (n * m) as f64;
             }

@@ -34,6 +34,7 @@ mod fits;
 mod fixed_steps;
 mod forces_along;
 mod friction;
+mod gears;
 mod gradients;
 mod held;
 mod hosted;

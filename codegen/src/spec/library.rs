@@ -130,6 +130,8 @@ pub const LIBRARY: &[LibraryUnit] = &[
     part!("rotational/gear"),
     part!("rotational/gear_drive"),
     part!("rotational/gearbox"),
+    part!("rotational/gear_mesh"),
+    part!("rotational/gear_pair"),
     part!("rotational/heated_friction"),
     part!("rotational/inertia"),
     part!("rotational/lossy_gear"),

@@ -108,7 +108,10 @@ impl Resolver<'_> {
             && inflection.value.is_some_and(|value| value <= 0.0 || value >= 1.0)
         {
             let message = "the inflection of a law lies between 0 and 1";
-            return Err(Box::new(Mistake::new(ast.span, message, "outside")));
+            let mistake = Mistake::new(ast.span, message, "outside");
+            return Err(Box::new(
+                mistake.help("write the share of x at which it lies, such as 0.4"),
+            ));
         }
         let terms = given.iter().fold(argument.terms, |sum, end| sum.saturating_add(end.terms));
         self.spend(terms.saturating_mul(COPIES).saturating_add(LEAVES), span)?;

@@ -37,6 +37,7 @@ mod list;
 pub mod modes;
 #[cfg(feature = "derive")]
 pub mod new;
+mod orders;
 pub mod output;
 #[cfg(feature = "derive")]
 mod parts;

@@ -24,6 +24,7 @@ mod matrices;
 mod number;
 #[cfg(feature = "derive")]
 pub mod object;
+mod orders;
 mod parquet;
 pub mod plot;
 mod program;

@@ -1,6 +1,7 @@
 //! Plots of trajectories, mode shapes, frequency responses and stability maps as SVG and PNG, with
 //! an embedded font.
 
+mod heat;
 mod linear;
 mod map;
 mod panel;
@@ -16,8 +17,9 @@ use plotters::prelude::*;
 use plotters::style::register_font;
 use thiserror::Error;
 
+pub use heat::{Heat, plot_heat};
 pub use linear::{
-    plot_branch, plot_campbell, plot_modes, plot_profiles, plot_response, plot_spectrum,
+    plot_branch, plot_campbell, plot_cuts, plot_modes, plot_profiles, plot_response, plot_spectrum,
 };
 use machinist::error::did_you_mean;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};

@@ -26,6 +26,7 @@ mod lists;
 mod live;
 mod opened;
 mod options;
+mod orders;
 mod process;
 mod reduced;
 mod redundant;

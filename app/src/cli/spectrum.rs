@@ -1,4 +1,4 @@
-//! `machinist spectrum`: amplitudes of a run's outputs over frequency.
+//! `machinist spectrum`: amplitudes of a run's outputs over frequency, or over orders of a speed.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::amount::time;
 use super::arguments::{RunArgs, SceneArgs};
+use super::orders::{OrderArgs, Shared};
 use super::output::{
     columns, draw_file, print, print_with, remark_beside, remarks, require_picture, require_table,
     write_file,
@@ -51,6 +52,8 @@ pub struct Spectrum {
     #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot: Option<PathBuf>,
     #[command(flatten)]
+    orders: OrderArgs,
+    #[command(flatten)]
     scene: SceneArgs,
     #[command(flatten)]
     run: RunArgs,
@@ -81,6 +84,9 @@ struct One {
 
 impl Spectrum {
     pub fn execute(&self) -> Result<(), Failure> {
+        if self.orders.are_asked_for() {
+            return self.execute_orders();
+        }
         let is_standard_output = self.out.as_deref() == Some(Path::new("-"));
         if let Some(file) = self.out.as_deref().filter(|_| !is_standard_output) {
             require_table(file, &["csv", "json"])?;
@@ -94,14 +100,7 @@ impl Spectrum {
         let simulation = self.simulation(&scene)?;
         let (from, until) = self.stretch(&scene)?;
         let run = during("simulating", || simulation.run())?;
-        let chosen = self.chosen(&run)?;
-        for column in &chosen {
-            let mut values = run.times.iter().zip(&column.values);
-            if let Some((time, value)) = values.find(|(_, value)| !value.is_finite()) {
-                let message = format!("`{}` is {value} at {time} s", column.name);
-                return Err(Failure::unsuccessful(message, "a spectrum needs finite values"));
-            }
-        }
+        let chosen = self.finite(&run)?;
         let spectra = Spectra {
             scene: run.scene.clone(),
             window: self.window.name(),
@@ -147,6 +146,33 @@ impl Spectrum {
             None => {}
         }
         print(&self.summary(&scene, &run, &spectra))
+    }
+
+    fn execute_orders(&self) -> Result<(), Failure> {
+        require_picture(self.plot.as_deref(), "--plot")?;
+        let scene = self.scene.load()?;
+        let run = self.run.apply(self.scene.simulation(scene.simulator())?)?;
+        let shared = Shared {
+            outputs: &|run| Ok(self.finite(run)?.into_iter().cloned().collect()),
+            interval: self.stretch(&scene)?,
+            window: self.window,
+            out: self.out.as_deref(),
+            plot: self.plot.as_deref(),
+        };
+        self.orders.execute(&scene, &run, &shared)
+    }
+
+    /// Returns the chosen columns, whose values must be finite.
+    fn finite<'t>(&self, run: &'t Trajectory) -> Result<Vec<&'t Column>, Failure> {
+        let chosen = self.chosen(run)?;
+        for column in &chosen {
+            let mut values = run.times.iter().zip(&column.values);
+            if let Some((time, value)) = values.find(|(_, value)| !value.is_finite()) {
+                let message = format!("`{}` is {value} at {time} s", column.name);
+                return Err(Failure::unsuccessful(message, "a spectrum needs finite values"));
+            }
+        }
+        Ok(chosen)
     }
 
     /// Returns the interval of the samples.

@@ -23,7 +23,6 @@ class Watch {
     // The side of each, zero if it is not watched, and where it was zero but for rounding.
     this.sides = this.list.map(() => 0);
     this.zeros = this.list.map(() => null);
-    this.excursions = [];
     this.relations = new Relations(system);
     this.looks = new Looks((time, state) => this.values(time, state), this.list.length);
     let first = 0;
@@ -91,7 +90,7 @@ class Watch {
     const { kind, of: relation } = this.list[index];
     const slot = this.machine.slots[relation];
     const change = (below, isUp, leaves = false) =>
-      ({ relation, index, below, leaves, slot: isUp ? aboveSlot(below) : below });
+      ({ relation, below, leaves, slot: isUp ? aboveSlot(below) : below });
     switch (kind) {
       case "branch": return change(BELOW, slot < 0);
       case "low": return change(slot - 1, false);
@@ -114,11 +113,10 @@ class Watch {
   // Starts a segment of a run: the sides of all guards. Events of `passed` just happened; guards of
   // `crossed` passed zero, and all others are looked at anew where they changed.
   begin(time, state, { passed = [], crossed = [], before = null } = {}) {
-    const { sides, looks } = this;
+    const { sides } = this;
     const [values, rates] = [this.values(time, state), this.rates(time, state)];
     this.counts = { before: new Map(), within: [] };
     [this.time, this.start, this.now] = [time, state.slice(), []];
-    looks.excursions = this.list.map(() => 0);
     this.listen(time, state, values);
     this.list.forEach(({ kind, of }, index) => {
       const [value, rate, hasCrossed] = [values[index], rates[index], crossed.includes(index)];
@@ -308,32 +306,9 @@ class Watch {
   // Changes relations whose guards pass zero.
   change(time, state, crossed) {
     const changes = crossed.map((index) => this.changeAt(index)).filter(Boolean);
-    if (this.holdFlat(time, state, changes)) changes.length = 0;
     this.settleRelations(time, state, changes);
     if (this.system.slides.length) this.system.project(time, state);
     changes.forEach(() => this.countOne(time, "a comparison"));
-  }
-
-  // Lets the motion slide along a surface of second order about which it swings within the
-  // tolerances; whether it does.
-  holdFlat(time, state, changes) {
-    const { system, machine, relations } = this;
-    const held = changes.filter(({ index, relation, below: low, slot, leaves }) => {
-      if (leaves) return false;
-      const excursion = this.looks.excursions[index];
-      const earlier = this.excursions[relation] ?? Infinity;
-      this.excursions[relation] = excursion;
-      const room = this.blur(index, time, state);
-      if (!(earlier <= room && excursion <= room)) return false;
-      const [below, above] = [low, aboveSlot(low)].map((side) => {
-        machine.slots[relation] = side;
-        return system.bend(relation, time, state, system.rates(time, state));
-      });
-      machine.slots[relation] = slot;
-      return below > 0 && above < 0;
-    });
-    if (held.length) relations.slide([...system.slides, ...held.map(({ relation, below }) => ({ relation, below, isSecond: true }))]);
-    return held.length > 0;
   }
 
   // Events whose guards passed zero because relations changed.

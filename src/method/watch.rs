@@ -170,7 +170,7 @@ impl<'a> Watch<'a> {
     /// simulator has neither events nor kinks.
     ///
     /// # Errors
-    /// [`StopCause::Contradiction`] if the start contradicts an event that would change more than
+    /// [`StopCause::Contradiction`](crate::error::StopCause::Contradiction) if the start contradicts an event that would change more than
     /// modes.
     pub fn new(problem: &'a Problem<'a>, state: &mut [f64]) -> Result<Option<Self>, Stopped> {
         let (system, from) = (problem.system, problem.from);

@@ -22,7 +22,7 @@ use crate::spectrum::Window;
 
 /// Samples of the first run, which shows how the shaft turns.
 const FIRST_SAMPLES: usize = 20_000;
-const MOST_SAMPLES: usize = 10_000_000;
+const MOST_SAMPLES: f64 = 1e7;
 /// Share of the largest amplitude from which a line is visible in the waterfall.
 const VISIBLE: f64 = 1e-2;
 /// Orders shown if none are given.
@@ -73,7 +73,7 @@ pub struct OrderArgs {
     json: bool,
 }
 
-/// What the command shares with spectra over frequency.
+/// Outputs, interval and files that the command shares with spectra over frequency.
 pub struct Shared<'a> {
     pub outputs: &'a dyn Fn(&Trajectory) -> Result<Vec<Column>, Failure>,
     pub interval: (f64, f64),
@@ -197,21 +197,19 @@ impl OrderArgs {
             return Err(Failure::input(message, "orders are over the angle or speed of a shaft"));
         };
         let step = std::f64::consts::TAU / f64::from(self.per_turn);
-        let found = if is_angle {
-            times_at(step, &run.times, &column.values, None)
-        } else {
-            let angle = integrated(&run.times, &column.values);
-            times_at(step, &run.times, &angle, Some(&column.values))
-        };
-        let times = found.map_err(|time| {
-            let message = format!("`{over}` stops increasing at {} s", number(time, 6));
-            Failure::unsuccessful(message, "orders need a shaft that turns forward; see --settle")
-        })?;
-        if times.len() > MOST_SAMPLES {
-            let message = format!("{} samples are too many", times.len());
+        let summed = (!is_angle).then(|| integrated(&run.times, &column.values));
+        let angle = summed.as_ref().unwrap_or(&column.values);
+        if let [first, .., last] = angle[..]
+            && (last - first) / step > MOST_SAMPLES
+        {
+            let message = format!("{} samples are too many", ((last - first) / step).floor());
             return Err(Failure::input(message, "--per-turn sets the samples of a turn"));
         }
-        Ok(times)
+        let rate = summed.as_ref().map(|_| &column.values[..]);
+        times_at(step, &run.times, angle, rate).map_err(|time| {
+            let message = format!("`{over}` stops increasing at {} s", number(time, 6));
+            Failure::unsuccessful(message, "orders need a shaft that turns forward; see --settle")
+        })
     }
 
     fn draw(&self, orders: &Orders, run: &Trajectory, map: Option<&Path>) -> Result<(), Failure> {

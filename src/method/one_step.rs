@@ -252,9 +252,9 @@ pub(super) fn drive<M: OneStep>(
         }
         let moves = kept.end.iter().copied().zip(method.end().iter().copied());
         let stood_still = rests(moves.take(stretch.system.states()), stretch.atol);
-        let mut put_back = kept.put_back(method, stretch, now);
+        let put_back = kept.put_back(method, stretch, now);
         if put_back.as_ref().map_or(true, |moved| moved.is_far()) {
-            kept.take_back();
+            kept.exchange();
             control.longest = control.longest.max(tried);
             match past(method, stretch, &mut kept, &mut control, (state, samples))? {
                 Past::Event => return Ok(None),
@@ -266,7 +266,7 @@ pub(super) fn drive<M: OneStep>(
                     }
                     continue;
                 }
-                Past::Nothing => put_back = kept.put_back(method, stretch, now),
+                Past::Nothing => kept.exchange(),
             }
         }
         let has_moved = put_back?.is_noticed();

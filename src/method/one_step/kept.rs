@@ -59,9 +59,9 @@ impl Kept {
         Ok(Moved(distance(stretch, &self.end, end)))
     }
 
-    /// Makes the start of the step before the last projection the end again.
-    pub(super) fn take_back(&mut self) {
-        self.end.clone_from(&self.before);
+    /// Exchanges the projected end of the current step and its start.
+    pub(super) fn exchange(&mut self) {
+        std::mem::swap(&mut self.end, &mut self.before);
     }
 }
 

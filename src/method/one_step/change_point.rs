@@ -13,6 +13,7 @@ use super::control::Control;
 use super::kept::Kept;
 use super::{Left, OneStep, Pace, Samples, Stopped, Stretch, Trial, begin_behind, drive};
 use crate::constraints::{Constraints, Level};
+use crate::method::taylor::quadrature::Gauss;
 
 /// Number of nodes of Gauss; even, so that none is in the middle.
 const NODES: usize = 12;
@@ -20,7 +21,7 @@ const NODES: usize = 12;
 /// Largest number of iterations of a step.
 const ROUNDS: usize = 40;
 
-/// What was passed instead of a step.
+/// Result of an attempt to pass a change point instead of a step.
 pub(super) enum Past {
     Nothing,
     /// The watch has an event to apply.
@@ -357,16 +358,11 @@ impl Rule {
     fn new() -> Self {
         let mut nodes = [0.0; NODES];
         let mut weights = [0.0; NODES];
-        for (index, (node, weight)) in nodes.iter_mut().zip(&mut weights).enumerate() {
-            let mut x =
-                -(std::f64::consts::PI * (index as f64 + 0.75) / (NODES as f64 + 0.5)).cos();
-            let mut slope = 1.0;
-            for _ in 0..10 {
-                let values = legendre(x);
-                slope = NODES as f64 * (x * values[NODES] - values[NODES - 1]) / (x * x - 1.0);
-                x -= values[NODES] / slope;
-            }
-            (*node, *weight) = (x, 2.0 / ((1.0 - x * x) * slope * slope));
+        let points = Gauss::new(NODES);
+        // From the last point to the first.
+        let places = nodes.iter_mut().zip(&mut weights).rev();
+        for ((node, weight), point) in places.zip(points.points(-1.0, 1.0)) {
+            (*node, *weight) = point;
         }
         let analysis = DMatrix::from_fn(NODES, NODES, |node, k| {
             (k as f64 + 0.5) * weights[node] * legendre(nodes[node])[k]

@@ -93,8 +93,8 @@ struct Inner {
     /// Time and guards of a crossing that has been found.
     happening: Option<(f64, Vec<usize>)>,
     latest: VecDeque<f64>,
-    /// How many times in a row each event has happened without its guard leaving zero in between by
-    /// more than rounding.
+    /// Number of times in a row that each event has happened without its guard leaving zero in
+    /// between by more than rounding.
     unresolved: Vec<usize>,
     switches: Vec<Switch>,
     happened: Happened,

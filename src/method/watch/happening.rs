@@ -1,5 +1,5 @@
-//! What happens where guards cross zero: relations change, events are applied, and runs with endless
-//! ones stop.
+//! Changes where guards cross zero: relations take other sides, events are applied, and runs with
+//! endless ones stop.
 
 use super::passing::{Outcome, is_wanted};
 use super::settle::is_beyond;

@@ -56,7 +56,7 @@ pub const TURNING_DRUM: TurningDrum = TurningDrum {
 /// Angles of post and plate, their rates, the speed of the bobbin.
 type State = [f64; 5];
 
-/// What touches, and the direction of slip, or `None` while the bobbin follows the drum.
+/// Contacts that are closed, and the direction of slip, or `None` while the bobbin follows the drum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Phase {
     is_on_drum: bool,

@@ -3,8 +3,8 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   837165f6db897afb171b413f86a8eda97ca0875447a26ad3812276e261850393  scenes/winder_linear.toml
-//   4a3ff1ba194c6472c0c355ca362be1d9f300b7a001ca8f23be4f6b2535468149  units/textile/bobbin_holder.toml
+//   e92ebfbc124e5785539c476df08bb6272aede15ba88178715aea9a9234d52d8c  scenes/winder_linear.toml
+//   462073c365602dc1c3823d7405648f7fbcb20498ae45cb1799ddf8ddd5b6178b  units/textile/bobbin_holder.toml
 //   810052002bc2a51c9d17a23c2e6307af4fcc0515b7557ff0f6eec05a28d2a458  units/textile/yarn_layer.toml
 //
 // Bobbin on a winding drum, linear layer
@@ -16,10 +16,10 @@
 //   Winder study, first stage of modelling; every mass, stiffness, dimension, speed and disturbance is ours, for the study gives none.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 1, states 2, parameters 22, outputs 5.
-// Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 20 of 2 by 22.
+// Shapes: coordinates 1, states 2, parameters 25, outputs 6.
+// Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 20 of 2 by 25.
 // Operations: rate 49, mass_matrix 12, forcing 35, rate_jacobian 18, parameter_jacobian 203,
-//     time_derivative 61, outputs 44, energy 33, power_balance 59, prepare 80, prepared_rate 30,
+//     time_derivative 61, outputs 52, energy 33, power_balance 59, prepare 80, prepared_rate 30,
 //     prepared_jacobians 128.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
@@ -58,6 +58,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     holder_package_width: 0.15, "m", "holder.package_width", "H, width of the package";
     holder_yarn_density: 350.0, "kg/m^3", "holder.yarn_density", "rho, density of the wound yarn";
     holder_stiffness: 3800.0, "N/m", "holder.stiffness", "c_p, stiffness of the holder, reduced to the bobbin centre";
+    holder_preload: 40.0, "N", "holder.preload", "N0, contact force of the empty bobbin at rest";
+    holder_spring_share: 1.0, "1", "holder.spring_share", "share of the growth of the package's radius that deflects the spring; 0 where its seat follows";
+    holder_gravity: 9.81, "m/s^2", "holder.gravity", "acceleration of free fall; 0 for a bobbin beside its drum";
     layer_stiffness: 42000.0, "N/m", "layer.stiffness", "c, stiffness of the layer";
     layer_viscosity: 95.0, "N s/m", "layer.viscosity", "h, damping of the layer";
 }
@@ -65,6 +68,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 ::machinist_contract::outputs! {
     deflection: "m", "deflection", "deflection of the bobbin centre";
     pressure: "N", "pressure", "force of the layer on the bobbin, relative to rest";
+    contact_force: "N", "contact_force", "N, contact force; below zero the layer would pull";
     mass: "kg", "mass", "reduced mass m(R)";
     force: "N", "force", "disturbance force";
     shape: "m", "shape", "drum profile";
@@ -81,11 +85,11 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     /// Nonzeros of dy'/dy.
     RATE_JACOBIAN_PATTERN: 2 by 2 { 0 [1] 1 [0 1] }
     /// Nonzeros of dy'/dp.
-    PARAMETER_JACOBIAN_PATTERN: 2 by 22 { 1 [0 1 2 3 4 5 6 7 8 11 12 13 14 15 16 17 18 19 20 21] }
+    PARAMETER_JACOBIAN_PATTERN: 2 by 25 { 1 [0 1 2 3 4 5 6 7 8 11 12 13 14 15 16 17 18 19 23 24] }
 }
 
 ::machinist_contract::constants! {
-    drum_speed, package_speed, t0, t4, eccentricity_times_drum_speed, inverse_holder_mass,
+    drum_speed, package_speed, t2, t4, eccentricity_times_drum_speed, inverse_holder_mass,
     holder_v_dot_by_holder_x, holder_v_dot_by_holder_v, t6, t9, t10,
     winding_speed_times_eccentricity, t11, drum_radius_times_force_amplitude, t12, t14, t15, t16,
     t17, t18, t19, t20, t21, t22, t23, drum_speed_over_drum_radius_squared, t24, t25,
@@ -99,14 +103,15 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = R::literal(2.0) * drum_speed;
-    let t1 = (p.holder_package_radius * p.holder_package_radius)
+    let t0 = (p.holder_package_radius * p.holder_package_radius)
         .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
-    let t2 = R::literal(core::f64::consts::PI) * p.holder_package_width;
+    let t1 = R::literal(core::f64::consts::PI) * p.holder_package_width;
+    let holder_package_mass = t1 * p.holder_yarn_density * t0;
+    let t2 = R::literal(2.0) * drum_speed;
     let holder_link_arm_squared = p.holder_link_arm * p.holder_link_arm;
     let holder_holder_arm_squared = p.holder_holder_arm * p.holder_holder_arm;
-    let holder_mass = p.holder_bobbin_mass.add_product(t2 * p.holder_yarn_density, t1)
-        + p.holder_link_mass * holder_link_arm_squared / holder_holder_arm_squared;
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + p.holder_link_mass
+        * holder_link_arm_squared / holder_holder_arm_squared;
     let t3 = R::literal(2.0) * p.ovality;
     let t4 = t3 * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
@@ -151,11 +156,11 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         * p.holder_yarn_density;
     let t32 = R::literal(core::f64::consts::TAU) * p.holder_bobbin_radius * p.holder_package_width
         * p.holder_yarn_density;
-    let t33 = R::literal(-3.141_592_653_589_793) * p.holder_yarn_density * t1;
-    let t34 = t2 * t1;
+    let t33 = R::literal(-3.141_592_653_589_793) * p.holder_yarn_density * t0;
+    let t34 = t1 * t0;
     let t35 = R::literal(2.0) * p.winding_speed * p.ovality;
     let t36 = R::literal(-1.0) / p.drum_radius;
-    Constants { drum_speed, package_speed, t0, t4, eccentricity_times_drum_speed,
+    Constants { drum_speed, package_speed, t2, t4, eccentricity_times_drum_speed,
         inverse_holder_mass, holder_v_dot_by_holder_x, holder_v_dot_by_holder_v, t6, t9, t10,
         winding_speed_times_eccentricity, t11, drum_radius_times_force_amplitude, t12, t14, t15,
         t16, t17, t18, t19, t20, t21, t22, t23, drum_speed_over_drum_radius_squared, t24, t25,
@@ -181,7 +186,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; STATES] {
     let [holder_x, holder_v] = *state;
-    let t0 = p.ovality_phase.add_product(c.t0, time);
+    let t0 = p.ovality_phase.add_product(c.t2, time);
     let drum_speed_times_time = c.drum_speed * time;
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3), (_, t4)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
@@ -198,11 +203,11 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
 /// `M = d2L/dq'2`, values in the order of its pattern. 12 operations.
 #[must_use]
 pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; 1] {
-    let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
-        * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
-        * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
-        * p.holder_holder_arm);
+    let holder_package_mass = R::literal(core::f64::consts::PI) * p.holder_package_width
+        * p.holder_yarn_density * (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + p.holder_link_mass
+        * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm * p.holder_holder_arm);
     [holder_mass]
 }
 
@@ -240,7 +245,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
 pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 23] {
     let [holder_x, holder_v] = *state;
-    let t0 = p.ovality_phase.add_product(c.t0, time);
+    let t0 = p.ovality_phase.add_product(c.t2, time);
     let drum_speed_times_time = c.drum_speed * time;
     let t1 = p.force_phase + drum_speed_times_time;
     let t2 = p.package_phase.add_product(c.package_speed, time);
@@ -310,11 +315,11 @@ pub fn time_derivative<R: Real>(time: R, _state: &[R; STATES], p: &Parameters<R>
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (t3, _), (t4, _)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
         p.package_phase.add_product(package_speed, time)]);
-    let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
-        * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
-        * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
-        * p.holder_holder_arm);
+    let holder_package_mass = R::literal(core::f64::consts::PI) * p.holder_package_width
+        * p.holder_yarn_density * (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + p.holder_link_mass
+        * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm * p.holder_holder_arm);
     let t5 = (R::literal(-4.0) * p.winding_speed * p.ovality * p.holder_package_radius
         * p.layer_viscosity * t2).sub_product(R::literal(2.0) * p.drum_radius * p.ovality
         * p.holder_package_radius * p.layer_stiffness, t1).sub_product(p.winding_speed
@@ -328,7 +333,7 @@ pub fn time_derivative<R: Real>(time: R, _state: &[R; STATES], p: &Parameters<R>
     [R::literal(0.0), holder_v_dot_by_time]
 }
 
-/// Wanted outputs. 44 operations.
+/// Wanted outputs. 52 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [holder_x, holder_v] = *state;
@@ -339,19 +344,23 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3), (_, t4)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
         p.package_phase.add_product(package_speed, time)]);
+    let holder_package_mass = R::literal(core::f64::consts::PI) * p.holder_package_width
+        * p.holder_yarn_density * (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
-    let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
-        * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
-        * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
-        * p.holder_holder_arm);
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + p.holder_link_mass
+        * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm * p.holder_holder_arm);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
+    let t5 = p.layer_stiffness * layer_compression;
+    let t6 = p.layer_viscosity * ((p.eccentricity * drum_speed * sin_drum_speed_times_time)
+        .add_product(R::literal(2.0) * p.ovality * drum_speed, t1) + holder_v);
     Outputs {
         deflection: holder_x,
-        pressure: (p.layer_stiffness * layer_compression).sub_product(p.layer_viscosity,
-            (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(R::literal(2.0)
-            * p.ovality * drum_speed, t1) + holder_v),
+        pressure: t5 - t6,
+        contact_force: p.holder_preload.add_product(p.holder_stiffness * p.holder_spring_share,
+            p.holder_package_radius - p.holder_bobbin_radius).add_product(p.holder_gravity,
+            holder_package_mass) + t5 - t6,
         mass: holder_mass,
         force,
         shape,
@@ -366,12 +375,12 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     let [(_, t0), (_, cos_drum_speed_times_time)]
         = R::sin_cos_each([p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time),
         drum_speed * time]);
+    let holder_package_mass = R::literal(core::f64::consts::PI) * p.holder_package_width
+        * p.holder_yarn_density * (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
-    let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
-        * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
-        * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
-        * p.holder_holder_arm);
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + p.holder_link_mass
+        * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm * p.holder_holder_arm);
     let layer_compression = shape - holder_x;
     Energy {
         kinetic: R::literal(0.5) * holder_mass * (holder_v * holder_v),
@@ -393,12 +402,12 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3), (_, t4)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
         p.package_phase.add_product(package_speed, time)]);
+    let holder_package_mass = R::literal(core::f64::consts::PI) * p.holder_package_width
+        * p.holder_yarn_density * (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
-    let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
-        * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
-        * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm
-        * p.holder_holder_arm);
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + p.holder_link_mass
+        * (p.holder_link_arm * p.holder_link_arm) / (p.holder_holder_arm * p.holder_holder_arm);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
     let t5 = (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(R::literal(2.0)
@@ -431,63 +440,63 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = R::literal(2.0) * drum_speed;
-    let t1 = time * t0;
-    let t2 = p.ovality_phase + t1;
-    let t3 = t2.sin();
-    let t4 = t2.cos();
-    let t5 = t4 * p.ovality;
-    let t6 = time * drum_speed;
-    let t7 = t6.sin();
-    let t8 = t6.cos();
-    let t9 = t8 * p.eccentricity;
-    let shape = t5 + t9;
-    let t10 = p.holder_bobbin_radius * p.holder_bobbin_radius;
-    let t11 = p.holder_package_radius * p.holder_package_radius;
-    let t12 = t11 - t10;
-    let t13 = R::literal(core::f64::consts::PI) * p.holder_package_width;
-    let t14 = t13 * p.holder_yarn_density;
-    let t15 = t14 * t12;
-    let t16 = p.holder_link_arm * p.holder_link_arm;
-    let t17 = p.holder_holder_arm * p.holder_holder_arm;
-    let t18 = p.holder_link_mass * t16;
-    let t19 = t18 / t17;
-    let t20 = p.holder_bobbin_mass + t15;
-    let holder_mass = t20 + t19;
-    let t21 = p.force_phase + t6;
-    let t22 = t21.sin();
-    let t23 = t21.cos();
-    let t24 = t23 * p.force_amplitude;
-    let t25 = time * package_speed;
-    let t26 = p.package_phase + t25;
-    let t27 = t26.sin();
-    let t28 = t26.cos();
-    let t29 = t28 * p.package_force;
-    let force = t24 + t29;
+    let t0 = p.holder_bobbin_radius * p.holder_bobbin_radius;
+    let t1 = p.holder_package_radius * p.holder_package_radius;
+    let t2 = t1 - t0;
+    let t3 = R::literal(core::f64::consts::PI) * p.holder_package_width;
+    let t4 = t3 * p.holder_yarn_density;
+    let holder_package_mass = t4 * t2;
+    let t5 = R::literal(2.0) * drum_speed;
+    let t6 = time * t5;
+    let t7 = p.ovality_phase + t6;
+    let t8 = t7.sin();
+    let t9 = t7.cos();
+    let t10 = t9 * p.ovality;
+    let t11 = time * drum_speed;
+    let t12 = t11.sin();
+    let t13 = t11.cos();
+    let t14 = t13 * p.eccentricity;
+    let shape = t10 + t14;
+    let t15 = p.holder_link_arm * p.holder_link_arm;
+    let t16 = p.holder_holder_arm * p.holder_holder_arm;
+    let t17 = p.holder_link_mass * t15;
+    let t18 = t17 / t16;
+    let t19 = p.holder_bobbin_mass + holder_package_mass;
+    let holder_mass = t19 + t18;
+    let t20 = p.force_phase + t11;
+    let t21 = t20.sin();
+    let t22 = t20.cos();
+    let t23 = t22 * p.force_amplitude;
+    let t24 = time * package_speed;
+    let t25 = p.package_phase + t24;
+    let t26 = t25.sin();
+    let t27 = t25.cos();
+    let t28 = t27 * p.package_force;
+    let force = t23 + t28;
     let layer_compression = shape - holder_x;
-    let t30 = R::literal(2.0) * p.ovality;
-    let t31 = t30 * drum_speed;
-    let t32 = t3 * t31;
-    let t33 = p.eccentricity * drum_speed;
-    let t34 = t7 * t33;
-    let t35 = t32 + t34;
-    let t36 = t35 + holder_v;
-    let t37 = R::literal(1.0) / holder_mass;
-    let t38 = layer_compression * p.layer_stiffness;
-    let t39 = holder_x * p.holder_stiffness;
-    let t40 = t39 - t38;
-    let t41 = t36 * p.layer_viscosity;
-    let t42 = force - t41;
-    let t43 = t42 - t40;
-    let holder_v_dot = t43 * t37;
-    let mut t3_before = t3;
-    let mut t4_before = t4;
-    let mut t7_before = t7;
+    let t29 = R::literal(2.0) * p.ovality;
+    let t30 = t29 * drum_speed;
+    let t31 = t8 * t30;
+    let t32 = p.eccentricity * drum_speed;
+    let t33 = t12 * t32;
+    let t34 = t31 + t33;
+    let t35 = t34 + holder_v;
+    let t36 = R::literal(1.0) / holder_mass;
+    let t37 = layer_compression * p.layer_stiffness;
+    let t38 = holder_x * p.holder_stiffness;
+    let t39 = t38 - t37;
+    let t40 = t35 * p.layer_viscosity;
+    let t41 = force - t40;
+    let t42 = t41 - t39;
+    let holder_v_dot = t42 * t36;
     let mut t8_before = t8;
+    let mut t9_before = t9;
+    let mut t12_before = t12;
+    let mut t13_before = t13;
+    let mut t21_before = t21;
     let mut t22_before = t22;
-    let mut t23_before = t23;
+    let mut t26_before = t26;
     let mut t27_before = t27;
-    let mut t28_before = t28;
     let mut rates = [holder_v, holder_v_dot];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
@@ -498,32 +507,32 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
             break;
         }
         let [holder_x_k, holder_v_k] = *state_k;
-        let t3_k = inverse * t0 * t4_before;
-        let t4_k = -inverse * t0 * t3_before;
-        let t7_k = inverse * drum_speed * t8_before;
-        let t8_k = -inverse * drum_speed * t7_before;
-        let shape_k = t8_k.mul_add(p.eccentricity, t4_k * p.ovality);
-        let t22_k = inverse * drum_speed * t23_before;
-        let t23_k = -inverse * drum_speed * t22_before;
-        let t27_k = inverse * package_speed * t28_before;
-        let t28_k = -inverse * package_speed * t27_before;
-        let force_k = t28_k.mul_add(p.package_force, t23_k * p.force_amplitude);
+        let t8_k = inverse * t5 * t9_before;
+        let t9_k = -inverse * t5 * t8_before;
+        let t12_k = inverse * drum_speed * t13_before;
+        let t13_k = -inverse * drum_speed * t12_before;
+        let shape_k = t13_k.mul_add(p.eccentricity, t9_k * p.ovality);
+        let t21_k = inverse * drum_speed * t22_before;
+        let t22_k = -inverse * drum_speed * t21_before;
+        let t26_k = inverse * package_speed * t27_before;
+        let t27_k = -inverse * package_speed * t26_before;
+        let force_k = t27_k.mul_add(p.package_force, t22_k * p.force_amplitude);
         let layer_compression_k = shape_k - holder_x_k;
-        let t35_k = t7_k.mul_add(t33, t3_k * t31);
-        let t36_k = t35_k + holder_v_k;
-        let t40_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
+        let t34_k = t12_k.mul_add(t32, t8_k * t30);
+        let t35_k = t34_k + holder_v_k;
+        let t39_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
             * p.holder_stiffness);
-        let t42_k = (-t36_k).mul_add(p.layer_viscosity, force_k);
-        let t43_k = t42_k - t40_k;
-        let holder_v_dot_k = t43_k * t37;
-        t3_before = t3_k;
-        t4_before = t4_k;
-        t7_before = t7_k;
+        let t41_k = (-t35_k).mul_add(p.layer_viscosity, force_k);
+        let t42_k = t41_k - t39_k;
+        let holder_v_dot_k = t42_k * t36;
         t8_before = t8_k;
+        t9_before = t9_k;
+        t12_before = t12_k;
+        t13_before = t13_k;
+        t21_before = t21_k;
         t22_before = t22_k;
-        t23_before = t23_k;
+        t26_before = t26_k;
         t27_before = t27_k;
-        t28_before = t28_k;
         rates = [holder_v_k, holder_v_dot_k];
     }
 }

@@ -3,8 +3,8 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   ced5fb7616f9cf1aab4663713b5b9dcc536ce138f9268ec76cbb7e61392d0727  scenes/winder_linear_as_printed.toml
-//   8c984ef752d36cb5a807e0f81452ed28362b242a0448d58c3aaf687ad0fa4813  units/textile/bobbin_holder_as_printed.toml
+//   1529dc6642667f9413586a3a0b8343f0613bb4a880f16e39f87104614a519bec  scenes/winder_linear_as_printed.toml
+//   8ca6e2c66edff51f8384a43a22a8df919edda76a00d925f77133ded495929317  units/textile/bobbin_holder_as_printed.toml
 //   a98fb80ae147033f3728d258add893c08815c557d9b5492e4a39a4ca0d59636a  units/textile/yarn_layer_as_printed.toml
 //
 // Bobbin on a winding drum as printed
@@ -16,10 +16,10 @@
 //   Winder study, equations (16) and (18), as printed; every mass, stiffness, dimension, speed and disturbance is ours.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 1, states 2, parameters 22, outputs 5.
-// Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 20 of 2 by 22.
+// Shapes: coordinates 1, states 2, parameters 25, outputs 6.
+// Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 20 of 2 by 25.
 // Operations: rate 38, mass_matrix 10, forcing 26, rate_jacobian 16, parameter_jacobian 129,
-//     time_derivative 41, outputs 33, energy 31, power_balance 56, prepare 47, prepared_rate 24,
+//     time_derivative 41, outputs 41, energy 31, power_balance 56, prepare 47, prepared_rate 24,
 //     prepared_jacobians 87.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
@@ -58,6 +58,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     holder_package_width: 0.15, "m", "holder.package_width", "H, width of the package";
     holder_yarn_density: 350.0, "kg/m^3", "holder.yarn_density", "rho, density of the wound yarn";
     holder_stiffness: 3800.0, "N/m", "holder.stiffness", "c_p, stiffness of the holder, reduced to the bobbin centre";
+    holder_preload: 40.0, "N", "holder.preload", "N0, contact force of the empty bobbin at rest";
+    holder_spring_share: 1.0, "1", "holder.spring_share", "share of the growth of the package's radius that deflects the spring; 0 where its seat follows";
+    holder_gravity: 9.81, "m/s^2", "holder.gravity", "acceleration of free fall; 0 for a bobbin beside its drum";
     layer_stiffness: 42000.0, "N/m", "layer.stiffness", "c, stiffness of the layer";
     layer_viscosity: 95.0, "N s/m", "layer.viscosity", "h, damping of the layer";
 }
@@ -65,6 +68,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 ::machinist_contract::outputs! {
     deflection: "m", "deflection", "deflection of the bobbin centre";
     pressure: "N", "pressure", "force of the layer on the bobbin, relative to rest";
+    contact_force: "N", "contact_force", "N, contact force; below zero the layer would pull";
     mass: "kg", "mass", "reduced mass m(R)";
     force: "N", "force", "disturbance force";
     shape: "m", "shape", "drum profile";
@@ -81,7 +85,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     /// Nonzeros of dy'/dy.
     RATE_JACOBIAN_PATTERN: 2 by 2 { 0 [1] 1 [0 1] }
     /// Nonzeros of dy'/dp.
-    PARAMETER_JACOBIAN_PATTERN: 2 by 22 { 1 [0 1 2 3 4 5 6 7 8 11 12 13 14 15 16 17 18 19 20 21] }
+    PARAMETER_JACOBIAN_PATTERN: 2 by 25 { 1 [0 1 2 3 4 5 6 7 8 11 12 13 14 15 16 17 18 19 23 24] }
 }
 
 ::machinist_contract::constants! {
@@ -100,9 +104,9 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t0 = (p.holder_package_radius * p.holder_package_radius)
         .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
     let t1 = R::literal(core::f64::consts::PI) * p.holder_package_width;
+    let holder_package_mass = t1 * p.holder_yarn_density * t0;
     let t2 = p.holder_link_mass * p.holder_link_arm;
-    let holder_mass = p.holder_bobbin_mass.add_product(t1 * p.holder_yarn_density, t0) + t2
-        / p.holder_holder_arm;
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + t2 / p.holder_holder_arm;
     let t3 = R::literal(2.0) * drum_speed;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let holder_v_dot_by_holder_x = -((p.holder_stiffness + p.layer_stiffness)
@@ -167,10 +171,11 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
 /// `M = d2L/dq'2`, values in the order of its pattern. 10 operations.
 #[must_use]
 pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; 1] {
-    let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
-        * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
-        * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let holder_package_mass = R::literal(core::f64::consts::PI) * p.holder_package_width
+        * p.holder_yarn_density * (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + p.holder_link_mass
+        * p.holder_link_arm / p.holder_holder_arm;
     [holder_mass]
 }
 
@@ -268,10 +273,11 @@ pub fn time_derivative<R: Real>(time: R, _state: &[R; STATES], p: &Parameters<R>
         = R::sin_cos_each([p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time),
         p.package_phase.add_product(package_speed, time), p.force_phase + drum_speed_times_time,
         drum_speed_times_time]);
-    let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
-        * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
-        * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let holder_package_mass = R::literal(core::f64::consts::PI) * p.holder_package_width
+        * p.holder_yarn_density * (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + p.holder_link_mass
+        * p.holder_link_arm / p.holder_holder_arm;
     let holder_v_dot_by_time = drum_speed / p.holder_package_radius
         * (-(p.drum_radius * p.package_force * t1)).add_product(R::literal(-2.0) * p.ovality
         * p.holder_package_radius * p.layer_stiffness, t0).sub_product(p.force_amplitude
@@ -280,7 +286,7 @@ pub fn time_derivative<R: Real>(time: R, _state: &[R; STATES], p: &Parameters<R>
     [R::literal(0.0), holder_v_dot_by_time]
 }
 
-/// Wanted outputs. 33 operations.
+/// Wanted outputs. 41 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [holder_x, holder_v] = *state;
@@ -291,17 +297,22 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
         = R::sin_cos_each([p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time),
         drum_speed_times_time, p.force_phase + drum_speed_times_time,
         p.package_phase.add_product(package_speed, time)]);
-    let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
-        * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
-        * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let holder_package_mass = R::literal(core::f64::consts::PI) * p.holder_package_width
+        * p.holder_yarn_density * (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + p.holder_link_mass
+        * p.holder_link_arm / p.holder_holder_arm;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
     let force = (p.force_amplitude * t1).add_product(p.package_force, t2);
     let layer_compression = shape - holder_x;
+    let layer_viscosity_times_holder_v = p.layer_viscosity * holder_v;
+    let t3 = p.layer_stiffness * layer_compression;
     Outputs {
         deflection: holder_x,
-        pressure: (-(p.layer_viscosity * holder_v)).add_product(p.layer_stiffness,
-            layer_compression),
+        pressure: t3 - layer_viscosity_times_holder_v,
+        contact_force: p.holder_preload.add_product(p.holder_stiffness * p.holder_spring_share,
+            p.holder_package_radius - p.holder_bobbin_radius).add_product(p.holder_gravity,
+            holder_package_mass) + t3 - layer_viscosity_times_holder_v,
         mass: holder_mass,
         force,
         shape,
@@ -316,10 +327,11 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     let [(_, t0), (_, cos_drum_speed_times_time)]
         = R::sin_cos_each([p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time),
         drum_speed * time]);
-    let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
-        * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
-        * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let holder_package_mass = R::literal(core::f64::consts::PI) * p.holder_package_width
+        * p.holder_yarn_density * (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + p.holder_link_mass
+        * p.holder_link_arm / p.holder_holder_arm;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
     let layer_compression = shape - holder_x;
     Energy {
@@ -342,10 +354,11 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3), (_, t4)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
         p.package_phase.add_product(package_speed, time)]);
-    let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
-        * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
-        * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let holder_package_mass = R::literal(core::f64::consts::PI) * p.holder_package_width
+        * p.holder_yarn_density * (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
+    let holder_mass = p.holder_bobbin_mass + holder_package_mass + p.holder_link_mass
+        * p.holder_link_arm / p.holder_holder_arm;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
@@ -382,49 +395,49 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t2 = t1 - t0;
     let t3 = R::literal(core::f64::consts::PI) * p.holder_package_width;
     let t4 = t3 * p.holder_yarn_density;
-    let t5 = t4 * t2;
-    let t6 = p.holder_link_mass * p.holder_link_arm;
-    let t7 = t6 / p.holder_holder_arm;
-    let t8 = p.holder_bobbin_mass + t5;
-    let holder_mass = t8 + t7;
-    let t9 = R::literal(2.0) * drum_speed;
-    let t10 = time * t9;
-    let t11 = p.ovality_phase + t10;
-    let t12 = t11.sin();
-    let t13 = t11.cos();
-    let t14 = t13 * p.ovality;
-    let t15 = time * drum_speed;
-    let t16 = t15.sin();
-    let t17 = t15.cos();
-    let t18 = t17 * p.eccentricity;
-    let shape = t14 + t18;
-    let t19 = p.force_phase + t15;
-    let t20 = t19.sin();
-    let t21 = t19.cos();
-    let t22 = t21 * p.force_amplitude;
-    let t23 = time * package_speed;
-    let t24 = p.package_phase + t23;
-    let t25 = t24.sin();
-    let t26 = t24.cos();
-    let t27 = t26 * p.package_force;
-    let force = t22 + t27;
+    let holder_package_mass = t4 * t2;
+    let t5 = p.holder_link_mass * p.holder_link_arm;
+    let t6 = t5 / p.holder_holder_arm;
+    let t7 = p.holder_bobbin_mass + holder_package_mass;
+    let holder_mass = t7 + t6;
+    let t8 = R::literal(2.0) * drum_speed;
+    let t9 = time * t8;
+    let t10 = p.ovality_phase + t9;
+    let t11 = t10.sin();
+    let t12 = t10.cos();
+    let t13 = t12 * p.ovality;
+    let t14 = time * drum_speed;
+    let t15 = t14.sin();
+    let t16 = t14.cos();
+    let t17 = t16 * p.eccentricity;
+    let shape = t13 + t17;
+    let t18 = p.force_phase + t14;
+    let t19 = t18.sin();
+    let t20 = t18.cos();
+    let t21 = t20 * p.force_amplitude;
+    let t22 = time * package_speed;
+    let t23 = p.package_phase + t22;
+    let t24 = t23.sin();
+    let t25 = t23.cos();
+    let t26 = t25 * p.package_force;
+    let force = t21 + t26;
     let layer_compression = shape - holder_x;
-    let t28 = R::literal(1.0) / holder_mass;
-    let t29 = holder_v * p.layer_viscosity;
-    let t30 = layer_compression * p.layer_stiffness;
-    let t31 = holder_x * p.holder_stiffness;
-    let t32 = t31 - t30;
-    let t33 = force - t29;
-    let t34 = t33 - t32;
-    let holder_v_dot = t34 * t28;
+    let t27 = R::literal(1.0) / holder_mass;
+    let t28 = holder_v * p.layer_viscosity;
+    let t29 = layer_compression * p.layer_stiffness;
+    let t30 = holder_x * p.holder_stiffness;
+    let t31 = t30 - t29;
+    let t32 = force - t28;
+    let t33 = t32 - t31;
+    let holder_v_dot = t33 * t27;
+    let mut t11_before = t11;
     let mut t12_before = t12;
-    let mut t13_before = t13;
+    let mut t15_before = t15;
     let mut t16_before = t16;
-    let mut t17_before = t17;
+    let mut t19_before = t19;
     let mut t20_before = t20;
-    let mut t21_before = t21;
+    let mut t24_before = t24;
     let mut t25_before = t25;
-    let mut t26_before = t26;
     let mut rates = [holder_v, holder_v_dot];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
@@ -435,30 +448,30 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
             break;
         }
         let [holder_x_k, holder_v_k] = *state_k;
-        let t12_k = inverse * t9 * t13_before;
-        let t13_k = -inverse * t9 * t12_before;
-        let t16_k = inverse * drum_speed * t17_before;
-        let t17_k = -inverse * drum_speed * t16_before;
-        let shape_k = t17_k.mul_add(p.eccentricity, t13_k * p.ovality);
-        let t20_k = inverse * drum_speed * t21_before;
-        let t21_k = -inverse * drum_speed * t20_before;
-        let t25_k = inverse * package_speed * t26_before;
-        let t26_k = -inverse * package_speed * t25_before;
-        let force_k = t26_k.mul_add(p.package_force, t21_k * p.force_amplitude);
+        let t11_k = inverse * t8 * t12_before;
+        let t12_k = -inverse * t8 * t11_before;
+        let t15_k = inverse * drum_speed * t16_before;
+        let t16_k = -inverse * drum_speed * t15_before;
+        let shape_k = t16_k.mul_add(p.eccentricity, t12_k * p.ovality);
+        let t19_k = inverse * drum_speed * t20_before;
+        let t20_k = -inverse * drum_speed * t19_before;
+        let t24_k = inverse * package_speed * t25_before;
+        let t25_k = -inverse * package_speed * t24_before;
+        let force_k = t25_k.mul_add(p.package_force, t20_k * p.force_amplitude);
         let layer_compression_k = shape_k - holder_x_k;
-        let t32_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
+        let t31_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
             * p.holder_stiffness);
-        let t33_k = (-holder_v_k).mul_add(p.layer_viscosity, force_k);
-        let t34_k = t33_k - t32_k;
-        let holder_v_dot_k = t34_k * t28;
+        let t32_k = (-holder_v_k).mul_add(p.layer_viscosity, force_k);
+        let t33_k = t32_k - t31_k;
+        let holder_v_dot_k = t33_k * t27;
+        t11_before = t11_k;
         t12_before = t12_k;
-        t13_before = t13_k;
+        t15_before = t15_k;
         t16_before = t16_k;
-        t17_before = t17_k;
+        t19_before = t19_k;
         t20_before = t20_k;
-        t21_before = t21_k;
+        t24_before = t24_k;
         t25_before = t25_k;
-        t26_before = t26_k;
         rates = [holder_v_k, holder_v_dot_k];
     }
 }

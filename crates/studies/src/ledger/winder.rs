@@ -167,9 +167,7 @@ fn pressures() -> Result<Vec<LedgerRow>, CheckFailure> {
     let linkage = Held::Verify(
         "winder_linkage: forces at contact and stop while the package grows from 30 to 60 mm",
     );
-    let lever = Held::Test(
-        "pressure_over_the_growth_of_a_package_is_the_balance_of_moments_about_the_lever",
-    );
+    let full = Held::Verify("winder_full: pressure on the package from empty to full");
     let (place, words) = ("`winder_linkage`", "the strut's spring yields as the package grows");
     Ok(vec![
         row("pressure N of the four-link holder, R = 30 mm", holder(0.03), words, place, linkage),
@@ -179,12 +177,12 @@ fn pressures() -> Result<Vec<LedgerRow>, CheckFailure> {
             pressure_over_growth(rest, spring, &BENCH_MASS, 0.06),
             &format!(
                 "{} N with the empty bobbin; the package's growth fully deflects the spring of {} \
-                 N/m; the scenes keep N constant",
+                 N/m; scenes take it by default, `holder.spring_share` sets less",
                 digits_of(rest, 3),
                 digits_of(spring, 4)
             ),
-            "`closed_form::winding_pair`; `machinist studies walk --growth`",
-            lever,
+            "`closed_form::winding_pair`; `winder_full`, `winder_linear`, `winder_nonlinear`",
+            full,
         ),
     ])
 }

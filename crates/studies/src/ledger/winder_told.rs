@@ -288,7 +288,8 @@ const TOLD: &[Told] = &[
         figure: "pressure N from the spring, the thread and the weights",
         verdict: "the arm of F is printed hp, that of P; N grows with R as the package lifts the \
                   lever, numbers below; `studies walk` keeps N constant without `--growth`",
-        place: "`machinist studies walk --growth`; `drives/winder_elastic_slip`, `winder_linkage`",
+        place: "`winder_linear`, `winder_nonlinear`, output `contact_force`; `winder_full`, \
+                `winder_linkage`; `machinist studies walk --growth`",
         held: Held::Verify(
             "winder_linkage: forces at contact and stop while the package grows from 30 to 60 mm",
         ),

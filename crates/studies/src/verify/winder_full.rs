@@ -4,8 +4,10 @@
 use super::sensitivities::{ACROSS, against_differences};
 use super::{Check, CheckFailure, Machine, Measured, counted, machine, relative_distance, worse};
 use crate::closed_form::BouncingBobbin;
-use crate::closed_form::winder::{BENCH_BOBBIN, BENCH_FORCE, BENCH_SHAPE};
-use crate::closed_form::winding_pair::{WindingPair, package_radius, package_speed};
+use crate::closed_form::winder::{BENCH_BOBBIN, BENCH_FORCE, BENCH_MASS, BENCH_SHAPE, ReducedMass};
+use crate::closed_form::winding_pair::{
+    WindingPair, package_radius, package_speed, pressure_over_growth,
+};
 use machinist::Method;
 
 const HELD: &str = "the run is held to 1e-12 a step; some thousand steps add up";
@@ -25,6 +27,13 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 1e-10,
         reason: HELD,
         measure: wound,
+    },
+    Check {
+        name: "pressure on the package from empty to full",
+        reference: "(15): the spring takes the growth, the package its weight, relative",
+        tolerance: 1e-10,
+        reason: HELD,
+        measure: pressing,
     },
     Check {
         name: "transient, pressed too hard to lose contact",
@@ -91,6 +100,9 @@ pub(super) const CHECKS: &[Check] = &[
 const STEADY: [(&str, f64); 3] =
     [("force_amplitude", 0.0), ("ovality", 0.0), ("pair.thread_area", 0.0)];
 
+/// Settings for a pressure that does not grow with the package.
+const KEPT: [(&str, f64); 2] = [("holder.spring_share", 0.0), ("holder.gravity", 0.0)];
+
 const PAIR: WindingPair = WindingPair { friction: 0.18, support_arm: 4e-4, rolling_arm: 6e-4 };
 const TENSION: f64 = 0.6;
 
@@ -116,6 +128,26 @@ fn wound(machine: &Machine) -> Result<Measured, CheckFailure> {
         machine.last(&run, "mass")?,
         1.5 + 0.9 * (0.1_f64 / 0.15).powi(2) + wound,
     ))
+}
+
+fn pressing(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let mut error = 0.0;
+    for (share, gravity) in [(1.0, 9.81), (0.25, 9.81), (0.0, 9.81), (1.0, 0.0)] {
+        let mut settings = ROPE.to_vec();
+        settings.extend([("holder.spring_share", share), ("holder.gravity", gravity)]);
+        let run = machine.simulation(&settings)?.until(4.0).points(401).rtol(1e-12).run()?;
+        let exact: Vec<f64> = run
+            .times
+            .iter()
+            .map(|time| {
+                let radius = package_radius(*time, 0.03, 0.15, 5.7e-5 * 5.5);
+                let grown = |spring| pressure_over_growth(0.0, spring, &BENCH_MASS, radius);
+                40.0 + grown(3800.0 * share) - (1.0 - gravity / 9.81) * grown(0.0)
+            })
+            .collect();
+        error = worse(error, relative_distance(machine.column(&run, "pressure")?, &exact));
+    }
+    Ok(Measured::error(error))
 }
 
 fn without_loss(machine: &Machine) -> Result<Measured, CheckFailure> {
@@ -165,16 +197,23 @@ fn switches(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(counted(of_layer.count() as u64, exact))
 }
 
-/// Checks that a package sticks from a millionth above the least pressure on, and slips below.
+/// Checks that a package sticks from a millionth above the least pressure on, and slips below,
+/// whether its growth adds to the pressure or not.
 fn adhesion(machine: &Machine) -> Result<Measured, CheckFailure> {
     let mut wrong = 0;
     for radius in [0.025, 0.03, 0.04, 0.05, 0.06] {
         // The rule of practice is not a limit of the machine.
         let least = TENSION / (PAIR.friction - (PAIR.support_arm + PAIR.rolling_arm) / radius);
-        for (share, slip) in [(1.0 - 1e-6, -1.0), (1.0 + 1e-6, 0.0)] {
+        let empty = ReducedMass { bobbin_radius: 0.025, ..BENCH_MASS };
+        let grown = pressure_over_growth(0.0, 3800.0, &empty, radius);
+        let sides = [(1.0 - 1e-6, -1.0), (1.0 + 1e-6, 0.0)];
+        let sides =
+            sides.iter().flat_map(|side| [(*side, KEPT.as_slice(), 0.0), (*side, &[], grown)]);
+        for ((share, slip), growth, grown) in sides {
             let mut settings = STEADY.to_vec();
             settings.extend([("pair.package_radius", radius), ("pair.bobbin_radius", 0.025)]);
-            settings.push(("holder.preload", share * least));
+            settings.extend(growth);
+            settings.push(("holder.preload", share * least - grown));
             let run = machine.simulation(&settings)?.until(0.1).points(2).run()?;
             wrong += u64::from((machine.last(&run, "pair.slip")? - slip).abs() > 0.0);
         }
@@ -197,6 +236,7 @@ fn speeding(machine: &Machine) -> Result<Measured, CheckFailure> {
             for (share, slip) in [(1.0 + 1e-6, side), (1.0 - 1e-6, 0.0)] {
                 let mut settings = STEADY.to_vec();
                 settings.extend([("pair.package_radius", radius), ("acceleration", share * limit)]);
+                settings.extend(KEPT);
                 let run = machine.simulation(&settings)?.until(0.01).points(2).run()?;
                 wrong += u64::from((machine.last(&run, "pair.slip")? - slip).abs() > 0.0);
             }
@@ -221,6 +261,7 @@ fn elastic_slip(machine: &Machine) -> Result<Measured, CheckFailure> {
             ("pair.tension", tension),
             ("pair.greatest_slip", most),
         ]);
+        settings.extend(KEPT);
         let run = machine.simulation(&settings)?.until(0.5).points(101).rtol(1e-12);
         let run = run.method(Method::Dop853).run()?;
         let ring = radius.powi(4) - 0.03_f64.powi(4);

@@ -10,7 +10,7 @@ use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
 use crate::closed_form::winder::{
     BENCH_BOBBIN, BENCH_FORCE, BENCH_MASS, BENCH_SHAPE, BobbinOscillator, Deflection, Harmonic,
 };
-use crate::closed_form::winding_pair::HOLDER_POSITIONS;
+use crate::closed_form::winding_pair::{HOLDER_POSITIONS, pressure_over_growth};
 
 const NEAR_ROUNDING: &str = "the run is held to 1e-12 a step; some thousand steps add up";
 const TRANSIENT: &str = "closed form of deflection and velocity, each relative to its largest";
@@ -66,6 +66,13 @@ pub(super) const CHECKS: &[Check] = &[
         measure: reduced_mass,
     },
     Check {
+        name: "contact force at rest of packages of 30 to 60 mm",
+        reference: "(15): the spring takes the growth, the package its weight, relative",
+        tolerance: 1e-14,
+        reason: "both are algebra",
+        measure: contact_force_at_rest,
+    },
+    Check {
         name: "mobility of the bobbin holder in five positions",
         reference: "the study's table 2, 2, 3, 3, 3: positions that differ",
         tolerance: 0.0,
@@ -109,6 +116,13 @@ pub(super) const PRINTED_CHECKS: &[Check] = &[
             let point = machine.point(&[("holder.package_radius", 0.05)], &[])?;
             Ok(Measured::relative(machine.output(&point, "mass")?, BENCH_MASS.as_printed(0.05)))
         },
+    },
+    Check {
+        name: "contact force at rest of packages of 30 to 60 mm, as printed",
+        reference: "(15): the spring takes the growth, the package its weight, relative",
+        tolerance: 1e-14,
+        reason: "both are algebra",
+        measure: contact_force_at_rest,
     },
     Check {
         name: "undamped natural frequency, as printed",
@@ -202,6 +216,17 @@ fn steady(machine: &Machine, frequency: f64) -> Result<Complex64, CheckFailure> 
     let sum: Complex64 =
         terms.map(|(time, value)| Complex64::from_polar(*value, -frequency * time)).sum();
     Ok(sum * 2.0 / f64::from(SAMPLES))
+}
+
+pub(super) fn contact_force_at_rest(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let mut error = 0.0;
+    for radius in [0.03, 0.04, 0.05, 0.06] {
+        let settings = [("holder.package_radius", radius), ("ovality", 0.0)];
+        let point = machine.point(&settings, &[])?;
+        let exact = pressure_over_growth(40.0, 3800.0, &BENCH_MASS, radius);
+        error = worse(error, (machine.output(&point, "contact_force")? / exact - 1.0).abs());
+    }
+    Ok(Measured::error(error))
 }
 
 fn reduced_mass(machine: &Machine) -> Result<Measured, CheckFailure> {

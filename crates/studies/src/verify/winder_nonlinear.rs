@@ -35,6 +35,13 @@ pub(super) const CHECKS: &[Check] = &[
         measure: linear_limit,
     },
     Check {
+        name: "contact force at rest of packages of 30 to 60 mm",
+        reference: "(15): the spring takes the growth, the package its weight, relative",
+        tolerance: 1e-14,
+        reason: "both are algebra",
+        measure: super::winder_linear::contact_force_at_rest,
+    },
+    Check {
         name: "steady motion at the bench speed",
         reference: "harmonic balance with sixteen harmonics, relative to the largest",
         tolerance: 1e-9,

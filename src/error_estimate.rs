@@ -15,8 +15,8 @@
 use serde::Serialize;
 
 use crate::error::SimulateError;
-use crate::method::loose::LOOSEST_OF_MANY;
 use crate::method::taylor::LEAST_RTOL;
+use crate::method::tolerance::LOOSEST_KEPT;
 use crate::simulate::Simulation;
 use crate::trajectory::{Column, Switch, Trajectory};
 
@@ -144,8 +144,8 @@ impl Simulation<'_> {
     /// Returns the same run at tolerances tighter by [`REFINEMENT`] than those that its steps keep,
     /// for [`ErrorEstimate::of`].
     pub fn refined(&self) -> Self {
-        // A run of many steps keeps at least this tolerance, even if a looser one is requested.
-        let rtol = self.relative_tolerance().min(LOOSEST_OF_MANY);
+        // Where errors add up, `auto` keeps this tolerance even if a looser one is requested.
+        let rtol = self.relative_tolerance().min(LOOSEST_KEPT);
         self.clone().at_tolerance(rtol / REFINEMENT)
     }
 

@@ -14,7 +14,8 @@ use thiserror::Error;
 use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{SimulateError, StopCause};
 use crate::method::{
-    Memory, Method, Problem, Stopped, System, Watch, identically_zero, just_behind, within,
+    Memory, Method, Problem, StepTolerance, Stopped, System, Watch, identically_zero, just_behind,
+    within,
 };
 use crate::scales::scales;
 use crate::simulate::{MAX_STEPS, Simulation, require_admitted};
@@ -46,8 +47,7 @@ pub struct Standing {
     span: (f64, f64),
     /// Jumps of the rate before and after the current time.
     ends: (f64, f64),
-    rtol: f64,
-    atol: Vec<f64>,
+    tolerance: StepTolerance,
     /// True if the host steps the run.
     is_stepped: bool,
     memory: Memory,
@@ -112,7 +112,8 @@ impl Standing {
     pub fn fits(&self, simulator: &dyn Simulator<f64>) -> bool {
         let states = simulator.shape().states();
         let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
-        let Self { time, state, span, atol, rtol, memory, .. } = self;
+        let Self { time, state, span, tolerance, memory, .. } = self;
+        let StepTolerance { rtol, atol, .. } = tolerance;
         [state.len(), atol.len()] == [states; 2]
             && is_finite(state)
             && is_finite(&[*time, span.0, span.1])
@@ -136,7 +137,7 @@ impl Standing {
     /// Returns the relative tolerance of the run.
     #[must_use]
     pub fn rtol(&self) -> f64 {
-        self.rtol
+        self.tolerance.rtol
     }
 
     /// Returns whether an indicator is the guard of an active event; otherwise it is constant.
@@ -203,8 +204,10 @@ impl<'a> Hosted<'a> {
             state,
             span: (from, until),
             ends: (from, from),
-            rtol,
-            atol: scales.iter().map(|scale| rtol * scale).collect(),
+            tolerance: StepTolerance::requested(
+                rtol,
+                scales.iter().map(|scale| rtol * scale).collect(),
+            ),
             is_stepped,
             memory: Memory::default(),
         };
@@ -264,7 +267,7 @@ impl<'a> Hosted<'a> {
         let time = standing.within(standing.time);
         let off = Constraints::of(self.simulator, self.parameters)
             .map_or(0.0, |constraints| constraints.off(time, &standing.state));
-        asks || off > standing.rtol
+        asks || off > standing.tolerance.rtol
     }
 
     /// Executes what is due at the current time: a jump of the rate, and events that were found or
@@ -281,7 +284,7 @@ impl<'a> Hosted<'a> {
         let mut state = next.state.clone();
         system.constrain(time, &mut state)?;
         let times = (time.next_down(), just_behind(time, next.span.1));
-        system.take_up(times, (next.rtol, &next.atol), &mut state)?;
+        system.take_up(times, &next.tolerance, &mut state)?;
         let mut memory = next.memory.clone();
         let mut names = Vec::new();
         let problem = self.problem(&system, &next, next.span.1);
@@ -325,7 +328,9 @@ impl<'a> Hosted<'a> {
         let system = System::new(self.simulator, self.parameters, false);
         let (from, end) = standing.span;
         let system = system.shown_to(Some(&onlooker)).piece_of(end - from);
-        let problem = self.problem(&system, standing, until);
+        let StepTolerance { rtol, atol, .. } = standing.tolerance.clone();
+        let tolerance = StepTolerance::new(method, (self.simulator, self.parameters), (rtol, atol));
+        let problem = Problem { tolerance, ..self.problem(&system, standing, until) };
         let watch = Watch::resume(&problem, &standing.memory);
         let mut state = standing.state.clone();
         let carried = problem.carry_on(method, watch.as_ref(), &mut state, halts);
@@ -380,8 +385,7 @@ impl<'a> Hosted<'a> {
             times: &[],
             initial: standing.state.clone(),
             jumps,
-            rtol: standing.rtol,
-            atol: standing.atol.clone(),
+            tolerance: standing.tolerance.clone(),
             max_steps: MAX_STEPS,
         }
     }

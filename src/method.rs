@@ -19,7 +19,6 @@ mod held;
 mod inertia;
 mod jump;
 mod lanes;
-pub(crate) mod loose;
 #[cfg(feature = "implicit")]
 mod lu;
 mod milestone;
@@ -47,6 +46,7 @@ mod suitable;
 mod system;
 mod tableau;
 pub(crate) mod taylor;
+pub(crate) mod tolerance;
 mod vectors;
 mod watch;
 
@@ -65,6 +65,7 @@ pub(crate) use one_step::{OneStep, Trial};
 pub use stretch::{Samples, Stretch};
 pub(crate) use stretch::{cut, within};
 pub use system::{System, Work};
+pub use tolerance::StepTolerance;
 pub use watch::Watch;
 pub(crate) use watch::{Front, Happened, Memory, identically_zero};
 
@@ -140,10 +141,8 @@ pub struct Problem<'a> {
     pub initial: Vec<f64>,
     /// Times at which the right-hand side jumps, in any order \[s\].
     pub jumps: Vec<f64>,
-    /// Relative tolerance.
-    pub rtol: f64,
-    /// Absolute tolerance of every state.
-    pub atol: Vec<f64>,
+    /// Tolerances of its steps.
+    pub tolerance: StepTolerance,
     /// Maximum number of steps.
     pub max_steps: usize,
 }
@@ -166,10 +165,6 @@ impl Problem<'_> {
     /// rows until then.
     #[must_use]
     pub fn integrate_kept(&self, method: Method) -> (Run, Option<Stopped>) {
-        self.tried_loosely(method).unwrap_or_else(|| self.integrate_once(method))
-    }
-
-    fn integrate_once(&self, method: Method) -> (Run, Option<Stopped>) {
         let mut watch = None;
         let mut samples = Samples::new(self.times, self.initial.len());
         let stopped = self.carry(method, &mut watch, &mut samples).err();
@@ -271,7 +266,7 @@ impl Problem<'_> {
                     integrator.integrate(&stretch, state, samples)?;
                     continue;
                 };
-                watch.start_stretch(&stretch, stretch.step_rtol(method), state);
+                watch.start_stretch(&stretch, state);
                 // Along a surface no series exists, and dy'/dy, with which implicit methods carry
                 // sensitivities, has more entries than its pattern.
                 let is_special = method == Method::Taylor || self.system.tangents().is_some();
@@ -300,7 +295,7 @@ impl Problem<'_> {
         if from > self.from {
             self.system.keep_momentum((from - (behind - from), behind), state)?;
         }
-        let has_moved = self.system.take_up((front, behind), (self.rtol, &self.atol), state)?;
+        let has_moved = self.system.take_up((front, behind), &self.tolerance, state)?;
         match self.system.tangents() {
             Some(tangents) if from > self.from || has_moved => {
                 tangents.jump(self.system, (from, &before), (behind, state), has_moved)
@@ -321,11 +316,10 @@ impl Problem<'_> {
         let Some(time) = watch.switch(state)? else { return Ok(None) };
         let front = Moment { time, ..front };
         let is_of_time = watch.changes_with_time(time, &front.state);
-        let allowed = (self.rtol, &self.atol[..]);
         let impulses = self.system.pass_inertia(watch, &front, state)?;
         self.system.account(&front, impulses.supplied, state);
         let has_moved = watch.has_changed_relations()
-            && self.system.go_along(time, is_of_time, allowed, state)?;
+            && self.system.go_along(time, is_of_time, &self.tolerance, state)?;
         let switched = self.system.moment(time, state);
         self.system.constrain(time, state)?;
         if let Some(tangents) = self.system.tangents() {
@@ -365,13 +359,6 @@ struct Row {
 }
 
 impl Method {
-    /// Returns absolute tolerances, tightened in proportion to the relative tolerance of steps.
-    #[cfg(any(feature = "implicit", feature = "sweep"))]
-    pub(crate) fn tightened(atol: &[f64], rtol: f64, step_rtol: f64) -> Vec<f64> {
-        let tighter = (step_rtol / rtol).min(1.0);
-        atol.iter().map(|atol| tighter * atol).collect()
-    }
-
     /// Returns the overseer of the steps of variants in lanes.
     #[cfg(feature = "sweep")]
     #[cfg_attr(

@@ -19,14 +19,12 @@ use crate::constraints::consistent;
 use crate::error::{NotCompiledIn, SimulateError, StopCause, did_you_mean};
 #[cfg(feature = "sweep")]
 use crate::method::cut;
-#[cfg(feature = "sweep")]
-use crate::method::loose::few;
 use crate::method::patience::Patience;
 use crate::method::reverse::Log;
 use crate::method::sensitivity::{By, Start, Tangents, columns};
 #[cfg(feature = "sweep")]
 use crate::method::taylor::variants::Variant;
-use crate::method::{Method, Problem, Run, Stopped, System, identically_zero};
+use crate::method::{Method, Problem, Run, StepTolerance, Stopped, System, identically_zero};
 use crate::scales::scales;
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Stop, Trajectory};
 
@@ -395,28 +393,21 @@ impl<'a> Simulation<'a> {
         Ok((state, parameters))
     }
 
-    /// Returns the data that a method in lanes needs for a run. Steps of such a method keep to a
-    /// relative tolerance; `is_left` tells it to give up where its steps are too many.
+    /// Returns the data that a method in lanes needs for a run.
     ///
     /// # Errors
     /// As [`Simulation::run`].
     #[cfg(feature = "sweep")]
-    pub(crate) fn variant_for(
-        &self,
-        (rtol, is_left): (f64, bool),
-    ) -> Result<Variant, SimulateError> {
+    pub(crate) fn variant_for(&self, method: Method) -> Result<Variant, SimulateError> {
         let parameters = self.checked_parameters()?;
         let initial = self.checked_initial_state()?;
-        let atol = Method::tightened(&self.checked_atol(&initial)?, self.rtol, rtol);
-        let of_few = || few(self.simulator, parameters, (self.from, self.until), &initial);
+        let atol = self.checked_atol(&initial)?;
         Ok(Variant {
-            few: if is_left { of_few() } else { f64::INFINITY },
             parameters: parameters.to_vec(),
             ends: cut(self.from, self.until, self.checked_jumps()?),
             times: self.checked_times()?,
-            atol,
+            tolerance: StepTolerance::new(method, (self.simulator, parameters), (self.rtol, atol)),
             max_steps: self.max_steps,
-            time_spent: Duration::ZERO,
             initial,
         })
     }
@@ -497,13 +488,12 @@ impl<'a> Simulation<'a> {
             times: &times,
             initial,
             jumps: self.checked_jumps()?,
-            rtol: self.rtol,
-            atol,
+            tolerance: StepTolerance::new(method, (self.simulator, parameters), (self.rtol, atol)),
             max_steps: self.max_steps,
         };
         let (run, stopped) = problem.integrate_kept(method);
-        if self.atol.is_none() && system.has_stepped() {
-            self.note_small(&system, &problem.atol, &run.rows);
+        if system.has_stepped() {
+            self.note_tolerance(&system, &problem.tolerance, &run.rows);
         }
         let energy_at_start = self.total_energy(&problem.initial[..states]);
         let Some(Stopped { time, cause }) = stopped else {
@@ -520,8 +510,23 @@ impl<'a> Simulation<'a> {
         })
     }
 
+    /// Adds notes on the tolerances of steps.
+    fn note_tolerance(&self, system: &System<'_>, tolerance: &StepTolerance, rows: &[f64]) {
+        tolerance.reason.iter().for_each(|reason| system.note(reason.clone()));
+        let (steps, rtol) = (system.work().steps, tolerance.rtol);
+        if steps as f64 * rtol > ADDS_UP {
+            system.note(format!(
+                "each of {steps} steps may have a relative error of {rtol:e}, and in undamped \
+                 motions these errors add up: compare with a run at a lower `rtol`"
+            ));
+        }
+        if self.atol.is_none() {
+            self.note_small(system, tolerance, rows);
+        }
+    }
+
     /// Adds a note on states that move far less than their absolute tolerance assumes.
-    fn note_small(&self, system: &System<'_>, atol: &[f64], rows: &[f64]) {
+    fn note_small(&self, system: &System<'_>, tolerance: &StepTolerance, rows: &[f64]) {
         /// Apparent motion of a state at rest, due to rounding.
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
         const SHOWN: usize = 3;
@@ -530,9 +535,10 @@ impl<'a> Simulation<'a> {
             let values = rows.iter().skip(index).step_by(width);
             values.map(|value| value.abs()).filter(|value| value.is_finite()).fold(0.0, f64::max)
         };
+        let scale = |index: usize| tolerance.atol[index] / tolerance.rtol;
         let small: Vec<String> = (0..system.states())
             .filter(|index| !self.simulator.is_mode(*index))
-            .map(|index| (self.simulator.state(index), atol[index] / self.rtol, largest(index)))
+            .map(|index| (self.simulator.state(index), scale(index), largest(index)))
             .filter(|(_, scale, most)| (ROUNDING * scale..SMALL * scale).contains(most))
             .map(|(state, scale, most)| {
                 format!("`{}` (at most {most:.1e} {}, scale {scale:e})", state.name, state.unit)
@@ -546,7 +552,7 @@ impl<'a> Simulation<'a> {
             "errors of {}{more} are controlled to {:e} of the scale, which is much larger than the \
              motion: give a `scale` of its size in the spec, or a lower `rtol`",
             small.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", "),
-            self.rtol
+            tolerance.rtol
         ));
     }
 
@@ -600,13 +606,6 @@ impl<'a> Simulation<'a> {
         }
         let energy_balance =
             self.energy_balance.then(|| table.energy_balance(&rows, width, energy_at_start));
-        let (steps, rtol) = (system.work().steps, method.step_rtol(self.rtol));
-        if steps as f64 * rtol > ADDS_UP {
-            system.note(format!(
-                "each of {steps} steps may have a relative error of {rtol:e}, and in undamped \
-                 motions these errors add up: compare with a run at a lower `rtol`"
-            ));
-        }
         table.note_not_finite(system, &times);
         let mut columns_of_run = table.into_columns(energy_balance.as_ref());
         if let Some(tangents) = system.tangents() {

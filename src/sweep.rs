@@ -6,7 +6,7 @@
 //! of this changes a result: to the last bit, every variant equals a run of its own, for any number
 //! of threads.
 
-use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::taylor::Bends;
 use machinist_contract::{F64x2, SideBySide, Simulator};
 
 use crate::error::{SimulateError, StopCause};
@@ -15,7 +15,7 @@ use crate::method::Method;
 #[cfg(feature = "implicit")]
 use crate::method::auto::in_lanes::goes_in_lanes;
 use crate::method::taylor::LEAST_RTOL;
-use crate::method::taylor::variants::{self, Ended, Outcome, Spent};
+use crate::method::taylor::variants::{self, Ended, Outcome};
 use crate::simulate::Simulation;
 use crate::threads;
 use crate::trajectory::ColumnKind;
@@ -189,32 +189,32 @@ impl<'a> Sweep<'a> {
 
     fn run_chunk(&self, chunk: &[Vec<f64>]) -> Vec<Result<VariantRun, SimulateError>> {
         let simulation = (self.each)(Simulation::new(self.machine.single()));
-        let Some((method, rtol)) = self.of_lanes(&simulation) else {
+        let Some(method) = self.of_lanes(&simulation) else {
             return chunk.iter().map(|parameters| one(&self.simulation(parameters))).collect();
         };
         let in_lanes = match self.machine.in_lanes() {
             None => None,
-            Some(InLanes::Two(machine)) => self.run_in_lanes(chunk, (method, rtol), machine),
-            Some(InLanes::Eight(machine)) => self.run_in_lanes(chunk, (method, rtol), machine),
+            Some(InLanes::Two(machine)) => self.run_in_lanes(chunk, method, machine),
+            Some(InLanes::Eight(machine)) => self.run_in_lanes(chunk, method, machine),
         };
         in_lanes.unwrap_or_else(|| {
             chunk.iter().map(|parameters| one(&self.simulation(parameters))).collect()
         })
     }
 
-    /// Returns the method and the relative tolerance if variants can run in lanes.
-    fn of_lanes(&self, simulation: &Simulation<'a>) -> Option<(Method, f64)> {
+    /// Returns the method if variants can run in lanes.
+    fn of_lanes(&self, simulation: &Simulation<'a>) -> Option<Method> {
         let single = self.machine.single();
         match simulation.method_and_rtol().ok()? {
             // Lanes do not monitor events or switching surfaces.
             (Method::Taylor, rtol) => {
                 let is_smooth = single.events() + single.kinks() == 0
                     && single.taylor()?.bends() != Bends::Corners;
-                (rtol >= LEAST_RTOL && is_smooth).then_some((Method::Taylor, rtol))
+                (rtol >= LEAST_RTOL && is_smooth).then_some(Method::Taylor)
             }
             #[cfg(feature = "implicit")]
             (Method::Auto, rtol) if rtol >= LEAST_RTOL && simulation.is_of_states_alone() => {
-                goes_in_lanes(single, rtol).then_some((Method::Auto, rtol))
+                goes_in_lanes(single, rtol).then_some(Method::Auto)
             }
             _ => None,
         }
@@ -228,55 +228,37 @@ impl<'a> Sweep<'a> {
     fn run_in_lanes<R: Lanes>(
         &self,
         chunk: &[Vec<f64>],
-        (method, rtol): (Method, f64),
+        method: Method,
         machine: &dyn SideBySide<R>,
     ) -> Option<Vec<Result<VariantRun, SimulateError>>> {
         let series = machine.taylor()?;
         let mut results: Vec<Option<Result<VariantRun, SimulateError>>> = vec![None; chunk.len()];
-        // Variants that are still to be run, and the work that each has spent in vain.
-        let mut left: Vec<(usize, Spent)> =
-            (0..chunk.len()).map(|index| (index, Spent::default())).collect();
-        for (rtol, is_left) in method.paces(rtol) {
-            let variants = std::mem::take(&mut left);
-            let (machine, how) = ((machine, series), (method, (rtol, is_left)));
-            self.run_at_pace(chunk, variants, machine, how, |index, ended| match ended {
-                Ok(result) => results[index] = Some(result),
-                Err(spent) => left.push((index, spent)),
-            });
-        }
-        Some(results.into_iter().flatten().collect())
-    }
-
-    /// Runs variants of a chunk; `done` receives the result of each, or the work spent in vain.
-    fn run_at_pace<R: Lanes>(
-        &self,
-        chunk: &[Vec<f64>],
-        mut variants: Vec<(usize, Spent)>,
-        (machine, series): (&dyn SideBySide<R>, &dyn TaylorSeries<R>),
-        (method, pace): (Method, (f64, bool)),
-        mut done: impl FnMut(usize, Result<Result<VariantRun, SimulateError>, Spent>),
-    ) {
         let patience = (self.each)(Simulation::new(self.machine.single())).patience();
-        let mut ready = Vec::with_capacity(variants.len());
-        variants.retain(|(index, spent)| {
-            match self.simulation(&chunk[*index]).variant_for(pace) {
-                // No step of this variant may be loose.
-                Ok(variant) if variant.few == 0.0 => done(*index, Err(*spent)),
-                Ok(mut variant) => {
-                    variant.max_steps = variant.max_steps.saturating_sub(spent.steps as usize);
-                    variant.time_spent = spent.time;
-                    ready.push(variant);
-                    return true;
+        let mut ready = Vec::with_capacity(chunk.len());
+        let mut variants: Vec<usize> = (0..chunk.len()).collect();
+        let mut of_all = None;
+        variants.retain(|index| {
+            let simulation = self.simulation(&chunk[*index]);
+            results[*index] = Some(match simulation.variant_for(method) {
+                Ok(variant) => {
+                    let rtol = variant.tolerance.rtol;
+                    // All lanes take steps of one order.
+                    if of_all.get_or_insert(rtol).to_bits() == rtol.to_bits() {
+                        ready.push(variant);
+                        return true;
+                    }
+                    one(&simulation)
                 }
-                Err(error) => done(*index, Ok(Err(error))),
-            }
+                Err(error) => Err(error),
+            });
             false
         });
-        let mut overseer = method.overseer(machine, pace.0);
+        let Some(rtol) = of_all else { return Some(results.into_iter().flatten().collect()) };
+        let mut overseer = method.overseer(machine, rtol);
         if let Some(overseer) = &mut overseer {
             let leaving = overseer.leaving(&ready);
-            for ((index, _), _) in variants.iter().zip(&leaving).filter(|(_, leaves)| **leaves) {
-                done(*index, Ok(one(&self.simulation(&chunk[*index]))));
+            for (index, _) in variants.iter().zip(&leaving).filter(|(_, leaves)| **leaves) {
+                results[*index] = Some(one(&self.simulation(&chunk[*index])));
             }
             let mut stays = leaving.iter().map(|leaves| !leaves);
             variants.retain(|_| stays.next() == Some(true));
@@ -285,14 +267,9 @@ impl<'a> Sweep<'a> {
         }
         let times: Vec<Vec<f64>> = ready.iter().map(|variant| variant.times.clone()).collect();
         let mut ended = |number: usize, ended| {
-            let (index, spent): (usize, Spent) = variants[number];
-            let parameters = &chunk[index];
+            let parameters = &chunk[variants[number]];
             let result = match ended {
-                Ended::Over(spent) => return done(index, Err(spent)),
-                Ended::Through(outcome) => {
-                    let run = self.finished(parameters, &times[number], &outcome);
-                    Ok(VariantRun { steps: spent.steps + run.steps, ..run })
-                }
+                Ended::Through(outcome) => Ok(self.finished(parameters, &times[number], &outcome)),
                 // Here `auto` would change the method, and its message says more on the cause.
                 Ended::Stopped(stopped)
                     if method == Method::Auto
@@ -308,10 +285,11 @@ impl<'a> Sweep<'a> {
                     kept: None,
                 }),
             };
-            done(index, Ok(result));
+            results[variants[number]] = Some(result);
         };
         let ready = &mut ready.into_iter();
-        variants::integrate((machine, series), pace.0, patience, overseer, ready, &mut ended);
+        variants::integrate((machine, series), rtol, patience, overseer, ready, &mut ended);
+        Some(results.into_iter().flatten().collect())
     }
 
     fn finished(&self, parameters: &[f64], times: &[f64], outcome: &Outcome) -> VariantRun {

@@ -1,7 +1,7 @@
 //! Events of scenes run from their specs: each is found once by every method that monitors events.
 
 use machinist::error::StopCause;
-use machinist::method::{Problem, System};
+use machinist::method::{Problem, StepTolerance, System};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Describe;
@@ -334,8 +334,7 @@ fn a_problem_refuses_what_a_simulation_refuses() {
         times: &[0.1],
         initial: vec![1.0, 0.0, 0.0, 0.0],
         jumps: Vec::new(),
-        rtol: 1e-6,
-        atol: vec![1e-6; 4],
+        tolerance: StepTolerance::requested(1e-6, vec![1e-6; 4]),
         max_steps: 1000,
     };
     for &method in Method::ALL.iter().filter(|method| !method.watches_events()) {

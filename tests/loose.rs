@@ -1,4 +1,4 @@
-//! `auto` steps at loose tolerances only where errors of steps do not add up.
+//! `auto` steps at loose tolerances only where a machine forgets errors of steps.
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation, Sweep, Trajectory};
@@ -37,26 +37,48 @@ fn error(simulator: &dyn Simulator<f64>, run: &Trajectory, exact: &Trajectory) -
     states.map(of_state).fold(0.0, f64::max)
 }
 
-/// Returns the errors of a scene over the tolerance, with the steps of each run.
-fn errors(name: &str, simulator: &dyn Simulator<f64>) -> [(f64, u64); ASKED.len()] {
+/// Error of a run over the tolerance.
+#[derive(Debug)]
+struct Found {
+    error: f64,
+    steps: u64,
+    /// True if the estimate tells an error of hundreds of tolerances, to a factor of ten.
+    is_told: bool,
+}
+
+/// Returns the errors of a scene over the tolerance.
+fn errors(name: &str, simulator: &dyn Simulator<f64>) -> [Found; ASKED.len()] {
+    let simulation = |rtol| {
+        let run = by_auto(simulator, rtol);
+        if name == LONG { run.until(1e-4) } else { run }
+    };
     let run = |rtol| {
-        let mut run = by_auto(simulator, rtol);
-        if name == LONG {
-            run = run.until(1e-4);
-        }
-        let run = run.run();
+        let run = simulation(rtol).run();
         run.unwrap_or_else(|error| panic!("{name} at {rtol:e}: {error}"))
     };
     let exact = run(1e-11);
     ASKED.map(|rtol| {
         let run = run(rtol);
-        (error(simulator, &run, &exact) / rtol, run.work.steps)
+        let error = error(simulator, &run, &exact);
+        let is_told = error > 100.0 * rtol && {
+            let estimate = simulation(rtol).error_estimate(&run);
+            let told = (0..simulator.shape().states()).map(|index| {
+                let column = &exact.columns[index];
+                let size = column
+                    .values
+                    .iter()
+                    .fold(simulator.state_scale(index), |most, x| most.max(x.abs()));
+                estimate.column(&column.name).map_or(0.0, |told| told.largest) / size
+            });
+            told.fold(0.0, f64::max) > 0.1 * error
+        };
+        Found { error: error / rtol, steps: run.work.steps, is_told }
     })
 }
 
 /// `cargo test -p machinist-tests --test suite loose:: -- --nocapture` prints all errors.
 #[test]
-fn errors_of_loose_runs_are_tens_of_tolerances_or_no_more_than_those_of_tight_ones() {
+fn errors_of_loose_runs_are_tens_of_tolerances_or_as_those_of_tight_ones_or_told() {
     let root = folder_of_specs();
     let mut rows = Vec::new();
     for path in specs_in(&root) {
@@ -73,30 +95,37 @@ fn errors_of_loose_runs_are_tens_of_tolerances_or_no_more_than_those_of_tight_on
             }
             _ => errors(&name, &of_specs(&name, Keep::Needed)),
         };
-        let shown = errors.map(|(error, steps)| format!("{error:.2} ({steps})")).join(" | ");
+        let shown =
+            errors.each_ref().map(|it| format!("{:.2} ({})", it.error, it.steps)).join(" | ");
         println!("| {name} | {shown} |");
         rows.push((name, errors));
     }
     for (name, errors) in rows {
         let (loose, tight) = errors.split_at(ANY_CASE);
-        let most = tight.iter().fold(100.0f64, |most, (error, _)| most.max(2.0 * error));
-        let is_kept = loose.iter().all(|(error, _)| *error <= most);
+        let most = tight.iter().fold(100.0f64, |most, it| most.max(2.0 * it.error));
+        let is_kept = loose.iter().all(|it| it.error <= most || it.is_told);
         assert!(is_kept, "{name}: {errors:?} tolerances at {ASKED:?}");
     }
 }
 
+/// Errors of loose steps add up over many periods of what is nearly undamped, and the estimate says
+/// so.
 #[test]
-fn a_run_of_many_steps_begins_anew_with_tighter_ones() {
-    let run =
-        |rtol, until| by_auto(&HardSpring, rtol).until(until).points(101).run().expect("a run");
-    assert!(run(1e-3, 100.0).notes[0].ends_with("tolerance of 1e-3"));
-    let [loose, tight, exact] = [1e-3, 1e-5, 1e-12].map(|rtol| run(rtol, 3000.0));
-    assert_eq!(loose.notes, tight.notes);
-    // Steps of rejected attempts are counted, and are few.
-    let tried = loose.work.steps - tight.work.steps;
-    assert!(tried > 0 && tried < tight.work.steps / 10, "{tried} of {}", tight.work.steps);
-    let [loose, tight] = [loose, tight].map(|run| error(&HardSpring, &run, &exact));
-    assert!(loose < 1.1 * tight, "{loose:e} at 1e-3, {tight:e} at 1e-5");
+fn the_estimate_of_a_long_run_of_loose_steps_tells_its_error() {
+    for until in [100.0, 3000.0] {
+        let run = |rtol| by_auto(&HardSpring, rtol).until(until).points(101);
+        let loose = run(1e-3);
+        let found = loose.run().expect("a run");
+        let exact = run(1e-12).run().expect("a run");
+        let estimate = loose.error_estimate(&found);
+        for column in found.columns.iter().take(2) {
+            let exact = &exact.column(&column.name).expect("the same columns");
+            let off = column.values.iter().zip(*exact).map(|(a, b)| (a - b).abs());
+            let off = off.fold(0.0, f64::max);
+            let told = estimate.column(&column.name).expect("the same columns").largest;
+            assert!(told > 0.1 * off && told < 10.0 * off, "{until}: {told:e} for {off:e}");
+        }
+    }
 }
 
 #[test]
@@ -113,15 +142,15 @@ fn machines_that_forget_nothing_and_those_that_switch_are_not_loose_at_all() {
 }
 
 #[test]
-fn variants_in_lanes_begin_anew_as_single_runs_do() {
+fn variants_in_lanes_keep_to_the_tolerances_of_single_runs() {
     let stiffnesses: Vec<f64> = (0..75).map(|n| 1e4 * 10f64.powf(f64::from(n) / 20.0)).collect();
-    for max_steps in [100_000, 700] {
+    for (rtol, max_steps) in [(1e-2, 100_000), (1e-3, 100_000), (1e-4, 300)] {
         let each = move |run: Simulation<'static>| {
-            run.points(3).rtol(1e-3).method(Method::Auto).max_steps(max_steps)
+            run.points(3).rtol(rtol).method(Method::Auto).max_steps(max_steps)
         };
         let sweep =
             Sweep::new(&saw_gin::SawGin).each(each).vary("coupling.stiffness", &stiffnesses);
-        let (mut anew, mut stopped) = (0, 0);
+        let mut stopped = 0;
         for (found, stiffness) in sweep.expect("a parameter").run().iter().zip(&stiffnesses) {
             let alone = each(Simulation::new(&saw_gin::SawGin))
                 .parameter("coupling.stiffness", *stiffness)
@@ -139,10 +168,8 @@ fn variants_in_lanes_begin_anew_as_single_runs_do() {
             for (index, value) in found.states[2].iter().enumerate() {
                 assert_eq!(value.to_bits(), alone.columns[index].values[2].to_bits());
             }
-            anew += usize::from(alone.notes.iter().any(|note| note.contains("tolerance of 1e-5")));
         }
-        println!("{anew} of {} begin anew, {stopped} stop", stiffnesses.len());
-        assert!(anew > 3 && anew + stopped < 70, "{anew} begin anew, {stopped} stop");
-        assert_eq!(stopped > 0, max_steps < 1000);
+        assert!(stopped < stiffnesses.len());
+        assert_eq!(stopped > 0, max_steps < 1000, "{stopped} stop");
     }
 }

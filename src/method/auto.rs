@@ -16,7 +16,7 @@ use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
 use super::tableau::{DOP853, Pair, RODAS5P};
 use super::taylor::TaylorSteps;
-use super::{Integrator, Method, Samples, Sealed, Stopped, Stretch};
+use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 use ringing::{LENIENT, rings};
 use stiffness::{
     Doubt, Evidence, LOOKS_EVERY, LOOKS_OF_PAIR_EVERY, STIFF_STEPS, SpectralRadius, Strain,
@@ -69,9 +69,7 @@ impl Integrator for Auto {
             let Some(from) = without_steps(stretch, state, samples) else { return Ok(()) };
             from
         };
-        let rtol = stretch.step_rtol(Method::Auto);
-        let atol = Method::tightened(stretch.atol, stretch.rtol, rtol);
-        let stretch = &Stretch { from, rtol, atol: &atol, ..*stretch };
+        let stretch = &Stretch { from, ..*stretch };
         let choice = Choice::new(stretch, state);
         match choice.explicit {
             Explicit::Taylor(series) => {

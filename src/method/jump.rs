@@ -13,7 +13,7 @@
 
 use machinist_contract::Shape;
 
-use super::{Stopped, System};
+use super::{StepTolerance, Stopped, System};
 use crate::constraints::Level;
 use crate::error::StopCause;
 
@@ -41,7 +41,7 @@ impl System<'_> {
     pub(crate) fn take_up(
         &self,
         times: (f64, f64),
-        allowed: (f64, &[f64]),
+        allowed: &StepTolerance,
         state: &mut [f64],
     ) -> Result<bool, Stopped> {
         self.take_up_as(times, None, allowed, state)
@@ -55,7 +55,7 @@ impl System<'_> {
         &self,
         time: f64,
         is_of_time: bool,
-        allowed: (f64, &[f64]),
+        allowed: &StepTolerance,
         state: &mut [f64],
     ) -> Result<bool, Stopped> {
         self.take_up_as((time, time), Some(!is_of_time), allowed, state)
@@ -65,7 +65,7 @@ impl System<'_> {
         &self,
         (front, behind): (f64, f64),
         is_corner: Option<bool>,
-        (rtol, atol): (f64, &[f64]),
+        StepTolerance { rtol, atol, .. }: &StepTolerance,
         state: &mut [f64],
     ) -> Result<bool, Stopped> {
         let Some(constraints) = self.constraints() else { return Ok(false) };

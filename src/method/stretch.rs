@@ -2,7 +2,7 @@
 
 use super::milestone::out_of_steps;
 use super::system::FLOWS;
-use super::{Method, Problem, Stopped, System, Watch};
+use super::{Problem, Stopped, System, Watch};
 use crate::error::StopCause;
 
 /// A stretch of a run on which the right-hand side is smooth.
@@ -33,8 +33,8 @@ impl<'a> Stretch<'a> {
             system: problem.system,
             from,
             until,
-            rtol: problem.rtol,
-            atol: &problem.atol,
+            rtol: problem.tolerance.rtol,
+            atol: &problem.tolerance.atol,
             max_steps: problem.max_steps,
             watch,
         }
@@ -49,12 +49,6 @@ impl<'a> Stretch<'a> {
         atol: &'a [f64],
     ) -> Self {
         Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX, watch: None }
-    }
-
-    /// Returns the relative tolerance of the steps of a method.
-    pub(super) fn step_rtol(&self, method: Method) -> f64 {
-        let of_many = method.step_rtol(self.rtol);
-        self.system.trial().map_or(of_many, |trial| trial.rtol)
     }
 
     /// Returns the time over which the run is observed \[s\]: the stretch, or the whole run of
@@ -187,7 +181,7 @@ impl<'a> Stretch<'a> {
     /// Does the same as [`Stretch::require_uninterrupted`], after a step that ends in a state.
     pub(super) fn require_wanted(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
         self.require_uninterrupted(time)?;
-        if self.system.is_left_at(time, state) || self.system.is_over_at(time) {
+        if self.system.is_left_at(time, state) {
             return Err(Stopped { time, cause: StopCause::Interrupted });
         }
         Ok(())

@@ -7,7 +7,6 @@ use super::Stopped;
 #[cfg(feature = "implicit")]
 use super::exact::Known;
 use super::held::Held;
-use super::loose::Trial;
 use super::milestone::Milestone;
 use super::patience::Patience;
 use super::sliding::Slide;
@@ -72,8 +71,6 @@ pub struct System<'a> {
     whole: f64,
     has_stepped: Cell<bool>,
     milestone: Cell<Milestone>,
-    /// The trial with loose steps, while there is one.
-    trial: Cell<Option<Trial>>,
     /// Equations in closed form, by relations and modes as held.
     #[cfg(feature = "implicit")]
     closed_forms: RefCell<Known>,
@@ -110,7 +107,6 @@ impl<'a> System<'a> {
             whole: 0.0,
             has_stepped: Cell::new(false),
             milestone: Cell::default(),
-            trial: Cell::new(None),
             #[cfg(feature = "implicit")]
             closed_forms: RefCell::default(),
         }
@@ -323,11 +319,6 @@ impl<'a> System<'a> {
         }
     }
 
-    /// Keeps the first `but` notes and removes the others.
-    pub(super) fn forget_notes(&self, but: usize) {
-        self.notes.borrow_mut().truncate(but);
-    }
-
     /// Returns all notes.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
@@ -363,24 +354,6 @@ impl<'a> System<'a> {
     #[cfg(feature = "implicit")]
     pub(super) fn closed_forms(&self) -> &RefCell<Known> {
         &self.closed_forms
-    }
-
-    /// Begins or ends a trial with loose steps; returns the previous one.
-    pub(super) fn tries(&self, trial: Option<Trial>) -> Option<Trial> {
-        self.trial.replace(trial)
-    }
-
-    /// Returns the trial with loose steps, if there is one.
-    pub(super) fn trial(&self) -> Option<Trial> {
-        self.trial.get()
-    }
-
-    /// Returns whether there are too many loose steps up to a time.
-    pub(super) fn is_over_at(&self, time: f64) -> bool {
-        let Some(mut trial) = self.trial.get() else { return false };
-        let is_over = trial.is_over_at(self.work().steps, time);
-        self.trial.set(Some(trial));
-        is_over
     }
 
     /// Adds to the counts.

@@ -37,7 +37,7 @@ use serde::{Deserialize, Serialize};
 
 use super::one_step::OneStep;
 use super::sliding::{ABOVE, BELOW};
-use super::{Problem, Stopped, Stretch, System};
+use super::{Problem, StepTolerance, Stopped, Stretch, System};
 use crate::trajectory::Switch;
 use clear::ClearBox;
 use counters::Counters;
@@ -190,7 +190,8 @@ impl<'a> Watch<'a> {
         latest: VecDeque<f64>,
         state: &[f64],
     ) -> Self {
-        let Problem { system, from, until, rtol, atol, .. } = problem;
+        let Problem { system, from, until, tolerance, .. } = problem;
+        let StepTolerance { rtol, atol, .. } = tolerance;
         let scale = |entry: usize| {
             if system.simulator().is_mode(entry) { 0.0 } else { atol[entry] / rtol }
         };
@@ -229,9 +230,8 @@ impl<'a> Watch<'a> {
         self.inner.into_inner().switches
     }
 
-    /// Starts a stretch with steps of a relative tolerance.
-    pub(super) fn start_stretch(&self, stretch: &Stretch<'_>, rtol: f64, state: &[f64]) {
-        self.tightness.set((rtol / self.rtol).min(1.0));
+    /// Starts a stretch.
+    pub(super) fn start_stretch(&self, stretch: &Stretch<'_>, state: &[f64]) {
         self.inner.borrow_mut().parts.ends = (stretch.from, stretch.until);
         self.look_who_is_led(stretch.from, state);
         self.start(stretch.from, state);

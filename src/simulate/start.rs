@@ -8,10 +8,10 @@ use crate::dense::dense;
 use crate::error::SimulateError;
 #[cfg(feature = "linear")]
 use crate::linear_analysis::{Point, growth, steady_start};
-#[cfg(feature = "linear")]
-use crate::method::Stopped;
 use crate::method::System;
 use crate::method::sensitivity::{By, Tangents};
+#[cfg(feature = "linear")]
+use crate::method::{StepTolerance, Stopped};
 
 impl Simulation<'_> {
     pub(super) fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
@@ -100,8 +100,11 @@ impl Simulation<'_> {
             times: &[],
             initial: state.to_vec(),
             jumps: Vec::new(),
-            rtol: self.rtol,
-            atol: self.checked_atol(state)?,
+            tolerance: StepTolerance::new(
+                self.chosen_method()?,
+                (self.simulator, &self.parameters),
+                (self.rtol, self.checked_atol(state)?),
+            ),
             max_steps: self.max_steps,
         };
         problem.settle(state).map_err(|Stopped { cause, .. }| {

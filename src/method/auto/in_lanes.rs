@@ -11,20 +11,19 @@ use super::stiffness::{
 };
 use super::{suitable_series, taylor_limit};
 use crate::lanes::Lanes;
-use crate::method::Method;
 use crate::method::stretch::within;
 use crate::method::taylor::FEW;
 use crate::method::taylor::step::order_for;
 use crate::method::taylor::variants::{Equations, Moment, Overseer, Variant, places};
 
-/// Returns whether `auto` runs a machine by Taylor's method alone until something becomes stiff.
+/// Returns whether `auto` runs a machine by Taylor's method alone until something becomes stiff, in
+/// steps of a relative tolerance.
 pub(crate) fn goes_in_lanes(simulator: &dyn Simulator<f64>, rtol: f64) -> bool {
     let is_plain = simulator.events() == 0
         && simulator.kinks() == 0
         && simulator.constraints() == 0
         && simulator.linear().is_none();
-    let is_suitable = |(rtol, _)| suitable_series(simulator, rtol).0.is_some();
-    is_plain && Method::Auto.paces(rtol).all(is_suitable)
+    is_plain && suitable_series(simulator, rtol).0.is_some()
 }
 
 /// Checks the steps of all lanes.

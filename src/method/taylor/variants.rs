@@ -24,7 +24,7 @@ use judge::zeros;
 use lane::Lane;
 
 pub(crate) use clock::places;
-pub(crate) use lane::{Ended, Outcome, Spent, Variant};
+pub(crate) use lane::{Ended, Outcome, Variant};
 pub(crate) use overseer::{Equations, Moment, Overseer};
 
 /// Number of steps of all lanes between checks for reasons to end variants from outside.
@@ -32,7 +32,7 @@ const TURNS: u32 = 16;
 
 /// Runs all variants, which have the same relative tolerance, each no longer than `patience`
 /// allows. `done` receives each result with its number in the order of the iterator. A variant that
-/// the overseer rejects is interrupted, and one with too many loose steps is left.
+/// the overseer rejects is interrupted.
 pub(crate) fn integrate<'a, R: Lanes>(
     (machine, series): (&'a dyn SideBySide<R>, &'a dyn TaylorSeries<R>),
     rtol: f64,
@@ -218,7 +218,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             into.set_lane(index, *value);
         }
         for ((absolute, resting_by), atol) in
-            self.absolute.iter_mut().zip(&mut self.resting).zip(&lane.variant.atol)
+            self.absolute.iter_mut().zip(&mut self.resting).zip(&lane.variant.tolerance.atol)
         {
             absolute.set_lane(index, step::aimed_at(*atol));
             resting_by.set_lane(index, resting(*atol));
@@ -288,13 +288,6 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             }
         }
         let leaving = self.ask((passed, starting), tried, lanes);
-        let over = passed & !leaving & self.clock.over();
-        for index in places(over) {
-            if let Some(lane) = &mut lanes[index] {
-                lane.is_over = true;
-                lane.stop(self.clock.time.lane(index), StopCause::Interrupted);
-            }
-        }
         let exhausted = passed & self.clock.exhausted();
         let stuck = passed & self.clock.stuck();
         for index in places(exhausted | stuck) {
@@ -325,7 +318,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             }
         }
         let rejected = self.clock.running & !fresh & !arrived;
-        for index in places(rejected | suspect | leaving | over | exhausted | stuck | broken) {
+        for index in places(rejected | suspect | leaving | exhausted | stuck | broken) {
             if lanes[index].as_ref().is_some_and(|lane| lane.stopped.is_some()) {
                 done |= 1 << index;
             }
@@ -380,7 +373,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         for value in &mut self.current[(order + 1) * self.states..] {
             value.set_lane(index, 0.0);
         }
-        let mut tolerance = Tolerance::new(self.rtol, &lane.variant.atol, self.order);
+        let mut tolerance = Tolerance::new(self.rtol, &lane.variant.tolerance.atol, self.order);
         let state = &mut self.scratch[..self.states];
         gather(&self.current, index, state);
         tolerance.weigh(state);

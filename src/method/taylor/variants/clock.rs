@@ -1,7 +1,6 @@
 //! Times of lanes.
 
 use crate::lanes::Lanes;
-use crate::method::loose::has_passed;
 use crate::method::one_step::{End, LOOKS, end_of_step};
 use crate::method::stretch::inside;
 use crate::method::taylor::step::{GROWTH, smaller};
@@ -34,11 +33,6 @@ pub(super) struct Clock<R> {
     pub(super) steps: R,
     /// Number of steps after which a lane is asked whether it goes on.
     most: R,
-    /// Start and length of the whole run.
-    start: R,
-    whole: R,
-    /// Number of steps that counts as few.
-    few: R,
 }
 
 impl<R: Lanes> Clock<R> {
@@ -59,9 +53,6 @@ impl<R: Lanes> Clock<R> {
             sample: zero,
             steps: zero,
             most: zero,
-            start: zero,
-            whole: zero,
-            few: zero,
         }
     }
 
@@ -72,10 +63,6 @@ impl<R: Lanes> Clock<R> {
         self.steps.set_lane(index, 0.0);
         self.allow(index, lane);
         self.sample.set_lane(index, lane.next_sample());
-        let (start, whole) = lane.span();
-        self.start.set_lane(index, start);
-        self.whole.set_lane(index, whole);
-        self.few.set_lane(index, lane.variant.few);
         self.begin(index, lane);
     }
 
@@ -143,13 +130,6 @@ impl<R: Lanes> Clock<R> {
     /// Returns the lanes that have taken all steps allowed until they are asked.
     pub(super) fn exhausted(&self) -> u32 {
         !R::less(self.steps, self.most)
-    }
-
-    /// Returns the lanes that have taken too many steps for the time covered.
-    pub(super) fn over(&self) -> u32 {
-        let [least, passed] =
-            has_passed((self.steps, self.few), self.time - self.start, self.whole);
-        R::less(passed, least)
     }
 
     /// Returns the lanes whose step does not advance time.

@@ -122,7 +122,7 @@ impl<R: Lanes> Bundle<'_, R> {
         lane: &Lane,
         step_and_order: (f64, usize),
     ) -> one_step::Trial {
-        let mut tolerance = Tolerance::new(self.rtol, &lane.variant.atol, self.order);
+        let mut tolerance = Tolerance::new(self.rtol, &lane.variant.tolerance.atol, self.order);
         gather(&self.inverse_weights, index, tolerance.inverse_weights());
         let (slope, begin) = self.scratch.split_at_mut(self.states);
         let begin = &mut begin[..2 * self.states];

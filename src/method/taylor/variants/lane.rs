@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::error::StopCause;
 use crate::method::milestone::{Milestone, out_of_steps};
 use crate::method::patience::Patience;
-use crate::method::{Stopped, Work};
+use crate::method::{StepTolerance, Stopped, Work};
 
 /// A variant of a machine to be run.
 pub(crate) struct Variant {
@@ -15,12 +15,8 @@ pub(crate) struct Variant {
     pub(crate) ends: Vec<f64>,
     /// Output times, sorted \[s\].
     pub(crate) times: Vec<f64>,
-    pub(crate) atol: Vec<f64>,
+    pub(crate) tolerance: StepTolerance,
     pub(crate) max_steps: usize,
-    /// Computing time spent before.
-    pub(crate) time_spent: Duration,
-    /// Number of steps that counts as few; infinite if many steps are allowed.
-    pub(crate) few: f64,
 }
 
 /// Result of a variant.
@@ -29,15 +25,6 @@ pub(crate) enum Ended {
     Through(Outcome),
     /// The run stopped.
     Stopped(Stopped),
-    /// The run was left because its loose steps are too many.
-    Over(Spent),
-}
-
-/// Work spent on a variant in vain.
-#[derive(Clone, Copy, Default)]
-pub(crate) struct Spent {
-    pub(crate) steps: u64,
-    pub(crate) time: Duration,
 }
 
 /// States at the output times, one row after another.
@@ -59,8 +46,6 @@ pub(super) struct Lane {
     milestone: Milestone,
     /// Computing time spent.
     time_spent: Duration,
-    /// True if the variant has taken too many loose steps.
-    pub(super) is_over: bool,
 }
 
 impl Lane {
@@ -73,8 +58,7 @@ impl Lane {
             rejected: 0,
             stopped: None,
             milestone: Milestone::default(),
-            time_spent: variant.time_spent,
-            is_over: false,
+            time_spent: Duration::ZERO,
             variant,
         }
     }
@@ -85,12 +69,6 @@ impl Lane {
 
     pub(super) fn until(&self) -> f64 {
         self.variant.ends[self.stretch + 1]
-    }
-
-    /// Returns the start and the length of the whole run.
-    pub(super) fn span(&self) -> (f64, f64) {
-        let ends = &self.variant.ends;
-        (ends[0], ends[ends.len() - 1] - ends[0])
     }
 
     /// Returns the time of the next sample; infinite if there is none.
@@ -133,8 +111,7 @@ impl Lane {
     /// Returns the result of the variant, after a number of steps of an order.
     pub(super) fn ended(self, steps: u64, order: usize) -> Ended {
         if let Some(stopped) = self.stopped {
-            let spent = Spent { steps, time: self.time_spent };
-            return if self.is_over { Ended::Over(spent) } else { Ended::Stopped(stopped) };
+            return Ended::Stopped(stopped);
         }
         // Coefficients are those at ends of steps and at starts of segments.
         let series = steps + self.rejected + self.stretch as u64;

@@ -7,8 +7,7 @@
 mod consistency;
 
 use machinist_contract::fixed_step::{
-    Clock, Correction, ExtendedKalmanFilter, FilterMemory, FixedMethod, FixedSteps, StepMethod,
-    Stepped,
+    Clock, Correction, ExtendedKalmanFilter, FilterMemory, FixedMethod, FixedSteps, Stepped,
 };
 use machinist_contract::{Dual, Simulator};
 use thiserror::Error;
@@ -19,9 +18,9 @@ pub use consistency::{Consistency, ConsistencyRun, Instant, OutputError};
 
 /// Design of an extended Kalman filter, by the names of a scene.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct EstimatorDesign {
-    /// Method of the steps, Heun or Runge-Kutta.
-    pub method: StepMethod,
+pub struct EstimatorDesign<'m> {
+    /// Method of the steps.
+    pub method: FixedMethod<'m>,
     /// Measured outputs, with the standard deviations of their noise in the units of the outputs.
     pub measured: Vec<(String, f64)>,
     /// Parameters to be estimated with the state.
@@ -84,9 +83,9 @@ pub enum EstimatorError {
 
 /// Indices of a design, the arguments of the filter.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct EstimatorIndices {
+pub struct EstimatorIndices<'m> {
     /// Method of the steps.
-    pub method: StepMethod,
+    pub method: FixedMethod<'m>,
     /// As [`ExtendedKalmanFilter::measured`].
     pub measured: Vec<(usize, f64)>,
     /// As [`ExtendedKalmanFilter::estimated`].
@@ -99,7 +98,7 @@ pub struct EstimatorIndices {
     pub start: Vec<f64>,
 }
 
-impl EstimatorDesign {
+impl<'m> EstimatorDesign<'m> {
     /// Finds the names of the design in a scene.
     ///
     /// # Errors
@@ -107,7 +106,7 @@ impl EstimatorDesign {
     pub fn indices(
         &self,
         simulator: &dyn Simulator<f64>,
-    ) -> Result<EstimatorIndices, EstimatorError> {
+    ) -> Result<EstimatorIndices<'m>, EstimatorError> {
         let names = Names { simulator };
         if self.measured.is_empty() {
             return Err(EstimatorError::NothingMeasured);
@@ -154,13 +153,13 @@ impl EstimatorDesign {
     }
 }
 
-impl EstimatorIndices {
+impl EstimatorIndices<'_> {
     /// Returns the filter.
     #[must_use]
     pub fn filter<'a>(&'a self, simulator: &'a dyn Simulator<f64>) -> ExtendedKalmanFilter<'a> {
         ExtendedKalmanFilter {
             simulator,
-            method: self.method.explicit().unwrap_or(FixedMethod::RungeKutta4),
+            method: self.method,
             parts_a_step: FixedSteps::<f64>::enough_parts(simulator),
             measured: &self.measured,
             estimated: &self.estimated,
@@ -174,12 +173,6 @@ impl EstimatorIndices {
             let (scene, why) = (simulator.name().to_owned(), why.to_owned());
             EstimatorError::Refused { scene, why }
         };
-        if self.method == StepMethod::Rosenbrock2 {
-            return Err(refused(
-                "the derivative of a Rosenbrock step needs second derivatives of the rate. Hint: \
-                 take rk4 or heun, with a shorter step if need be",
-            ));
-        }
         self.filter(simulator).refusal().map_or(Ok(()), |why| Err(refused(why)))
     }
 }
@@ -277,7 +270,7 @@ pub struct Estimator<'a> {
 impl<'a> Estimator<'a> {
     /// Returns the filter at the start of the spec's run.
     #[must_use]
-    pub fn new(simulator: &'a dyn Simulator<f64>, indices: &'a EstimatorIndices) -> Self {
+    pub fn new(simulator: &'a dyn Simulator<f64>, indices: &'a EstimatorIndices<'a>) -> Self {
         let shape = simulator.shape();
         let parameters: Vec<f64> =
             (0..shape.parameters).map(|index| simulator.parameter_default(index)).collect();
@@ -293,7 +286,7 @@ impl<'a> Estimator<'a> {
     #[must_use]
     pub fn at(
         simulator: &'a dyn Simulator<f64>,
-        indices: &'a EstimatorIndices,
+        indices: &'a EstimatorIndices<'a>,
         time: f64,
         state: &[f64],
         parameters: &[f64],

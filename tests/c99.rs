@@ -6,14 +6,13 @@
 
 mod board;
 mod compiler;
+mod counted;
 mod driver;
 mod filter;
 
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
-use machinist_codegen::emit::c99::{
-    C99Options, EstimatorOptions, Real, StepCalls, emit, needs_start, step_calls,
-};
+use machinist_codegen::emit::c99::{C99Options, EstimatorOptions, Real, emit, needs_start};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
 use machinist_contract::fixed_step::StepMethod;
@@ -262,38 +261,18 @@ fn a_scene_with_fields_is_refused_by_the_name_of_its_field() {
     assert!(error.starts_with(&format!("field `{field}` is discretized")), "{error}");
 }
 
-#[test]
-fn no_step_calls_more_than_is_said() {
-    let Some(compiler) = Compiler::found().map(Compiler::plain) else { return };
-    for (name, steps) in [
-        ("saw_gin", 200),
-        ("stick_slip", 300),
-        ("drives/winch", 2000),
-        ("msl/coupled_clutches", 300),
-        ("parts/rotational/lossy_gear", 300),
-    ] {
-        let model = model_of_specs(name, Keep::Needed);
-        let step = (model.run.until - model.run.from) / steps as f64;
-        for method in [StepMethod::RungeKutta4, StepMethod::Rosenbrock2] {
-            let options = C99Options { method, ..options(Real::Double, &model) };
-            let files = emit(&model, &options).expect("emitted");
-            let program = (&*model.name, &files[..], &*driver::counting(&model));
-            let rows = compiler.count(program, (step, steps), driver::COUNTED.len());
-            assert_eq!(rows.len(), steps, "{name}");
-            let [usual, most] = step_calls(&model, method).map(|calls| {
-                let StepCalls { rates, jacobians, guards, guard_rates, resets, .. } = calls;
-                let all = [rates, jacobians, guards, guard_rates, resets, calls.discontinuities];
-                all.map(|count| count as f64)
-            });
-            for row in &rows {
-                let is_within = row.iter().zip(&most).all(|(found, most)| found <= most);
-                assert!(is_within, "{name} by {method:?}: {row:?} of {most:?}");
-            }
-            // The usual number is that of most steps.
-            let usual = rows.iter().filter(|row| row[..] == usual).count();
-            assert!(2 * usual > steps, "{name} by {method:?}: {usual} steps of {steps}");
-        }
-    }
+/// Writes a row of the table of microcontrollers.
+fn print_row(cells: [&str; 8]) {
+    let [scene, processor, numbers, rest @ ..] = cells;
+    let rest = rest.map(|cell| format!("{cell:>8}")).join("");
+    eprintln!("{scene:<14}{processor:<11}{numbers:<8}{rest}");
+}
+
+fn print_run((scene, real): (&str, Real), board: &board::Board, ran: &board::Ran) {
+    let [mean, most] = ran.instructions;
+    let numbers = [ran.code, ran.ram, ran.stack, mean, most].map(|n| n.to_string());
+    let [code, ram, stack, mean, most] = &numbers;
+    print_row([scene, board.processor, real.name(), code, ram, stack, mean, most]);
 }
 
 #[test]
@@ -302,13 +281,7 @@ fn microcontrollers_give_the_bits_of_the_host() {
     if !board::are_here() {
         return;
     }
-    let head = ["scene", "processor", "numbers", "code", "ram", "stack", "a step", "at most"];
-    let row = |cells: [String; 8]| {
-        let [scene, processor, numbers, rest @ ..] = cells;
-        let rest = rest.map(|cell| format!("{cell:>8}")).join("");
-        eprintln!("{scene:<14}{processor:<11}{numbers:<8}{rest}");
-    };
-    row(head.map(str::to_owned));
+    print_row(["scene", "processor", "numbers", "code", "ram", "stack", "a step", "at most"]);
     for (name, step) in [("saw_gin", 1e-3), ("drives/winch", 5e-4), ("stick_slip", 1e-3)] {
         let model = model_of_specs(name, Keep::Needed);
         let steps = (1.0_f64 / step).round() as usize;
@@ -319,7 +292,7 @@ fn microcontrollers_give_the_bits_of_the_host() {
             let rows = program.run(step, steps, model.states.len());
             let host = &rows.last().expect("a row").1;
             for board in &board::BOARDS {
-                let ran = board.run((&model.name, &files, real), step, steps);
+                let ran = board.run((&model.name, &files, real), (step, steps), None);
                 let what = format!("{name} on {}", board.processor);
                 match real {
                     Real::Double => assert_same(&what, &ran.state, host),
@@ -330,11 +303,7 @@ fn microcontrollers_give_the_bits_of_the_host() {
                 }
                 let events: f64 = rows.iter().map(|(.., events)| events).sum();
                 assert_eq!(ran.events, events as u64, "{what}");
-                let [mean, most] = ran.instructions;
-                let numbers = [ran.code, ran.ram, ran.stack, mean, most].map(|n| n.to_string());
-                let [code, ram, stack, mean, most] = numbers;
-                let [scene, processor] = [name, board.processor].map(str::to_owned);
-                row([scene, processor, real.name().to_owned(), code, ram, stack, mean, most]);
+                print_run((name, real), board, &ran);
             }
         }
     }

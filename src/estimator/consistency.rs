@@ -94,7 +94,7 @@ impl Consistency {
     #[must_use]
     pub fn of(
         simulator: &dyn Simulator<f64>,
-        indices: &EstimatorIndices,
+        indices: &EstimatorIndices<'_>,
         start: (f64, &[f64], &[f64]),
         run: &ConsistencyRun,
     ) -> Self {
@@ -109,11 +109,11 @@ impl Consistency {
     #[must_use]
     pub fn against(
         simulator: &dyn Simulator<f64>,
-        [indices, noise]: [&EstimatorIndices; 2],
+        [indices, noise]: [&EstimatorIndices<'_>; 2],
         (time, state, parameters): (f64, &[f64], &[f64]),
         run: &ConsistencyRun,
     ) -> Self {
-        let outputs = |of: &EstimatorIndices| -> Vec<usize> {
+        let outputs = |of: &EstimatorIndices<'_>| -> Vec<usize> {
             of.measured.iter().map(|(output, _)| *output).collect()
         };
         assert_eq!(outputs(indices), outputs(noise), "the same outputs are measured");
@@ -249,7 +249,7 @@ fn normalized(estimator: &Estimator<'_>, error: &[f64]) -> (f64, usize) {
 
 /// The machine itself, with noise.
 struct Truth<'a> {
-    indices: &'a EstimatorIndices,
+    indices: &'a EstimatorIndices<'a>,
     simulator: &'a dyn Simulator<f64>,
     clock: Clock<f64>,
     state: Vec<f64>,
@@ -260,7 +260,7 @@ struct Truth<'a> {
 }
 
 impl<'a> Truth<'a> {
-    fn new(estimator: &Estimator<'a>, indices: &'a EstimatorIndices, time: f64) -> Self {
+    fn new(estimator: &Estimator<'a>, indices: &'a EstimatorIndices<'a>, time: f64) -> Self {
         let simulator = estimator.filter.simulator;
         let mut truth = Self {
             indices,

@@ -68,12 +68,13 @@ fn has_library() -> bool {
 const INSTRUCTIONS_A_TICK: u64 = 40;
 
 impl Board {
-    /// Runs a scene with constant steps.
+    /// Runs a scene with constant steps, or its filter with the measurements of a function in C,
+    /// `measure`.
     pub fn run(
         &self,
         (name, files, real): (&str, &[C99File], Real),
-        step: f64,
-        steps: usize,
+        (step, steps): (f64, usize),
+        measure: Option<&str>,
     ) -> Ran {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path();
@@ -94,6 +95,10 @@ impl Board {
         let strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"];
         run(Command::new(GCC).args(&target).args(strict).args(["-c", &source]), path);
         let object = format!("{name}.o");
+        if let Some(measure) = measure {
+            std::fs::write(path.join("measure.h"), measure).expect("written");
+        }
+        let measured = measure.map(|_| "-DMEASURE_HEADER=\"measure.h\"");
         let defined = [
             format!("-DSCENE={name}"),
             format!("-DSCENE_HEADER=\"{name}.h\""),
@@ -102,7 +107,12 @@ impl Board {
             format!("-DSTEPS={steps}"),
         ];
         let mut link = Command::new(GCC);
-        link.args(&target).args(defined).args(["board.c", &object, "-o", "board.elf"]);
+        link.args(&target).args(defined).args(measured).args([
+            "board.c",
+            &object,
+            "-o",
+            "board.elf",
+        ]);
         link.args(["-nostartfiles", "-ffreestanding", "-T", "board.ld", "-lm", "-lc", "-lgcc"]);
         run(link.arg("--specs=nosys.specs"), path);
         let size = run(Command::new("arm-none-eabi-size").arg(&object), path);

@@ -57,30 +57,6 @@ impl Compiler {
         command.output().is_ok_and(|output| output.status.success())
     }
 
-    /// Counts the calls of functions in each of `steps` steps, by a program for `counted`
-    /// functions.
-    pub fn count(
-        &self,
-        (name, files, driver): (&str, &[C99File], &str),
-        (step, steps): (f64, usize),
-        counted: usize,
-    ) -> Vec<Vec<f64>> {
-        let folder = tempfile::tempdir().expect("a folder");
-        for file in files {
-            std::fs::write(folder.path().join(&file.name), &file.text).expect("written");
-        }
-        std::fs::write(folder.path().join("driver.c"), driver).expect("written");
-        let mut command = Command::new(&self.first);
-        command.args(["-std=gnu99", "-O1", "-finstrument-functions", "-ffp-contract=off"]);
-        command.args(["driver.c", &format!("{name}.c"), "-lm", "-o", "program"]);
-        run(command, folder.path());
-        let mut command = Command::new(folder.path().join("program"));
-        let output = command.args([format!("{step:e}"), steps.to_string()]).output();
-        let output = output.expect("a program that was just compiled");
-        assert!(output.status.success(), "the program ended badly");
-        output.stdout.chunks_exact(8 * counted).map(|row| numbers(row).collect()).collect()
-    }
-
     /// Compiles the files of a scene and a driver program without warnings, and starts it.
     pub fn build(&self, name: &str, files: &[C99File], driver: &str) -> Program {
         let folder = tempfile::tempdir().expect("a folder");

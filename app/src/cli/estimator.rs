@@ -1,12 +1,17 @@
 //! Options of estimators, which `gen` emits and `verify` tests.
 
+mod fitted;
+
+use std::path::{Path, PathBuf};
+
 use clap::{Args, ValueEnum};
 use machinist::estimator::{EstimatorDesign, EstimatorIndices};
 use machinist_contract::Simulator;
-use machinist_contract::fixed_step::StepMethod;
+use machinist_contract::fixed_step::FixedMethod;
 
 use super::amount::{Amount, assignment, in_unit, quantity_of};
 use crate::failure::Failure;
+use fitted::Fitted;
 
 /// Kind of an estimator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -21,15 +26,20 @@ pub struct EstimatorArgs {
     /// Kind of a state estimator: ekf, an extended Kalman filter on fixed steps
     #[arg(long, value_name = "KIND", requires = "measure")]
     estimator: Option<Kind>,
-    /// Measured outputs, with the standard deviations of their noise
+    /// Measured outputs, with the standard deviations of their noise. Default of a deviation: the
+    /// residuals in --fitted
     #[arg(
         long,
-        value_name = "OUTPUT=DEVIATION",
-        value_parser = assignment,
+        value_name = "OUTPUT[=DEVIATION]",
+        value_parser = perhaps_assigned,
         value_delimiter = ',',
         requires = "estimator"
     )]
-    measure: Vec<(String, Amount)>,
+    measure: Vec<(String, Option<Amount>)>,
+    /// Result of `machinist fit --json` on measurements of the machine: its residuals give the
+    /// noise of measurements, its standard errors the deviations of parameters
+    #[arg(long, value_name = "FILE", requires = "estimator")]
+    fitted: Option<PathBuf>,
     /// Noise: of parameters, in their unit times the root of a second; of states and estimated
     /// parameters, in their unit per root of a second
     #[arg(
@@ -43,15 +53,16 @@ pub struct EstimatorArgs {
     /// Parameters to estimate with the state
     #[arg(long, value_name = "NAMES", value_delimiter = ',', requires = "estimator")]
     estimate: Vec<String>,
-    /// Standard deviations of states and estimated parameters at the start; known without one
+    /// Standard deviations of states and estimated parameters at the start; known without one.
+    /// Default of a deviation: the standard error in --fitted
     #[arg(
         long,
-        value_name = "NAME=DEVIATION",
-        value_parser = assignment,
+        value_name = "NAME[=DEVIATION]",
+        value_parser = perhaps_assigned,
         value_delimiter = ',',
         requires = "estimator"
     )]
-    uncertain: Vec<(String, Amount)>,
+    uncertain: Vec<(String, Option<Amount>)>,
 }
 
 impl EstimatorArgs {
@@ -61,26 +72,63 @@ impl EstimatorArgs {
     }
 
     /// Returns the design in a scene.
-    pub fn indices(
+    pub fn indices<'m>(
         &self,
         simulator: &dyn Simulator<f64>,
-        method: StepMethod,
-    ) -> Result<EstimatorIndices, Failure> {
+        method: FixedMethod<'m>,
+    ) -> Result<EstimatorIndices<'m>, Failure> {
         let design = EstimatorDesign {
             method,
-            measured: of_outputs(simulator, &self.measure)?,
+            measured: of_outputs(simulator, &self.measured()?)?,
             estimated: self.estimate.clone(),
             noise: of_states(simulator, &self.noise)?,
-            start: of_states(simulator, &self.uncertain)?,
+            start: of_states(simulator, &self.started()?)?,
         };
         design.indices(simulator).map_err(|error| Failure::input(error, ""))
     }
 
-    /// Returns the options as they stand on a command line.
+    /// Returns the measured outputs, with deviations from the fit where none is given.
+    fn measured(&self) -> Result<Vec<(String, Amount)>, Failure> {
+        self.completed("measure", &self.measure, Fitted::deviation)
+    }
+
+    /// Returns the deviations at the start, likewise.
+    fn started(&self) -> Result<Vec<(String, Amount)>, Failure> {
+        self.completed("uncertain", &self.uncertain, Fitted::standard_error)
+    }
+
+    fn completed(
+        &self,
+        option: &str,
+        given: &[(String, Option<Amount>)],
+        found: impl Fn(&Fitted, &str, &Path) -> Result<Amount, Failure>,
+    ) -> Result<Vec<(String, Amount)>, Failure> {
+        let is_open = given.iter().any(|(_, amount)| amount.is_none());
+        let fitted = match &self.fitted {
+            Some(path) if is_open => Some((Fitted::read(path)?, path)),
+            _ => None,
+        };
+        let complete = |(name, amount): &(String, Option<Amount>)| {
+            let amount = match (amount, &fitted) {
+                (Some(amount), _) => amount.clone(),
+                (None, Some((fitted, path))) => found(fitted, name, path)?,
+                (None, None) => {
+                    let message = format!("--{option} {name} has no deviation");
+                    let help =
+                        format!("give it, {name}=DEVIATION, or the result of a fit: --fitted FILE");
+                    return Err(Failure::input(message, help));
+                }
+            };
+            Ok((name.clone(), amount))
+        };
+        given.iter().map(complete).collect()
+    }
+
+    /// Returns the options as they stand on a command line, with the deviations of a fit.
     #[cfg(feature = "derive")]
-    pub fn told(&self) -> String {
+    pub fn told(&self) -> Result<String, Failure> {
         if !self.is_given() {
-            return String::new();
+            return Ok(String::new());
         }
         let list = |of: &[(String, Amount)]| {
             let one = |(name, amount): &(String, Amount)| match &amount.unit {
@@ -91,16 +139,28 @@ impl EstimatorArgs {
         };
         let mut text = " --estimator ekf".to_owned();
         for (option, value) in [
-            ("--measure", list(&self.measure)),
+            ("--measure", list(&self.measured()?)),
             ("--noise", list(&self.noise)),
             ("--estimate", self.estimate.join(",")),
-            ("--uncertain", list(&self.uncertain)),
+            ("--uncertain", list(&self.started()?)),
         ] {
             if !value.is_empty() {
                 text.extend([" ", option, " ", &value]);
             }
         }
-        text
+        Ok(text)
+    }
+}
+
+/// Parses a name, with or without a value.
+fn perhaps_assigned(text: &str) -> Result<(String, Option<Amount>), String> {
+    if text.contains('=') {
+        let (name, amount) = assignment(text)?;
+        return Ok((name, Some(amount)));
+    }
+    match text.trim() {
+        "" => Err("write it as NAME or NAME=VALUE".to_owned()),
+        name => Ok((name.to_owned(), None)),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Step of Co-Simulation by sources, and its error in the run of the scene.
 
 use machinist::Simulation;
-use machinist_codegen::emit::c99::step_cost;
+use machinist_codegen::emit::c99::{Real, step_cost};
 use machinist_contract::fixed_step::StepMethod;
 use machinist_fmu::resource::Machine;
 
@@ -94,7 +94,7 @@ fn searched(machine: &Machine, given: Option<StepMethod>) -> Result<FixedStep, F
     for halvings in 0..32 {
         let size = span / rows as f64 / f64::from(1_u32 << halvings);
         let is_first = best.is_none() && failure.is_none();
-        let operations = step_cost(machine.model(), methods[0]).usual as f64;
+        let operations = step_cost(machine.model(), methods[0], Real::Double).usual as f64;
         if in_vain == IN_VAIN || (!is_first && span / size * operations > MOST_OPERATIONS) {
             break;
         }

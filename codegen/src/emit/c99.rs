@@ -26,7 +26,7 @@ use machinist_model::{Model, StateKind};
 
 use super::EmitError;
 use body::{Scope, body};
-pub use cost::{StepCalls, StepCost, step_calls, step_cost};
+pub use cost::{FilterCost, StepCost, filter_cost, step_cost};
 pub use description::needs_start;
 pub use estimator::EstimatorOptions;
 use estimator::Tangents;
@@ -51,6 +51,14 @@ impl Real {
         match self {
             Self::Double => "double",
             Self::Float => "float",
+        }
+    }
+
+    /// Returns the size of a number.
+    fn bytes(self) -> usize {
+        match self {
+            Self::Double => size_of::<f64>(),
+            Self::Float => size_of::<f32>(),
         }
     }
 
@@ -179,8 +187,8 @@ impl<'a> Scene<'a> {
         let hoisted = Hoisted::new(model);
         let tangents = match &options.estimator {
             Some(filter) => {
-                estimator::check(model, options.method)?;
-                Some(Tangents::of(model, filter))
+                estimator::check(model)?;
+                Some(Tangents::of(model, options.method, filter))
             }
             None => None,
         };

@@ -199,13 +199,15 @@ impl Real for Dual {
     }
 }
 
-/// A function of a simulator that may be differentiated on dual numbers, besides dy'/dy and
-/// dy'/dp.
+/// A function of a simulator that may be differentiated on dual numbers. Derivatives of the
+/// Jacobian are second derivatives of the rate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the function of the table of this name")]
 pub enum DualFunction {
     InitialState,
     Discontinuities,
+    RateJacobian,
+    TimeDerivative,
     Outputs,
     Guards,
     Resets,
@@ -246,6 +248,8 @@ impl<S: Simulator<Dual>> Derivatives for S {
         let of_motion = match function {
             DualFunction::InitialState => return self.initial_state(parameters, values),
             DualFunction::Discontinuities => return self.discontinuities(parameters, values),
+            DualFunction::RateJacobian => S::rate_jacobian,
+            DualFunction::TimeDerivative => S::time_derivative,
             DualFunction::Outputs => S::outputs,
             DualFunction::Guards => S::guards,
             DualFunction::Resets => S::resets,

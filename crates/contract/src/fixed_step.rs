@@ -49,11 +49,12 @@ impl StepNumber for f32 {
 }
 
 /// Method of a step, with its data for a machine.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum FixedMethod<'a> {
     /// Heun's method, of order 2: two evaluations of the rate.
     Heun,
     /// The classical Runge-Kutta method, of order 4: four evaluations of the rate.
+    #[default]
     RungeKutta4,
     /// A Rosenbrock method of order 2 (ROS2 with `g = 1 - 1/sqrt 2`, L-stable). It takes two
     /// rates, one Jacobian, and one elimination with two right sides.

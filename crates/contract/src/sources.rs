@@ -12,6 +12,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("exponential.rs", include_str!("exponential.rs")),
     ("fixed_step.rs", include_str!("fixed_step.rs")),
     ("fixed_step/carried.rs", include_str!("fixed_step/carried.rs")),
+    ("fixed_step/carried/implicit.rs", include_str!("fixed_step/carried/implicit.rs")),
     ("fixed_step/ekf.rs", include_str!("fixed_step/ekf.rs")),
     ("fixed_step/events.rs", include_str!("fixed_step/events.rs")),
     ("fixed_step/follow.rs", include_str!("fixed_step/follow.rs")),

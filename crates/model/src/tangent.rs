@@ -5,7 +5,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::{Function, Model, Node, NodeId, Op, OpKey, Tape, reachable};
+use crate::{Function, MatrixTape, Model, Node, NodeId, Op, OpKey, Solve, Tape, reachable};
 
 /// Inputs of a tangent that follow the state and the parameters of the machine.
 ///
@@ -27,16 +27,26 @@ impl Model {
     #[must_use]
     pub fn tangent(&self, tape: &Tape, results: &[usize], directions: &Directions) -> Tape {
         let mut writer = Writer::new(self, directions);
-        let motion = self.motion.as_ref().map_or_else(Vec::new, |motion| {
-            let known = writer.copy(&motion.tape, &[]);
-            motion.tape.results.iter().map(|id| known[id.0 as usize]).collect()
-        });
-        let known = writer.copy(tape, &motion);
-        let slope_of = |result: &usize| known[tape.results[*result].0 as usize];
-        let places: Vec<NodeId> = results.iter().map(slope_of).collect();
-        let results: Vec<NodeId> =
-            places.into_iter().map(|id| writer.number(writer.of(id))).collect();
-        reachable(&writer.nodes, &results)
+        let (_, known) = writer.behind_motion(tape);
+        let of_results = results.iter().map(|result| known[*result]).collect::<Vec<_>>();
+        writer.slopes_of(&of_results)
+    }
+
+    /// Returns the derivatives of the nonzeros of a matrix of this machine along a direction. A
+    /// solution for nonzeros is written out.
+    ///
+    /// # Panics
+    /// As [`Model::tangent`].
+    #[must_use]
+    pub fn tangent_of_matrix(&self, matrix: &MatrixTape, directions: &Directions) -> Tape {
+        let mut writer = Writer::new(self, directions);
+        let (motion, mut known) = writer.behind_motion(&matrix.tape);
+        if let (Some(solve), Some(of)) = (&matrix.solve, &self.motion) {
+            let factors: Vec<NodeId> =
+                of.factors.iter().map(|place| motion[*place as usize]).collect();
+            known = writer.solved(solve, &factors, &known, matrix.pattern.entries.len());
+        }
+        writer.slopes_of(&known)
     }
 }
 
@@ -88,6 +98,79 @@ impl<'a> Writer<'a> {
         slope.unwrap_or_else(|| self.literal(0.0))
     }
 
+    /// Writes the motion and a tape behind it, and returns the nodes of their results.
+    fn behind_motion(&mut self, tape: &Tape) -> (Vec<NodeId>, Vec<NodeId>) {
+        let results = |tape: &Tape, known: &[NodeId]| -> Vec<NodeId> {
+            tape.results.iter().map(|id| known[id.0 as usize]).collect()
+        };
+        let motion = self.model.motion.as_ref().map_or_else(Vec::new, |motion| {
+            let known = self.copy(&motion.tape, &[]);
+            results(&motion.tape, &known)
+        });
+        let known = self.copy(tape, &motion);
+        (motion, results(tape, &known))
+    }
+
+    /// Returns a tape of the derivatives of nodes.
+    fn slopes_of(mut self, nodes: &[NodeId]) -> Tape {
+        let results: Vec<NodeId> = nodes.iter().map(|id| self.number(self.of(*id))).collect();
+        reachable(&self.nodes, &results)
+    }
+
+    /// Writes the steps of a solution, without those on zeros, and returns the nodes of a matrix.
+    fn solved(
+        &mut self,
+        solve: &Solve,
+        factors: &[NodeId],
+        inputs: &[NodeId],
+        entries: usize,
+    ) -> Vec<NodeId> {
+        let zero = self.literal(0.0);
+        let mut values = vec![zero; entries];
+        let (given, right_sides) = inputs.split_at(solve.given.len());
+        for (entry, value) in solve.given.iter().zip(given) {
+            values[*entry as usize] = *value;
+        }
+        for column in 0..solve.columns {
+            let mut work: Vec<Option<NodeId>> = vec![None; solve.rows as usize];
+            let of_column = solve.right_sides.iter().zip(right_sides);
+            for ((row, _), value) in of_column.filter(|((_, of), _)| *of == column) {
+                work[*row as usize] = Some(*value);
+            }
+            for step in &solve.steps {
+                let mut sum = work[step.row as usize];
+                if let (Some(known), Some(scale)) = (sum, step.scale) {
+                    sum = Some(self.derived(Op::Mul(known, factors[scale as usize]), None));
+                }
+                for (factor, from) in &step.terms {
+                    let Some(from) = work[*from as usize] else { continue };
+                    let product = self.derived(Op::Mul(factors[*factor as usize], from), None);
+                    sum = Some(match sum {
+                        Some(sum) => self.derived(Op::Sub(sum, product), None),
+                        None => self.derived(Op::Neg(product), None),
+                    });
+                }
+                work[step.row as usize] = sum;
+            }
+            for (entry, row, _) in solve.solved.iter().filter(|(.., of)| *of == column) {
+                values[*entry as usize] = work[*row as usize].unwrap_or(zero);
+            }
+        }
+        values
+    }
+
+    /// Returns the node of an operation, with its derivative.
+    fn derived(&mut self, op: Op, name: Option<&str>) -> NodeId {
+        let before = self.nodes.len();
+        let id = self.node(op, name);
+        // A node of a derivative may be computed by the tape as well.
+        if id.0 as usize == before || self.slopes[id.0 as usize].is_none() {
+            let slope = self.slope(op, id);
+            self.slopes[id.0 as usize] = slope;
+        }
+        id
+    }
+
     /// Writes the nodes of a tape and their derivatives; returns their ids.
     fn copy(&mut self, tape: &Tape, motion: &[NodeId]) -> Vec<NodeId> {
         let mut places: Vec<NodeId> = Vec::with_capacity(tape.nodes.len());
@@ -96,14 +179,7 @@ impl<'a> Writer<'a> {
                 motion[result as usize]
             } else {
                 let op = node.op.with_operands(|id| places[id.0 as usize]);
-                let before = self.nodes.len();
-                let id = self.node(op, node.name.as_deref());
-                // A node of a derivative may be computed by the tape as well.
-                if id.0 as usize == before || self.slopes[id.0 as usize].is_none() {
-                    let slope = self.slope(op, id);
-                    self.slopes[id.0 as usize] = slope;
-                }
-                id
+                self.derived(op, node.name.as_deref())
             };
             places.push(id);
         }

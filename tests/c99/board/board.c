@@ -54,6 +54,26 @@ static void put(const char *name, uint64_t number)
 
 static OF(_machine_t) machine;
 
+#ifdef MEASURE_HEADER
+/* A filter follows the machine, which is not timed. */
+#include MEASURE_HEADER
+static OF(_estimator_t) runner;
+#define STATE runner.machine.state
+#else
+#define runner machine
+#define STATE machine.state
+#endif
+
+static void put_all(const void *from, size_t count)
+{
+    size_t entry;
+    for (entry = 0u; entry < count; ++entry) {
+        uint64_t bits = 0u;
+        (void)memcpy(&bits, (const unsigned char *)from + entry * sizeof(REAL), sizeof(REAL));
+        put("state", bits);
+    }
+}
+
 int main(void)
 {
     volatile uint32_t *const control = (volatile uint32_t *)0xe000e010u;
@@ -62,31 +82,39 @@ int main(void)
     const REAL step = STEP;
     uint64_t ticks = 0u, most = 0u;
     long k, events = 0;
-    size_t entry;
-    const unsigned char *bytes = (const unsigned char *)&machine.state;
 
     OF(_begin)(&machine);
+#ifdef MEASURE_HEADER
+    OF(_estimator_begin)(&runner);
+#endif
     *reload = 0xffffffu;
     *control = 5u;
     for (k = 0; k < STEPS; ++k) {
         uint32_t took;
+#ifdef MEASURE_HEADER
+        OF(_measured_t) measured;
+        measure(&machine, step, k, &measured);
+        *current = 0u;
+        events += OF(_estimator_predict)(&runner, step);
+        (void)OF(_estimator_correct)(&runner, &measured);
+#else
         *current = 0u;
         events += OF(_step)(&machine, step);
+#endif
         took = *current;
         /* Zero until the first tick. */
         took = (took == 0u) ? 0u : 0xffffffu - took;
         ticks += took;
         most = (took > most) ? took : most;
     }
-    for (entry = 0u; entry < sizeof machine.state / sizeof(REAL); ++entry) {
-        uint64_t bits = 0u;
-        (void)memcpy(&bits, bytes + entry * sizeof(REAL), sizeof(REAL));
-        put("state", bits);
-    }
+    put_all(&STATE, sizeof STATE / sizeof(REAL));
+#ifdef MEASURE_HEADER
+    put_all(runner.root, sizeof runner.root / sizeof(REAL));
+#endif
     put("ticks", ticks);
     put("most", most);
     put("events", (uint64_t)events);
-    put("ram", sizeof machine);
+    put("ram", sizeof runner);
     {
         const uint32_t *low = stack_start;
         while (*low == 0xa5a5a5a5u) {

@@ -3,6 +3,10 @@
 //     machinist gen saw_gin -o . --estimator ekf --measure motor_speed=0.1,stator_current=0.5 --noise load.mean=5,motor.phase_voltage=0.05 --estimate load.mean --uncertain load.mean=10,motor.omega=0.1
 //
 // Extended Kalman filter: Saw gin: motor, coupling and saw cylinder
+//
+// A step of the machine alone, by the classical Runge-Kutta method of order 4:
+//   341 operations without events, at most 680 in 2 parts.
+// An estimate with its workspace: 5544 bytes.
 
 use machinist_contract::fixed_step::{
     Clock, Correction, ExtendedKalmanFilter, FilterMemory, FixedMethod, Stepped,

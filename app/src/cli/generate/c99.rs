@@ -1,17 +1,20 @@
 //! `machinist gen --target c99`: one scene as C99.
 
+use std::fmt::Write as _;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use machinist::Simulation;
 use machinist::estimator::EstimatorIndices;
 use machinist::linear_analysis::{Place, operating_point};
-use machinist_codegen::emit::c99::{C99Options, EstimatorOptions, Real, needs_start, step_cost};
+use machinist_codegen::emit::c99::{
+    C99Options, EstimatorOptions, Real, filter_cost, needs_start, step_cost,
+};
 use machinist_codegen::write::{Mode, Summary, WriteError, emit_c99, emit_rust_estimator};
 use machinist_contract::Simulator;
 use machinist_contract::fixed_step::StepMethod;
 use machinist_fmu::variables::{Unfit, Variables};
-use machinist_model::{Model, ModelSimulator};
+use machinist_model::{Elimination, Model, ModelSimulator};
 
 use super::describe;
 use crate::cli::estimator::EstimatorArgs;
@@ -75,13 +78,15 @@ impl Options {
             None => initial(&model),
         };
         let name = Path::new(scene).file_name().unwrap_or(scene.as_ref()).to_string_lossy();
-        let mut command = format!("machinist gen {name} -o .{}", estimator.told());
+        let mut command = format!("machinist gen {name} -o .{}", estimator.told()?);
         if let Some(step) = self.step {
             command.extend([" --step ", step.name()]);
         }
         let filter = (&filter, method, &start[..]);
         let summary = emit_rust_estimator(out, &model, filter, &command, mode);
-        print(&describe(&fresh(summary)?, ""))
+        let step = step_cost(&model, method, Real::Double);
+        let text = describe(&fresh(summary)?, "");
+        print(&format!("{text}a step of the machine takes {step}\n"))
     }
 
     pub fn execute(
@@ -102,19 +107,21 @@ impl Options {
                 Some(Width::F32) => Real::Float,
             },
             method,
-            command: format!("{}{}", self.command(scene, keep_all), estimator.told()),
+            command: format!("{}{}", self.command(scene, keep_all), estimator.told()?),
             inputs: self.inputs.clone(),
             start: start(&model)?,
             estimator: filter,
         };
         let summary = fresh(emit_c99(out, &model, &options, mode))?;
-        let cost = step_cost(&model, options.method);
-        let most = match cost.parts {
-            1 => String::new(),
-            parts => format!(", at most {} in {parts} parts", cost.most),
-        };
-        let step = format!("a step takes {} operations{most}\n", cost.usual);
-        print(&format!("{}{step}", describe(&summary, "")))
+        let mut text = describe(&summary, "");
+        let cost = step_cost(&model, options.method, options.real);
+        let _ = writeln!(text, "a step takes {cost}");
+        if let Some(filter) = &options.estimator {
+            let cost = filter_cost(&model, (options.method, options.real), filter);
+            let _ = writeln!(text, "a prediction takes {}", cost.predict);
+            let _ = writeln!(text, "a correction takes at most {} operations", cost.correct);
+        }
+        print(&text)
     }
 
     /// Returns an error for inputs that are given twice, that do not exist, or that the equations
@@ -178,7 +185,8 @@ fn emitted(
         return Err(Failure::input(message, "estimators are emitted for scenes without fields"));
     }
     let simulator = ModelSimulator::interpreted(model.clone());
-    let found = estimator.indices(simulator.single(), method)?;
+    let list = Elimination::new(model.states.len(), &model.rate_jacobian.pattern.entries);
+    let found = estimator.indices(simulator.single(), method.with(list.borrowed()))?;
     let EstimatorIndices { measured, estimated, diffusing, disturbed, start, .. } = found;
     Ok(EstimatorOptions { measured, estimated, diffusing, disturbed, start })
 }

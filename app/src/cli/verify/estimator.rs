@@ -7,6 +7,7 @@ use machinist::Simulation;
 use machinist::estimator::{Consistency, ConsistencyRun, Instant};
 use machinist::linear_analysis::{Place, operating_point};
 use machinist_contract::fixed_step::StepMethod;
+use machinist_model::Elimination;
 use machinist_studies::verify::Verdict;
 
 use crate::cli::amount::time;
@@ -82,7 +83,10 @@ impl EstimatorRuns {
         let simulation = with_parameters(Simulation::new(simulator), &machine.set)?;
         let simulation = run.apply(machine.with_initial(simulation)?)?;
         let place = self.since.map_or(Place::Initial, Place::Time);
-        let indices = self.estimator.indices(simulator, self.step.unwrap_or_default())?;
+        let pattern = simulator.rate_jacobian_pattern().entries;
+        let list = Elimination::new(simulator.shape().states(), pattern);
+        let method = self.step.unwrap_or_default().with(list.borrowed());
+        let indices = self.estimator.indices(simulator, method)?;
         let point = during("simulating", || operating_point(&simulation, place))?;
         let until = run.span.until.unwrap_or(simulator.run_defaults().until);
         let step = self.sample.ok_or_else(|| {

@@ -1,6 +1,8 @@
 //! An extended Kalman filter on the emitted steps: the operations of
 //! [`ExtendedKalmanFilter`](machinist_contract::fixed_step::ExtendedKalmanFilter), in its order.
 
+mod stages;
+
 use std::fmt::Write as _;
 
 use machinist_contract::fixed_step::StepMethod;
@@ -10,11 +12,13 @@ use super::body::{Scope, body};
 use super::expression::{Written, literal};
 use super::functions::broken_head;
 use super::layout::{comment, remark, statement, statements};
-use super::step::with_library_names;
-use super::{Real, Scene, description};
+use super::step::{machine_bytes, shift_columns, with_library_names};
+use super::{Real, Scene, cost, description, implicit};
 use crate::emit::EmitError;
 
 const CARRIED: &str = include_str!("snippets/carried.c");
+const EXPLICIT: &str = include_str!("snippets/carried_explicit.c");
+const IMPLICIT: &str = include_str!("snippets/carried_implicit.c");
 const EVENTS: &str = include_str!("snippets/carried_events.c");
 const PROJECTED: &str = include_str!("snippets/carried_projected.c");
 const ESTIMATOR: &str = include_str!("snippets/estimator.c");
@@ -35,29 +39,61 @@ pub struct EstimatorOptions {
     pub start: Vec<f64>,
 }
 
+/// A function whose derivatives along a direction a filter needs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum CarriedFunction {
+    Measured,
+    Guards,
+    Resets,
+    ConstraintValues,
+    ConstraintRates,
+    RateJacobian,
+    TimeDerivative,
+}
+
+impl CarriedFunction {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Measured => "measured",
+            Self::Guards => "guards",
+            Self::Resets => "resets",
+            Self::ConstraintValues => "constraint_values",
+            Self::ConstraintRates => "constraint_rates",
+            Self::RateJacobian => "rate_jacobian",
+            Self::TimeDerivative => "time_derivative",
+        }
+    }
+}
+
 /// Derivatives along a direction that the filter needs.
 pub(super) struct Tangents {
-    /// Name of each function, and its tape.
-    functions: Vec<(&'static str, Tape)>,
+    functions: Vec<(CarriedFunction, Tape)>,
 }
 
 impl Tangents {
-    pub(super) fn of(model: &Model, options: &EstimatorOptions) -> Self {
+    pub(super) fn of(model: &Model, method: StepMethod, options: &EstimatorOptions) -> Self {
         let along = options.estimated.iter().copied();
         let along = along.chain(options.disturbed.iter().map(|(parameter, _)| *parameter));
         let directions = Directions { along: along.map(|parameter| parameter as u32).collect() };
         let measured: Vec<usize> = options.measured.iter().map(|(output, _)| *output).collect();
         let all = |tape: &Tape| (0..tape.results.len()).collect::<Vec<_>>();
         let of = |name, tape: &Tape| (name, model.tangent(tape, &all(tape), &directions));
-        let mut functions =
-            vec![("measured", model.tangent(&model.outputs, &measured, &directions))];
+        let mut functions = vec![(
+            CarriedFunction::Measured,
+            model.tangent(&model.outputs, &measured, &directions),
+        )];
         if !model.events.is_empty() {
-            functions.push(of("guards", &model.guards));
-            functions.push(of("resets", &model.resets));
+            functions.push(of(CarriedFunction::Guards, &model.guards));
+            functions.push(of(CarriedFunction::Resets, &model.resets));
         }
         if !model.constraints.is_empty() {
-            functions.push(of("constraint_values", &model.constraint_values));
-            functions.push(of("constraint_rates", &model.constraint_rates));
+            functions.push(of(CarriedFunction::ConstraintValues, &model.constraint_values));
+            functions.push(of(CarriedFunction::ConstraintRates, &model.constraint_rates));
+        }
+        if method == StepMethod::Rosenbrock2 {
+            let jacobian = model.tangent_of_matrix(&model.rate_jacobian, &directions);
+            functions.push((CarriedFunction::RateJacobian, jacobian));
+            functions.push(of(CarriedFunction::TimeDerivative, &model.time_derivative));
         }
         Self { functions }
     }
@@ -65,18 +101,19 @@ impl Tangents {
     pub(super) fn tapes(&self) -> impl Iterator<Item = &Tape> {
         self.functions.iter().map(|(_, tape)| tape)
     }
+
+    /// Returns the tape of a function's derivative, if the filter needs it.
+    pub(super) fn tape(&self, wanted: CarriedFunction) -> Option<&Tape> {
+        let found = self.functions.iter().find(|(derivative, _)| *derivative == wanted);
+        found.map(|(_, tape)| tape)
+    }
 }
 
-/// Returns an error for a machine or method without a filter.
-pub(super) fn check(model: &Model, method: StepMethod) -> Result<(), EmitError> {
-    let refused = |message: &str| Err(EmitError::Unsupported { message: message.to_owned() });
-    if method == StepMethod::Rosenbrock2 {
-        return refused("the derivative of a Rosenbrock step needs second derivatives of the rate");
-    }
+/// Returns an error for a machine without a filter.
+pub(super) fn check(model: &Model) -> Result<(), EmitError> {
     if model.rate_jacobian.pattern.entries.is_empty() {
-        return refused(
-            "the rate of this scene does not depend on its state: nothing is estimated",
-        );
+        let message = "the rate of this scene does not depend on its state: nothing is estimated";
+        return Err(EmitError::Unsupported { message: message.to_owned() });
     }
     Ok(())
 }
@@ -123,9 +160,11 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
     let [measured, estimator, machine] =
         ["measured_t", "estimator_t", "machine_t"].map(|name| scene.public(name));
     let _ = writeln!(text, "}} {measured};\n");
-    text.push_str(&comment([
-        "Estimate: a machine, and a square root of the covariance by columns.",
-    ]));
+    let bytes = machine_bytes(scene) + columns * entries * scene.options.real.bytes();
+    let doc = format!(
+        "Estimate: a machine, and a square root of the covariance by columns, of {bytes} bytes."
+    );
+    text.push_str(&comment([doc]));
     let _ = writeln!(
         text,
         "typedef struct {{\n    {machine} machine; /* estimated parameters are in machine.p */\n    \
@@ -133,21 +172,30 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
         scene.macro_name("COLUMNS"),
         scene.macro_name("ENTRIES")
     );
+    let cost = cost::filter_cost(scene.model, (scene.options.method, scene.options.real), options);
+    let predict = format!(
+        "Advances the estimate by a step [s]. Gives what a step gives. It takes {}.",
+        cost.predict
+    );
+    let correct = format!(
+        "Corrects the estimate by measured outputs. Gives the normalized innovation squared, whose \
+         expected value is the number of measured outputs. It takes at most {} operations.",
+        cost.correct
+    );
     let functions = [
         (
             "Sets the estimate to the start of the spec's run, with the deviations of the design.",
             format!("void {}({estimator} *estimator)", scene.public("estimator_begin")),
         ),
         (
-            "Advances the estimate by a step [s]. Gives what a step gives.",
+            &predict,
             format!(
                 "int {}({estimator} *estimator, {real} step)",
                 scene.public("estimator_predict")
             ),
         ),
         (
-            "Corrects the estimate by measured outputs. Gives the normalized innovation squared, \
-             whose expected value is the number of measured outputs.",
+            &correct,
             format!(
                 "{real} {}({estimator} *estimator, const {measured} *measured)",
                 scene.public("estimator_correct")
@@ -174,12 +222,23 @@ pub(super) fn carried(scene: &Scene<'_>) -> Result<String, EmitError> {
         return Ok(String::new());
     };
     let mut parts = Vec::new();
-    for (name, tape) in &tangents.functions {
-        parts.push(tangent(scene, name, tape, options)?);
+    for (derivative, tape) in &tangents.functions {
+        parts.push(tangent(scene, derivative.name(), tape, options)?);
     }
     let model = scene.model;
     let is_constrained = !model.constraints.is_empty();
-    let text = CARRIED
+    let is_implicit = scene.options.method == StepMethod::Rosenbrock2;
+    if is_constrained {
+        parts.push(shift_columns(scene));
+    }
+    if is_implicit || !model.events.is_empty() {
+        parts.push(numbers_of(scene));
+    }
+    if is_implicit {
+        parts.push(implicit::substitute_column(scene));
+    }
+    let text = format!("{CARRIED}{}", if is_implicit { IMPLICIT } else { EXPLICIT });
+    let text = text
         .replace("PROJECTED\n", if is_constrained { PROJECTED } else { "" })
         .replace(
             "AT_END\n",
@@ -190,9 +249,8 @@ pub(super) fn carried(scene: &Scene<'_>) -> Result<String, EmitError> {
             },
         )
         .replace("DIRECTIONS_OF\n", &directions_of(scene, options)?);
-    parts.push(filled(scene, options, &stages(scene, options, &text)));
+    parts.push(filled(scene, options, &stages::filled_in(scene, options, &text)?));
     if !model.events.is_empty() {
-        parts.push(numbers_of(scene));
         let cases = reset_cases(scene);
         parts.push(filled(scene, options, &EVENTS.replace("RESET_CASES\n", &cases)));
     }
@@ -231,97 +289,6 @@ fn directions_of(scene: &Scene<'_>, options: &EstimatorOptions) -> Result<String
         text.push_str("    (void)of;\n    (void)column;\n    dp[0] = R(0.0);\n");
     }
     Ok(text)
-}
-
-/// Fills in the stages of the method, with or without derivatives by parameters.
-fn stages(scene: &Scene<'_>, options: &EstimatorOptions, text: &str) -> String {
-    let model = scene.model;
-    let directions = Sizes::of(scene, options).directions;
-    let pattern = &model.parameter_jacobian.pattern.entries;
-    let reads_parameters = directions > 0 && !pattern.is_empty();
-    let along: Vec<usize> = (options.estimated.iter().copied())
-        .chain(options.disturbed.iter().map(|(parameter, _)| *parameter))
-        .collect();
-    let slots = pattern.iter().map(|(_, parameter)| {
-        let slot = along.iter().position(|along| *along == *parameter as usize);
-        slot.unwrap_or(along.len()).to_string()
-    });
-    let slots = statement(&slots.collect::<Vec<_>>().join(", "), 8);
-    let (argument, by_parameters, along_parameters) = if reads_parameters {
-        (
-            "                        const scene_real_t by_parameters[SCENE_PARAMETER_JACOBIAN_NONZEROS],\n                        \
-             const scene_real_t dp[SCENE_DIRECTIONS],\n",
-            "    scene_real_t by_parameters[STAGES][SCENE_PARAMETER_JACOBIAN_NONZEROS];\n",
-            format!(
-                "    for (k = 0u; k < SCENE_PARAMETER_JACOBIAN_NONZEROS; ++k) {{\n        \
-                 /* The place of each derivative among the directions; {directions}: none. */\n        \
-                 static const unsigned short places[SCENE_PARAMETER_JACOBIAN_NONZEROS] = {{\n{slots}        }};\n        \
-                 if (places[k] < {directions}u) {{\n            \
-                 const size_t row = scene_parameter_jacobian_rows[k];\n            \
-                 slope[row] = slope[row] + by_parameters[k] * dp[places[k]];\n        }}\n    }}\n"
-            ),
-        )
-    } else {
-        ("", "", String::new())
-    };
-    let passed = |stage: usize| {
-        if reads_parameters { format!("by_parameters[{stage}], dp,") } else { String::new() }
-    };
-    let lengths: &[(&str, &str, &str)] = match scene.options.method {
-        StepMethod::Heun => &[("h", "time + h", "R(1.0)")],
-        _ => &[
-            ("half", "time + half", "R(2.0)"),
-            ("half", "time + half", "R(2.0)"),
-            ("h", "time + h", "R(1.0)"),
-        ],
-    };
-    let last = match scene.options.method {
-        StepMethod::Heun => "half",
-        _ => "h / R(6.0)",
-    };
-    let jacobians = |stage: usize, time: &str| {
-        let mut text = format!(
-            "    scene_rate_jacobian({time}, &stage, &machine->p, &machine->c, by_state[{stage}]);\n"
-        );
-        if reads_parameters {
-            let _ = writeln!(
-                text,
-                "    scene_parameter_jacobian({time}, &stage, &machine->p, &machine->c, \
-                 by_parameters[{stage}]);"
-            );
-        }
-        text
-    };
-    let mut of_stages = jacobians(0, "time");
-    let mut slopes = String::new();
-    let mut before = "time";
-    for (index, (length, time, weight)) in lengths.iter().enumerate() {
-        let stage = index + 1;
-        let _ = writeln!(
-            of_stages,
-            "    scene_rate({before}, &stage, &machine->p, &machine->c, &slope_of);\n    \
-             ahead(&stage, start, {length}, &slope_of);"
-        );
-        of_stages.push_str(&jacobians(stage, time));
-        let _ = writeln!(
-            slopes,
-            "        along(x, own, {length}, slope);\n        \
-             slope_along(by_state[{stage}], {} x, slope);\n        \
-             along(sum, sum, {weight}, slope);",
-            passed(stage)
-        );
-        before = time;
-    }
-    let _ = writeln!(slopes, "        along(own, own, {last}, sum);");
-    let unused = if reads_parameters { "" } else { "        (void)dp;\n" };
-    text.replace("BY_PARAMETERS_ARGUMENT\n", argument)
-        .replace("SLOPE_BY_PARAMETERS\n", &along_parameters)
-        .replace("STAGE_JACOBIANS\n", &of_stages)
-        .replace("STAGE_SLOPES\n", &format!("{slopes}{unused}"))
-        .replace("STAGE_0 ", &format!("{} ", passed(0)))
-        .replace("BY_PARAMETERS\n", by_parameters)
-        .replace("STAGES", &(lengths.len() + 1).to_string())
-        .replace(",  ", ", ")
 }
 
 /// Returns the function that copies a state into numbers.

@@ -87,27 +87,44 @@ fn factor(scene: &Scene<'_>, list: &Elimination) -> String {
 /// Returns the function that solves for a right side, member by member.
 fn substitute(scene: &Scene<'_>, list: &Elimination) -> String {
     let of = list.borrowed();
-    let member = |unknown: u32| &scene.state_members[unknown as usize];
-    let mut text = String::from("/* Solves by the factors, in place. */\n");
     let head = format!(
         "static void substitute_step(const {} factors[{}], {} *x)",
         scene.real(),
         of.places,
         scene.public("state_t")
     );
-    text.push_str(&statement(&head, 0));
-    text.push_str("{\n");
+    let comment = "/* Solves by the factors, in place. */\n";
+    let lines = lines_of(list, |unknown| format!("x->{}", scene.state_members[unknown as usize]));
+    format!("{comment}{}{lines}", statement(&head, 0))
+}
+
+/// Returns the function that solves for a right side, entry by entry.
+pub(super) fn substitute_column(scene: &Scene<'_>) -> String {
+    let list = elimination(scene);
+    let head = format!(
+        "static void substitute_column(const {real} factors[{}], {real} x[{}])",
+        list.borrowed().places,
+        scene.macro_name("STATES"),
+        real = scene.real()
+    );
+    let comment = "/* Solves for a column by the factors, in place. */\n";
+    format!("{comment}{}{}", statement(&head, 0), lines_of(&list, |entry| format!("x[{entry}]")))
+}
+
+/// Returns the body of a function that solves, given the names of unknowns.
+fn lines_of(list: &Elimination, name: impl Fn(u32) -> String) -> String {
+    let of = list.borrowed();
+    let mut text = String::from("{\n");
     let mut line = |row: u32, terms: &[(u32, u32)], scale: Option<u32>| {
-        let name = member(row);
-        let terms =
-            terms.iter().map(|(place, of)| format!(" - factors[{place}] * x->{}", member(*of)));
-        let sum = format!("x->{name}{}", terms.collect::<String>());
+        let terms = terms.iter().map(|(place, of)| format!(" - factors[{place}] * {}", name(*of)));
+        let terms = terms.collect::<String>();
+        let sum = format!("{}{terms}", name(row));
         let value = match scale {
             None => sum,
-            Some(place) if sum.contains(' ') => format!("({sum}) * factors[{place}]"),
+            Some(place) if !terms.is_empty() => format!("({sum}) * factors[{place}]"),
             Some(place) => format!("{sum} * factors[{place}]"),
         };
-        text.push_str(&statement(&format!("x->{name} = {value};"), 4));
+        text.push_str(&statement(&format!("{} = {value};", name(row)), 4));
     };
     let mut first = 0;
     for unknown in of.unknowns {

@@ -77,17 +77,11 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
         (false, true) => " Gives 0, or -1 if the step had more parts than may be.",
         (false, false) => " Gives 0.",
     };
-    let cost = cost::step_cost(scene.model, scene.options.method);
-    let most = if has_parts(scene) {
-        format!(", at most {} in {} parts", cost.most, cost.parts)
-    } else {
-        String::new()
-    };
+    let cost = cost::step_cost(scene.model, scene.options.method, scene.options.real);
     let doc = format!(
         "Advances the machine by a step [s], by {}.{events} Parameters and inputs may be changed \
-         between steps; call {prepare} after that of parameters. {} operations{most}.",
+         between steps; call {prepare} after that of parameters. It takes {cost}.",
         scene.options.method.meaning(),
-        cost.usual
     );
     let _ = write!(
         text,
@@ -140,7 +134,11 @@ fn machine(scene: &Scene<'_>) -> String {
     let [state, parameters, constants] =
         ["state_t", "parameters_t", "constants_t"].map(|name| scene.public(name));
     let mut text = inputs(scene);
-    text.push_str(&comment(["A machine that runs. There may be any number of them."]));
+    let doc = format!(
+        "A machine that runs, of {} bytes. There may be any number of them.",
+        machine_bytes(scene)
+    );
+    text.push_str(&comment([doc]));
     let _ = write!(
         text,
         "typedef struct {{\n    {real} time; /* [s] */\n    {real} time_rest; /* what the sum of \
@@ -156,6 +154,21 @@ fn machine(scene: &Scene<'_>) -> String {
     }
     let _ = writeln!(text, "}} {};", scene.public("machine_t"));
     text
+}
+
+/// Returns the size of the struct of a machine, where numbers are aligned to their size.
+pub(super) fn machine_bytes(scene: &Scene<'_>) -> usize {
+    let number = scene.options.real.bytes();
+    let counts = [scene.model.states.len(), scene.parameter_members.len(), scene.constants.len()];
+    let mut bytes = 2 * number;
+    for count in counts {
+        // An empty struct has one byte.
+        bytes = match count {
+            0 => bytes + 1,
+            _ => bytes.next_multiple_of(number) + count * number,
+        };
+    }
+    (bytes + scene.model.events.len()).next_multiple_of(number)
 }
 
 /// Returns the struct of the inputs, if there are any.
@@ -275,47 +288,83 @@ fn given(scene: &Scene<'_>, of_position: bool) -> String {
     flags.collect::<Vec<_>>().join(", ")
 }
 
-/// Returns the shifts of positions and of velocities. The state of a scene with constraints
-/// contains all of them. A quaternion turns by small rotations, q' = q shift/2.
+/// Returns the shifts of positions and of velocities of a state.
 fn shifts(scene: &Scene<'_>) -> String {
-    let real = scene.real();
     let total = scene.model.coordinates.len() + scene.model.constraints.len();
+    let head = |what: &str| {
+        let (state, real) = (scene.public("state_t"), scene.real());
+        statement(
+            &format!("static void shift_{what}({state} *state, const {real} shift[{total}])"),
+            0,
+        )
+    };
+    let name = |entry: usize| format!("state->{}", scene.state_members[entry]);
+    let [positions, velocities] = [true, false].map(|of| shift_lines(scene, of, &name));
+    format!(
+        "{}{{\n{positions}}}\n\n{}{{\n{velocities}}}\n\n",
+        head("positions"),
+        head("velocities")
+    )
+}
+
+/// Returns the shifts of positions and of velocities of a column of the covariance's root.
+pub(super) fn shift_columns(scene: &Scene<'_>) -> String {
+    let (state, real) = (scene.public("state_t"), scene.real());
+    let total = scene.model.coordinates.len() + scene.model.constraints.len();
+    let states = scene.macro_name("STATES");
+    let name = |entry: usize| format!("column[{entry}]");
+    let [positions, velocities] = [true, false].map(|of| shift_lines(scene, of, &name));
+    let unused = if quaternions(scene).is_empty() { "    (void)state;\n" } else { "" };
+    let heads = [
+        format!(
+            "static void shift_column_positions(const {state} *state, const {real} shift[{total}], \
+             {real} column[{states}])"
+        ),
+        format!(
+            "static void shift_column_velocities(const {real} shift[{total}], {real} \
+             column[{states}])"
+        ),
+    ];
+    let [of_positions, of_velocities] = heads.map(|head| statement(&head, 0));
+    format!(
+        "/* Shifts the positions, and the velocities, of a column. */\n\
+         {of_positions}{{\n{unused}{positions}}}\n\n{of_velocities}{{\n{velocities}}}\n"
+    )
+}
+
+/// Returns the lines that shift positions or velocities of something by its names. The state of a
+/// scene with constraints contains all of them. A quaternion q turns by small rotations,
+/// q' = q shift/2.
+fn shift_lines(scene: &Scene<'_>, is_position: bool, name: &dyn Fn(usize) -> String) -> String {
+    let real = scene.real();
     let mut text = String::new();
-    for (what, is_position) in [("positions", true), ("velocities", false)] {
-        let head = format!(
-            "static void shift_{what}({} *state, const {real} shift[{total}])",
-            scene.public("state_t")
+    let quaternions = if is_position { quaternions(scene) } else { Vec::new() };
+    for (entry, state) in scene.model.states.iter().enumerate() {
+        if quaternions.iter().flatten().any(|part| *part == entry) {
+            continue;
+        }
+        let coordinate = match state.kind {
+            StateKind::Position(coordinate) if is_position => coordinate,
+            StateKind::Velocity(coordinate) if !is_position => coordinate,
+            _ => continue,
+        };
+        let name = name(entry);
+        let _ = writeln!(text, "    {name} = {name} - shift[{coordinate}];");
+    }
+    for parts in quaternions {
+        let StateKind::Position(first) = scene.model.states[parts[1]].kind else { continue };
+        let [w, x, y, z] = parts.map(|entry| &scene.state_members[entry]);
+        let [to_w, to_x, to_y, to_z] = parts.map(name);
+        let [a, b, c] = [0, 1, 2].map(|axis| format!("shift[{}]", first + axis));
+        let half = scene.options.real.literal(0.5).unwrap_or_default();
+        let _ = write!(
+            text,
+            "    {{\n        const {real} w = state->{w}, x = state->{x}, y = state->{y}, z = \
+             state->{z};\n        {to_w} = {to_w} + {half}*(x*{a} + y*{b} + z*{c});\n        \
+             {to_x} = {to_x} - {half}*(w*{a} + y*{c} - z*{b});\n        {to_y} = {to_y} - \
+             {half}*(w*{b} + z*{a} - x*{c});\n        {to_z} = {to_z} - {half}*(w*{c} + x*{b} - \
+             y*{a});\n    }}\n"
         );
-        text.push_str(&statement(&head, 0));
-        text.push_str("{\n");
-        let members = scene.state_members.iter().zip(&scene.model.states);
-        let quaternions = if is_position { quaternions(scene) } else { Vec::new() };
-        for (entry, (member, state)) in members.enumerate() {
-            if quaternions.iter().flatten().any(|part| *part == entry) {
-                continue;
-            }
-            let coordinate = match state.kind {
-                StateKind::Position(coordinate) if is_position => coordinate,
-                StateKind::Velocity(coordinate) if !is_position => coordinate,
-                _ => continue,
-            };
-            let _ = writeln!(text, "    state->{member} = state->{member} - shift[{coordinate}];");
-        }
-        for [w, x, y, z] in quaternions {
-            let StateKind::Position(first) = scene.model.states[x].kind else { continue };
-            let [w, x, y, z] = [w, x, y, z].map(|entry| &scene.state_members[entry]);
-            let [a, b, c] = [0, 1, 2].map(|axis| format!("shift[{}]", first + axis));
-            let half = scene.options.real.literal(0.5).unwrap_or_default();
-            let _ = write!(
-                text,
-                "    {{\n        const {real} w = state->{w}, x = state->{x}, y = state->{y}, z = \
-                 state->{z};\n        state->{w} = w + {half}*(x*{a} + y*{b} + z*{c});\n        \
-                 state->{x} = x - {half}*(w*{a} + y*{c} - z*{b});\n        state->{y} = y - \
-                 {half}*(w*{b} + z*{a} - x*{c});\n        state->{z} = z - {half}*(w*{c} + x*{b} - \
-                 y*{a});\n    }}\n"
-            );
-        }
-        text.push_str("}\n\n");
     }
     text
 }

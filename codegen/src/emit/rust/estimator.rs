@@ -3,8 +3,12 @@
 
 use std::fmt::Write as _;
 
-use machinist_contract::fixed_step::{ExtendedKalmanFilter, FixedMethod, FixedSteps, StepMethod};
-use machinist_model::{Model, ModelSimulator};
+use machinist_contract::Dual;
+use machinist_contract::elimination::{Pivot, Unknown};
+use machinist_contract::fixed_step::{
+    Clock, ExtendedKalmanFilter, FilterSizes, FixedSteps, StepMethod,
+};
+use machinist_model::{Elimination, Model, ModelSimulator};
 
 use super::{header, type_name};
 use crate::emit::c99::EstimatorOptions;
@@ -24,32 +28,44 @@ pub fn emit_estimator(
 ) -> Result<String, EmitError> {
     let simulator = ModelSimulator::interpreted(model.clone());
     let simulator = simulator.single();
+    let list = Elimination::new(model.states.len(), &model.rate_jacobian.pattern.entries);
     let of_machine = ExtendedKalmanFilter {
         simulator,
-        method: method.explicit().unwrap_or(FixedMethod::RungeKutta4),
+        method: method.with(list.borrowed()),
         parts_a_step: FixedSteps::<f64>::enough_parts(simulator),
         measured: &filter.measured,
         estimated: &filter.estimated,
         diffusing: &filter.diffusing,
         disturbed: &filter.disturbed,
     };
-    if let Some(why) = of_machine.refusal().filter(|_| method != StepMethod::Rosenbrock2) {
+    if let Some(why) = of_machine.refusal() {
         return Err(EmitError::Unsupported { message: why.to_owned() });
     }
-    let mut text = header::estimator_header(model, options);
+    let is_implicit = method == StepMethod::Rosenbrock2;
+    let sizes = of_machine.sizes();
+    let mut text = header::estimator_header(model, (method, bytes(&sizes)), options);
+    if is_implicit {
+        text.push_str("use machinist_contract::elimination::{Elimination, Pivot, Unknown};\n");
+    }
     text.push_str(
         "use machinist_contract::fixed_step::{\n    Clock, Correction, ExtendedKalmanFilter, \
          FilterMemory, FixedMethod, Stepped,\n};\nuse machinist_contract::{Dual, Simulator};\n\n",
     );
     let machine = type_name(&model.name);
-    let sizes = of_machine.sizes();
     if sizes.constants == 0 {
         let _ = writeln!(text, "use super::{}::{machine};\n", model.name);
     } else {
         let _ = writeln!(text, "use super::{}::{{CONSTANTS, {machine}}};\n", model.name);
     }
     text.push_str(&design(model, filter, start)?);
-    let method = if method == StepMethod::Heun { "Heun" } else { "RungeKutta4" };
+    if is_implicit {
+        text.push_str(&elimination(&list));
+    }
+    let method = match method {
+        StepMethod::Heun => "Heun",
+        StepMethod::RungeKutta4 => "RungeKutta4",
+        StepMethod::Rosenbrock2 => "Rosenbrock2(ELIMINATION)",
+    };
     let text_of = FILTER
         .replace("MACHINE", &machine)
         .replace("METHOD", method)
@@ -67,6 +83,50 @@ pub fn emit_estimator(
         Ok(_) => Ok(text),
         Err(error) => Err(EmitError::Unparsable { reason: error.to_string() }),
     }
+}
+
+/// Returns the bytes of an estimate with its workspace.
+fn bytes(sizes: &FilterSizes) -> usize {
+    let FilterSizes { state, parameters, constants, root, numbers, signs, duals } = sizes;
+    let numbers = (state + parameters + constants + root + numbers) * size_of::<f64>();
+    let bytes = size_of::<Clock<f64>>() + numbers + duals * size_of::<Dual>() + signs;
+    bytes.next_multiple_of(align_of::<f64>())
+}
+
+/// Returns the constant that lists the elimination of a Rosenbrock step.
+fn elimination(list: &Elimination) -> String {
+    let of = list.borrowed();
+    let lines = |items: Vec<String>, a_line: usize| -> String {
+        let lines = items.chunks(a_line).map(|line| format!("        {},\n", line.join(", ")));
+        lines.collect()
+    };
+    let numbers = |of: &[u32]| lines(of.iter().map(u32::to_string).collect(), 12);
+    let pairs =
+        |of: &[(u32, u32)]| lines(of.iter().map(|(a, b)| format!("({a}, {b})")).collect(), 8);
+    let pivots = of.pivots.iter().map(|pivot| {
+        let Pivot { place, rows_end, products_end } = pivot;
+        format!("Pivot {{ place: {place}, rows_end: {rows_end}, products_end: {products_end} }}")
+    });
+    let unknowns = of.unknowns.iter().map(|unknown| {
+        let Unknown { row, diagonal, terms_end: [lower, upper] } = unknown;
+        format!("Unknown {{ row: {row}, diagonal: {diagonal}, terms_end: [{lower}, {upper}] }}")
+    });
+    let products = of.products.iter().map(|(place, a, b)| format!("({place}, {a}, {b})"));
+    format!(
+        "/// Elimination of `I - g h J`, with the structural zeros of the Jacobian left out.\n\
+         const ELIMINATION: Elimination<'static> = Elimination {{\n    places: {},\n    entries: \
+         &[\n{}    ],\n    pivots: &[\n{}    ],\n    rows: &[\n{}    ],\n    products: \
+         &[\n{}    ],\n    unknowns: &[\n{}    ],\n    lower: &[\n{}    ],\n    upper: \
+         &[\n{}    ],\n}};\n\n",
+        of.places,
+        numbers(of.entries),
+        lines(pivots.collect(), 1),
+        numbers(of.rows),
+        lines(products.collect(), 6),
+        lines(unknowns.collect(), 1),
+        pairs(of.lower),
+        pairs(of.upper),
+    )
 }
 
 /// Returns a literal that reads back exactly.

@@ -10,10 +10,13 @@
 //!
 //! with guard g, reset R and the rates f before and after.
 
+mod implicit;
+
 use super::follow::Follow;
 use super::projection::Projection;
 use super::{ExtendedKalmanFilter, FixedMethod, FixedSteps, Rest, add, ahead};
-use crate::{Dual, DualFunction};
+use crate::{Dual, DualFunction, Shape};
+use implicit::Implicit;
 
 /// Maximum number of stages of a method.
 const STAGES: usize = 4;
@@ -35,6 +38,7 @@ pub(super) struct Carried<'w> {
     timing: &'w mut [f64],
     guard_rates: &'w mut [f64],
     projection: Projection<'w, f64>,
+    implicit: Implicit<'w>,
     duals: &'w mut [Dual],
 }
 
@@ -49,6 +53,7 @@ pub(super) fn room(filter: &ExtendedKalmanFilter<'_>) -> usize {
         + filter.columns()
         + simulator.events()
         + Projection::room(simulator)
+        + Implicit::room(filter)
 }
 
 impl<'w> Carried<'w> {
@@ -74,6 +79,7 @@ impl<'w> Carried<'w> {
             timing,
             guard_rates: rest.take(simulator.events()),
             projection: Projection::new(simulator, &mut rest),
+            implicit: Implicit::new(filter, &mut rest),
             duals,
         }
     }
@@ -132,6 +138,14 @@ impl<'w> Carried<'w> {
 
     /// Computes the Jacobians of a stage, and its rate if another follows.
     fn at_stage(&mut self, of: &FixedSteps<'_, f64>, stage: usize, time: f64, is_last: bool) {
+        self.jacobians_at(of, stage, time);
+        if !is_last {
+            of.rate(time, self.stage, self.slope);
+        }
+    }
+
+    /// Computes the Jacobians of a stage.
+    fn jacobians_at(&mut self, of: &FixedSteps<'_, f64>, stage: usize, time: f64) {
         let simulator = of.simulator;
         let nonzeros = simulator.rate_jacobian_pattern().entries.len();
         let values = &mut self.by_state[stage * nonzeros..(stage + 1) * nonzeros];
@@ -141,9 +155,6 @@ impl<'w> Carried<'w> {
         if self.filter.reads_parameters() {
             let values = &mut self.by_parameters[stage * nonzeros..(stage + 1) * nonzeros];
             simulator.prepared_parameter_jacobian(time, self.stage, p, c, values);
-        }
-        if !is_last {
-            of.rate(time, self.stage, self.slope);
         }
     }
 
@@ -177,32 +188,27 @@ impl<'w> Carried<'w> {
         }
     }
 
-    /// Carries a column along a step by the derivative of the method.
-    fn carry(&mut self, column: usize, h: f64, method: &FixedMethod<'_>) {
+    /// Carries a column along a step by the derivative of an explicit method.
+    fn carry(&mut self, column: usize, h: f64, is_heun: bool) {
         let first = column * self.filter.entries();
         let own = first..first + self.stage.len();
         self.stage.copy_from_slice(&self.columns[own.clone()]);
         self.slope_at(0, column);
         self.sum.copy_from_slice(self.slope);
         let half = 0.5 * h;
-        let last = match method {
-            FixedMethod::Heun => {
-                ahead(self.stage, &self.columns[own.clone()], h, self.slope);
-                self.slope_at(1, column);
-                add(self.sum, 1.0, self.slope);
-                half
+        let last = if is_heun {
+            ahead(self.stage, &self.columns[own.clone()], h, self.slope);
+            self.slope_at(1, column);
+            add(self.sum, 1.0, self.slope);
+            half
+        } else {
+            for (stage, (length, weight)) in [(half, 2.0), (half, 2.0), (h, 1.0)].iter().enumerate()
+            {
+                ahead(self.stage, &self.columns[own.clone()], *length, self.slope);
+                self.slope_at(stage + 1, column);
+                add(self.sum, *weight, self.slope);
             }
-            FixedMethod::RungeKutta4 => {
-                for (stage, (length, weight)) in
-                    [(half, 2.0), (half, 2.0), (h, 1.0)].iter().enumerate()
-                {
-                    ahead(self.stage, &self.columns[own.clone()], *length, self.slope);
-                    self.slope_at(stage + 1, column);
-                    add(self.sum, *weight, self.slope);
-                }
-                h / 6.0
-            }
-            FixedMethod::Rosenbrock2(_) => unreachable!("refused by `ExtendedKalmanFilter::check`"),
+            h / 6.0
         };
         add(&mut self.columns[own], last, self.sum);
     }
@@ -217,11 +223,9 @@ impl<'w> Carried<'w> {
 
     fn project(&mut self, of: &FixedSteps<'_, f64>, time: f64, state: &[f64]) {
         let constraints = of.simulator.constraints();
-        let coordinates = of.simulator.shape().coordinates;
+        let Shape { coordinates, positions, .. } = of.simulator.shape();
         let size = self.filter.entries();
-        for (function, first_entry) in
-            [(DualFunction::ConstraintValues, 0), (DualFunction::ConstraintRates, coordinates)]
-        {
+        for function in [DualFunction::ConstraintValues, DualFunction::ConstraintRates] {
             for (first, count) in self.batches() {
                 self.evaluate(function, (time, state), of.parameters, (first, constraints));
                 for direction in 0..count {
@@ -229,10 +233,17 @@ impl<'w> Carried<'w> {
                         self.projection.off[constraint] = self.along(constraint, direction);
                     }
                     self.projection.shortest(of, time, state);
-                    let entry = (first + direction) * size + first_entry;
-                    let entries = &mut self.columns[entry..entry + coordinates];
-                    for (entry, shift) in entries.iter_mut().zip(self.projection.shift.iter()) {
-                        *entry -= shift;
+                    let column = (first + direction) * size;
+                    let column = &mut self.columns[column..column + size];
+                    if function == DualFunction::ConstraintRates {
+                        self.projection.shift(&mut column[positions..positions + coordinates]);
+                    } else if positions == coordinates {
+                        self.projection.shift(&mut column[..coordinates]);
+                    } else {
+                        // On the constraints the shift is zero, so quaternions turn by its
+                        // deviation alone.
+                        self.projection.find_turn(of, time, state);
+                        self.projection.turn(&mut column[..positions]);
                     }
                 }
             }
@@ -250,20 +261,28 @@ impl Follow<f64> for Carried<'_> {
     ) {
         let half = 0.5 * h;
         self.stage.copy_from_slice(start);
-        self.at_stage(of, 0, time, false);
-        if of.method == FixedMethod::Heun {
-            ahead(self.stage, start, h, self.slope);
-            self.at_stage(of, 1, time + h, true);
-        } else {
-            ahead(self.stage, start, half, self.slope);
-            self.at_stage(of, 1, time + half, false);
-            ahead(self.stage, start, half, self.slope);
-            self.at_stage(of, 2, time + half, false);
-            ahead(self.stage, start, h, self.slope);
-            self.at_stage(of, 3, time + h, true);
+        match of.method {
+            FixedMethod::Heun => {
+                self.at_stage(of, 0, time, false);
+                ahead(self.stage, start, h, self.slope);
+                self.at_stage(of, 1, time + h, true);
+            }
+            FixedMethod::RungeKutta4 => {
+                self.at_stage(of, 0, time, false);
+                ahead(self.stage, start, half, self.slope);
+                self.at_stage(of, 1, time + half, false);
+                ahead(self.stage, start, half, self.slope);
+                self.at_stage(of, 2, time + half, false);
+                ahead(self.stage, start, h, self.slope);
+                self.at_stage(of, 3, time + h, true);
+            }
+            FixedMethod::Rosenbrock2(elimination) => {
+                self.implicit_part(of, &elimination, (time, h), start);
+                return self.projected(of, time + h, end);
+            }
         }
         for column in 0..self.count() {
-            self.carry(column, h, &of.method);
+            self.carry(column, h, of.method == FixedMethod::Heun);
         }
         self.projected(of, time + h, end);
     }

@@ -28,7 +28,7 @@ use crate::{Dual, DualFunction, Real, Simulator};
 pub struct ExtendedKalmanFilter<'a> {
     /// The machine. It must have [`Simulator::derivatives`].
     pub simulator: &'a dyn Simulator<f64>,
-    /// Method of the steps: Heun or Runge-Kutta.
+    /// Method of the steps.
     pub method: FixedMethod<'a>,
     /// As [`FixedSteps::parts_a_step`].
     pub parts_a_step: usize,
@@ -110,16 +110,8 @@ impl ExtendedKalmanFilter<'_> {
     /// Returns the reason why the filter cannot run, if there is one.
     #[must_use]
     pub fn refusal(&self) -> Option<&'static str> {
-        let shape = self.simulator.shape();
-        if matches!(self.method, FixedMethod::Rosenbrock2(_)) {
-            Some("the derivative of a Rosenbrock step needs second derivatives of the rate")
-        } else if self.simulator.constraints() > 0 && shape.positions != shape.coordinates {
-            Some("constraints beside quaternions have no differentiated projection")
-        } else if self.simulator.derivatives().is_none() {
-            Some("the machine has no functions on dual numbers")
-        } else {
-            None
-        }
+        let has_derivatives = self.simulator.derivatives().is_some();
+        (!has_derivatives).then_some("the machine has no functions on dual numbers")
     }
 
     /// Returns the sizes of [`FilterMemory`].
@@ -129,8 +121,14 @@ impl ExtendedKalmanFilter<'_> {
         let shape = simulator.shape();
         let [step, signs] = self.steps(&[], &[]).room();
         let resets = self.steps(&[], &[]).resets();
-        let results =
-            shape.outputs.max(resets).max(simulator.events()).max(simulator.constraints());
+        let implicit = match self.method {
+            FixedMethod::Rosenbrock2(_) => {
+                simulator.rate_jacobian_pattern().entries.len().max(shape.states())
+            }
+            FixedMethod::Heun | FixedMethod::RungeKutta4 => 0,
+        };
+        let counts = [shape.outputs, resets, simulator.events(), simulator.constraints()];
+        let results = counts.into_iter().fold(implicit, usize::max);
         let outputs = shape.outputs + self.measured.len() * (self.entries() + 1) + self.entries();
         FilterSizes {
             state: shape.states(),

@@ -55,20 +55,26 @@ impl<'w, R: StepNumber> Projection<'w, R> {
             self.shortest(of, time, state);
             let Shape { positions, coordinates, .. } = of.simulator.shape();
             if level == Level::Positions && positions != coordinates {
-                self.turn(of, time, state);
+                self.find_turn(of, time, state);
+                self.turn(&mut state[..positions]);
                 continue;
             }
             let first = if level == Level::Positions { 0 } else { positions };
-            let entries = &mut state[first..first + coordinates];
-            for (entry, &shift) in entries.iter_mut().zip(self.shift.iter()) {
-                *entry = *entry - shift;
-            }
+            self.shift(&mut state[first..first + coordinates]);
         }
     }
 
-    /// Subtracts the change of positions that turns quaternions. Rates of positions are linear in
-    /// velocities: the change is their difference between velocities of this size and none.
-    fn turn(&mut self, of: &FixedSteps<'_, R>, time: R, state: &mut [R]) {
+    /// Subtracts the shift from coordinates.
+    pub(super) fn shift(&self, entries: &mut [R]) {
+        for (entry, &shift) in entries.iter_mut().zip(self.shift.iter()) {
+            *entry = *entry - shift;
+        }
+    }
+
+    /// Finds the changes of positions by the shift, which turns quaternions. Rates of positions
+    /// are linear in velocities: the changes are their difference between velocities of this size
+    /// and none.
+    pub(super) fn find_turn(&mut self, of: &FixedSteps<'_, R>, time: R, state: &[R]) {
         let Shape { positions, coordinates, .. } = of.simulator.shape();
         let states = of.simulator.shape().states();
         let (there, rates) = self.turned.split_at_mut(states);
@@ -78,9 +84,16 @@ impl<'w, R: StepNumber> Projection<'w, R> {
         of.simulator.rate(time, there, of.parameters, moving);
         there[positions..positions + coordinates].fill(R::literal(0.0));
         of.simulator.rate(time, there, of.parameters, resting);
-        let changes = moving.iter().zip(resting.iter()).take(positions);
-        for (entry, (&moving, &resting)) in state.iter_mut().zip(changes) {
-            *entry = *entry - (moving - resting);
+        for (moving, &resting) in moving.iter_mut().zip(resting.iter()) {
+            *moving = *moving - resting;
+        }
+    }
+
+    /// Subtracts the changes that [`Projection::find_turn`] has found from positions.
+    pub(super) fn turn(&self, positions: &mut [R]) {
+        let states = self.turned.len() / 3;
+        for (entry, &change) in positions.iter_mut().zip(&self.turned[states..]) {
+            *entry = *entry - change;
         }
     }
 

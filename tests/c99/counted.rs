@@ -16,15 +16,16 @@ use crate::own_scene::model_of_specs;
 
 const NUMBERS: &str = include_str!("counted/numbers.cpp");
 
-/// Functions that count as one operation, or as two for a sine and a cosine.
-fn is_one(line: &str) -> Option<u32> {
+/// Returns the number of operations as which a function counts: one, or two for a sine and a cosine.
+fn counts_as(line: &str) -> Option<&'static str> {
     let name = line.strip_prefix("static ")?.split('(').next()?.split(' ').next_back()?;
     let is_power = name.trim_start_matches("inverse_").strip_prefix("power_");
     let is_power = is_power.is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()));
     match name {
-        "sine_and_cosine" => Some(2),
-        "sine" | "cosine" | "exponential" | "hyperbolic_tangent" | "interpolate" => Some(1),
-        _ => is_power.then_some(1),
+        "sine_and_cosine" => Some("2"),
+        "sines_and_cosines" => Some("2 * (long)count"),
+        "sine" | "cosine" | "exponential" | "hyperbolic_tangent" | "interpolate" => Some("1"),
+        _ => is_power.then_some("1"),
     }
 }
 
@@ -34,7 +35,7 @@ fn counting(source: &str) -> String {
     let mut open = None;
     for line in source.lines() {
         let _ = writeln!(text, "{line}");
-        open = is_one(line).or(open);
+        open = counts_as(line).or(open);
         if line == "{"
             && let Some(count) = open.take()
         {
@@ -86,8 +87,8 @@ fn steps(step: f64, steps: usize) -> String {
     format!(
         "int main()\n{{\n    static SCENE_machine_t machine;\n    long k;\n    \
          SCENE_begin(&machine);\n    put((double)sizeof machine);\n    \
-         for (k = 0; k < {steps}; ++k) {{\n        int events;\n        count = 0;\n        \
-         events = SCENE_step(&machine, {step:e});\n        put((double)count);\n        \
+         for (k = 0; k < {steps}; ++k) {{\n        int events;\n        counted_operations = 0;\n        \
+         events = SCENE_step(&machine, {step:e});\n        put((double)counted_operations);\n        \
          put((double)events);\n    }}\n    return 0;\n}}\n"
     )
 }
@@ -199,11 +200,11 @@ fn predictions(step: f64, steps: usize) -> String {
         "int main()\n{{\n    static SCENE_estimator_t estimator;\n    long k;\n    \
          SCENE_estimator_begin(&estimator);\n    put((double)sizeof estimator);\n    \
          for (k = 0; k < {steps}; ++k) {{\n        SCENE_outputs_t outputs;\n        \
-         SCENE_measured_t measured;\n        count = 0;\n        \
-         (void)SCENE_estimator_predict(&estimator, {step:e});\n        put((double)count);\n        \
+         SCENE_measured_t measured;\n        counted_operations = 0;\n        \
+         (void)SCENE_estimator_predict(&estimator, {step:e});\n        put((double)counted_operations);\n        \
          SCENE_outputs(estimator.machine.time, &estimator.machine.state, &estimator.machine.p,\n                      \
-         &estimator.machine.c, &outputs);\n        MEASURED\n        count = 0;\n        \
-         (void)SCENE_estimator_correct(&estimator, &measured);\n        put((double)count);\n    }}\n    \
+         &estimator.machine.c, &outputs);\n        MEASURED\n        counted_operations = 0;\n        \
+         (void)SCENE_estimator_correct(&estimator, &measured);\n        put((double)counted_operations);\n    }}\n    \
          return 0;\n}}\n"
     )
 }

@@ -4,7 +4,7 @@
 //! header consists of plain comments. It needs `core` and the contract crate, allocates nothing,
 //! and computes with any `machinist_contract::Real`.
 
-mod batch;
+pub(in crate::emit) mod batch;
 mod body;
 mod describe;
 mod estimator;

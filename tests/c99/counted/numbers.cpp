@@ -7,13 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-static long count = 0;
+#define restrict __restrict
+
+static long counted_operations = 0;
 static int depth = 0;
 
 static inline void tick(long by = 1)
 {
     if (depth == 0) {
-        count += by;
+        counted_operations += by;
     }
 }
 

@@ -4,7 +4,7 @@
 //
 // Extended Kalman filter: Saw gin: motor, coupling and saw cylinder
 //
-// A step of the machine alone, by the classical Runge-Kutta method of order 4:
+// A step of the machine alone, by the classical Runge-Kutta method of order 4, in C99:
 //   341 operations without events, at most 680 in 2 parts.
 // An estimate with its workspace: 5544 bytes.
 

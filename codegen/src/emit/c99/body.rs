@@ -11,6 +11,7 @@ use super::Real;
 use super::expression::{Strength, Written, operation};
 use super::names::Namer;
 use crate::emit::EmitError;
+use crate::emit::rust::batch::{Batch, Kind, Step, steps};
 use crate::emit::rust::plan::{Place, plain};
 use crate::emit::telling::{LONGEST_NAME, describe, is_temporary};
 
@@ -60,8 +61,10 @@ pub(super) fn body(
     scope: &Scope<'_>,
     spread_results: bool,
 ) -> Result<Body, EmitError> {
-    let mut places = plain(tape, spread_results);
-    let pairs = sine_cosine_pairs(tape, &mut places, scope.real);
+    let steps = steps_of(tape, scope.real);
+    let wide: Vec<Step> = wide_batches(&steps).cloned().map(Step::Batch).collect();
+    let mut places = plain(tape, &wide, spread_results);
+    let pairs = sine_cosine_pairs(tape, &mut places, (&wide, scope.real));
     let mut writer = Writer {
         tape,
         scope,
@@ -72,29 +75,49 @@ pub(super) fn body(
     };
     writer.name_from_spec();
     let mut statements = Vec::new();
-    for (index, pair) in pairs.into_iter().enumerate() {
-        if writer.places[index] != Place::Statement {
-            continue;
-        }
-        match pair {
-            Pair::No => {
-                let value = writer.node(index)?.text;
-                let name = writer.variable(index);
-                statements.push(format!("const {} {name} = {value};", scope.real.name()));
+    for step in &steps {
+        match step {
+            Step::Node(index) => writer.statement(*index, pairs[*index], &mut statements)?,
+            Step::Batch(batch) if is_wide(batch) => writer.batch(batch, &mut statements)?,
+            Step::Batch(batch) => {
+                // In the order of the tape, in which the first of a pair comes first.
+                let mut results: Vec<usize> = batch.results().map(|id| id.0 as usize).collect();
+                results.sort_unstable();
+                for index in results {
+                    writer.statement(index, pairs[index], &mut statements)?;
+                }
             }
-            Pair::First { sine, cosine } => {
-                let argument = writer.argument(index)?;
-                let [sine, cosine] = [sine, cosine].map(|at| writer.variable(at));
-                statements.push(format!("{} {sine}, {cosine};", scope.real.name()));
-                statements.push(format!("sine_and_cosine({argument}, &{sine}, &{cosine});"));
-            }
-            Pair::Second => {}
         }
     }
     let results = tape.results.iter().map(|&id| Ok(writer.operand(id)?.text));
     let results = results.collect::<Result<_, EmitError>>()?;
     let reads = reads(tape, &writer.places, scope);
     Ok(Body { statements, results, reads })
+}
+
+/// Number of arguments from which on one call computes their sines and cosines.
+const WIDE: usize = 4;
+
+fn is_wide(batch: &Batch) -> bool {
+    batch.kind == Kind::SinCos && batch.members.len() >= WIDE
+}
+
+/// Returns the batches whose arguments one call takes.
+pub(super) fn wide_batches(steps: &[Step]) -> impl Iterator<Item = &Batch> {
+    steps.iter().filter_map(|step| match step {
+        Step::Batch(batch) if is_wide(batch) => Some(batch),
+        _ => None,
+    })
+}
+
+/// Returns the needed nodes in the order of a body: that of the tape, unless several sines and
+/// cosines are computed by one call.
+pub(super) fn steps_of(tape: &Tape, real: Real) -> Vec<Step> {
+    let grouped = if real == Real::Double { steps(tape) } else { Vec::new() };
+    if wide_batches(&grouped).next().is_some() {
+        return grouped;
+    }
+    (0..tape.nodes.len()).map(Step::Node).collect()
 }
 
 /// Returns the arguments that the written nodes read.
@@ -121,6 +144,7 @@ fn reads(tape: &Tape, places: &[Place], scope: &Scope<'_>) -> Reads {
 /// Role of a node in a pair of sine and cosine of one argument.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pair {
+    /// Computed by itself, or with several others.
     No,
     /// The first of the two on the tape, at which both are computed.
     First {
@@ -130,8 +154,13 @@ enum Pair {
     Second,
 }
 
-/// Finds sines and cosines of the same argument, which one call computes. They become variables.
-fn sine_cosine_pairs(tape: &Tape, places: &mut [Place], real: Real) -> Vec<Pair> {
+/// Finds sines and cosines of the same argument, which one call computes, besides those of wide
+/// batches. They become variables.
+fn sine_cosine_pairs(
+    tape: &Tape,
+    places: &mut [Place],
+    (wide, real): (&[Step], Real),
+) -> Vec<Pair> {
     let mut pairs = vec![Pair::No; tape.nodes.len()];
     if real != Real::Double {
         return pairs;
@@ -142,8 +171,11 @@ fn sine_cosine_pairs(tape: &Tape, places: &mut [Place], real: Real) -> Vec<Pair>
         }
         _ => None,
     };
+    let in_batches: BTreeSet<usize> =
+        wide_batches(wide).flat_map(Batch::results).map(|id| id.0 as usize).collect();
+    let is_open = |index: &usize| places[*index] != Place::Nowhere && !in_batches.contains(index);
     let mut open: Vec<(NodeId, bool, usize)> = Vec::new();
-    for index in (0..tape.nodes.len()).filter(|index| places[*index] != Place::Nowhere) {
+    for index in (0..tape.nodes.len()).filter(is_open) {
         let Some((argument, is_sine)) = of(index) else { continue };
         let other = open.iter().position(|&(of, sine, _)| of == argument && sine != is_sine);
         match other {
@@ -181,6 +213,55 @@ impl Writer<'_> {
                 self.names[index] = Some(self.namer.claim(name));
             }
         }
+    }
+
+    /// Adds the statement of a node, if it has one.
+    fn statement(
+        &mut self,
+        index: usize,
+        pair: Pair,
+        statements: &mut Vec<String>,
+    ) -> Result<(), EmitError> {
+        if self.places[index] != Place::Statement {
+            return Ok(());
+        }
+        let real = self.scope.real.name();
+        match pair {
+            Pair::No => {
+                let value = self.node(index)?.text;
+                let name = self.variable(index);
+                statements.push(format!("const {real} {name} = {value};"));
+            }
+            Pair::First { sine, cosine } => {
+                let argument = self.argument(index)?;
+                let [sine, cosine] = [sine, cosine].map(|at| self.variable(at));
+                statements.push(format!("{real} {sine}, {cosine};"));
+                statements.push(format!("sine_and_cosine({argument}, &{sine}, &{cosine});"));
+            }
+            Pair::Second => {}
+        }
+        Ok(())
+    }
+
+    /// Adds the statements of one call for several sines and cosines.
+    fn batch(&mut self, batch: &Batch, statements: &mut Vec<String>) -> Result<(), EmitError> {
+        let arguments = batch.members.iter().map(|member| Ok(self.operand(member.argument)?.text));
+        let arguments = arguments.collect::<Result<Vec<_>, EmitError>>()?;
+        let [angles, sines, cosines] =
+            ["angles", "sines", "cosines"].map(|name| self.namer.claim(name));
+        let (real, count) = (self.scope.real.name(), arguments.len());
+        statements
+            .push(format!("const {real} {angles}[{count}] = {{ {} }};", arguments.join(", ")));
+        statements.push(format!("{real} {sines}[{count}], {cosines}[{count}];"));
+        statements.push(format!("sines_and_cosines({count}u, {angles}, {sines}, {cosines});"));
+        for (place, member) in batch.members.iter().enumerate() {
+            for (result, from) in member.results.iter().zip([&sines, &cosines]) {
+                let Some(id) = result else { continue };
+                let name = self.variable(id.0 as usize);
+                statements.push(format!("const {real} {name} = {from}[{place}];"));
+            }
+        }
+        Ok(())
     }
 
     /// Returns the variable of a node, which is named on first use.

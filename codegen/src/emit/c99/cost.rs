@@ -11,9 +11,11 @@ use machinist_contract::fixed_step::StepMethod;
 use machinist_contract::implicit::LANES;
 use machinist_model::functions::FunctionId;
 use machinist_model::hoist::Hoisted;
-use machinist_model::{Elimination, Model, StateKind, operations};
+use machinist_model::{Elimination, Model, StateKind, Tape, operations};
 
-use super::{EstimatorOptions, Real, estimator::Tangents};
+use super::body::{steps_of, wide_batches};
+use super::estimator::Tangents;
+use super::{EstimatorOptions, Real};
 use filter::Filter;
 
 /// Numbers of operations of a step.
@@ -89,6 +91,15 @@ const PASSING: usize = 20 + SIGN;
 /// Sum of step and time with the remainder of the sum.
 const PASS_TIME: usize = 4;
 
+/// Returns the operations of a tape as emitted: one call for several angles computes sine and
+/// cosine of each.
+fn executed(tape: &Tape, real: Real) -> usize {
+    let steps = steps_of(tape, real);
+    let members = wide_batches(&steps).flat_map(|batch| &batch.members);
+    let in_vain = members.filter(|member| member.results.iter().any(Option::is_none)).count();
+    operations(tape) + in_vain
+}
+
 /// Returns the maximum number of events that are watched in a state: each event counts with the
 /// first of its modes, and of the events of a mode those of one value.
 fn watched_at_once(model: &Model) -> usize {
@@ -117,6 +128,7 @@ fn watched_at_once(model: &Model) -> usize {
 struct Step<'a> {
     model: &'a Model,
     method: StepMethod,
+    real: Real,
     hoisted: Hoisted,
     /// Operations of the motion that functions share.
     motion: usize,
@@ -142,7 +154,8 @@ impl<'a> Step<'a> {
         Self {
             model,
             method,
-            motion: operations(&hoisted.motion),
+            real,
+            motion: executed(&hoisted.motion, real),
             hoisted,
             digits: match real {
                 Real::Double => f64::MANTISSA_DIGITS as usize,
@@ -159,7 +172,7 @@ impl<'a> Step<'a> {
 
     /// Returns the operations of a function of the machine.
     fn of(&self, id: FunctionId) -> usize {
-        let own = operations(self.hoisted.tape(self.model, id));
+        let own = executed(self.hoisted.tape(self.model, id), self.real);
         let solve = self.model.solve(id).map_or(0, |solve| {
             let of_step = |step: &machinist_model::SolveStep| {
                 usize::from(step.scale.is_some()) + 2 * step.terms.len()

@@ -7,12 +7,14 @@ use std::fmt::Write as _;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Function, Model, Op, Tape, needed_nodes};
 
+use super::body::{steps_of, wide_batches};
 use super::estimator::Tangents;
 use super::expression::{function_name, power_name};
 use super::{Real, Scene};
 use crate::emit::EmitError;
 
 const SINE: &str = include_str!("snippets/sine.c");
+const SINES: &str = include_str!("snippets/sines.c");
 const SINE_ALONE: &str = include_str!("snippets/sine_alone.c");
 const COSINE_ALONE: &str = include_str!("snippets/cosine_alone.c");
 const REDUCED: &str = include_str!("snippets/reduced.c");
@@ -27,6 +29,8 @@ struct Needs {
     powers: BTreeSet<i32>,
     /// True if sine and cosine of the same argument are computed somewhere.
     pairs: bool,
+    /// True if sines and cosines of several arguments are computed by one call.
+    several: bool,
     /// True for sine and cosine, respectively, if computed alone.
     alone: [bool; 2],
     tables: bool,
@@ -44,16 +48,20 @@ pub(super) fn tapes<'a>(
 }
 
 impl Needs {
-    fn of(tapes: &[&Tape]) -> Self {
+    fn of(tapes: &[&Tape], real: Real) -> Self {
         let mut needs = Self::default();
         for tape in tapes {
-            needs.add(tape);
+            needs.add(tape, real);
         }
         needs
     }
 
-    fn add(&mut self, tape: &Tape) {
-        let needed = needed_nodes(tape);
+    fn add(&mut self, tape: &Tape, real: Real) {
+        let mut needed = needed_nodes(tape);
+        for batch in wide_batches(&steps_of(tape, real)) {
+            self.several = true;
+            batch.results().for_each(|id| needed[id.0 as usize] = false);
+        }
         let mut angles = [BTreeSet::new(), BTreeSet::new()];
         for (node, _) in tape.nodes.iter().zip(needed).filter(|(_, needed)| *needed) {
             match node.op {
@@ -80,23 +88,35 @@ impl Needs {
 
 /// Returns the names of the helpers of a scene, which variables must not take.
 pub(super) fn names(tapes: &[&Tape], real: Real) -> Vec<String> {
-    let needs = Needs::of(tapes);
+    let needs = Needs::of(tapes, real);
     let functions = needs.functions.iter().map(|function| function_name(*function, real));
     let powers = needs.powers.iter().map(|exponent| power_name(*exponent));
-    let always = ["sine_and_cosine", "interpolate", "motion", "solve", "substitute"];
+    let always = [
+        "near_sine_and_cosine",
+        "sine_and_cosine",
+        "sines_and_cosines",
+        "interpolate",
+        "motion",
+        "solve",
+        "substitute",
+    ];
     let always = always.into_iter().map(str::to_owned);
     functions.chain(powers).chain(always).collect()
 }
 
 /// Returns the helpers of a scene.
 pub(super) fn helpers(scene: &Scene<'_>) -> Result<String, EmitError> {
-    let needs = Needs::of(&tapes(scene.model, &scene.hoisted, scene.tangents.as_ref()));
+    let tapes = tapes(scene.model, &scene.hoisted, scene.tangents.as_ref());
+    let needs = Needs::of(&tapes, scene.options.real);
     let needs_function = |function| needs.functions.contains(&function);
     let mut parts = Vec::new();
     if scene.options.real == Real::Double {
         let [sine, cosine] = needs.alone;
-        if needs.pairs || sine || cosine {
+        if needs.pairs || needs.several || sine || cosine {
             parts.push(SINE.to_owned());
+        }
+        if needs.several {
+            parts.push(SINES.to_owned());
         }
         if sine {
             parts.push(SINE_ALONE.to_owned());

@@ -11,7 +11,7 @@ use machinist_model::{Function, NodeId, Op, Tape, needed_nodes};
 
 /// Kind of the functions called together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Kind {
+pub(in crate::emit) enum Kind {
     /// Sine and cosine, one or both.
     SinCos,
     /// Hyperbolic tangent.
@@ -20,22 +20,22 @@ pub(super) enum Kind {
 
 /// One argument, and the nodes of its results.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Member {
-    pub(super) argument: NodeId,
+pub(in crate::emit) struct Member {
+    pub(in crate::emit) argument: NodeId,
     /// Results for sine and cosine, or for the tangent alone.
-    pub(super) results: [Option<NodeId>; 2],
+    pub(in crate::emit) results: [Option<NodeId>; 2],
 }
 
 /// One call.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Batch {
-    pub(super) kind: Kind,
-    pub(super) members: Vec<Member>,
+pub(in crate::emit) struct Batch {
+    pub(in crate::emit) kind: Kind,
+    pub(in crate::emit) members: Vec<Member>,
 }
 
 impl Batch {
     /// Iterates over the nodes it computes.
-    pub(super) fn results(&self) -> impl Iterator<Item = NodeId> {
+    pub(in crate::emit) fn results(&self) -> impl Iterator<Item = NodeId> {
         self.members.iter().flat_map(|member| member.results).flatten()
     }
 
@@ -51,7 +51,7 @@ impl Batch {
 
 /// Next element of a body.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Step {
+pub(in crate::emit) enum Step {
     /// The node of this index.
     Node(usize),
     /// A call for several arguments.
@@ -59,7 +59,7 @@ pub(super) enum Step {
 }
 
 /// Returns the needed nodes of a tape, in an order that groups calls.
-pub(super) fn steps(tape: &Tape) -> Vec<Step> {
+pub(in crate::emit) fn steps(tape: &Tape) -> Vec<Step> {
     let needed = needed_nodes(tape);
     let mut steps = Vec::with_capacity(tape.nodes.len());
     let mut is_done: Vec<bool> = needed.iter().map(|needed| !needed).collect();

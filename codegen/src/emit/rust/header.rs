@@ -53,7 +53,7 @@ pub(super) fn estimator_header(
     lines.push(format!("Extended Kalman filter: {}", model.title));
     let cost = step_cost(model, method, Real::Double);
     lines.push(String::new());
-    lines.push(format!("A step of the machine alone, by {}:", method.meaning()));
+    lines.push(format!("A step of the machine alone, by {}, in C99:", method.meaning()));
     lines.push(format!("  {cost}."));
     lines.push(format!("An estimate with its workspace: {bytes} bytes."));
     format!("{}\n", as_comment(&lines))

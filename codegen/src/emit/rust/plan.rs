@@ -65,9 +65,9 @@ pub(super) fn plan(
     places
 }
 
-/// Returns [`plan`] for a target without fused products and batched calls.
-pub(in crate::emit) fn plain(tape: &Tape, spread_results: bool) -> Vec<Place> {
-    plan(tape, &vec![None; tape.nodes.len()], &[], spread_results)
+/// Returns [`plan`] for a target without fused products.
+pub(in crate::emit) fn plain(tape: &Tape, steps: &[Step], spread_results: bool) -> Vec<Place> {
+    plan(tape, &vec![None; tape.nodes.len()], steps, spread_results)
 }
 
 /// Returns the size of an operation's expression with everything inlined. As long as it is too

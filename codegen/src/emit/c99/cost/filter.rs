@@ -1,10 +1,10 @@
 //! Operations of an extended Kalman filter.
 
 use machinist_contract::fixed_step::StepMethod;
+use machinist_model::StateKind;
 use machinist_model::functions::FunctionId;
-use machinist_model::{StateKind, operations};
 
-use super::Step;
+use super::{Step, executed};
 use crate::emit::c99::EstimatorOptions;
 use crate::emit::c99::estimator::{CarriedFunction, Tangents};
 
@@ -42,7 +42,9 @@ impl<'a> Filter<'a> {
 
     /// Returns the operations of a function's derivative along all columns.
     fn along(&self, function: CarriedFunction) -> usize {
-        self.directions + self.columns * self.tangents.tape(function).map_or(0, operations)
+        self.directions
+            + self.columns
+                * self.tangents.tape(function).map_or(0, |tape| executed(tape, self.step.real))
     }
 
     /// Returns the operations of the deviation of a rate, except those of `directions`.
@@ -160,7 +162,7 @@ impl<'a> Filter<'a> {
         let modes = step.model.states.iter().filter(is_mode).count();
         let prepare = match self.options.estimated.len() {
             0 => 0,
-            _ => operations(&step.hoisted.constants),
+            _ => executed(&step.hoisted.constants, step.real),
         };
         let restored = step.project()
             + self.projected()

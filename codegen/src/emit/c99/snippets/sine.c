@@ -2,20 +2,14 @@
  *     x = n pi/2 + r + tail      n whole, |r| <= pi/4
  * with pi/2 in three parts, and polynomials of r. The error is below one unit in the last place.
  * Source: argument reduction and polynomials of fdlibm (Sun Microsystems, 1993). */
-static void sine_and_cosine(double x, double *sine, double *cosine)
+static void near_sine_and_cosine(double x, double *sine, double *cosine)
 {
     /* Adding it leaves the digits of a whole number last. */
     const double rounding = 6755399441055744.0;
     const uint64_t sign_bit = UINT64_C(1) << 63;
-    double digits, n, near, r, minus_tail, z, w, below_one, near_one, s, c;
+    double digits, n, near, r, minus_tail, z, w, below_one, near_one, s, c, first, second;
     uint64_t quarter, bits;
 
-    if (!(fabs(x) <= 1e6)) {
-        /* n would need more digits than are kept for it. */
-        *sine = sin(x);
-        *cosine = cos(x);
-        return;
-    }
     digits = x * 0.6366197723675814 + rounding;
     n = digits - rounding;
     near = -n * 1.5707963267341256 + x;
@@ -35,15 +29,23 @@ static void sine_and_cosine(double x, double *sine, double *cosine)
     c = near_one + (w * c + ((1.0 - near_one) - below_one) + r * minus_tail);
     /* n says which is which, and half a turn changes signs. */
     (void)memcpy(&quarter, &digits, sizeof quarter);
-    if ((quarter & 1u) != 0u) {
-        const double other = s;
-        s = c;
-        c = other;
-    }
-    (void)memcpy(&bits, &s, sizeof bits);
+    first = ((quarter & 1u) != 0u) ? c : s;
+    second = ((quarter & 1u) != 0u) ? s : c;
+    (void)memcpy(&bits, &first, sizeof bits);
     bits ^= (quarter << 62) & sign_bit;
     (void)memcpy(sine, &bits, sizeof bits);
-    (void)memcpy(&bits, &c, sizeof bits);
+    (void)memcpy(&bits, &second, sizeof bits);
     bits ^= ((quarter + 1u) << 62) & sign_bit;
     (void)memcpy(cosine, &bits, sizeof bits);
+}
+
+static void sine_and_cosine(double x, double *sine, double *cosine)
+{
+    if (fabs(x) <= 1e6) {
+        near_sine_and_cosine(x, sine, cosine);
+    } else {
+        /* n would need more digits than are kept for it. */
+        *sine = sin(x);
+        *cosine = cos(x);
+    }
 }

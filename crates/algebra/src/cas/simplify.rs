@@ -165,8 +165,15 @@ fn trigonometric(cas: &mut Cas, form: &Form) -> Form {
     let mut current = form.clone();
     let mut expr = cas.expr(&current);
     while has_sine(&expr) {
+        let combined = match (combine(&expr), &current.0) {
+            (Some(combined), _) => combined,
+            (None, Kind::Plain(_)) => break,
+            // An expansion by Symbolica reaches its normal form when it is read again.
+            #[cfg(feature = "symbolica")]
+            (None, Kind::Symbolica(_)) => expr.clone(),
+        };
         // The algebra restores the normal form of the joined terms.
-        current = cas.form(&combine(&expr));
+        current = cas.form(&combined);
         let joined = cas.expr(&current);
         if joined == expr {
             break;

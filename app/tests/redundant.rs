@@ -131,3 +131,203 @@ fn what_follows_from_others_only_at_the_start_is_refused() {
     let jam = r#"jam = { expression = "x - width/2*cos(phi) + (phi - 0.5 [rad])^2*1 [m/rad^2]" }"#;
     assert_refused(run(&written(jam), &[]), &["says nothing that is new beside"]);
 }
+
+/// Returns a bar of mass 20 kg on parallel cranks of 0.4 m, whose constraints beyond the second crank
+/// follow from others on the branch of its motion only.
+fn bar_on_cranks(places: &[f64], start: f64) -> String {
+    let mut text = String::from(
+        r#"
+[scene]
+name = "bar"
+[units.bar]
+unit = "bar"
+[outputs]
+angle = "bar.a0"
+[run]
+until = 2
+points = 21
+rtol = 1e-10
+method = "dop853"
+[define.bar.parameters]
+length = { value = 0.4, unit = "m" }
+[define.bar.coordinates]
+x = { unit = "m" }
+y = { unit = "m" }
+psi = { unit = "rad" }
+"#,
+    );
+    let write = |text: &mut String, line: &str| {
+        text.push_str(line);
+        text.push('\n');
+    };
+    let names: Vec<String> = (0..places.len()).map(|index| format!("a{index}")).collect();
+    for name in &names {
+        write(&mut text, &format!(r#"{name} = {{ unit = "rad" }}"#));
+    }
+    let speeds: Vec<String> = names.iter().map(|name| format!("{name}_dot^2")).collect();
+    write(&mut text, "[define.bar.energy]");
+    let kinetic = format!(
+        "10 [kg]*(x_dot^2 + y_dot^2) + psi_dot^2*1 [kg m^2] + 0.05 [kg m^2]*({})",
+        speeds.join(" + ")
+    );
+    write(&mut text, &format!(r#"kinetic = "{kinetic}""#));
+    write(&mut text, r#"potential = "20 [kg]*9.81 [m/s^2]*y""#);
+    write(&mut text, "[define.bar.constraints]");
+    for (name, place) in names.iter().zip(places) {
+        let along = format!("x + {place} [m]*(cos(psi) - 1) - length*sin({name})");
+        let up = format!("y + {place} [m]*sin(psi) + length*cos({name})");
+        write(&mut text, &format!(r#"{name}_along = {{ expression = "{along}" }}"#));
+        write(&mut text, &format!(r#"{name}_up = {{ expression = "{up}" }}"#));
+    }
+    write(&mut text, &format!("[initial]\n\"bar.a0\" = {start}\n[guess]"));
+    write(
+        &mut text,
+        &format!("\"bar.x\" = {}\n\"bar.y\" = {}", 0.4 * start.sin(), -0.4 * start.cos()),
+    );
+    for name in &names[1..] {
+        write(&mut text, &format!("\"bar.{name}\" = {start}"));
+    }
+    text
+}
+
+/// The pendulum that turns as the cranks do.
+fn crank(cranks: usize, start: f64) -> String {
+    format!(
+        r#"
+[scene]
+name = "crank"
+[units.bar]
+unit = "bar"
+[initial]
+"bar.a0" = {start}
+[outputs]
+angle = "bar.a0"
+[run]
+until = 2
+points = 21
+rtol = 1e-10
+method = "dop853"
+[define.bar.coordinates]
+a0 = {{ unit = "rad" }}
+[define.bar.energy]
+kinetic = "(10 [kg]*(0.4 [m])^2 + {cranks}*0.05 [kg m^2])*a0_dot^2"
+potential = "-20 [kg]*9.81 [m/s^2]*0.4 [m]*cos(a0)"
+"#
+    )
+}
+
+/// A door on two ball hinges in space, by Euler angles: its six constraints have rank five where they
+/// are fulfilled, since the distance of the hinges is that of the body.
+fn door_in_space(lean: f64) -> String {
+    format!(
+        r#"
+[scene]
+name = "door"
+[units.d]
+unit = "d"
+[initial]
+"d.a" = 0.5
+[outputs]
+phi = "d.a"
+[run]
+until = 2
+points = 21
+rtol = 1e-10
+method = "dop853"
+[define.d.coordinates]
+x = {{ unit = "m" }}
+y = {{ unit = "m" }}
+z = {{ unit = "m" }}
+a = {{ unit = "rad" }}
+b = {{ unit = "rad" }}
+c = {{ unit = "rad" }}
+[define.d.parameters]
+w = {{ value = 0.4, unit = "m" }}
+h = {{ value = 0.9, unit = "m" }}
+[define.d.helpers]
+rx = {{ expression = "cos(a)*cos(b)", unit = "1" }}
+ry = {{ expression = "sin(a)*cos(b)", unit = "1" }}
+rz = {{ expression = "-sin(b)", unit = "1" }}
+ux = {{ expression = "cos(a)*sin(b)*cos(c) + sin(a)*sin(c)", unit = "1" }}
+uy = {{ expression = "sin(a)*sin(b)*cos(c) - cos(a)*sin(c)", unit = "1" }}
+uz = {{ expression = "cos(b)*cos(c)", unit = "1" }}
+p = {{ expression = "c_dot - a_dot*sin(b)", unit = "rad/s" }}
+q = {{ expression = "b_dot*cos(c) + a_dot*cos(b)*sin(c)", unit = "rad/s" }}
+r = {{ expression = "-b_dot*sin(c) + a_dot*cos(b)*cos(c)", unit = "rad/s" }}
+[define.d.energy]
+kinetic = "10 [kg]*(x_dot^2 + y_dot^2 + z_dot^2) + 1 [kg m^2]*(p^2 + q^2 + r^2)"
+potential = "15 [N m]*a^2 + 196.2 [N]*(z + {lean}*(x - w))"
+[define.d.constraints]
+lower_x = {{ expression = "x - w*rx - h*ux" }}
+lower_y = {{ expression = "y - w*ry - h*uy" }}
+lower_z = {{ expression = "z - w*rz - h*uz + h" }}
+upper_x = {{ expression = "x - w*rx + h*ux" }}
+upper_y = {{ expression = "y - w*ry + h*uy" }}
+upper_z = {{ expression = "z - w*rz + h*uz - h" }}
+"#
+    )
+}
+
+/// The same about its axis.
+fn door_about_its_axis(lean: f64) -> String {
+    format!(
+        r#"
+[scene]
+name = "door"
+[units.d]
+unit = "d"
+[initial]
+"d.a" = 0.5
+[outputs]
+phi = "d.a"
+[run]
+until = 2
+points = 21
+rtol = 1e-10
+method = "dop853"
+[define.d.coordinates]
+a = {{ unit = "rad" }}
+[define.d.energy]
+kinetic = "(10 [kg]*(0.4 [m])^2 + 1 [kg m^2])*a_dot^2"
+potential = "15 [N m]*a^2 + 196.2 [N]*{lean}*0.4 [m]*cos(a)"
+"#
+    )
+}
+
+/// Runs two scenes; the first says what it dropped, and both move alike.
+fn assert_same_motion(redundant: &str, plain: &str, dropped: &[&str]) {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("redundant.toml"), redundant).expect("written");
+    fs::write(folder.path().join("plain.toml"), plain).expect("written");
+    let column = |scene: &str, name: &str| -> Vec<f64> {
+        let words = ["run", scene, "--columns", name, "--out", "-", "--algebra", "plain"];
+        let table = answer(machinist(&folder, &words));
+        let cells = table.lines().skip(1).map(|row| row.rsplit(',').next().expect("a cell"));
+        cells.map(|cell| cell.parse().expect("a number")).collect()
+    };
+    let name = if redundant.contains("angle =") { "angle" } else { "phi" };
+    for (found, exact) in column("redundant.toml", name).iter().zip(column("plain.toml", name)) {
+        assert!((found - exact).abs() < 1e-7, "{found} {exact}\n{redundant}");
+    }
+    let command = machinist(&folder, &["run", "redundant.toml", "--algebra", "plain"]);
+    let told = said(&output(command));
+    for name in dropped {
+        assert!(told.contains(&format!("constraint `{name}` of")), "{name}: {told}");
+    }
+}
+
+#[test]
+fn constraints_that_follow_on_the_branch_of_the_motion_are_dropped() {
+    for places in [&[-0.9, 0.9, 0.0][..], &[0.0, 1.3, 0.4], &[-0.5, 0.5, 0.2, -0.1]] {
+        for start in [0.2, 0.5, -0.9, 1.2, 2.0] {
+            let dropped: Vec<String> =
+                (2..places.len()).map(|index| format!("bar.a{index}_up")).collect();
+            let dropped: Vec<&str> = dropped.iter().map(String::as_str).collect();
+            let redundant = bar_on_cranks(places, start);
+            assert_same_motion(&redundant, &crank(places.len(), start), &dropped);
+        }
+    }
+    for lean in [0.0, 0.1, -0.3] {
+        assert_same_motion(&door_in_space(lean), &door_about_its_axis(lean), &["d.upper_z"]);
+    }
+}

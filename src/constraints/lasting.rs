@@ -2,8 +2,8 @@
 
 use machinist_contract::Simulator;
 
-use super::start::{consistent, start};
-use super::{Redundant, mobility};
+use super::start::start;
+use super::{Constraints, Redundant, mobility};
 use crate::scales::beside;
 
 /// Number of positions at which a constraint has to follow from others.
@@ -30,22 +30,25 @@ pub struct Lasting {
 #[must_use]
 pub fn lasting(simulator: &dyn Simulator<f64>, parameters: &[f64], time: f64) -> Vec<Lasting> {
     let Ok(state) = start(simulator, parameters, time) else { return Vec::new() };
-    if followers(simulator, parameters, time, &state).is_empty() {
+    let at_start = followers(simulator, parameters, time, &state);
+    if at_start.is_empty() {
         return Vec::new();
     }
-    let Some(found) = everywhere(simulator, parameters, time, &state) else { return Vec::new() };
+    let places: Vec<Vec<f64>> =
+        (0..PLACES).map(|place| beside(simulator, &state, place, REACH)).collect();
+    let found = everywhere(simulator, parameters, time, &at_start, &places);
     let mut lasting: Vec<Lasting> = found
-        .into_iter()
+        .iter()
         .map(|Redundant { constraint, repeats, .. }| Lasting {
-            constraint,
-            repeats,
+            constraint: constraint.clone(),
+            repeats: repeats.clone(),
             needs: Vec::new(),
         })
         .collect();
     for index in 0..parameters.len() {
         let mut changed = parameters.to_vec();
         changed[index] += if changed[index] == 0.0 { CHANGE } else { CHANGE * changed[index] };
-        let still = everywhere(simulator, &changed, time, &state).unwrap_or_default();
+        let still = everywhere(simulator, &changed, time, &found, &places);
         for one in &mut lasting {
             if !still.iter().any(|other| other.constraint == one.constraint) {
                 one.needs.push(simulator.parameter(index).name.to_owned());
@@ -55,26 +58,32 @@ pub fn lasting(simulator: &dyn Simulator<f64>, parameters: &[f64], time: f64) ->
     lasting
 }
 
-/// Returns the constraints that follow from others at all positions; none if constraints contradict
-/// each other.
+/// Returns those of some constraints that follow from the others at all positions: where the
+/// others are fulfilled, these are too, and their rows of G depend on the other rows. Positions are
+/// solved for without them, because their rows are nearly dependent beside such positions, where
+/// moves along them have any length.
 fn everywhere(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
     time: f64,
-    state: &[f64],
-) -> Option<Vec<Redundant>> {
-    let mut found: Option<Vec<Redundant>> = None;
-    for place in 0..PLACES {
-        let moved = beside(simulator, state, place, REACH);
-        let there = consistent(simulator, parameters, time, moved, |_| false).ok()?;
+    among: &[Redundant],
+    places: &[Vec<f64>],
+) -> Vec<Redundant> {
+    let Some(constraints) = Constraints::of(simulator, parameters) else { return Vec::new() };
+    let is_one = |row: usize| among.iter().any(|one| one.constraint == constraints.name(row));
+    let rows: Vec<usize> = (0..constraints.count).filter(|row| is_one(*row)).collect();
+    let mut found = among.to_vec();
+    for place in places {
+        let Some(there) = constraints.fulfilled_but(&rows, time, place) else { return Vec::new() };
         let followers = followers(simulator, parameters, time, &there);
-        found = Some(match found {
-            None => followers,
-            Some(mut found) => {
-                found
-                    .retain(|one| followers.iter().any(|other| other.constraint == one.constraint));
-                found
-            }
+        let is_fulfilled = |name: &str| {
+            rows.iter()
+                .filter(|row| constraints.name(**row) == name)
+                .all(|row| constraints.is_fulfilled(*row, time, &there))
+        };
+        found.retain(|one| {
+            is_fulfilled(&one.constraint)
+                && followers.iter().any(|other| other.constraint == one.constraint)
         });
     }
     found

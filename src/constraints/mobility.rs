@@ -5,6 +5,9 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{Constraints, Level, ROUNDING};
 
+/// Bound of the remainder of a row of length 1 that counts as rounding.
+pub(super) const NOTHING: f64 = 1e-9;
+
 /// Mobility of a constrained machine.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Mobility {
@@ -149,8 +152,6 @@ struct Rows {
 /// rows without a remainder are redundant. Constraints that always hold come first, then those that
 /// hold in modes, both in the order of the spec.
 fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
-    /// Bound of the remainder of a row of length 1 that counts as rounding.
-    const NOTHING: f64 = 1e-9;
     /// The same bound for a constraint that holds in modes, by the accuracy of event times. A
     /// constraint with a smaller remainder would act with a huge force. The factorization for
     /// forces uses the same bound.

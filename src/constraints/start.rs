@@ -3,6 +3,7 @@
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
+use super::mobility::NOTHING;
 use super::{Constraints, Level, largest_of, mobility};
 use crate::error::SimulateError;
 
@@ -29,7 +30,7 @@ pub(crate) fn consistent(
     let Some(constraints) = Constraints::of(simulator, parameters) else { return Ok(state) };
     for (level, what) in [(Level::Positions, "position"), (Level::Velocities, "velocity")] {
         let given = state.clone();
-        let off = constraints.solve(level, time, &mut state, &is_given);
+        let off = constraints.solve(&[], level, time, &mut state, &is_given);
         if off.is_some()
             && let Some(projected) = constraints.projected(level, time, (&given, &state), &is_given)
         {
@@ -187,7 +188,7 @@ impl Constraints<'_> {
         is_given: &impl Fn(usize) -> bool,
     ) -> Option<Vec<f64>> {
         let mut state = near.to_vec();
-        if self.solve(level, time, &mut state, &|_| false).is_some() {
+        if self.solve(&[], level, time, &mut state, &|_| false).is_some() {
             return None;
         }
         let (first, rtol) = (self.first(level), self.simulator.run_defaults().rtol);
@@ -200,9 +201,36 @@ impl Constraints<'_> {
         scales.iter().enumerate().all(is_near).then_some(state)
     }
 
-    /// Solves one level; returns the constraint with the largest residual if that fails.
+    /// Returns the state near `state` that fulfils all constraints except those of some rows; `None`
+    /// if there is none.
+    pub(super) fn fulfilled_but(
+        &self,
+        without: &[usize],
+        time: f64,
+        state: &[f64],
+    ) -> Option<Vec<f64>> {
+        let mut state = state.to_vec();
+        let mut levels = [Level::Positions, Level::Velocities].into_iter();
+        levels
+            .all(|level| self.solve(without, level, time, &mut state, &|_| false).is_none())
+            .then_some(state)
+    }
+
+    /// Returns whether a state fulfils one constraint, to the accuracy at which rows of G count as
+    /// dependent.
+    pub(super) fn is_fulfilled(&self, row: usize, time: f64, state: &[f64]) -> bool {
+        let slopes = self.slopes(time, state);
+        [Level::Positions, Level::Velocities].into_iter().all(|level| {
+            let residual = self.residual(level, time, state);
+            self.relative(level, &slopes, &residual, state)[row] <= NOTHING
+        })
+    }
+
+    /// Solves one level of all constraints except those of some rows; returns the constraint with
+    /// the largest residual if that fails.
     fn solve(
         &self,
+        without: &[usize],
         level: Level,
         time: f64,
         state: &mut [f64],
@@ -214,11 +242,21 @@ impl Constraints<'_> {
         let free: Vec<usize> =
             (0..self.coordinates).filter(|index| !is_given(first + index)).collect();
         let scales = self.scales(level);
-        let mut residual = self.residual(level, time, state);
+        let others = |state: &[f64]| {
+            let mut residual = self.residual(level, time, state);
+            for row in without {
+                residual[*row] = 0.0;
+            }
+            residual
+        };
+        let mut residual = others(state);
         for _ in 0..ROUNDS {
             let slopes = self.slopes(time, state);
             self.worst(level, &slopes, &residual, state)?;
-            let matrix = self.filled(&slopes);
+            let mut matrix = self.filled(&slopes);
+            for row in without {
+                matrix.row_mut(*row).fill(0.0);
+            }
             let weighed = DMatrix::from_fn(self.count, free.len(), |row, column| {
                 matrix[(row, free[column])] * scales[free[column]]
             });
@@ -234,7 +272,7 @@ impl Constraints<'_> {
                 }
                 state.copy_from_slice(&start);
                 self.shift(level, time, state, &change);
-                residual = self.residual(level, time, state);
+                residual = others(state);
                 if residual.norm() < before {
                     improved = true;
                     break;
@@ -243,7 +281,7 @@ impl Constraints<'_> {
             }
             if !improved {
                 state.copy_from_slice(&start);
-                residual = self.residual(level, time, state);
+                residual = others(state);
                 break;
             }
         }

@@ -234,6 +234,13 @@ impl SimulateError {
     }
 }
 
+impl StopCause {
+    /// Returns the cause of a stop at a quantity that is not finite.
+    pub(crate) fn not_finite(what: String) -> Self {
+        Self::NotFinite { what, parameters: Vec::new() }
+    }
+}
+
 /// Reason why an integration stopped.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -246,14 +253,13 @@ pub enum StopCause {
     )]
     StepTooSmall,
     /// The right-hand side or its Jacobian is NaN or infinite.
-    #[error(
-        "{what} is not a finite number. \
-         Hint: a division by zero, the root or logarithm of a negative number, a mass matrix \
-         that is singular, or a parameter out of its range"
-    )]
+    #[error("{}", not_finite(.what, .parameters))]
     NotFinite {
         /// Name of the quantity that is not finite.
         what: String,
+        /// Names and values of parameters, each of which makes it finite at the start if it has
+        /// another value.
+        parameters: Vec<(String, f64)>,
     },
     /// A state has grown beyond the range of computation.
     #[error(
@@ -554,4 +560,20 @@ pub fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&
 #[must_use]
 pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
     nearest(name, known).map_or_else(String::new, |name| format!(" (did you mean `{name}`?)"))
+}
+
+/// Returns the message on a quantity that is not finite.
+fn not_finite(what: &str, parameters: &[(String, f64)]) -> String {
+    if parameters.is_empty() {
+        return format!(
+            "{what} is not a finite number. Hint: a division by zero, the root or logarithm of a \
+             negative number, a mass matrix that is singular, or a parameter out of its range"
+        );
+    }
+    let causes: Vec<String> =
+        parameters.iter().map(|(name, value)| format!("parameter `{name}` is {value}")).collect();
+    format!(
+        "{what} is not a finite number, because {}. Hint: give it another value",
+        causes.join(" or because ")
+    )
 }

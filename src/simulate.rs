@@ -7,6 +7,7 @@ mod gradient;
 #[cfg(feature = "linear")]
 mod shooting;
 mod start;
+mod undefined;
 
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
@@ -499,6 +500,7 @@ impl<'a> Simulation<'a> {
         let Some(Stopped { time, cause }) = stopped else {
             return Ok(self.trajectory(method, &system, &times, run, energy_at_start));
         };
+        let cause = self.with_parameters(cause, &problem.initial[..states]);
         let mut kept = self.trajectory(method, &system, &times, run, energy_at_start);
         kept.stopped = Some(Stop { time, cause: cause.to_string() });
         Err(SimulateError::Stopped {

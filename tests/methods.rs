@@ -386,7 +386,9 @@ fn a_jacobian_that_is_not_finite_is_named() {
     for (method, slope, from) in cases.into_iter().flatten() {
         let scalar = Scalar::new(|_, y| -y, slope, 1.0);
         match Simulation::new(&scalar).method(method).run() {
-            Err(SimulateError::Stopped { cause: StopCause::NotFinite { what }, time, .. }) => {
+            Err(SimulateError::Stopped {
+                cause: StopCause::NotFinite { what, .. }, time, ..
+            }) => {
                 assert_eq!(what, "the Jacobian of the rate of `y`", "{method}");
                 // The last step before ends where the argument would become negative.
                 assert!(time > from - 1e-12 && time < from + 0.2, "{method} stops at {time}");

@@ -1,5 +1,6 @@
 //! Runs refuse parameter values that would be refused in a spec.
 
+use machinist::error::StopCause;
 use machinist::linear_analysis::{Place, operating_point};
 use machinist::sweep::{InLanes, Sweep, Sweepable};
 use machinist::{Discretisation, FieldSimulator, SimulateError, Simulation};
@@ -196,4 +197,38 @@ fn a_parameter_that_nothing_uses_is_told_to_be_unused() {
     }
     let unknown = Simulation::new(&machine).parameter("gear.ration", 2.0).err().expect("unknown");
     assert!(unknown.to_string().contains("has no parameter `gear.ration`"), "{unknown}");
+}
+
+/// Every parameter of machines of standard parts is set to values that no such machine has. A run
+/// that stops at its start because a rate is not finite names the parameter.
+#[test]
+fn a_parameter_that_leaves_rates_without_a_value_is_named() {
+    let scenes = ["drives/winch", "parts/rotational/lossy_gear", "parts/control/pi_controller"]
+        .into_iter()
+        .chain(["parts/electrical/induction_motor", "parts/hydraulic/valve", "two_mass"]);
+    let mut named = Vec::new();
+    for scene in scenes {
+        let path = format!("{}/../specs/scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(path).expect("a scene");
+        let machine = of_text(&text, Keep::Needed);
+        for index in 0..machine.shape().parameters {
+            let name = machine.parameter(index).name.to_owned();
+            for value in [0.0, -1.0] {
+                let Ok(run) = Simulation::new(&machine).parameter(&name, value) else { continue };
+                let until = machine.run_defaults().from + 1e-9;
+                let run = run.until(until).max_steps(10_000).run();
+                let Err(SimulateError::Stopped { cause, time, .. }) = run else { continue };
+                let StopCause::NotFinite { what, parameters } = &cause else { continue };
+                if time == 0.0 && what.starts_with("the rate") {
+                    assert!(parameters.contains(&(name.clone(), value)), "{scene} {name}: {cause}");
+                    let words = format!("because parameter `{name}` is {value}");
+                    assert!(cause.to_string().contains(&words), "{cause}");
+                    named.push(name.clone());
+                }
+            }
+        }
+    }
+    for name in ["gear.ratio", "load.mass", "controller.integral_time", "motor.inductance"] {
+        assert!(named.iter().any(|one| one == name), "{name}: {named:?}");
+    }
 }

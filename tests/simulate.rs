@@ -316,7 +316,7 @@ fn a_rate_that_turns_nan_is_named() {
     let scalar = Scalar::new(|_, y| -y.sqrt() - 1.0, |_, y| -0.5 / y.sqrt(), 0.25);
     for method in methods_for(&scalar) {
         match refusal(&Simulation::new(&scalar).method(method)) {
-            SimulateError::Stopped { time, cause: StopCause::NotFinite { what }, .. } => {
+            SimulateError::Stopped { time, cause: StopCause::NotFinite { what, .. }, .. } => {
                 assert!(time < 0.25 && time > 0.1, "{method}: {time}");
                 assert!(what.ends_with("the rate of `y`"), "{method}: {what}");
             }

@@ -282,7 +282,7 @@ impl<'a> Stretch<'a> {
     #[must_use]
     pub fn not_finite(&self, what: &str, index: usize, time: f64) -> Stopped {
         let what = format!("{what} `{}`", self.system.name(index));
-        Stopped { time, cause: StopCause::NotFinite { what } }
+        Stopped { time, cause: StopCause::not_finite(what) }
     }
 }
 

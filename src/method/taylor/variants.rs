@@ -361,7 +361,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         if broken < 2 * self.states {
             let what = if broken < self.states { "the state" } else { "the rate of" };
             let what = format!("{what} state number {}", broken % self.states);
-            lane.stop(self.clock.time.lane(index), StopCause::NotFinite { what });
+            lane.stop(self.clock.time.lane(index), StopCause::not_finite(what));
             return true;
         }
         let order = broken / self.states - 1;

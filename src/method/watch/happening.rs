@@ -278,7 +278,7 @@ impl Watch<'_> {
                     self.system.name(entry),
                     event.name
                 );
-                return Err(Stopped { time, cause: StopCause::NotFinite { what } });
+                return Err(Stopped { time, cause: StopCause::not_finite(what) });
             }
             state[entry] = if simulator.is_mode(entry) { value.round() } else { *value };
         }

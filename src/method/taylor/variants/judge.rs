@@ -107,7 +107,7 @@ impl<R: Lanes> Bundle<'_, R> {
         if is_too_small(step, time) {
             let cause = match trial {
                 one_step::Trial::NotFinite { what, index } => {
-                    StopCause::NotFinite { what: format!("{what} state number {index}") }
+                    StopCause::not_finite(format!("{what} state number {index}"))
                 }
                 _ => StopCause::StepTooSmall,
             };

@@ -202,6 +202,21 @@ fn units_of_another_dimension_are_refused_with_a_hint() {
     let refused = |words: &[&str], said: &[&str]| assert_refused(machinist(&folder, words), said);
     refused(&["run", "two_mass", "--until", "5 m"], &["is in m, but must be in s", "500ms"]);
     refused(&["run", "two_mass", "--until", "5 parsec"], &["parsec"]);
+    for (typed, meant) in [
+        ("2sec", "`s`"),
+        ("2 minutes", "`min`"),
+        ("5 msec", "`ms`"),
+        ("5 µs", "`us`"),
+        ("2S", "`s`"),
+        ("1 MS", "`ms`"),
+    ] {
+        let words = format!("did you mean {meant}?");
+        refused(&["run", "two_mass", "--until", typed], &[&words]);
+    }
+    for (typed, meant) in [("2 Nm", "`N m`"), ("2 NM", "`N m`"), ("2 N·m", "`N m`")] {
+        let words = format!("did you mean {meant}?");
+        refused(&["run", "two_mass", "--set", &format!("load_torque={typed}")], &[&words]);
+    }
     refused(&["run", "two_mass", "--until", ""], &["not a number"]);
     refused(&["run", "two_mass", "--until", "nan"], &["not a finite number"]);
     refused(&["run", "two_mass", "--rtol", "1e-6 s"], &["has no unit"]);

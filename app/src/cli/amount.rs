@@ -51,7 +51,11 @@ impl Amount {
             return Ok(());
         }
         let message = format!("{name} is in {wanted}, and not in {unit}");
-        Err(Failure::input(message, format!("give it in {wanted}, or in a unit of that dimension")))
+        let help = other_capitals(unit, wanted).map_or_else(
+            || format!("give it in {wanted}, or in a unit of that dimension"),
+            |meant| format!("did you mean `{meant}`?"),
+        );
+        Err(Failure::input(message, help))
     }
 
     /// Returns an error if the unit has another dimension than the parameter or state of this name.
@@ -94,7 +98,10 @@ pub fn quantity(
         let amount = Amount::parse(text)?;
         match amount.unit {
             Some(unit) if !is_alike(&unit, wanted) => {
-                Err(format!("`{text}` is in {unit}, but must be in {wanted}"))
+                let meant = other_capitals(&unit, wanted);
+                let meant =
+                    meant.map_or_else(String::new, |meant| format!(": did you mean `{meant}`?"));
+                Err(format!("`{text}` is in {unit}, but must be in {wanted}{meant}"))
             }
             _ => Ok(amount.value),
         }
@@ -139,6 +146,17 @@ pub fn is_alike(unit: &str, wanted: &str) -> bool {
         (Ok(unit), Ok(wanted)) => unit.unit.dimension == wanted.unit.dimension,
         _ => false,
     }
+}
+
+/// Returns the unit with other capitals that was probably meant, `s` for `S`.
+#[cfg(feature = "derive")]
+fn other_capitals(unit: &str, wanted: &str) -> Option<&'static str> {
+    machinist_codegen::spec::measure::with_other_capitals(unit, wanted)
+}
+
+#[cfg(not(feature = "derive"))]
+fn other_capitals(_: &str, _: &str) -> Option<&'static str> {
+    None
 }
 
 /// Returns whether a frequency in this unit is a number of cycles for each time, as in Hz, and not

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::{One as _, Zero as _};
 
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
-use crate::spec::measure::Measure;
+use crate::spec::measure::{self, Measure};
 use crate::spec::names::quoted;
 use crate::spec::toml::Tree;
 
@@ -116,6 +116,9 @@ pub fn tokens(text: &Text<'_>) -> Result<Vec<Spanned<Token>>, Box<Mistake>> {
     while let Some(c) = lexer.skip_space() {
         let start = lexer.at;
         let token = lexer.token(c)?;
+        if matches!(token, Token::Number(_)) {
+            lexer.no_bare_unit(start)?;
+        }
         tokens.push(Spanned { value: token, span: text.span(start..lexer.at) });
     }
     Ok(tokens)
@@ -153,6 +156,28 @@ impl Lexer<'_> {
                 Err(Box::new(self.mistake(range, message, "here", help)))
             }
         }
+    }
+
+    /// Rejects a unit of measure that follows the number at `start` without brackets.
+    fn no_bare_unit(&mut self, start: usize) -> Result<(), Box<Mistake>> {
+        let number = self.at - start;
+        let Some(c) = self.skip_space() else { return Ok(()) };
+        if c.is_ascii() && !c.is_ascii_alphabetic() {
+            return Ok(());
+        }
+        let text = &self.text.value[start..];
+        let Some((meant, length)) = measure::in_brackets(text, number) else { return Ok(()) };
+        let range = self.at..start + length;
+        let written = &self.text.value[range.clone()];
+        let is_name = written.chars().all(|c| c.is_ascii_alphanumeric());
+        let product = format!("{}*{written}", &text[..number]);
+        let help = if is_name {
+            format!("write `{meant}`, or `{product}` for a product")
+        } else {
+            format!("write `{meant}`")
+        };
+        let message = "a unit of measure must be in brackets".to_owned();
+        Err(Box::new(self.mistake(range, message, "here", &help)))
     }
 
     /// Rejects `**` and `<=`, which are operators of other languages.

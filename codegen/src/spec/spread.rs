@@ -9,7 +9,7 @@
 use std::ops::Range;
 
 use crate::spec::Declared;
-use crate::spec::measure::Measure;
+use crate::spec::measure::{self, Measure};
 use crate::spec::names::did_you_mean;
 
 /// Kinds of distributions, by name.
@@ -314,11 +314,20 @@ impl Amount {
         };
         match number.trim().parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(Self { number, unit }),
-            _ => Err(SpreadError {
-                message: format!("`{}` is not a number", written.escape_debug()),
-                help: EXAMPLE.to_owned(),
-                range,
-            }),
+            _ => {
+                let numeric = |c: char| c.is_ascii_digit() || "+-.".contains(c);
+                let length = written.find(|c| !numeric(c)).unwrap_or(written.len());
+                let meant = measure::in_brackets(written, length);
+                let meant = meant.filter(|(_, end)| length > 0 && *end == written.len());
+                Err(SpreadError {
+                    message: format!("`{}` is not a number", written.escape_debug()),
+                    help: meant.map_or_else(
+                        || EXAMPLE.to_owned(),
+                        |(meant, _)| format!("write `{meant}`: a unit must be in brackets"),
+                    ),
+                    range,
+                })
+            }
         }
     }
 

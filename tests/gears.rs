@@ -198,25 +198,18 @@ const WAY: &str = r#"
     expression = "0.1 [N] + 0.05 [kg m]*tooth^2*cos(tooth*t)"
 "#;
 
-#[test]
-fn continuation_finds_both_folds_between_which_loose_gears_jump() {
-    let scene = of_text(WAY, Keep::Needed);
+/// Follows the branch over a parameter and compares its folds.
+fn assert_folds(scene: &ModelSimulator, parameter: &str, cycle: &CycleSettings, most: usize) {
     for (from, to, folds) in [(1.2, 0.6, FOLDS), (0.6, 1.2, [FOLDS[1], FOLDS[0]])] {
-        let cycle = CycleSettings {
-            period: Period::Parameter("pair.tooth".to_owned()),
-            settle: 300.0,
-            points: 401,
-            ..CycleSettings::default()
-        };
         let settings = BranchSettings {
-            cycle,
-            parameter: "pair.tooth".to_owned(),
+            cycle: cycle.clone(),
+            parameter: parameter.to_owned(),
             from,
             to,
             longest_step: 0.05,
-            max_points: 400,
+            max_points: most,
         };
-        let found = branch(&Simulation::new(&scene), &settings).expect("a branch");
+        let found = branch(&Simulation::new(scene), &settings).expect("a branch");
         assert!(found.is_complete, "{}", found.end);
         let found: Vec<f64> = found
             .bifurcations()
@@ -229,6 +222,27 @@ fn continuation_finds_both_folds_between_which_loose_gears_jump() {
         for (fold, wanted) in found.iter().zip(folds) {
             assert!((fold - wanted).abs() < 1e-8, "{fold} for {wanted}");
         }
+    }
+}
+
+#[test]
+fn continuation_finds_both_folds_between_which_loose_gears_jump() {
+    let cycle = CycleSettings {
+        period: Period::Parameter("pair.tooth".to_owned()),
+        settle: 300.0,
+        points: 401,
+        ..CycleSettings::default()
+    };
+    assert_folds(&of_text(WAY, Keep::Needed), "pair.tooth", &cycle, 400);
+}
+
+/// The gear part has a drive that is prescribed: a constraint that moves with time and parameter.
+#[test]
+fn continuation_of_the_gear_part_finds_the_folds_of_its_oscillator() {
+    let scene = drive(LOOSE, "gears", 2.0);
+    for segments in [1, 3] {
+        let cycle = CycleSettings { segments, points: 401, ..of_tooth(300.0) };
+        assert_folds(&scene, "tooth", &cycle, 100);
     }
 }
 

@@ -1,8 +1,8 @@
 //! Branches of periodic motions over a parameter, by pseudo-arclength continuation.
 //!
 //! A step predicts along the tangent of the branch and corrects at right angles to it, so that the
-//! parameter may turn back at folds. Lengths are measured with the ranges of the states over the
-//! first motion, the logarithm of the period, and the range of the parameter.
+//! parameter may turn back at folds. Lengths are measured with the greatest ranges of the states over
+//! the motions so far, the logarithm of the period, and the range of the parameter.
 //!
 //! H. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977; R. Seydel,
 //! Practical Bifurcation and Stability Analysis, chapters 4 and 7.
@@ -120,6 +120,8 @@ pub(super) struct Place {
     pub(super) guess: Guess,
     pub(super) cycle: Cycle,
     pub(super) tangent: Tangent,
+    /// Projections onto the constraints at the start of each segment, scaled.
+    projections: Vec<DMatrix<f64>>,
     iterations: usize,
 }
 
@@ -132,9 +134,14 @@ impl Place {
 
 /// Direction of the branch: states over their scales, logarithm of the period, parameter over its
 /// range.
+///
+/// Directions that constraints exclude do not count: initial values along them change nothing, and
+/// equations across them would leave the branch where it is.
 #[derive(Clone)]
 pub(super) struct Tangent {
     states: DVector<f64>,
+    /// Slopes of a length along the tangent by the states: weighted, on the constraints.
+    normal: DVector<f64>,
     period: f64,
     value: f64,
 }
@@ -167,7 +174,8 @@ pub fn branch(run: &Simulation<'_>, settings: &BranchSettings) -> Result<Branch,
     let most = settings.cycle.max_iterations;
     let first = guess::settled(&problem, &settings.cycle)?;
     let solution = solve(&problem, first, most)?;
-    let weights = DVector::from_element(solution.guess.nodes.len() * problem.free.len(), 1.0);
+    let count = solution.guess.nodes.len() * problem.free.len();
+    let weights = DVector::from_element(count, f64::INFINITY);
     let points = settings.cycle.points;
     let mut walk = Walk { problem, points, weights, range: (to - from).abs(), most };
     let start = walk.start(solution, (to - from).signum())?;
@@ -200,10 +208,22 @@ impl Walk<'_> {
     /// Returns the first place, with a tangent towards the end of the range.
     fn start(&mut self, solution: Solution, sign: f64) -> Result<Place, CycleError> {
         let cycle = self.cycle(&solution)?;
-        let (n, m) = (self.problem.free.len(), solution.shots.len());
-        let ranges = super::rows(&cycle.motion);
+        self.measure(&cycle);
+        let zero = || DVector::zeros(self.weights.len());
+        let along = Tangent { states: zero(), normal: zero(), period: 0.0, value: sign };
+        let tangent = self.tangent(&solution, &along);
+        let projections = self.projections(&solution);
+        let Solution { guess, iterations, .. } = solution;
+        Ok(Place { guess, cycle, tangent, projections, iterations })
+    }
+
+    /// Widens the measure of lengths to the ranges of a motion.
+    fn measure(&mut self, cycle: &Cycle) {
+        let n = self.problem.free.len();
+        let count = self.weights.len();
+        let rows = super::rows(&cycle.motion);
         for (at, (state, scale)) in self.problem.free.iter().zip(&self.problem.scales).enumerate() {
-            let values = ranges.iter().map(|row| row[*state]);
+            let values = rows.iter().map(|row| row[*state]);
             let (least, greatest) = values
                 .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), value| {
                     (a.min(value), b.max(value))
@@ -213,14 +233,17 @@ impl Walk<'_> {
             let (range, size) = (greatest - least, greatest.abs().max(least.abs()));
             let moves = range > LEAST_RANGE * scale.max(size);
             let weight = scale / (if moves { range } else { size }).max(LEAST_RANGE * scale);
-            for segment in 0..m {
-                self.weights[segment * n + at] = weight * weight / (n * m) as f64;
+            for place in (at..count).step_by(n) {
+                self.weights[place] = self.weights[place].min(weight * weight / count as f64);
             }
         }
-        let along = Tangent { states: DVector::zeros(n * m), period: 0.0, value: sign };
-        let tangent = self.tangent(&solution, &along);
-        let Solution { guess, iterations, .. } = solution;
-        Ok(Place { guess, cycle, tangent, iterations })
+    }
+
+    /// Widens the measure to the motion of a place, whose tangent is scaled to it.
+    fn remeasure(&mut self, place: &mut Place) {
+        self.measure(&place.cycle);
+        let tangent = self.scaled(place.tangent.clone(), &place.projections);
+        place.tangent = tangent;
     }
 
     fn cycle(&self, solution: &Solution) -> Result<Cycle, CycleError> {
@@ -249,8 +272,9 @@ impl Walk<'_> {
         if let Some(column) = &linear.by_parameter {
             matrix.view_mut((0, size - 1), (n, 1)).copy_from(&(column * self.range));
         }
-        let weighted = along.states.component_mul(&self.weights);
-        matrix.view_mut((size - 1, 0), (1, n)).copy_from(&weighted.transpose());
+        let projections = self.projections(solution);
+        let normal = across(&projections, &along.normal);
+        matrix.view_mut((size - 1, 0), (1, n)).copy_from(&normal.transpose());
         if has_period {
             matrix[(size - 1, n)] = along.period;
         }
@@ -258,19 +282,32 @@ impl Walk<'_> {
         let mut right = DVector::zeros(size);
         right[size - 1] = 1.0;
         let solved = shortest(matrix, &right, self.problem.run.relative_tolerance());
-        let mut tangent = Tangent {
-            states: solved.rows(0, n).into_owned(),
+        let tangent = Tangent {
+            states: onto(&projections, &solved.rows(0, n).into_owned()),
+            normal: DVector::zeros(n),
             period: if has_period { solved[n] } else { 0.0 },
             value: solved[size - 1],
         };
-        let length = self.product(&tangent, &tangent).sqrt();
-        if !(length.is_finite() && length > 0.0) {
-            return along.clone();
+        let length = self.product(&tangent, &tangent);
+        if length.is_finite() && length > 0.0 {
+            self.scaled(tangent, &projections)
+        } else {
+            along.clone()
         }
+    }
+
+    /// Scales a tangent to length 1, with its normal.
+    fn scaled(&self, mut tangent: Tangent, projections: &[DMatrix<f64>]) -> Tangent {
+        let length = self.product(&tangent, &tangent).sqrt();
         tangent.states /= length;
         tangent.period /= length;
         tangent.value /= length;
+        tangent.normal = across(projections, &tangent.states.component_mul(&self.weights));
         tangent
+    }
+
+    fn projections(&self, solution: &Solution) -> Vec<DMatrix<f64>> {
+        solution.shots.iter().map(|shot| self.problem.scaled(&shot.projection)).collect()
     }
 
     /// Returns the guess at some length along the tangent.
@@ -326,14 +363,15 @@ impl Walk<'_> {
         let solution = solve_beside(&self.problem, predicted, self.most, side)?;
         let tangent = self.tangent(&solution, &place.tangent);
         let cycle = self.cycle(&solution)?;
+        let projections = self.projections(&solution);
         let Solution { guess, iterations, .. } = solution;
-        Ok(Place { guess, cycle, tangent, iterations })
+        Ok(Place { guess, cycle, tangent, projections, iterations })
     }
 
     /// Returns the equation of the plane across a tangent through a point.
     fn across(&self, tangent: &Tangent, through: &Guess, guess: &Guess) -> Side {
         let n = self.problem.free.len();
-        let slopes = tangent.states.component_mul(&self.weights);
+        let slopes = tangent.normal.clone();
         let mut residual = tangent.period * (guess.period / through.period).ln();
         residual += tangent.value * (guess.value - through.value) / self.range;
         for (segment, (node, other)) in guess.nodes.iter().zip(&through.nodes).enumerate() {
@@ -348,7 +386,7 @@ impl Walk<'_> {
     }
 
     /// Takes steps until the branch leaves the range, or a step fails at any length.
-    fn follow(&self, mut place: Place, settings: &BranchSettings, mut found: Branch) -> Branch {
+    fn follow(&mut self, mut place: Place, settings: &BranchSettings, mut found: Branch) -> Branch {
         let BranchSettings { longest_step: longest, max_points, .. } = *settings;
         let mut length = FIRST * longest;
         found.points.push(point(&place, None));
@@ -376,6 +414,7 @@ impl Walk<'_> {
                 length /= GROWTH;
             }
             place = next;
+            self.remeasure(&mut place);
         }
         found.end = format!("the limit of {max_points} points is reached");
         found
@@ -412,6 +451,30 @@ impl Walk<'_> {
         *length *= share;
         Ok((self.at_value(place, *length, end)?, true))
     }
+}
+
+/// Projects the states of each segment onto the constraints at its start.
+fn onto(projections: &[DMatrix<f64>], states: &DVector<f64>) -> DVector<f64> {
+    by_segment(projections, states, |projection, part| projection * part)
+}
+
+/// Maps slopes by projected states to slopes by the states of each segment.
+fn across(projections: &[DMatrix<f64>], slopes: &DVector<f64>) -> DVector<f64> {
+    by_segment(projections, slopes, |projection, part| projection.transpose() * part)
+}
+
+fn by_segment(
+    projections: &[DMatrix<f64>],
+    states: &DVector<f64>,
+    map: impl Fn(&DMatrix<f64>, DVector<f64>) -> DVector<f64>,
+) -> DVector<f64> {
+    let mut mapped = DVector::zeros(states.len());
+    for (segment, projection) in projections.iter().enumerate() {
+        let n = projection.nrows();
+        let part = states.rows(segment * n, n).into_owned();
+        mapped.rows_mut(segment * n, n).copy_from(&map(projection, part));
+    }
+    mapped
 }
 
 fn point(place: &Place, bifurcation: Option<Bifurcation>) -> BranchPoint {

@@ -246,6 +246,13 @@ impl<'a> Problem<'a> {
     /// ```text
     /// d phi/dp = S_p + f(end) dt_{i+1}/dp - M f(start) dt_i/dp
     /// ```
+    ///
+    /// The start of the next segment moves too, where constraints depend on time, such as those of
+    /// a prescribed angle. With P the derivative of the start by the initial values,
+    ///
+    /// ```text
+    /// d start/dp = S_p + (1 - P) f(start) dt/dp
+    /// ```
     fn by_parameter(&self, guess: &Guess, shots: &[Shot], parameter: usize) -> DVector<f64> {
         let (n, m) = (self.free.len(), shots.len());
         let (start, period) = self.span_of(guess);
@@ -253,11 +260,9 @@ impl<'a> Problem<'a> {
         let mut column = DVector::zeros(n * m);
         for (index, shot) in shots.iter().enumerate() {
             let next = (index + 1) % m;
-            let (Some([_, end]), Some([next, _])) = (&shot.by_parameter, &shots[next].by_parameter)
-            else {
-                continue;
-            };
-            let mut derivative = self.over_scales(&(end - next));
+            let ends = (&shot.by_parameter, &shots[next].by_parameter);
+            let (Some([_, end]), Some([start_of_next, _])) = ends else { continue };
+            let mut derivative = self.over_scales(&(end - start_of_next));
             if slope != 0.0 {
                 let share = |index: usize| index as f64 / m as f64;
                 let time = |index: usize| start + period * share(index);
@@ -266,6 +271,9 @@ impl<'a> Problem<'a> {
                     self.scaled_rate(guess, time(index + 1), &shot.end) * moves(index + 1);
                 let from = self.scaled_rate(guess, time(index), &shot.start);
                 derivative -= self.scaled(&shot.transition) * from * moves(index);
+                let led = self.scaled_rate(guess, time(next), &shots[next].start);
+                let free = self.scaled(&shots[next].projection) * &led;
+                derivative -= (led - free) * moves(next);
             }
             column.rows_mut(index * n, n).copy_from(&derivative);
         }

@@ -83,7 +83,11 @@ pub(super) fn solve_beside(
         let is_solved = point.is_solved(problem);
         if is_solved && is_refined && problem.other_mode(&point.shots).is_none() {
             let residual = problem.largest_gap(&point.shots).0;
-            let Point { guess, shots, .. } = point;
+            let Point { mut guess, shots, .. } = point;
+            // Nodes on the constraints.
+            for (node, shot) in guess.nodes.iter_mut().zip(&shots) {
+                node.clone_from(&shot.start);
+            }
             return Ok(Solution { guess, shots, residual, iterations });
         }
         if iterations == most {

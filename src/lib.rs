@@ -17,6 +17,7 @@ mod dense;
 pub mod error;
 pub mod error_estimate;
 pub mod estimator;
+pub mod fatigue;
 pub mod field;
 #[cfg(feature = "fit")]
 pub mod fit;

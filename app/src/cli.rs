@@ -21,6 +21,7 @@ mod derive;
 mod estimator;
 #[cfg(feature = "derive")]
 pub mod explain;
+mod fatigue;
 mod fit;
 #[cfg(feature = "derive")]
 mod fmu;
@@ -55,6 +56,7 @@ mod schema;
 mod sensitivity;
 pub mod settings;
 mod show;
+mod signals;
 #[cfg(feature = "derive")]
 pub mod specs;
 mod spectrum;
@@ -143,6 +145,8 @@ enum Command {
     Improve(improve::Improve),
     /// Compute amplitude spectra of a run's outputs
     Spectrum(spectrum::Spectrum),
+    /// Count the load cycles of a run's outputs (rainflow), and add up their damage
+    Fatigue(fatigue::Fatigue),
     /// Simulate variants of a scene over ranges of parameters
     Sweep(sweep::Sweep),
     /// Compute the scatter of results for parameters with distributions: mean, quantiles,
@@ -290,6 +294,7 @@ pub fn run(arguments: &[OsString]) -> u8 {
         Command::Gradient(command) => command.execute(),
         Command::Improve(command) => command.execute(),
         Command::Spectrum(command) => command.execute(),
+        Command::Fatigue(command) => command.execute(),
         Command::Sweep(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Scatter(command) => command.execute(),

@@ -95,13 +95,14 @@ fn every_command_that_runs_a_scene_takes_the_same_options() {
 }
 
 /// Calls of the commands that run a scene.
-const CALLS: [(&str, &str); 15] = [
+const CALLS: [(&str, &str); 16] = [
     ("run", "two_mass"),
     ("sensitivity", "two_mass --parameters=load_torque"),
     ("gradient", "two_mass --of=max(twist)"),
     ("fit", "two_mass --data=data.csv --parameters=load_torque"),
     ("improve", "two_mass --minimise=max(twist) --parameters=load_torque=0..1"),
     ("spectrum", "two_mass"),
+    ("fatigue", "two_mass"),
     ("sweep", "two_mass --parameter=load_torque=0..1 --count=2"),
     ("scatter", "two_mass --vary=load_torque=uniform(900,1000) --samples=16"),
     ("modes", "two_mass"),

@@ -187,3 +187,63 @@ fn orders_without_a_shaft_that_turns_are_refused() {
         assert_refused(&[&["spectrum", text(&scene)][..], options].concat(), &[wanted]);
     }
 }
+
+/// A universal joint between shafts at an angle beta turns the second one by
+/// phi + sum t^n sin(2 n phi)/n with t = tan(beta/2)^2: the orders 2 n of its speed have the
+/// amplitudes 2 omega t^n.
+#[test]
+fn a_universal_joint_has_the_even_orders_of_its_angle() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [scene, json] = ["cardan.toml", "orders.json"].map(|name| folder.path().join(name));
+    for angle in [0.1_f64, 0.4, 0.9] {
+        let spec = format!(
+            r#"
+            [scene]
+            name = "cardan_shaft"
+            [units.drive]
+            unit = "sources/speed"
+            inputs = {{ speed = "30 [rad/s]" }}
+            [units.joint]
+            unit = "rotational/cardan"
+            parameters = {{ angle = {angle:?} }}
+            [units.load]
+            unit = "rotational/inertia"
+            parameters = {{ inertia = 2 }}
+            [[joints]]
+            connect = ["drive.a", "joint.a"]
+            [[joints]]
+            connect = ["joint.b", "load.a"]
+            [guess]
+            "drive.phi_dot" = 30
+            "load.omega" = 30
+            [outputs]
+            speed = "load.omega"
+            angle = "drive.phi"
+            [run]
+            until = 4
+            points = 2
+            rtol = 1e-11
+            method = "dop853"
+            "#
+        );
+        fs::write(&scene, spec).expect("written");
+        let start = ["spectrum", text(&scene), "--out", text(&json), "--over", "angle"];
+        answer(&[&start[..], &["--outputs", "speed", "--turns", "4"]].concat());
+        let found = serde_json::from_slice(&fs::read(&json).expect("a file")).expect("JSON");
+        let t = (angle / 2.0).tan().powi(2);
+        let wanted = [
+            (0, 30.0),
+            (1, 0.0),
+            (2, 60.0 * t),
+            (3, 0.0),
+            (4, 60.0 * t * t),
+            (6, 60.0 * t.powi(3)),
+        ];
+        for (order, wanted) in wanted {
+            for amplitude in cut(&found, "speed", 4 * order) {
+                let off = (amplitude - wanted).abs();
+                assert!(off < 1e-6, "{angle}, order {order}: {amplitude}, not {wanted}");
+            }
+        }
+    }
+}

@@ -14,6 +14,7 @@ mod csv;
 mod cycle;
 mod deriving;
 mod estimator;
+mod fatigue;
 mod fit;
 mod fmu;
 mod fuzz;

@@ -15,6 +15,7 @@ pub const GROUPS: [(&str, &[&str]); 6] = [
             "response",
             "campbell",
             "spectrum",
+            "fatigue",
             "cycle",
             "linearize",
             "sensitivity",

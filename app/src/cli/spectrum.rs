@@ -16,7 +16,8 @@ use super::output::{
     write_file,
 };
 use super::scene::Scene;
-use crate::failure::{Failure, did_you_mean};
+use super::signals::{finite, interval};
+use crate::failure::Failure;
 use crate::number::number;
 use crate::parquet;
 use crate::plot::plot_spectrum;
@@ -98,9 +99,9 @@ impl Spectrum {
         }
         let scene = self.scene.load()?;
         let simulation = self.simulation(&scene)?;
-        let (from, until) = self.stretch(&scene)?;
+        let (from, until) = self.interval(&scene)?;
         let run = during("simulating", || simulation.run())?;
-        let chosen = self.finite(&run)?;
+        let chosen = finite(&run, &self.outputs, "a spectrum")?;
         let spectra = Spectra {
             scene: run.scene.clone(),
             window: self.window.name(),
@@ -153,8 +154,10 @@ impl Spectrum {
         let scene = self.scene.load()?;
         let run = self.run.apply(self.scene.simulation(scene.simulator())?)?;
         let shared = Shared {
-            outputs: &|run| Ok(self.finite(run)?.into_iter().cloned().collect()),
-            interval: self.stretch(&scene)?,
+            outputs: &|run| {
+                Ok(finite(run, &self.outputs, "a spectrum")?.into_iter().cloned().collect())
+            },
+            interval: self.interval(&scene)?,
             window: self.window,
             out: self.out.as_deref(),
             plot: self.plot.as_deref(),
@@ -162,62 +165,18 @@ impl Spectrum {
         self.orders.execute(&scene, &run, &shared)
     }
 
-    /// Returns the chosen columns, whose values must be finite.
-    fn finite<'t>(&self, run: &'t Trajectory) -> Result<Vec<&'t Column>, Failure> {
-        let chosen = self.chosen(run)?;
-        for column in &chosen {
-            let mut values = run.times.iter().zip(&column.values);
-            if let Some((time, value)) = values.find(|(_, value)| !value.is_finite()) {
-                let message = format!("`{}` is {value} at {time} s", column.name);
-                return Err(Failure::unsuccessful(message, "a spectrum needs finite values"));
-            }
-        }
-        Ok(chosen)
-    }
-
-    /// Returns the interval of the samples.
-    fn stretch(&self, scene: &Scene) -> Result<(f64, f64), Failure> {
-        let simulator = scene.simulator();
-        let start = self.run.span.start_time(simulator);
-        let from = start + self.settle.unwrap_or(0.0);
-        let until = self.run.span.until.unwrap_or(simulator.run_defaults().until);
-        if from >= start && from < until && until.is_finite() {
-            return Ok((from, until));
-        }
-        let message = format!("the interval from {from} s to {until} s is empty");
-        Err(Failure::input(message, format!("the run begins at {start} s")))
+    fn interval(&self, scene: &Scene) -> Result<(f64, f64), Failure> {
+        interval(&self.run.span, self.settle, scene)
     }
 
     /// Prepares the run with outputs at the samples. The next sample would be at the end of the
     /// interval.
     fn simulation<'s>(&self, scene: &'s Scene) -> Result<Simulation<'s>, Failure> {
-        let (from, until) = self.stretch(scene)?;
+        let (from, until) = self.interval(scene)?;
         let time = |n| from + (until - from) * f64::from(n) / self.samples as f64;
         let times: Vec<f64> = (0..self.samples as u32).map(time).collect();
         let run = self.run.apply(self.scene.simulation(scene.simulator())?)?;
         Ok(run.until(until).times(&times))
-    }
-
-    fn chosen<'t>(&self, run: &'t Trajectory) -> Result<Vec<&'t Column>, Failure> {
-        let of = |kind| run.of_kind(kind);
-        if self.outputs.is_empty() {
-            let outputs: Vec<&Column> = of(ColumnKind::Output).collect();
-            let states = || of(ColumnKind::State).collect();
-            return Ok(if outputs.is_empty() { states() } else { outputs });
-        }
-        let known: Vec<&Column> = of(ColumnKind::Output).chain(of(ColumnKind::State)).collect();
-        let find = |name: &String| {
-            known.iter().copied().find(|column| column.name == *name).ok_or_else(|| {
-                let names = known.iter().map(|column| column.name.as_str());
-                let message = format!(
-                    "scene `{}` has no output or state `{}`",
-                    run.scene,
-                    name.escape_debug()
-                );
-                Failure::input(message, did_you_mean(name, names))
-            })
-        };
-        self.outputs.iter().map(find).collect()
     }
 
     fn of(&self, column: &Column, run: &Trajectory) -> One {

@@ -161,6 +161,23 @@ pub fn plot_cuts(
     Picture { title: texts[0], subtitle: texts[1].to_owned(), panels }.write(path)
 }
 
+/// Draws amplitudes over the number of cycles that reach them, columns alike in one panel, into an
+/// `.svg` or `.png` file; `texts` are title and subtitle.
+///
+/// # Errors
+/// As [`plot_response`].
+pub fn plot_loads(
+    places: &[f64],
+    columns: &[Column],
+    texts: [&str; 2],
+    path: &Path,
+) -> Result<(), PlotError> {
+    let axes = [Axis::Logarithmic("cycles".into()), Axis::Linear("".into())];
+    let panels = alike(columns.iter()).into_iter();
+    let panels = panels.map(|same| over(places, same, [&axes[0], &axes[1]])).collect();
+    Picture { title: texts[0], subtitle: texts[1].to_owned(), panels }.write(path)
+}
+
 /// Draws tau of likelihood profiles over the change of their parameters in standard errors, and the
 /// limits of 95 %, into an `.svg` or `.png` file.
 ///

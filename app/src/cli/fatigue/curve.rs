@@ -1,0 +1,157 @@
+//! Options of the S-N curve.
+
+use clap::{Args, ValueEnum};
+use machinist::fatigue::{Curve, MeanStress, MinerRule};
+
+use crate::failure::{Failure, did_you_mean};
+
+/// S-N curve N = N_k (S/S_k)^-k of amplitudes S with mean zero.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "S-N curve")]
+pub struct CurveArgs {
+    /// Amplitude at the knee of the S-N curve, in the unit of the outputs: of all, or of one,
+    /// `stress=120`. Without it, cycles are only counted
+    #[arg(long, value_name = "[OUTPUT=]AMPLITUDE", value_delimiter = ',', value_parser = endurance)]
+    endurance: Vec<(Option<String>, f64)>,
+    /// Number of cycles at the knee
+    #[arg(long, value_name = "CYCLES", default_value_t = 2e6)]
+    knee: f64,
+    /// Slope k of the curve above the knee
+    #[arg(long, value_name = "SLOPE", default_value_t = 5.0)]
+    pub slope: f64,
+    /// Curve below the knee
+    #[arg(long, value_name = "RULE", value_enum, default_value_t = Rule::Haibach)]
+    miner: Rule,
+    /// Correction for the mean of a cycle: none, goodman:STRENGTH, gerber:STRENGTH,
+    /// soderberg:YIELD, walker:EXPONENT or swt; strengths in the unit of the outputs
+    #[arg(long, value_name = "CORRECTION", value_parser = mean, default_value = "none")]
+    mean: Correction,
+}
+
+/// Curve below the knee.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Rule {
+    /// Smaller amplitudes do no damage
+    Original,
+    /// The slope k goes on
+    Elementary,
+    /// The slope is 2 k - 1
+    Haibach,
+}
+
+/// A correction with its name.
+#[derive(Debug, Clone, PartialEq)]
+struct Correction {
+    text: String,
+    mean: MeanStress,
+}
+
+impl CurveArgs {
+    /// Returns an error unless all numbers are above zero.
+    pub fn check(&self) -> Result<(), Failure> {
+        let named = [("--knee", self.knee), ("--slope", self.slope)];
+        let endurance = self.endurance.iter().map(|(_, value)| ("--endurance", *value));
+        let mut all = named.into_iter().chain(endurance);
+        match all.find(|(_, value)| !(value.is_finite() && *value > 0.0)) {
+            Some((option, value)) => {
+                Err(Failure::input(format!("{option} {value} is not above zero"), ""))
+            }
+            None if self.slope < 1.0 => {
+                let message = format!("--slope {} is below 1", self.slope);
+                Err(Failure::input(message, "S-N curves of metals have slopes from 3 to 15"))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Returns an error for an amplitude of an output that is not counted.
+    pub fn check_names<'n>(
+        &self,
+        names: impl Iterator<Item = &'n str> + Clone,
+    ) -> Result<(), Failure> {
+        let given = self.endurance.iter().filter_map(|(name, _)| name.as_deref());
+        for name in given {
+            if !names.clone().any(|known| known == name) {
+                let message =
+                    format!("--endurance: output `{}` is not counted", name.escape_debug());
+                return Err(Failure::input(message, did_you_mean(name, names)));
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the curve of an output, unless its endurance is unknown.
+    pub fn of(&self, name: &str) -> Option<Curve> {
+        let given = |wanted: Option<&str>| {
+            let found = self.endurance.iter().rev().find(|(name, _)| name.as_deref() == wanted);
+            found.map(|(_, value)| *value)
+        };
+        let endurance = given(Some(name)).or_else(|| given(None))?;
+        let rule = match self.miner {
+            Rule::Original => MinerRule::Original,
+            Rule::Elementary => MinerRule::Elementary,
+            Rule::Haibach => MinerRule::Haibach,
+        };
+        let Self { knee, slope, .. } = *self;
+        Some(Curve { endurance, knee, slope, rule, mean: self.mean.mean })
+    }
+
+    /// Returns the correction for the mean.
+    pub fn mean(&self) -> MeanStress {
+        self.mean.mean
+    }
+
+    /// Describes the curve.
+    pub fn told(&self) -> String {
+        let Self { knee, slope, .. } = self;
+        let rule = match self.miner {
+            Rule::Original => "no damage below",
+            Rule::Elementary => "the same slope below",
+            Rule::Haibach => "slope 2k - 1 below",
+        };
+        format!("slope {slope}, knee at {knee:e} cycles, {rule}, mean {}", self.mean.text)
+    }
+}
+
+fn endurance(text: &str) -> Result<(Option<String>, f64), String> {
+    let (name, value) = match text.rsplit_once('=') {
+        Some((name, value)) => (Some(name.trim().to_owned()), value),
+        None => (None, text),
+    };
+    let value = value.trim().parse().map_err(|_| format!("`{value}` is not a number"))?;
+    Ok((name, value))
+}
+
+fn mean(text: &str) -> Result<Correction, String> {
+    let (name, number) = match text.split_once(':') {
+        Some((name, number)) => (name.trim(), Some(number.trim())),
+        None => (text.trim(), None),
+    };
+    let above_zero = || {
+        let number = number.ok_or_else(|| format!("`{name}` needs a strength: {name}:600"))?;
+        let value: f64 = number.parse().map_err(|_| format!("`{number}` is not a number"))?;
+        if value.is_finite() && value > 0.0 {
+            return Ok(value);
+        }
+        Err(format!("{name}:{number} is not above zero"))
+    };
+    let mean = match (name, number) {
+        ("none", None) => MeanStress::Ignored,
+        ("swt", None) => MeanStress::Walker(0.5),
+        ("goodman" | "soderberg", _) => MeanStress::Goodman(above_zero()?),
+        ("gerber", _) => MeanStress::Gerber(above_zero()?),
+        ("walker", _) => {
+            let exponent = above_zero()?;
+            if exponent > 1.0 {
+                return Err(format!("walker:{exponent}: the exponent is at most 1"));
+            }
+            MeanStress::Walker(exponent)
+        }
+        _ => {
+            return Err("one of none, goodman:STRENGTH, gerber:STRENGTH, soderberg:YIELD, \
+                        walker:EXPONENT, swt"
+                .to_owned());
+        }
+    };
+    Ok(Correction { text: text.trim().to_owned(), mean })
+}

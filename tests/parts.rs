@@ -5,6 +5,7 @@ mod assemblies;
 mod controllers;
 mod driven_friction;
 mod drives;
+mod engines;
 mod friction;
 mod heat;
 mod hoisting;

@@ -121,6 +121,7 @@ pub const LIBRARY: &[LibraryUnit] = &[
     part!("rotational/chain"),
     part!("rotational/clutch"),
     part!("rotational/conveyor"),
+    part!("rotational/crank_drive"),
     part!("rotational/damper"),
     part!("rotational/differential"),
     part!("rotational/dwell_cam"),

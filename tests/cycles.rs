@@ -1,6 +1,8 @@
 //! Periodic motions, their multipliers and branches. `tests/cycles/references.py` computes the
 //! reference values.
 
+mod machines;
+
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
 

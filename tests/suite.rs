@@ -81,6 +81,7 @@ mod state_space;
 mod sweep;
 mod switched_fields;
 mod taylor;
+mod torsion;
 mod turning;
 mod turning_drums;
 mod unrolled;

@@ -6,6 +6,7 @@
 Van der Pol: Taylor series of order 40 in 40 digits for mu up to 10, SciPy's Radau for stiff ones.
 Duffing: harmonic balance with 30 harmonics by numpy; multipliers by the variational equations in 40
 digits.
+Wavy spring: harmonic balance with 60 odd harmonics, folds by bisection along the branch.
 """
 
 import numpy as np
@@ -263,7 +264,62 @@ def duffing_multipliers(omega, x, v):
     return x, v, trace / 2 + root, trace / 2 - root
 
 
+def wavy_folds(highest=0.0585, step=0.004):
+    """Forces at the folds of x'' + 0.02 x' + x + 0.05 sin(10 x) = F cos t, in their order."""
+    odd = np.arange(1, 121, 2)
+    count, samples = len(odd), 512
+    angles = 2 * np.pi * np.outer(np.arange(samples) / samples, odd)
+    basis = np.hstack([np.cos(angles), np.sin(angles)])
+    linear = np.diag(np.tile(1.0 - odd**2, 2))
+    linear[:count, count:] += np.diag(0.02 * odd)
+    linear[count:, :count] -= np.diag(0.02 * odd)
+    force = np.zeros(2 * count)
+    force[0] = 1
+
+    def residual(p):
+        wave = 2 / samples * basis.T @ (0.05 * np.sin(10 * (basis @ p[:-1])))
+        return linear @ p[:-1] + wave - p[-1] * force
+
+    def slope(p):
+        wave = 0.5 * np.cos(10 * (basis @ p[:-1]))
+        return np.column_stack([linear + 2 / samples * basis.T @ (wave[:, None] * basis), -force])
+
+    def tangent(p, old):
+        right = np.zeros(2 * count + 1)
+        right[-1] = 1
+        found = np.linalg.solve(np.vstack([slope(p), old]), right)
+        return found / np.linalg.norm(found)
+
+    def along(p, direction, length):
+        q = p + length * direction
+        for _ in range(20):
+            right = np.append(residual(q), direction @ (q - p) - length)
+            change = np.linalg.solve(np.vstack([slope(q), direction]), right)
+            q = q - change
+            if np.linalg.norm(change) < 1e-14:
+                break
+        return q, tangent(q, direction)
+
+    point = np.zeros(2 * count + 1)
+    direction = tangent(point, np.eye(2 * count + 1)[-1])
+    folds = []
+    while point[-1] < highest or len(folds) < 16:
+        following, turned = along(point, direction, step)
+        if turned[-1] * direction[-1] < 0:
+            low, high = 0.0, step
+            for _ in range(60):
+                middle = (low + high) / 2
+                if along(point, direction, middle)[1][-1] * direction[-1] > 0:
+                    low = middle
+                else:
+                    high = middle
+            folds.append(along(point, direction, low)[0][-1])
+        point, direction = following, turned
+    return folds
+
+
 if __name__ == "__main__":
+    print("wavy spring, folds", wavy_folds(), flush=True)
     np.set_printoptions(precision=16)
     for mu in ("0.01", "0.1", "1", "10"):
         period, multiplier = van_der_pol(mpf(mu))

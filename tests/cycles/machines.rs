@@ -1,0 +1,323 @@
+//! Machines of the field: a rotor that rubs, a mass that grazes its stop, an oscillator with many
+//! folds.
+
+use std::f64::consts::TAU;
+
+use machinist::Simulation;
+use machinist::periodic::{Bifurcation, BranchSettings, CycleSettings, Stability, branch, cycle};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_model::ModelSimulator;
+use nalgebra::{Matrix4, Vector4};
+
+use super::{crest, near, of_period};
+use crate::own_scene::of_text;
+
+/// Jeffcott rotor with unbalance in a bearing with play: an annular stop of radius `PLAY`.
+const ROTOR: &str = r#"
+    [scene]
+    name = "jeffcott"
+    [units.disc]
+    unit = "disc"
+    [initial]
+    "disc.x" = 0.1
+    [outputs]
+    way = { expression = "sqrt(disc.x^2 + disc.y^2)", unit = "m" }
+    [run]
+    until = 400.0
+    points = 2
+    rtol = 1e-11
+    method = "dop853"
+    [define.disc.coordinates.x]
+    unit = "m"
+    [define.disc.coordinates.y]
+    unit = "m"
+    [define.disc.parameters]
+    speed = { value = 0.5, unit = "rad/s" }
+    [define.disc.helpers.depth]
+    expression = "max(sqrt(x^2 + y^2) - 1 [m], 0)"
+    unit = "m"
+    [define.disc.energy]
+    kinetic = "1 [kg]*(x_dot^2 + y_dot^2)/2"
+    potential = "1 [N/m]*(x^2 + y^2)/2 + 2 [N/m]*depth^2/2"
+    dissipation = "0.1 [N s/m]*(x_dot^2 + y_dot^2)/2"
+    [[define.disc.forces]]
+    coordinate = "x"
+    expression = "0.3 [kg m]*speed^2*cos(speed*t)"
+    [[define.disc.forces]]
+    coordinate = "y"
+    expression = "0.3 [kg m]*speed^2*sin(speed*t)"
+"#;
+const DAMPING: f64 = 0.1;
+const UNBALANCE: f64 = 0.3;
+const PLAY: f64 = 1.0;
+const STOP: f64 = 2.0;
+
+/// Returns force over way, and its slope, at a radius.
+fn stiffness(radius: f64) -> (f64, f64) {
+    if radius > PLAY { (1.0 + STOP * (1.0 - PLAY / radius), 1.0 + STOP) } else { (1.0, 1.0) }
+}
+
+/// Returns the squares of the speeds at which the whirl has a radius: of
+/// `((K - w^2)^2 + (c w)^2) r^2 = (u w^2)^2`, the smaller first.
+fn squares(radius: f64) -> Option<[f64; 2]> {
+    let (k, _) = stiffness(radius);
+    let a = radius * radius - UNBALANCE * UNBALANCE;
+    let b = (DAMPING * DAMPING - 2.0 * k) * radius * radius;
+    let c = k * k * radius * radius;
+    let root = (b * b - 4.0 * a * c).sqrt();
+    let found = [(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)];
+    found.iter().all(|square| *square > 0.0).then_some(found)
+}
+
+/// Returns the sums of the first four powers of the multipliers: in the turning frame the
+/// disturbance has constant coefficients, and turns by a whole turn in a period.
+fn sums(radius: f64, speed: f64) -> [f64; 4] {
+    let (across, along) = stiffness(radius);
+    let square = speed * speed;
+    let rate = Matrix4::new(
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        square - along,
+        DAMPING * speed,
+        -DAMPING,
+        2.0 * speed,
+        -DAMPING * speed,
+        square - across,
+        -2.0 * speed,
+        -DAMPING,
+    );
+    // exp(A T) as a power of exp(A T/4096), by its series.
+    let small = rate * (TAU / speed / 4096.0);
+    let (mut term, mut flow) = (Matrix4::identity(), Matrix4::identity());
+    for order in 1..12 {
+        term = term * small / f64::from(order);
+        flow += term;
+    }
+    for _ in 0..12 {
+        flow *= flow;
+    }
+    let mut power = Matrix4::identity();
+    [(); 4].map(|()| {
+        power *= flow;
+        power.trace()
+    })
+}
+
+#[test]
+fn a_rotor_in_play_whirls_with_the_radius_and_multipliers_of_its_closed_form() {
+    let scene = of_text(ROTOR, Keep::Needed);
+    let mut touches = 0;
+    for speed in [0.3, 0.6, 0.95, 1.1, 1.25, 3.0] {
+        let run = Simulation::new(scene.single());
+        let run = run.parameter("disc.speed", speed).expect("a parameter");
+        let found = cycle(&run, &of_period("disc.speed", 400.0)).expect("a cycle");
+        let radius = crest(&found, "way");
+        let (k, _) = stiffness(radius);
+        let left = radius * (k - speed * speed).hypot(DAMPING * speed);
+        near(left, UNBALANCE * speed * speed, 1e-8);
+        let mut powers = Vector4::zeros();
+        for one in &found.multipliers {
+            let one = num_complex::Complex64::new(one.real, one.imaginary);
+            let power = |n: i32| one.powi(n).re;
+            powers += Vector4::new(power(1), power(2), power(3), power(4));
+        }
+        for (found, wanted) in powers.iter().zip(sums(radius, speed)) {
+            assert!((found - wanted).abs() < 1e-8, "{speed}: {found}, not {wanted}");
+        }
+        touches += usize::from(radius > PLAY);
+    }
+    assert!((2..=3).contains(&touches), "{touches}");
+}
+
+/// The amplitude jumps down where the smaller and the larger speed of a radius meet.
+#[test]
+fn a_rotor_in_play_leaves_its_stop_at_the_fold_of_its_closed_form() {
+    // The largest radius: bisection on the discriminant.
+    let (mut low, mut high) = (PLAY, 100.0);
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if squares(middle).is_some() { low = middle } else { high = middle }
+    }
+    let turning = |side: usize| {
+        let speed = |radius: f64| squares(radius).map_or(f64::NAN, |s| s[side].sqrt());
+        let (mut a, mut b) = (PLAY, low);
+        for _ in 0..300 {
+            let (c, d) = (a + (b - a) / 3.0, b - (b - a) / 3.0);
+            if speed(c) < speed(d) { a = c } else { b = d }
+        }
+        speed(0.5 * (a + b))
+    };
+    let wanted = turning(1);
+    let scene = of_text(ROTOR, Keep::Needed);
+    let settings = BranchSettings {
+        cycle: CycleSettings { points: 101, ..of_period("disc.speed", 400.0) },
+        parameter: "disc.speed".to_owned(),
+        from: 0.5,
+        to: 3.0,
+        longest_step: 0.05,
+        max_points: 400,
+    };
+    let found = branch(&Simulation::new(scene.single()), &settings).expect("a branch");
+    let bends: Vec<_> = found.bifurcations().map(|(kind, point)| (kind, point.value)).collect();
+    assert_eq!((bends.len(), bends[0].0), (1, Bifurcation::Fold), "{bends:?}, wanted {wanted}");
+    near(bends[0].1, wanted, 1e-8);
+    // The branch turns back with a corner where the disc leaves the stop, and is not followed on.
+    let corner = squares(PLAY).expect("a whirl")[1].sqrt();
+    let last = found.points.last().expect("points").value;
+    near(last, corner, 1e-3);
+}
+
+/// Oscillator with a stop: x'' + 2 zeta x' + x = F cos(w t), reset at x = 1 with a restitution.
+fn stopped() -> ModelSimulator {
+    of_text(
+        r#"
+        [scene]
+        name = "grazing"
+        [units.block]
+        unit = "block"
+        [outputs]
+        x = "block.x"
+        [run]
+        until = 300.0
+        points = 2
+        rtol = 1e-11
+        method = "dop853"
+        [define.block.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.block.parameters]
+        force = { value = 0.3, unit = "N" }
+        frequency = { value = 0.6, unit = "rad/s" }
+        [define.block.energy]
+        kinetic = "1 [kg]*v^2/2"
+        potential = "1 [N/m]*x^2/2"
+        dissipation = "0.2 [N s/m]*v^2/2"
+        [[define.block.forces]]
+        coordinate = "x"
+        expression = "force*cos(frequency*t)"
+        [define.block.events.impact]
+        guard = "1 [m] - x"
+        direction = "falling"
+        set = { v = "-0.7*v" }
+        "#,
+        Keep::Needed,
+    )
+}
+
+/// Without impacts the multipliers are those of the free oscillator; the motion grazes the stop
+/// where its amplitude is the gap, and the branch cannot go on: multipliers grow without bound.
+#[test]
+fn an_oscillator_grazes_its_stop_where_its_amplitude_is_the_gap() {
+    let scene = stopped();
+    for frequency in [0.6_f64, 1.3, 2.2] {
+        let answer = (1.0 - frequency * frequency).hypot(0.2 * frequency);
+        let run = Simulation::new(scene.single());
+        let run = run.parameter("block.frequency", frequency).expect("a parameter");
+        let settings = BranchSettings {
+            cycle: CycleSettings { points: 101, ..of_period("block.frequency", 300.0) },
+            parameter: "block.force".to_owned(),
+            from: 0.5 * answer,
+            to: 1.5 * answer,
+            longest_step: 0.1,
+            max_points: 200,
+        };
+        let run = run.parameter("block.force", 0.5 * answer).expect("a parameter");
+        let found = branch(&run, &settings).expect("a branch");
+        let decay = (-0.1 * TAU / frequency).exp();
+        let free = found.points.iter().take_while(|point| point.cycle.motion.switches.is_empty());
+        let mut last = 0.0;
+        for point in free {
+            assert_eq!(point.cycle.stability, Stability::Stable);
+            near(point.cycle.multipliers[0].modulus, decay, 1e-8);
+            near(crest(&point.cycle, "x"), point.value / answer, 1e-2);
+            last = point.value;
+        }
+        assert!(last > 0.5 * answer && last <= answer * (1.0 + 1e-9), "{last}, {answer}");
+        // Multipliers of motions that just touch the stop are unbounded: the branch ends there.
+        assert!(last > answer * (1.0 - 1e-5) && !found.is_complete, "{last}, {answer}");
+    }
+}
+
+/// x'' + 2 zeta x' + x + 0.05 sin(10 x) = F cos t over F: the response turns back again and again.
+/// Harmonic balance with 60 odd harmonics gives its folds (`tests/cycles/references.py`).
+#[test]
+fn a_branch_passes_sixteen_folds() {
+    let scene = of_text(
+        r#"
+        [scene]
+        name = "wavy"
+        [units.block]
+        unit = "block"
+        [outputs]
+        x = "block.x"
+        [run]
+        until = 600.0
+        points = 2
+        rtol = 1e-10
+        method = "dop853"
+        [define.block.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.block.parameters]
+        force = { value = 0.005, unit = "N" }
+        [define.block.energy]
+        kinetic = "1 [kg]*v^2/2"
+        potential = "1 [N/m]*x^2/2 - 0.005 [N m]*cos(10*x/1 [m])"
+        dissipation = "0.02 [N s/m]*v^2/2"
+        [[define.block.forces]]
+        coordinate = "x"
+        expression = "force*cos(1 [rad/s]*t)"
+        "#,
+        Keep::Needed,
+    );
+    let cycle = CycleSettings {
+        period: machinist::periodic::Period::Given(TAU),
+        settle: 600.0,
+        points: 101,
+        ..CycleSettings::default()
+    };
+    let settings = BranchSettings {
+        cycle,
+        parameter: "block.force".to_owned(),
+        from: 0.005,
+        to: 0.06,
+        longest_step: 0.05,
+        max_points: 2000,
+    };
+    let found = branch(&Simulation::new(scene.single()), &settings).expect("a branch");
+    assert!(found.is_complete, "{}", found.end);
+    let folds: Vec<f64> = found
+        .bifurcations()
+        .filter(|(kind, _)| *kind == Bifurcation::Fold)
+        .map(|(_, point)| point.value)
+        .collect();
+    assert_eq!(folds.len(), FOLDS.len(), "{folds:?}");
+    for (fold, wanted) in folds.into_iter().zip(FOLDS) {
+        near(fold, wanted, 1e-7);
+    }
+}
+
+const FOLDS: [f64; 16] = [
+    0.058_497_853_265_351,
+    0.007_687_739_532_470_88,
+    0.036_885_331_483_564_6,
+    0.013_976_413_358_453_3,
+    0.031_875_355_303_514_3,
+    0.020_305_298_162_053_6,
+    0.033_347_202_176_268_8,
+    0.026_520_843_759_781_2,
+    0.036_192_715_188_757_4,
+    0.032_783_203_723_484,
+    0.040_936_012_229_081_1,
+    0.038_985_113_917_976_3,
+    0.045_941_795_151_591_6,
+    0.045_189_269_252_365,
+    0.051_684_909_682_359_9,
+    0.051_378_123_060_769_8,
+];

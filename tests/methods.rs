@@ -188,11 +188,15 @@ fn auto_says_what_it_chose_and_why() {
     let run = |simulator: &dyn Simulator<f64>, rtol| {
         Simulation::new(simulator).method(Method::Auto).rtol(rtol).run().unwrap().notes
     };
-    // A few steps may be as loose as allowed; errors of many would add up.
-    assert_eq!(run(&HardSpring, 1e-2), ["starts with dop853, for a relative tolerance of 1e-3"]);
-    let long = Simulation::new(&HardSpring).until(1000.0).method(Method::Auto).rtol(1e-2);
+    let notes = run(&HardSpring, 1e-2);
+    assert_eq!(notes[0], "starts with dop853, for a relative tolerance of 1e-3");
+    assert!(notes[1].contains("1e-3 instead of 1e-2: looser steps show nothing"), "{notes:?}");
+    // Errors of many loose steps may add up.
+    let long = Simulation::new(&HardSpring).until(1000.0).method(Method::Auto).rtol(1e-3);
     let notes = long.run().unwrap().notes;
-    assert_eq!(notes, ["starts with dop853, for a relative tolerance of 1e-5"]);
+    assert!(notes[1].contains("may have a relative error of 1e-3"), "{notes:?}");
+    let notes = run(scenes::find_f64("pendulum_relative").unwrap(), 1e-3);
+    assert!(notes[1].contains("1e-5 instead of 1e-3: errors add up"), "{notes:?}");
     assert_eq!(run(&HardSpring, 1e-6), ["starts with dop853, for a relative tolerance of 1e-6"]);
     for (rtol, implicit) in [(1e-5, "rodas5p"), (1e-6, "radau")] {
         let notes = run(&VAN_DER_POL, rtol);

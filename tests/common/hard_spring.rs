@@ -56,6 +56,9 @@ impl Describe for HardSpring {
     fn run_defaults(&self) -> RunDefaults<'_> {
         RunDefaults { from: 0.0, until: 8.0, points: 81, times: &[], rtol: 1e-8, method: "bdf" }
     }
+    fn conserves_energy(&self, _p: &[f64]) -> Option<bool> {
+        Some(false)
+    }
 }
 
 impl Simulator<f64> for HardSpring {

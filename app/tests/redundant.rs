@@ -132,22 +132,33 @@ fn what_follows_from_others_only_at_the_start_is_refused() {
     assert_refused(run(&written(jam), &[]), &["says nothing that is new beside"]);
 }
 
-/// Returns a bar of mass 20 kg on parallel cranks of 0.4 m, whose constraints beyond the second crank
-/// follow from others on the branch of its motion only.
-fn bar_on_cranks(places: &[f64], start: f64) -> String {
-    let mut text = String::from(
+/// Returns the head of a scene with one unit, whose coordinate starts at a value and is an output.
+fn head(scene: &str, (unit, coordinate): (&str, &str), start: f64, output: &str) -> String {
+    format!(
         r#"
 [scene]
-name = "bar"
-[units.bar]
-unit = "bar"
+name = "{scene}"
+[units.{unit}]
+unit = "{unit}"
+[initial]
+"{unit}.{coordinate}" = {start}
 [outputs]
-angle = "bar.a0"
+{output} = "{unit}.{coordinate}"
 [run]
 until = 2
 points = 21
 rtol = 1e-10
 method = "dop853"
+"#
+    )
+}
+
+/// Returns a bar of mass 20 kg on parallel cranks of 0.4 m, whose constraints beyond the second crank
+/// follow from others on the branch of its motion only.
+fn bar_on_cranks(places: &[f64], start: f64) -> String {
+    let mut text = head("bar", ("bar", "a0"), start, "angle");
+    text.push_str(
+        r#"
 [define.bar.parameters]
 length = { value = 0.4, unit = "m" }
 [define.bar.coordinates]
@@ -179,7 +190,7 @@ psi = { unit = "rad" }
         write(&mut text, &format!(r#"{name}_along = {{ expression = "{along}" }}"#));
         write(&mut text, &format!(r#"{name}_up = {{ expression = "{up}" }}"#));
     }
-    write(&mut text, &format!("[initial]\n\"bar.a0\" = {start}\n[guess]"));
+    write(&mut text, "[guess]");
     write(
         &mut text,
         &format!("\"bar.x\" = {}\n\"bar.y\" = {}", 0.4 * start.sin(), -0.4 * start.cos()),
@@ -192,21 +203,9 @@ psi = { unit = "rad" }
 
 /// The pendulum that turns as the cranks do.
 fn crank(cranks: usize, start: f64) -> String {
+    let head = head("crank", ("bar", "a0"), start, "angle");
     format!(
-        r#"
-[scene]
-name = "crank"
-[units.bar]
-unit = "bar"
-[initial]
-"bar.a0" = {start}
-[outputs]
-angle = "bar.a0"
-[run]
-until = 2
-points = 21
-rtol = 1e-10
-method = "dop853"
+        r#"{head}
 [define.bar.coordinates]
 a0 = {{ unit = "rad" }}
 [define.bar.energy]
@@ -219,21 +218,9 @@ potential = "-20 [kg]*9.81 [m/s^2]*0.4 [m]*cos(a0)"
 /// A door on two ball hinges in space, by Euler angles: its six constraints have rank five where they
 /// are fulfilled, since the distance of the hinges is that of the body.
 fn door_in_space(lean: f64) -> String {
+    let head = head("door", ("d", "a"), 0.5, "phi");
     format!(
-        r#"
-[scene]
-name = "door"
-[units.d]
-unit = "d"
-[initial]
-"d.a" = 0.5
-[outputs]
-phi = "d.a"
-[run]
-until = 2
-points = 21
-rtol = 1e-10
-method = "dop853"
+        r#"{head}
 [define.d.coordinates]
 x = {{ unit = "m" }}
 y = {{ unit = "m" }}
@@ -270,21 +257,9 @@ upper_z = {{ expression = "z - w*rz + h*uz - h" }}
 
 /// The same about its axis.
 fn door_about_its_axis(lean: f64) -> String {
+    let head = head("door", ("d", "a"), 0.5, "phi");
     format!(
-        r#"
-[scene]
-name = "door"
-[units.d]
-unit = "d"
-[initial]
-"d.a" = 0.5
-[outputs]
-phi = "d.a"
-[run]
-until = 2
-points = 21
-rtol = 1e-10
-method = "dop853"
+        r#"{head}
 [define.d.coordinates]
 a = {{ unit = "rad" }}
 [define.d.energy]

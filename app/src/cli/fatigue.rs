@@ -160,13 +160,9 @@ impl Fatigue {
         more.dedup();
         let second = prepared.clone().times(&more);
         let second = during("simulating again, at the turning points", || second.run())?;
-        let peaks = |column: &Column| {
-            let values = column.values.iter().copied();
-            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)))
-        };
         let again = finite(&second, &self.outputs, "rainflow counting")?;
         let change = chosen.iter().zip(again).map(|(first, second)| {
-            let (a, b) = (peaks(first), peaks(second));
+            let (a, b) = (loads::ends(&first.values), loads::ends(&second.values));
             let range = b.1 - b.0;
             if range > 0.0 { (a.0 - b.0).max(b.1 - a.1) / range } else { 0.0 }
         });

@@ -23,7 +23,7 @@ pub struct Signal {
     name: String,
     unit: String,
     cycles: Vec<CountedCycle>,
-    /// Times of the turning points of each cycle \[s\].
+    /// Times of the turning points of each cycle, the earlier one first \[s\].
     times: Vec<[f64; 2]>,
     curve: Option<Curve>,
     told: String,
@@ -43,12 +43,17 @@ pub struct Loads {
     pub classes: usize,
 }
 
+/// Returns the least and the greatest value.
+pub fn ends(values: &[f64]) -> (f64, f64) {
+    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (low.min(*value), high.max(*value))
+    })
+}
+
 /// Returns the difference of the greatest and the least value.
 pub fn range(values: &[f64]) -> f64 {
-    let ends = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-        (low.min(*value), high.max(*value))
-    });
-    (ends.1 - ends.0).max(0.0)
+    let (low, high) = ends(values);
+    (high - low).max(0.0)
 }
 
 impl Signal {
@@ -71,7 +76,10 @@ impl Signal {
         Ok(Self {
             name: column.name.clone(),
             unit: column.unit.clone(),
-            times: cycles.iter().map(|cycle| cycle.samples.map(|at| times[at])).collect(),
+            times: cycles
+                .iter()
+                .map(|CountedCycle { samples: [a, b], .. }| [times[*a.min(b)], times[*a.max(b)]])
+                .collect(),
             curve: args.of(&column.name),
             told: args.told(),
             cycles,
@@ -172,7 +180,6 @@ impl Loads {
         for (signal, cycle, [from, until]) in self.rows() {
             let damage =
                 signal.curve.map_or_else(String::new, |curve| format!("{:?}", curve.damage(cycle)));
-            let [from, until] = [from.min(until), from.max(until)];
             let numbers = [cycle.range, cycle.mean, cycle.count, from, until];
             let mut row = vec![signal.name.clone(), signal.unit.clone()];
             row.extend(numbers.map(|value| format!("{value:?}")));
@@ -202,8 +209,8 @@ impl Loads {
             numbers("range", None, &|(_, cycle, _)| Some(cycle.range)),
             numbers("mean", None, &|(_, cycle, _)| Some(cycle.mean)),
             numbers("count", Some("1"), &|(_, cycle, _)| Some(cycle.count)),
-            numbers("from", Some("s"), &|(.., [a, b])| Some(a.min(*b))),
-            numbers("until", Some("s"), &|(.., [a, b])| Some(a.max(*b))),
+            numbers("from", Some("s"), &|(.., [from, _])| Some(*from)),
+            numbers("until", Some("s"), &|(.., [_, until])| Some(*until)),
             numbers("damage", Some("1"), &|(signal, cycle, _)| {
                 signal.curve.map(|curve| curve.damage(cycle))
             }),
@@ -213,13 +220,13 @@ impl Loads {
     pub fn json(&self, run: &Trajectory) -> Value {
         let (from, until) = self.interval;
         let output = |signal: &Signal| {
-            let cycles = signal.cycles.iter().zip(&signal.times).map(|(cycle, [a, b])| {
+            let cycles = signal.cycles.iter().zip(&signal.times).map(|(cycle, [from, until])| {
                 json!({
                     "range": cycle.range,
                     "mean": cycle.mean,
                     "count": cycle.count,
-                    "from": a.min(*b),
-                    "until": a.max(*b),
+                    "from": from,
+                    "until": until,
                     "damage": signal.curve.map(|curve| curve.damage(cycle)),
                 })
             });

@@ -198,14 +198,11 @@ impl<'a> Step<'a> {
             StepMethod::Heun => 2 * rate + 6 * states + 2,
             StepMethod::Rosenbrock2 => {
                 let [factor, solve] = self.elimination();
-                let derivatives = self.of(FunctionId::RateJacobian) + self.of_time_derivative();
+                let derivatives =
+                    self.of(FunctionId::RateJacobian) + self.of(FunctionId::TimeDerivative);
                 2 * rate + derivatives + factor + 2 * solve + 14 * states + 4
             }
         }
-    }
-
-    fn of_time_derivative(&self) -> usize {
-        self.of(FunctionId::TimeDerivative)
     }
 
     /// Returns the operations of the shortest shift onto constraints: the matrices, comparisons of

@@ -91,7 +91,7 @@ impl<'a> Filter<'a> {
         // The stages again, without the end of the step.
         let stages = 2 * jacobians
             + 2 * step.of(FunctionId::Rate)
-            + step.of_time_derivative()
+            + step.of(FunctionId::TimeDerivative)
             + factor
             + 2 * solve
             + (4 * states + 4 * states + 2 * states)

@@ -47,7 +47,8 @@ pub struct Standing {
     span: (f64, f64),
     /// Jumps of the rate before and after the current time.
     ends: (f64, f64),
-    tolerance: StepTolerance,
+    rtol: f64,
+    atol: Vec<f64>,
     /// True if the host steps the run.
     is_stepped: bool,
     memory: Memory,
@@ -112,8 +113,7 @@ impl Standing {
     pub fn fits(&self, simulator: &dyn Simulator<f64>) -> bool {
         let states = simulator.shape().states();
         let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
-        let Self { time, state, span, tolerance, memory, .. } = self;
-        let StepTolerance { rtol, atol, .. } = tolerance;
+        let Self { time, state, span, atol, rtol, memory, .. } = self;
         [state.len(), atol.len()] == [states; 2]
             && is_finite(state)
             && is_finite(&[*time, span.0, span.1])
@@ -137,7 +137,7 @@ impl Standing {
     /// Returns the relative tolerance of the run.
     #[must_use]
     pub fn rtol(&self) -> f64 {
-        self.tolerance.rtol
+        self.rtol
     }
 
     /// Returns whether an indicator is the guard of an active event; otherwise it is constant.
@@ -204,10 +204,8 @@ impl<'a> Hosted<'a> {
             state,
             span: (from, until),
             ends: (from, from),
-            tolerance: StepTolerance::requested(
-                rtol,
-                scales.iter().map(|scale| rtol * scale).collect(),
-            ),
+            rtol,
+            atol: scales.iter().map(|scale| rtol * scale).collect(),
             is_stepped,
             memory: Memory::default(),
         };
@@ -267,7 +265,7 @@ impl<'a> Hosted<'a> {
         let time = standing.within(standing.time);
         let off = Constraints::of(self.simulator, self.parameters)
             .map_or(0.0, |constraints| constraints.off(time, &standing.state));
-        asks || off > standing.tolerance.rtol
+        asks || off > standing.rtol
     }
 
     /// Executes what is due at the current time: a jump of the rate, and events that were found or
@@ -284,10 +282,10 @@ impl<'a> Hosted<'a> {
         let mut state = next.state.clone();
         system.constrain(time, &mut state)?;
         let times = (time.next_down(), just_behind(time, next.span.1));
-        system.take_up(times, &next.tolerance, &mut state)?;
+        let problem = self.problem(&system, &next, next.span.1);
+        system.take_up(times, &problem.tolerance, &mut state)?;
         let mut memory = next.memory.clone();
         let mut names = Vec::new();
-        let problem = self.problem(&system, &next, next.span.1);
         if let Some(watch) = Watch::resume(&problem, &memory) {
             let switches = if next.is_stepped {
                 let is_jump = (time - next.ends.0).abs() <= at_once(time);
@@ -328,8 +326,9 @@ impl<'a> Hosted<'a> {
         let system = System::new(self.simulator, self.parameters, false);
         let (from, end) = standing.span;
         let system = system.shown_to(Some(&onlooker)).piece_of(end - from);
-        let StepTolerance { rtol, atol, .. } = standing.tolerance.clone();
-        let tolerance = StepTolerance::new(method, (self.simulator, self.parameters), (rtol, atol));
+        let (machine, requested) =
+            ((self.simulator, self.parameters), (standing.rtol, standing.atol.clone()));
+        let tolerance = StepTolerance::new(method, machine, requested);
         let problem = Problem { tolerance, ..self.problem(&system, standing, until) };
         let watch = Watch::resume(&problem, &standing.memory);
         let mut state = standing.state.clone();
@@ -385,7 +384,7 @@ impl<'a> Hosted<'a> {
             times: &[],
             initial: standing.state.clone(),
             jumps,
-            tolerance: standing.tolerance.clone(),
+            tolerance: StepTolerance::requested(standing.rtol, standing.atol.clone()),
             max_steps: MAX_STEPS,
         }
     }

@@ -419,10 +419,11 @@ impl<'a> Simulation<'a> {
         self.patience
     }
 
-    /// Returns the method of the run and its relative tolerance.
+    /// Returns the method of the run and the relative tolerance of its steps.
     #[cfg(feature = "sweep")]
-    pub(crate) fn method_and_rtol(&self) -> Result<(Method, f64), SimulateError> {
-        Ok((self.chosen_method()?, self.rtol))
+    pub(crate) fn method_and_step_rtol(&self) -> Result<(Method, f64), SimulateError> {
+        let method = self.chosen_method()?;
+        Ok((method, method.step_rtol((self.simulator, &self.parameters), self.rtol).0))
     }
 
     /// Returns whether the run has neither sensitivities nor an energy balance.
@@ -514,8 +515,13 @@ impl<'a> Simulation<'a> {
 
     /// Adds notes on the tolerances of steps.
     fn note_tolerance(&self, system: &System<'_>, tolerance: &StepTolerance, rows: &[f64]) {
-        tolerance.reason.iter().for_each(|reason| system.note(reason.clone()));
         let (steps, rtol) = (system.work().steps, tolerance.rtol);
+        if let Some(reason) = tolerance.reason {
+            system.note(format!(
+                "steps keep to a relative tolerance of {rtol:e} instead of {:e}: {reason}",
+                self.rtol
+            ));
+        }
         if steps as f64 * rtol > ADDS_UP {
             system.note(format!(
                 "each of {steps} steps may have a relative error of {rtol:e}, and in undamped \

@@ -205,7 +205,7 @@ impl<'a> Sweep<'a> {
     /// Returns the method if variants can run in lanes.
     fn of_lanes(&self, simulation: &Simulation<'a>) -> Option<Method> {
         let single = self.machine.single();
-        match simulation.method_and_rtol().ok()? {
+        match simulation.method_and_step_rtol().ok()? {
             // Lanes do not monitor events or switching surfaces.
             (Method::Taylor, rtol) => {
                 let is_smooth = single.events() + single.kinks() == 0

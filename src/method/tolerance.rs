@@ -2,7 +2,6 @@
 
 use machinist_contract::Simulator;
 use machinist_contract::taylor::{Bends, TaylorSeries};
-use serde::{Deserialize, Serialize};
 
 use super::Method;
 
@@ -16,14 +15,14 @@ pub(crate) const LOOSEST_KEPT: f64 = 1e-5;
 
 /// Tolerances of the steps of a run, made once from those requested. Everything that compares an
 /// error uses these: error control, events, relations, projection and notes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct StepTolerance {
     /// Relative tolerance.
     pub rtol: f64,
     /// Absolute tolerance of every state.
     pub atol: Vec<f64>,
     /// Why these are tighter than requested, if they are.
-    pub reason: Option<String>,
+    pub reason: Option<&'static str>,
 }
 
 impl StepTolerance {
@@ -38,27 +37,34 @@ impl StepTolerance {
     #[must_use]
     pub fn new(
         method: Method,
-        (simulator, parameters): (&dyn Simulator<f64>, &[f64]),
-        (rtol, mut atol): (f64, Vec<f64>),
+        machine: (&dyn Simulator<f64>, &[f64]),
+        (requested, mut atol): (f64, Vec<f64>),
     ) -> Self {
-        if method != Method::Auto || rtol <= LOOSEST_KEPT {
-            return Self::requested(rtol, atol);
+        let (rtol, reason) = method.step_rtol(machine, requested);
+        if reason.is_some() {
+            for atol in &mut atol {
+                *atol *= rtol / requested;
+            }
         }
-        let kept = keeps_errors(simulator, parameters);
-        let (of_steps, why) = match kept {
-            Some(why) => (LOOSEST_KEPT, why),
-            None => (rtol.min(LOOSEST), "looser steps show nothing of a motion"),
-        };
-        if of_steps >= rtol {
-            return Self::requested(rtol, atol);
+        Self { rtol, atol, reason }
+    }
+}
+
+impl Method {
+    /// Returns the relative tolerance of steps, and the reason if it is tighter than requested.
+    pub(crate) fn step_rtol(
+        self,
+        (simulator, parameters): (&dyn Simulator<f64>, &[f64]),
+        requested: f64,
+    ) -> (f64, Option<&'static str>) {
+        if self != Self::Auto || requested <= LOOSEST_KEPT {
+            return (requested, None);
         }
-        for atol in &mut atol {
-            *atol *= of_steps / rtol;
+        match keeps_errors(simulator, parameters) {
+            Some(why) => (LOOSEST_KEPT, Some(why)),
+            None if requested > LOOSEST => (LOOSEST, Some("looser steps show nothing of a motion")),
+            None => (requested, None),
         }
-        let reason = format!(
-            "steps keep to a relative tolerance of {of_steps:e} instead of {rtol:e}: {why}"
-        );
-        Self { rtol: of_steps, atol, reason: Some(reason) }
     }
 }
 

@@ -1,12 +1,15 @@
 //! Runs a simulator: checks the request, integrates, and returns a [`Trajectory`].
 
+mod checked;
 mod differentiate;
 #[cfg(all(feature = "fit", feature = "sweep"))]
 mod elsewhere;
 mod gradient;
+mod notes;
 #[cfg(feature = "linear")]
 mod shooting;
 mod start;
+mod table;
 mod undefined;
 
 use std::sync::atomic::AtomicBool;
@@ -25,27 +28,19 @@ use crate::method::reverse::Log;
 use crate::method::sensitivity::{By, Start, Tangents, columns};
 #[cfg(feature = "sweep")]
 use crate::method::taylor::variants::Variant;
-use crate::method::{Method, Problem, Run, StepTolerance, Stopped, System, identically_zero};
-use crate::scales::scales;
-use crate::trajectory::{Column, ColumnKind, EnergyBalance, Stop, Trajectory};
+use crate::method::{Method, Problem, Run, StepTolerance, Stopped, System};
+use crate::trajectory::{Stop, Trajectory};
 
+pub(crate) use checked::require_admitted;
 pub use differentiate::Differentiated;
 pub use gradient::{Gradient, Pull, Slope};
+use table::Table;
 
 /// Maximum number of output times of a run.
 pub const MAX_POINTS: usize = 10_000_000;
 
 /// Default maximum number of steps of a run.
 pub const MAX_STEPS: usize = 10_000_000;
-
-/// Product of steps and relative tolerance above which a note warns that local errors add up. A
-/// shaft of 96 nodes without damping (`reed_beat_up`) was off by 16 times its motion at a product
-/// of 0.9, and by a hundredth at 0.006.
-const ADDS_UP: f64 = 0.1;
-
-/// Fraction of a state's scale below which a note reports that all of its motion is small: it then
-/// has three digits less than requested.
-const SMALL: f64 = 1e-3;
 
 /// A run of one simulator, with settings to adjust. Settings that are not adjusted have the values
 /// of the scene's spec.
@@ -513,57 +508,6 @@ impl<'a> Simulation<'a> {
         })
     }
 
-    /// Adds notes on the tolerances of steps.
-    fn note_tolerance(&self, system: &System<'_>, tolerance: &StepTolerance, rows: &[f64]) {
-        let (steps, rtol) = (system.work().steps, tolerance.rtol);
-        if let Some(reason) = tolerance.reason {
-            system.note(format!(
-                "steps keep to a relative tolerance of {rtol:e} instead of {:e}: {reason}",
-                self.rtol
-            ));
-        }
-        if steps as f64 * rtol > ADDS_UP {
-            system.note(format!(
-                "each of {steps} steps may have a relative error of {rtol:e}, and in undamped \
-                 motions these errors add up: compare with a run at a lower `rtol`"
-            ));
-        }
-        if self.atol.is_none() {
-            self.note_small(system, tolerance, rows);
-        }
-    }
-
-    /// Adds a note on states that move far less than their absolute tolerance assumes.
-    fn note_small(&self, system: &System<'_>, tolerance: &StepTolerance, rows: &[f64]) {
-        /// Apparent motion of a state at rest, due to rounding.
-        const ROUNDING: f64 = 16.0 * f64::EPSILON;
-        const SHOWN: usize = 3;
-        let width = system.len();
-        let largest = |index: usize| {
-            let values = rows.iter().skip(index).step_by(width);
-            values.map(|value| value.abs()).filter(|value| value.is_finite()).fold(0.0, f64::max)
-        };
-        let scale = |index: usize| tolerance.atol[index] / tolerance.rtol;
-        let small: Vec<String> = (0..system.states())
-            .filter(|index| !self.simulator.is_mode(*index))
-            .map(|index| (self.simulator.state(index), scale(index), largest(index)))
-            .filter(|(_, scale, most)| (ROUNDING * scale..SMALL * scale).contains(most))
-            .map(|(state, scale, most)| {
-                format!("`{}` (at most {most:.1e} {}, scale {scale:e})", state.name, state.unit)
-            })
-            .collect();
-        if small.is_empty() {
-            return;
-        }
-        let more = if small.len() > SHOWN { ", ..." } else { "" };
-        system.note(format!(
-            "errors of {}{more} are controlled to {:e} of the scale, which is much larger than the \
-             motion: give a `scale` of its size in the spec, or a lower `rtol`",
-            small.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", "),
-            tolerance.rtol
-        ));
-    }
-
     /// Returns the requested method if it carries sensitivities or none are requested. If no method
     /// was chosen, returns one that carries them.
     fn method_for_sensitivities(&self, asked: Method) -> Result<Method, SimulateError> {
@@ -636,105 +580,6 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Checks that no guard is identically zero.
-    fn check_guards(&self, system: &System<'_>) -> Result<(), SimulateError> {
-        if self.simulator.events() == 0 {
-            return Ok(());
-        }
-        match identically_zero(system, (self.from, self.until)) {
-            None => Ok(()),
-            Some(index) => {
-                let scene = self.simulator.name().to_owned();
-                let event = self.simulator.event(index).name.to_owned();
-                Err(SimulateError::GuardIsZero { scene, event })
-            }
-        }
-    }
-
-    fn checked_parameters(&self) -> Result<&[f64], SimulateError> {
-        let name = |index| format!("parameter `{}`", self.simulator.parameter(index).name);
-        self.check_list("parameters", &self.parameters, self.simulator.shape().parameters, name)?;
-        require_admitted(self.simulator, &self.parameters)?;
-        Ok(&self.parameters)
-    }
-
-    fn checked_jumps(&self) -> Result<Vec<f64>, SimulateError> {
-        let count = self.simulator.shape().discontinuities;
-        let mut jumps = vec![0.0; count];
-        self.simulator.discontinuities(&self.parameters, &mut jumps);
-        let name = |index| format!("time of jump number {index}");
-        self.check_list("jumps", &jumps, count, name)?;
-        Ok(jumps)
-    }
-
-    fn check_list(
-        &self,
-        what: &'static str,
-        values: &[f64],
-        expected: usize,
-        name: impl Fn(usize) -> String,
-    ) -> Result<(), SimulateError> {
-        if values.len() != expected {
-            let scene = self.simulator.name().to_owned();
-            return Err(SimulateError::WrongLength { scene, what, expected, found: values.len() });
-        }
-        match values.iter().position(|value| !value.is_finite()) {
-            None => Ok(()),
-            Some(index) => {
-                Err(SimulateError::NotFinite { what: name(index), value: values[index] })
-            }
-        }
-    }
-
-    fn checked_atol(&self, initial: &[f64]) -> Result<Vec<f64>, SimulateError> {
-        if !(self.rtol > 0.0 && self.rtol <= 1.0) {
-            return Err(SimulateError::BadTolerance(self.rtol));
-        }
-        let scaled = || {
-            let scales = scales(self.simulator, &self.parameters, self.from, initial);
-            scales.iter().map(|scale| self.rtol * scale).collect()
-        };
-        let atol = self.atol.clone().unwrap_or_else(scaled);
-        if atol.len() != initial.len() {
-            let (scene, found) = (self.simulator.name().to_owned(), atol.len());
-            let (what, expected) = ("states", initial.len());
-            return Err(SimulateError::WrongLength { scene, what, expected, found });
-        }
-        match atol.iter().position(|value| !(value.is_finite() && *value > 0.0)) {
-            None => Ok(atol),
-            Some(index) => Err(SimulateError::BadAbsoluteTolerance {
-                state: self.simulator.state(index).name.to_owned(),
-                value: atol[index],
-            }),
-        }
-    }
-
-    fn checked_times(&self) -> Result<Vec<f64>, SimulateError> {
-        let (from, until) = (self.from, self.until);
-        if !(from < until && (until - from).is_finite()) {
-            return Err(SimulateError::BadSpan { from, until });
-        }
-        let times = match &self.sampling {
-            Sampling::Points(points) if !(2..=MAX_POINTS).contains(points) => {
-                return Err(SimulateError::BadPoints(*points));
-            }
-            Sampling::Points(points) => equally_spaced(from, until, *points),
-            Sampling::Times(times) => times.clone(),
-            Sampling::Listed(times) => within(times, from, until),
-        };
-        if !(2..=MAX_POINTS).contains(&times.len()) {
-            return Err(SimulateError::BadPoints(times.len()));
-        }
-        let mut earliest = from;
-        for (index, &time) in times.iter().enumerate() {
-            if !(earliest <= time && time <= until) {
-                return Err(SimulateError::BadTime { index, time, from, until });
-            }
-            earliest = time;
-        }
-        Ok(times)
-    }
-
     fn total_energy(&self, initial: &[f64]) -> f64 {
         self.simulator.energy(self.from, initial, &self.parameters).total()
     }
@@ -751,166 +596,5 @@ impl<'a> Simulation<'a> {
         };
         let scale = size(initial).max(size(&scales));
         if scale.is_finite() && scale > 0.0 { scale } else { 1.0 }
-    }
-}
-
-/// Refuses parameter values that the spec's checks refuse.
-pub(crate) fn require_admitted(
-    simulator: &dyn Simulator<f64>,
-    parameters: &[f64],
-) -> Result<(), SimulateError> {
-    simulator.refusal(parameters).map_or(Ok(()), |refusal| {
-        let (scene, rule) = (simulator.name().to_owned(), refusal.rule.to_owned());
-        Err(SimulateError::RefusedParameters { scene, rule, value: refusal.value })
-    })
-}
-
-/// Returns the times that lie within a run, with the end of the run added. The start is added if it
-/// cuts off earlier times, or if the end would be alone.
-fn within(times: &[f64], from: f64, until: f64) -> Vec<f64> {
-    let mut kept: Vec<f64> =
-        times.iter().copied().filter(|time| from <= *time && *time <= until).collect();
-    if times.first().is_some_and(|first| *first < from) && kept.first() != Some(&from) {
-        kept.insert(0, from);
-    }
-    if kept.last() != Some(&until) {
-        kept.push(until);
-    }
-    if kept.len() == 1 {
-        kept.insert(0, from);
-    }
-    kept
-}
-
-/// Returns `points` times from `from` to `until`, both met exactly.
-fn equally_spaced(from: f64, until: f64, points: usize) -> Vec<f64> {
-    let last = points - 1;
-    let time = |index: usize| {
-        let share = index as f64 / last as f64;
-        if index == last { until } else { (from + (until - from) * share).min(until) }
-    };
-    (0..points).map(time).collect()
-}
-
-/// Columns of a trajectory while they are filled.
-struct Table<'a> {
-    simulator: &'a dyn Simulator<f64>,
-    states: Vec<Vec<f64>>,
-    outputs: Vec<Vec<f64>>,
-    energy: Vec<f64>,
-    largest_active: f64,
-    buffer: Vec<f64>,
-}
-
-impl<'a> Table<'a> {
-    fn new(simulator: &'a dyn Simulator<f64>, points: usize) -> Self {
-        let shape = simulator.shape();
-        let empty = |_| Vec::with_capacity(points);
-        Self {
-            simulator,
-            states: (0..shape.states()).map(empty).collect(),
-            outputs: (0..shape.outputs).map(empty).collect(),
-            energy: empty(0),
-            largest_active: 0.0,
-            buffer: vec![0.0; shape.outputs],
-        }
-    }
-
-    fn push(&mut self, time: f64, row: &[f64], parameters: &[f64]) {
-        let state = &row[..self.states.len()];
-        for (column, value) in self.states.iter_mut().zip(state) {
-            column.push(*value);
-        }
-        self.simulator.outputs(time, state, parameters, &mut self.buffer);
-        for (column, value) in self.outputs.iter_mut().zip(&self.buffer) {
-            column.push(*value);
-        }
-        let energy = self.simulator.energy(time, state, parameters);
-        self.energy.push(energy.total());
-        let active = energy.kinetic.abs() + energy.stored.abs();
-        self.largest_active = self.largest_active.max(active);
-    }
-
-    /// Adds a note on outputs and energies that are NaN or infinite while the states are finite,
-    /// such as the logarithm of a negative number.
-    fn note_not_finite(&self, system: &System<'_>, times: &[f64]) {
-        let outputs = self.outputs.iter().enumerate();
-        let outputs = outputs.map(|(index, values)| {
-            (format!("output `{}`", self.simulator.output(index).name), values)
-        });
-        for (what, values) in outputs.chain([("the energy".to_owned(), &self.energy)]) {
-            let count = values.iter().filter(|value| !value.is_finite()).count();
-            let first = values.iter().zip(times).find(|(value, _)| !value.is_finite());
-            if let Some((value, time)) = first {
-                let of = times.len();
-                system.note(format!(
-                    "{what} is {value} at {time} s, and not a finite number at {count} of {of} times"
-                ));
-            }
-        }
-    }
-
-    /// Computes the energy balance from rows of `width` whose last three entries are the
-    /// quadratures.
-    fn energy_balance(&self, rows: &[f64], width: usize, energy_at_start: f64) -> EnergyBalance {
-        let states = self.states.len();
-        let quadrature = |flow: usize| {
-            rows.chunks_exact(width).map(|row| row[states + flow]).collect::<Vec<_>>()
-        };
-        let (supplied, dissipated) = (quadrature(0), quadrature(1));
-        let gained = |index: usize| self.energy[index] - energy_at_start;
-        let residual = (0..self.energy.len())
-            .map(|index| gained(index) - supplied[index] + dissipated[index])
-            .collect();
-        let passed = quadrature(2);
-        EnergyBalance {
-            supplied,
-            dissipated,
-            passed,
-            residual,
-            largest_active: self.largest_active,
-        }
-    }
-
-    fn into_columns(self, balance: Option<&EnergyBalance>) -> Vec<Column> {
-        let simulator = self.simulator;
-        let column = |kind, quantity: machinist_contract::Quantity<'_>, values| Column {
-            name: quantity.name.to_owned(),
-            unit: quantity.unit.to_owned(),
-            kind,
-            doc: quantity.doc.to_owned(),
-            values,
-        };
-        let energy = |name: &str, doc: &str, values| Column {
-            name: format!("energy.{name}"),
-            unit: "J".to_owned(),
-            kind: ColumnKind::Energy,
-            doc: doc.to_owned(),
-            values,
-        };
-        let states = self.states.into_iter().enumerate();
-        let outputs = self.outputs.into_iter().enumerate();
-        let mut columns: Vec<Column> =
-            states
-                .map(|(index, values)| column(ColumnKind::State, simulator.state(index), values))
-                .chain(outputs.map(|(index, values)| {
-                    column(ColumnKind::Output, simulator.output(index), values)
-                }))
-                .collect();
-        columns.push(energy("total", "energy in motion, springs and fields", self.energy));
-        if let Some(balance) = balance {
-            columns.push(energy(
-                "supplied",
-                "energy supplied since start",
-                balance.supplied.clone(),
-            ));
-            columns.push(energy(
-                "dissipated",
-                "energy lost since start",
-                balance.dissipated.clone(),
-            ));
-            columns.push(energy("residual", "error of the account", balance.residual.clone()));
-        }
-        columns
     }
 }

@@ -5,8 +5,8 @@ use machinist_contract::taylor::{Bends, TaylorSeries};
 
 use super::Method;
 
-/// Loosest relative tolerance of the steps of `auto`: a motion that is known to a hundredth is not
-/// known.
+/// Loosest relative tolerance of the steps of `auto`. Steps that hold a hundredth skip whole periods
+/// of an oscillation, and their error is then no measure of that of the motion.
 pub(crate) const LOOSEST: f64 = 1e-3;
 
 /// Loosest relative tolerance of the steps of `auto` where errors add up: over thousands of periods,
@@ -62,7 +62,7 @@ impl Method {
         }
         match keeps_errors(simulator, parameters) {
             Some(why) => (LOOSEST_KEPT, Some(why)),
-            None if requested > LOOSEST => (LOOSEST, Some("looser steps show nothing of a motion")),
+            None if requested > LOOSEST => (LOOSEST, Some("looser steps skip whole oscillations")),
             None => (requested, None),
         }
     }

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   74436b4e67438576dc1de0761dd0d444043b57537ab0fb2493f2e3e38053d1a8  scenes/reed_beat_up_one_sided.toml
+//   a6ee874010f8945cb90f07599ae45eec7f624b52d5c4c36749d736ddead3c1fa  scenes/reed_beat_up_one_sided.toml
 //   61dcd916f7f041da71fe3e7a0138c556cf14aac1ac3599a978dcc6586260475d  units/textile/imposed_drive.toml
 //   dfe11eec2c46ab2845d6693f49f4f3634573d8ca64fadaf874b71b4c8dcafb3a  units/textile/loom_shaft.toml
 //   26e14d50834ad425bb0bc762e8b125d605c2c6b5f805586de92628a7bf67982c  units/textile/reed.toml
@@ -34,7 +34,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     ///
     /// Source: Reed study, in its consistent reading; that the fell only pushes is ours.
     ReedBeatUpOneSided: "reed_beat_up_one_sided", "Beat-up of a reed against a one-sided fell";
-    run from 0.0, until 0.0527, points 501, rtol 1e-8, method "auto";
+    run from 0.0, until 0.0527, points 501, rtol 1e-8, method "radau";
     quadratures 0, discontinuities 0;
     prepared; jacobians_apart; linear; kinks 1; relations;
 }

@@ -3,6 +3,7 @@
 
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::Describe;
 use machinist_model::ModelSimulator;
 
 use crate::own_scene::{of_text, refusal};
@@ -170,8 +171,6 @@ fn a_mass_of_zero_in_the_spec_is_none() {
     let speed = (9.0 * 5.0 / 2.0_f64).sqrt();
     let error = error_of_two(&held, |t| [0.6, 0.2].map(|start| start * (speed * t).cos()));
     assert!(error < 1e-7, "{error:e}");
-    let said = refusal(&with(""));
-    assert!(said.contains("the mass matrix is singular: `s.x` can move without"), "{said}");
 }
 
 #[test]
@@ -193,14 +192,17 @@ fn a_place_without_mass_that_is_moved_drives_what_hangs_on_it() {
 }
 
 #[test]
-fn a_motion_that_neither_inertia_nor_constraint_decides_is_refused_by_name() {
+fn a_motion_that_neither_inertia_nor_constraint_nor_force_decides_is_refused_by_name() {
     let apart = of_two(
         "mass*x_dot^2/2",
-        "stiffness*(x - y)^2/2",
+        "stiffness*x^2/2",
         "[define.s.constraints.fixed]\nexpression = \"x\"",
     );
     let said = refusal(&apart);
-    assert!(said.contains("coordinate `s.y` has no inertia"), "{said}");
+    assert!(said.contains("coordinate `s.y` has no inertia: no force depends on"), "{said}");
+    let none = of_two("mass*y_dot^2/2 + none*x_dot^2/2", "stiffness*y^2/2", "");
+    let said = refusal(&none);
+    assert!(said.contains("coordinate `s.x` has no inertia: no force depends on"), "{said}");
     // T depends on x and y alike, and a constraint does not distinguish them.
     let together = of_two(
         "mass*(x_dot + y_dot)^2/2",
@@ -218,4 +220,61 @@ fn a_motion_that_neither_inertia_nor_constraint_decides_is_refused_by_name() {
     );
     let said = refusal(&while_stuck);
     assert!(said.contains("coordinate `s.y` has no inertia"), "{said}");
+    let bent = of_two("mass*x_dot^2/2", "stiffness*(x - y)^2/2 + stiffness*y^4/(4 [m^2])", "");
+    let said = refusal(&bent);
+    assert!(said.contains("coordinate `s.y` has no inertia: the balance of forces"), "{said}");
+    assert!(said.contains("not linear"), "{said}");
+}
+
+#[test]
+fn a_mass_of_zero_stays_zero_where_forces_alone_determine_a_place() {
+    // Two springs in series, 5 N/m each.
+    let text =
+        of_two("mass*y_dot^2/2 + none*x_dot^2/2", "stiffness*(x - y)^2/2 + stiffness*x^2/2", "");
+    let speed = (2.5 / 2.0_f64).sqrt();
+    let error = error_of_two(&text, |t| [0.1, 0.2].map(|start| start * (speed * t).cos()));
+    assert!(error < 1e-7, "{error:e}");
+    let scene = of_text(&text, Keep::All);
+    let changed = Simulation::new(&scene).parameter("s.none", 1.0).and_then(|run| run.run());
+    let said = changed.expect_err("it has no inertia").to_string();
+    assert!(said.contains("`s.none` is 0"), "{said}");
+}
+
+#[test]
+fn a_port_without_inertia_that_is_joined_to_nothing_is_refused() {
+    let text = r#"
+        [scene]
+        name = "open"
+        [units.mass]
+        unit = "translational/mass"
+        [units.damper]
+        unit = "translational/damper"
+        [[joints]]
+        connect = ["mass.a", "damper.a"]
+        [run]
+        until = 1
+    "#;
+    let said = refusal(text);
+    assert!(said.contains("coordinate `damper.x_b` has no inertia: nothing is joined"), "{said}");
+}
+
+#[test]
+fn a_check_of_a_place_that_forces_determine_is_an_output() {
+    let springs = |more: &str| {
+        let potential = "stiffness*(x - y)^2/2 + stiffness*x^2/2";
+        of_two("mass*y_dot^2/2", potential, more).replace("x = \"s.x\"\n", "")
+    };
+    let names = |more: &str| {
+        let scene = of_text(&springs(more), Keep::All);
+        (0..scene.shape().outputs).map(|index| scene.output(index).name.to_owned()).collect()
+    };
+    let names: [Vec<String>; 2] = [
+        names(""),
+        names(
+            "[checks.place]\nof = \"s.x\"\nsource = \"by hand\"\nexpression = \"0.1 [m]\"\n\
+             tolerance = 1\n[checks.speed]\nof = \"s.y_dot\"\nsource = \"by hand\"\n\
+             expression = \"0 [m/s]\"\ntolerance = 1",
+        ),
+    ];
+    assert_eq!(names, [vec!["y"], vec!["y", "s.x"]]);
 }

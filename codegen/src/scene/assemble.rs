@@ -14,13 +14,13 @@ mod run;
 use std::collections::BTreeSet;
 
 use crate::scene::layout::{Layout, Scope, coordinate_spec};
+use crate::scene::massless::{self, Left};
 use crate::scene::names::{Flat, name};
 use crate::scene::parameters;
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
 use crate::scene::scatter;
 use crate::scene::system::{
-    Constraint, Coordinate, FirstOrderState, LagrangianSystem, Parameter, Scalar, Spring,
-    without_zeros,
+    Constraint, Coordinate, Drawn, FirstOrderState, LagrangianSystem, Parameter, Scalar, Spring,
 };
 use crate::scene::typed::{integer, sum};
 use crate::spatial::mechanism::Mechanism;
@@ -65,7 +65,7 @@ pub fn assemble(
     let (energies, springs) = assembler.energies();
     let [mut kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
         energies;
-    let mechanisms = assembler.mechanisms();
+    let (mechanisms, drawing) = assembler.mechanisms();
     let mut generalized_force = assembler.forces();
     let power = [supplied_power, dissipated_power];
     let [supplied_power, dissipated_power] = assembler.friction(&mut generalized_force, power);
@@ -83,15 +83,10 @@ pub fn assemble(
     let helpers = assembler.helpers();
     let mut outputs = assembler.outputs();
     let checks = assembler.checks(&mut outputs, &coordinates, &first_order);
-    let with_bodies = mechanisms.iter().map(Mechanism::kinetic).chain([kinetic.clone()]);
-    assembler.inertia(&sum(with_bodies.collect()), &constraints);
-    // Motions of bodies without energy are found once the mass matrix is derived.
-    if mechanisms.is_empty() {
-        assembler.motions(&kinetic, &constraints);
-    }
     assembler.clashes();
-    let Resolver { tables, discontinuities, warnings, .. } = assembler.resolver;
-    LagrangianSystem {
+    let tables = std::mem::take(&mut assembler.resolver.tables);
+    let discontinuities = std::mem::take(&mut assembler.resolver.discontinuities);
+    let mut system = LagrangianSystem {
         name: spec.name.value.clone(),
         title: spec.title.clone(),
         doc: or_of_units(&spec.doc, spec, |unit| &unit.doc),
@@ -103,6 +98,7 @@ pub fn assemble(
         kinetic,
         potential,
         mechanisms,
+        drawing,
         orientations,
         scalars,
         springs,
@@ -118,15 +114,17 @@ pub fn assemble(
         discontinuities,
         events,
         constraints,
-        run: assembler.run,
+        run: assembler.run.clone(),
         freeze,
         fields,
         starts_in_equilibrium: spec.starts_in_equilibrium,
-        warnings: spec.sources.warnings(&warnings),
+        warnings: spec.sources.warnings(&assembler.resolver.warnings),
         notes: layout.cuts.iter().map(|cut| cut.note(spec, layout)).collect(),
         requirements,
         files: spec.sources.files(),
-    }
+    };
+    assembler.inertia(&mut system);
+    system
 }
 
 /// Returns the scene's own text, or those of its units, one per line.
@@ -219,21 +217,30 @@ impl<'a> Assembler<'a> {
         (terms.map(sum), springs)
     }
 
-    /// Returns the trees of rigid bodies of connected instances.
-    fn mechanisms(&mut self) -> Vec<Mechanism> {
+    /// Returns the trees of rigid bodies of connected instances, and the drawing of all trees.
+    fn mechanisms(&mut self) -> (Vec<Mechanism>, Vec<Drawn>) {
         let (mut mechanisms, mut seen) = (Vec::new(), BTreeSet::new());
+        let mut drawing = Vec::new();
         for (index, instance, unit) in self.instances() {
             if unit.frames.is_empty() && unit.bodies.is_empty() || seen.contains(&index) {
                 continue;
             }
-            seen.extend(self.resolver.connected(index));
+            let connected = self.resolver.connected(index);
             match self.resolver.spatial(index, instance.name.span) {
-                Ok(spatial) => mechanisms.push(spatial.mechanism.clone()),
+                Ok(spatial) => {
+                    match self.resolver.drawn(&connected, &spatial) {
+                        Ok(drawn) if !spatial.mechanism.joints.is_empty() => drawing.extend(drawn),
+                        Ok(_) => {}
+                        Err(mistake) => self.mistakes.push(*mistake),
+                    }
+                    mechanisms.push(spatial.mechanism.clone());
+                }
                 Err(mistake) => self.mistakes.push(*mistake),
             }
+            seen.extend(connected);
         }
         mechanisms.retain(|mechanism| mechanism.joints.iter().any(|j| j.inertia.is_some()));
-        mechanisms
+        (mechanisms, drawing)
     }
 
     /// Adds each given text to the terms of its sum.
@@ -352,61 +359,80 @@ impl<'a> Assembler<'a> {
         parameters.collect()
     }
 
-    /// Checks that every coordinate's velocity occurs in T, or that a constraint holds it.
-    fn inertia(&mut self, kinetic: &Expr, constraints: &[Constraint]) {
+    /// Eliminates coordinates without inertia, and checks that every other motion has kinetic
+    /// energy, for any parameter values except zeros, or that a constraint holds it; else
+    /// accelerations would not follow from forces. Whether constraints determine a motion is
+    /// checked once they are derived.
+    fn inertia(&mut self, system: &mut LagrangianSystem) {
         if !self.mistakes.is_empty() {
             return;
         }
-        let mut moving = vec![false; self.layout.representatives.len()];
-        mark_velocities(kinetic, &mut moving);
-        for (id, slot) in self.layout.representatives.iter().enumerate() {
-            if moving[id] || is_held(CoordinateId(id as u32), constraints) {
-                continue;
+        let Left { coordinates, undetermined } =
+            massless::eliminate(system, &|index| self.is_unjoined(index));
+        let [kinetic, _] = system.energies();
+        let mut moving = vec![false; coordinates.len()];
+        mark_velocities(&kinetic, &mut moving);
+        let found = undetermined.iter().flat_map(|motion| &motion.coordinates);
+        let mut found: BTreeSet<usize> = found.copied().collect();
+        for motion in &undetermined {
+            self.without_inertia(&motion.coordinates, motion.why.text());
+        }
+        let is_held = |id: usize| is_held(CoordinateId(id as u32), &system.constraints);
+        for (id, index) in coordinates.iter().enumerate() {
+            if !moving[id] && !is_held(id) && found.insert(*index) {
+                self.without_inertia(&[*index], "no kinetic energy depends on its velocity");
             }
-            let spec = coordinate_spec(self.spec, self.layout, *slot);
-            let instance = &self.spec.instances[self.layout.coordinate(*slot).0].name;
-            let message = format!(
-                "coordinate {} has no inertia: no kinetic energy depends on its velocity",
-                quoted(&format!("{}.{}", instance.value, spec.name.value))
-            );
-            let help = "join it to a unit with inertia, or give it a kinetic energy";
-            let mistake = Mistake::new(spec.name.span, message, "without inertia");
-            self.mistakes.push(mistake.help(help));
+        }
+        if !found.is_empty() || !system.mechanisms.is_empty() {
+            return;
+        }
+        let kinetic = system.given(&kinetic);
+        let Some(moving) = motion_without_energy(&kinetic, coordinates.len()) else { return };
+        if !moving.iter().any(|id| is_held(id.0 as usize)) {
+            let moving: Vec<usize> = moving.iter().map(|id| coordinates[id.0 as usize]).collect();
+            self.without_inertia(&moving, "their speeds have no constant ratio");
         }
     }
 
-    /// Checks that every motion of the coordinates has kinetic energy, for any parameter values
-    /// except zeros; else accelerations would not follow from forces. Whether constraints
-    /// determine such a motion is checked once they are derived.
-    fn motions(&mut self, kinetic: &Expr, constraints: &[Constraint]) {
-        if !self.mistakes.is_empty() {
-            return;
-        }
-        let slots = &self.layout.representatives;
-        let kinetic = without_zeros(kinetic, |id| self.values[id.0 as usize]);
-        let Some(moving) = motion_without_energy(&kinetic, slots.len()) else { return };
-        if moving.iter().any(|id| is_held(*id, constraints)) {
-            return;
-        }
-        let name = |id: &CoordinateId| {
-            let slot = slots[id.0 as usize];
+    /// Reports whether a coordinate is that of a port that is joined to nothing.
+    fn is_unjoined(&self, index: usize) -> bool {
+        let slot = self.layout.representatives[index];
+        let (instance, _) = self.layout.coordinate(slot);
+        let name = &coordinate_spec(self.spec, self.layout, slot).name.value;
+        let ports = &self.spec.units[self.spec.instances[instance].unit].ports;
+        let is_joined = self.layout.links.iter().enumerate().any(|(other, link)| {
+            link.id.0 as usize == index && other != slot && !self.layout.is_absent(other)
+        });
+        !is_joined && ports.iter().any(|port| port.coordinate.value == *name)
+    }
+
+    /// Records that coordinates move without kinetic energy.
+    fn without_inertia(&mut self, coordinates: &[usize], why: &str) {
+        let name = |index: &usize| {
+            let slot = self.layout.representatives[*index];
             let instance = &self.spec.instances[self.layout.coordinate(slot).0].name.value;
             let spec = coordinate_spec(self.spec, self.layout, slot);
             quoted(&format!("{instance}.{}", spec.name.value))
         };
-        let Some(first) = moving.first() else { return };
-        let names: Vec<String> = moving.iter().take(8).map(name).collect();
-        let more = if moving.len() > 8 { ", ..." } else { "" };
-        let together = if moving.len() > 1 { " together" } else { "" };
-        let message = format!(
-            "the mass matrix is singular: {}{more} can move{together} without kinetic energy",
-            names.join(", ")
-        );
-        let span = coordinate_spec(self.spec, self.layout, slots[first.0 as usize]).name.span;
-        let help = "give one of them an inertia (for a node of a circuit, a capacitance to \
-                    ground), or describe the machine by fewer coordinates";
-        let mistake = Mistake::new(span, message, "moves without energy");
-        self.mistakes.push(mistake.help(help));
+        let Some(first) = coordinates.first() else { return };
+        let names: Vec<String> = coordinates.iter().take(8).map(name).collect();
+        let names = names.join(", ");
+        let slot = self.layout.representatives[*first];
+        let span = coordinate_spec(self.spec, self.layout, slot).name.span;
+        let (message, label, help) = if coordinates.len() == 1 {
+            let help = "join it to a unit with inertia, or give it a kinetic energy";
+            (format!("coordinate {names} has no inertia: {why}"), "without inertia", help)
+        } else {
+            let more = if coordinates.len() > 8 { ", ..." } else { "" };
+            let message = format!(
+                "the mass matrix is singular: {names}{more} can move together without kinetic \
+                 energy: {why}"
+            );
+            let help = "give one of them an inertia (for a node of a circuit, a capacitance to \
+                        ground), or describe the machine by fewer coordinates";
+            (message, "moves without energy", help)
+        };
+        self.mistakes.push(Mistake::new(span, message, label).help(help));
     }
 
     /// Checks that names of one kind stay distinct when flattened.

@@ -10,7 +10,7 @@ use machinist_algebra::expr::{
     CoordinateId, Expr, FirstOrderId, Function, HandedId, ParameterId, Symbol,
 };
 use machinist_model::{
-    Bound, Direction, Freeze, Name, Place, Quantity, Requirement, RunDefaults, Table,
+    Bound, Direction, ElementKind, Freeze, Name, Place, Quantity, Requirement, RunDefaults, Table,
 };
 
 use crate::scene::evaluate;
@@ -124,6 +124,26 @@ impl Constraint {
             let not_above = less(nearest + 1, all, Expr::integer(0));
             less(nearest - 1, Expr::integer(0), not_above)
         })
+    }
+}
+
+/// An element of the drawing in space.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawn {
+    /// Kind.
+    pub kind: ElementKind,
+    /// Path of the frame, body or shape.
+    pub name: String,
+    /// Its numbers, of coordinates, time and parameters.
+    pub numbers: Vec<Expr>,
+    /// True for a solid that stands for an inertia.
+    pub is_of_inertia: bool,
+}
+
+impl Drawn {
+    /// Returns an element by its numbers.
+    pub fn new(kind: ElementKind, name: String, numbers: impl IntoIterator<Item = Expr>) -> Self {
+        Drawn { kind, name, numbers: numbers.into_iter().collect(), is_of_inertia: false }
     }
 }
 
@@ -302,6 +322,8 @@ pub struct LagrangianSystem {
     pub potential: Expr,
     /// Rigid bodies in space, whose energies are not in T and V above.
     pub mechanisms: Vec<Mechanism>,
+    /// Elements of the drawing in space.
+    pub drawing: Vec<Drawn>,
     /// Quaternions among the coordinates. Other coordinates have their velocities as rates.
     pub orientations: Orientations,
     /// The part w of each of them. Their ids follow those of the coordinates.
@@ -480,6 +502,7 @@ impl LagrangianSystem {
         all.extend(self.requirements.iter_mut().map(|required| &mut required.expr));
         all.extend(self.events.iter_mut().flat_map(Event::exprs_mut));
         all.extend(self.constraints.iter_mut().map(|constraint| &mut constraint.expr));
+        all.extend(self.drawing.iter_mut().flat_map(|drawn| &mut drawn.numbers));
         all
     }
 }

@@ -110,18 +110,10 @@ impl Value {
         Some(Value { p, q: inverse(self.q, Q).unwrap_or(0) })
     }
 
-    /// Returns the sign of the fraction a/b with this value, if there is one with small a and b. It
-    /// is then unique (Wang's rational reconstruction).
+    /// Returns the sign of the fraction with this value; `None` for zero.
     pub(super) fn is_negative(self) -> Option<bool> {
-        const SMALL: i64 = 1 << 29;
-        let (mut before, mut rest) = (P.cast_signed(), self.p.cast_signed());
-        let (mut below_before, mut below) = (0_i64, 1_i64);
-        while rest >= SMALL {
-            let quotient = before / rest;
-            (before, rest) = (rest, before - quotient * rest);
-            (below_before, below) = (below, below_before - quotient * below);
-        }
-        (rest != 0 && below.abs() < SMALL).then_some(below < 0)
+        let (above, below) = fraction(self.p)?;
+        (above != 0).then_some(below < 0)
     }
 
     pub(super) fn power(self, exponent: &BigInt) -> Option<Value> {
@@ -171,6 +163,20 @@ fn raised(mut base: u64, mut exponent: u64, modulus: u64) -> u64 {
 
 pub(super) fn inverse(number: u64, modulus: u64) -> Option<u64> {
     (number != 0).then(|| raised(number, modulus - 2, modulus))
+}
+
+/// Returns the fraction a/b with a value modulo P, if there is one with small a and b. It is then
+/// unique (Wang's rational reconstruction).
+pub(super) fn fraction(value: u64) -> Option<(i64, i64)> {
+    const SMALL: i64 = 1 << 29;
+    let (mut before, mut rest) = (P.cast_signed(), value.cast_signed());
+    let (mut below_before, mut below) = (0_i64, 1_i64);
+    while rest >= SMALL {
+        let quotient = before / rest;
+        (before, rest) = (rest, before - quotient * rest);
+        (below_before, below) = (below, below_before - quotient * below);
+    }
+    (below.abs() < SMALL).then_some((rest, below))
 }
 
 /// Mixes bits so that each depends on all input bits (splitmix64).

@@ -5,7 +5,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::identity::{P, Point, inverse, times};
+use num_rational::BigRational;
+
+use super::identity::{P, Point, fraction, inverse, times};
 use super::{CoordinateId, Expr, Matrix, Symbol};
 
 /// Largest number of coordinates that is examined, because elimination fills in.
@@ -15,15 +17,43 @@ const MOST_COORDINATES: usize = 2000;
 /// motion, or if the energy is not quadratic in the velocities.
 #[must_use]
 pub fn motion_without_energy(kinetic: &Expr, coordinates: usize) -> Option<Vec<CoordinateId>> {
+    let vector =
+        null_vectors(mass_matrix(kinetic, coordinates, &POINTS[0])?)?.into_iter().next()?;
+    Some(vector.into_keys().map(CoordinateId).collect())
+}
+
+/// A motion of coordinates: each that moves, and its rate.
+pub type Motion = Vec<(CoordinateId, BigRational)>;
+
+/// Returns independent motions without kinetic energy whose rates have constant ratios. Together
+/// they contain all motions without energy, except those whose ratios depend on parameters or
+/// state. Returns `None` if the energy is not quadratic in the velocities.
+#[must_use]
+pub fn motions_without_energy(kinetic: &Expr, coordinates: usize) -> Option<Vec<Motion>> {
+    let at = |point| null_vectors(mass_matrix(kinetic, coordinates, point)?);
+    let mut motions = at(&POINTS[0])?;
+    if motions.is_empty() {
+        return Some(Vec::new());
+    }
+    let others = at(&POINTS[1])?;
+    motions.retain(|motion| others.contains(motion));
+    let rate = |(column, rate): (u32, u64)| {
+        let (above, below) = fraction(rate)?;
+        Some((CoordinateId(column), BigRational::new(above.into(), below.into())))
+    };
+    Some(motions.into_iter().filter_map(|one| one.into_iter().map(rate).collect()).collect())
+}
+
+/// Returns the second derivatives of a kinetic energy by the velocities, at a point.
+fn mass_matrix(kinetic: &Expr, coordinates: usize, point: &Point) -> Option<Vec<Row>> {
     if coordinates > MOST_COORDINATES {
         return None;
     }
     let mut matrix = vec![BTreeMap::new(); coordinates];
     for term in flat(kinetic) {
-        add(&mut matrix, term)?;
+        add(&mut matrix, term, point)?;
     }
-    let columns = null_vector(matrix)?;
-    Some(columns.into_iter().map(CoordinateId).collect())
+    Some(matrix)
 }
 
 /// Returns the nonzero columns of a null vector of a square matrix, for all values of its symbols.
@@ -36,19 +66,20 @@ pub fn null_columns(matrix: &Matrix) -> Option<Vec<usize>> {
     let row = |entries: &[(usize, Expr)]| -> Option<Row> {
         let mut row = Row::new();
         for (column, entry) in entries {
-            let value = POINT.value(entry)?.p;
+            let value = POINTS[0].value(entry)?.p;
             if value != 0 {
                 row.insert(*column as u32, value);
             }
         }
         Some(row)
     };
-    let columns = null_vector(matrix.rows().map(row).collect::<Option<_>>()?)?;
-    Some(columns.into_iter().map(|column| column as usize).collect())
+    let vectors = null_vectors(matrix.rows().map(row).collect::<Option<_>>()?)?;
+    let vector = vectors.into_iter().next()?;
+    Some(vector.into_keys().map(|column| column as usize).collect())
 }
 
-/// Point at which entries are evaluated.
-const POINT: Point = Point { point: 7 };
+/// Points at which entries are evaluated.
+const POINTS: [Point; 2] = [Point { point: 7 }, Point { point: 8 }];
 
 /// Returns the terms of a sum, including those of nested sums.
 fn flat(expr: &Expr) -> Vec<&Expr> {
@@ -61,7 +92,7 @@ fn flat(expr: &Expr) -> Vec<&Expr> {
 type Row = BTreeMap<u32, u64>;
 
 /// Adds the second derivatives of a term; returns `None` if it is not quadratic.
-fn add(matrix: &mut [Row], term: &Expr) -> Option<()> {
+fn add(matrix: &mut [Row], term: &Expr, point: &Point) -> Option<()> {
     let velocities: BTreeSet<u32> = term
         .symbols()
         .into_iter()
@@ -78,7 +109,7 @@ fn add(matrix: &mut [Row], term: &Expr) -> Option<()> {
             }
             _ => None,
         });
-        Some(POINT.value(&moved)?.p)
+        Some(point.value(&moved)?.p)
     };
     let minus = |a: u64, b: u64| (a + P - b) % P;
     let rest = at(&[])?;
@@ -111,8 +142,9 @@ fn put(matrix: &mut [Row], row: u32, column: u32, value: u64) {
     }
 }
 
-/// Returns the nonzero columns of a null vector, by Gaussian elimination on sparse rows.
-fn null_vector(matrix: Vec<Row>) -> Option<Vec<u32>> {
+/// Returns a basis of the null vectors, by Gaussian elimination on sparse rows. Each vector is 1 in
+/// a column of its own.
+fn null_vectors(matrix: Vec<Row>) -> Option<Vec<Row>> {
     let columns = matrix.len() as u32;
     // The leading entry of each is 1; only the columns after it are stored.
     let mut leads: BTreeMap<u32, Row> = BTreeMap::new();
@@ -133,18 +165,21 @@ fn null_vector(matrix: Vec<Row>) -> Option<Vec<u32>> {
             }
         }
     }
-    let free = (0..columns).find(|column| !leads.contains_key(column))?;
-    let mut vector: BTreeMap<u32, u64> = BTreeMap::from([(free, 1)]);
-    for (lead, row) in leads.iter().rev() {
-        let sum = row.iter().fold(0, |sum, (column, entry)| {
-            let known = vector.get(column).copied().unwrap_or(0);
-            (sum + times(*entry, known, P)) % P
-        });
-        if sum != 0 {
-            vector.insert(*lead, P - sum);
+    let free = (0..columns).filter(|column| !leads.contains_key(column));
+    let vector = |free| {
+        let mut vector = Row::from([(free, 1)]);
+        for (lead, row) in leads.range(..free).rev() {
+            let sum = row.iter().fold(0, |sum, (column, entry)| {
+                let known = vector.get(column).copied().unwrap_or(0);
+                (sum + times(*entry, known, P)) % P
+            });
+            if sum != 0 {
+                vector.insert(*lead, P - sum);
+            }
         }
-    }
-    Some(vector.into_keys().collect())
+        vector
+    };
+    Some(free.map(vector).collect())
 }
 
 #[cfg(test)]
@@ -173,6 +208,25 @@ mod tests {
         let grounded = Expr::Sum(vec![floating, energy(1, v(1))]);
         assert_eq!(motion_without_energy(&grounded, 2), None);
         assert_eq!(motion_without_energy(&grounded, 3), Some(vec![CoordinateId(2)]));
+    }
+
+    #[test]
+    fn motions_without_energy_are_found_each_with_its_rates() {
+        let ratio = BigRational::new((-5).into(), 2.into());
+        let scaled = |number: &BigRational, x| Expr::Product(vec![Expr::Number(number.clone()), x]);
+        let turning = Expr::Sum(vec![v(0), scaled(&ratio, v(2))]);
+        let kinetic = Expr::Sum(vec![energy(0, turning), energy(1, difference(3, 4))]);
+        let one = || BigRational::from_integer(1.into());
+        let expected = vec![
+            vec![(CoordinateId(1), one())],
+            vec![(CoordinateId(0), -ratio), (CoordinateId(2), one())],
+            vec![(CoordinateId(3), one()), (CoordinateId(4), one())],
+        ];
+        assert_eq!(motions_without_energy(&kinetic, 5), Some(expected));
+        let parameter = Expr::Symbol(Symbol::Parameter(ParameterId(7)));
+        let geared = Expr::Sum(vec![v(0), Expr::Product(vec![parameter, v(1)])]);
+        assert_eq!(motions_without_energy(&energy(0, geared), 2), Some(vec![]));
+        assert_eq!(motions_without_energy(&energy(0, v(0)), 1), Some(vec![]));
     }
 
     #[test]

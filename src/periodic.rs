@@ -20,9 +20,11 @@
 //! R. Russell, Numerical Solution of Boundary Value Problems, chapter 4.
 
 mod branch;
+mod corner;
 mod equations;
 mod error;
 mod floquet;
+mod follow;
 mod guess;
 mod locate;
 mod newton;

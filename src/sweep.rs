@@ -180,10 +180,24 @@ impl<'a> Sweep<'a> {
     /// Runs all variants and returns results in their order.
     #[must_use]
     pub fn run(&self) -> Vec<Result<VariantRun, SimulateError>> {
+        self.run_each(|_, run| run)
+    }
+
+    /// Runs all variants and returns what `take` makes of the simulation and the results of each, in
+    /// their order. Only the results of a few variants are in memory at a time.
+    #[must_use]
+    pub fn run_each<T: Send>(
+        &self,
+        take: impl Fn(&Simulation<'a>, Result<VariantRun, SimulateError>) -> T + Sync,
+    ) -> Vec<T> {
         let chunks: Vec<_> = self.variants.chunks(CHUNK).collect();
         // A sweep runs even if threads cannot be created.
         let pool = threads::pool(self.threads);
-        let runs = threads::each(pool.as_ref(), chunks.len(), |at| self.run_chunk(chunks[at]));
+        let runs = threads::each(pool.as_ref(), chunks.len(), |at| {
+            let runs = self.run_chunk(chunks[at]).into_iter().zip(chunks[at]);
+            let taken = runs.map(|(run, variant)| take(&self.simulation(variant), run));
+            taken.collect::<Vec<T>>()
+        });
         runs.into_iter().flatten().collect()
     }
 

@@ -3,7 +3,11 @@
 //! These tests have a process of their own: one that has used Symbolica must not start others, as
 //! tests of the suite do, which compile C (see `machinist_algebra::cas::session`).
 
+#[path = "cycles/specs.rs"]
+mod specs;
+
 use machinist::Simulation;
+use machinist::periodic::{Cycle, CycleSettings, Period, cycle};
 use machinist::trajectory::Trajectory;
 use machinist_algebra::cas::Algebra;
 use machinist_codegen::mechanics::reduce::Keep;
@@ -82,6 +86,110 @@ fn a_smooth_linkage_is_smooth_by_every_algebra() {
             for (x, y) in a.values.iter().zip(&b.values) {
                 assert!((x - y).abs() <= 1e-8 * size, "{length} m: {} {x:e} {y:e}", a.name);
             }
+        }
+    }
+}
+
+/// Checks the spec in a text.
+fn checked(text: &str) -> LagrangianSystem {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, text).expect("the scene is written");
+    pipeline::check(&path).unwrap_or_else(|errors| panic!("{}", errors.render()))
+}
+
+/// Checks a spec of the folder `specs/scenes`.
+fn of_specs(name: &str) -> LagrangianSystem {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
+    let path = folder.join(format!("{name}.toml"));
+    pipeline::check(&path).unwrap_or_else(|errors| panic!("{}", errors.render()))
+}
+
+/// Teeth with backlash, driven by their transmission error, as in the book's chapter on cycles.
+fn rattling() -> LagrangianSystem {
+    let chapter = include_str!("../docs/book/src/cycles.md");
+    let (_, rest) = chapter.split_once("```toml,file=rattle.toml\n").expect("the spec");
+    checked(rest.split_once("```").expect("its end").0)
+}
+
+/// A machine, values of its parameters, and the search for its motion.
+struct Searched {
+    system: LagrangianSystem,
+    parameters: &'static [(&'static str, f64)],
+    settings: CycleSettings,
+}
+
+/// Multipliers of the machines whose cycles the suite compares with references.
+#[test]
+fn multipliers_do_not_depend_on_the_algebra() {
+    let forced = |name: &str, settle: f64| {
+        let period = Period::Parameter(name.to_owned());
+        CycleSettings { period, settle, ..CycleSettings::default() }
+    };
+    let own = |settle: f64| CycleSettings { settle, ..CycleSettings::default() };
+    let all = [
+        Searched {
+            system: checked(specs::DUFFING),
+            parameters: &[("block.frequency", 1.6)],
+            settings: forced("block.frequency", 200.0),
+        },
+        Searched {
+            system: of_specs("classics/van_der_pol"),
+            parameters: &[("oscillator.damping", 1.0)],
+            settings: own(30.0),
+        },
+        Searched {
+            system: checked(&specs::rubbing(specs::BY_MODES)),
+            parameters: &[("block.friction", 0.7), ("block.frequency", 0.4)],
+            settings: forced("block.frequency", 60.0),
+        },
+        Searched {
+            system: checked(&specs::rubbing(specs::BY_SIGN)),
+            parameters: &[("block.friction", 0.7), ("block.frequency", 0.4)],
+            settings: forced("block.frequency", 60.0),
+        },
+        Searched {
+            system: checked(specs::STOPPED),
+            parameters: &[("block.force", 5.5), ("block.frequency", 2.2)],
+            settings: forced("block.frequency", 300.0),
+        },
+        Searched {
+            system: checked(specs::JEFFCOTT),
+            parameters: &[("disc.speed", 0.95)],
+            settings: forced("disc.speed", 400.0),
+        },
+        Searched {
+            system: rattling(),
+            parameters: &[("pair.tooth", 0.75)],
+            settings: forced("pair.tooth", 300.0),
+        },
+        Searched { system: of_specs("stick_slip"), parameters: &[], settings: own(5.0) },
+        Searched {
+            system: of_specs("bouncing_mass"),
+            parameters: &[("amplitude", 1.8e-3)],
+            settings: forced("frequency", 2.0),
+        },
+    ];
+    for Searched { system, parameters, settings } in all {
+        let by = |algebra: Algebra| -> Cycle {
+            let model = pipeline::compile_by(algebra, system.clone(), Keep::Needed);
+            let model = model.unwrap_or_else(|errors| panic!("{}", errors.render()));
+            let simulator = ModelSimulator::new(model);
+            let run = Simulation::new(simulator.single()).rtol(1e-11);
+            let run = parameters
+                .iter()
+                .fold(run, |run, (name, value)| run.parameter(name, *value).expect("a parameter"));
+            let found = cycle(&run.method(machinist::Method::Dop853), &settings);
+            found.unwrap_or_else(|error| panic!("{algebra:?}: {error}"))
+        };
+        let [own, other] = [Algebra::Plain, Algebra::Symbolica].map(by);
+        let scene = &own.scene;
+        assert!(!own.multipliers.is_empty(), "{scene}");
+        assert_eq!(own.multipliers.len(), other.multipliers.len(), "{scene}");
+        assert!((own.period / other.period - 1.0).abs() < 1e-9, "{scene}");
+        for (a, b) in own.multipliers.iter().zip(&other.multipliers) {
+            let off = (a.real - b.real).hypot(a.imaginary - b.imaginary);
+            assert!(off < 1e-8, "{scene}: {off:e}, {a:?} {b:?}");
         }
     }
 }

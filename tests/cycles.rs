@@ -2,6 +2,7 @@
 //! reference values.
 
 mod machines;
+mod specs;
 
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
@@ -17,36 +18,8 @@ use machinist_model::ModelSimulator;
 use machinist_scenes::scenes::bouncing_mass::BouncingMass;
 use machinist_scenes::scenes::stick_slip::StickSlip;
 
+use self::specs::{BY_MODES, BY_SIGN, DUFFING};
 use crate::own_scene::{of_specs, of_text};
-
-/// Block on a spring that hardens, driven: x'' + 2 zeta x' + x + x^3 = F cos(omega t).
-const DUFFING: &str = r#"
-    [scene]
-    name = "duffing"
-    [units.block]
-    unit = "block"
-    [outputs]
-    x = "block.x"
-    [run]
-    until = 200.0
-    points = 2
-    rtol = 1e-11
-    method = "dop853"
-    [define.block.coordinates.x]
-    unit = "m"
-    velocity = "v"
-    [define.block.parameters]
-    damping = { value = 0.1, unit = "N s/m" }
-    force = { value = 0.3, unit = "N" }
-    frequency = { value = 0.6, unit = "rad/s" }
-    [define.block.energy]
-    kinetic = "1 [kg]*v^2/2"
-    potential = "1 [N/m]*x^2/2 + 1 [N/m^3]*x^4/4"
-    dissipation = "damping*v^2/2"
-    [[define.block.forces]]
-    coordinate = "x"
-    expression = "force*cos(frequency*t)"
-"#;
 
 /// Start x, x', number of segments, and multipliers of the three motions at omega = 1.6.
 type Reference = (f64, f64, usize, [(f64, f64); 2]);
@@ -315,58 +288,10 @@ fn stick_slip_without_stribeck_has_its_closed_form() {
     assert!(multipliers(&found)[0].abs() < 1e-10);
 }
 
-/// Oscillator with dry friction, driven, by `sign` or by `[friction.guide]`.
-fn rubbing(friction: &str) -> ModelSimulator {
-    of_text(
-        &format!(
-            r#"
-            [scene]
-            name = "rubbing"
-            [units.block]
-            unit = "block"
-            [outputs]
-            x = "block.x"
-            [run]
-            until = 300.0
-            points = 2
-            rtol = 1e-10
-            method = "dop853"
-            [define.block.coordinates.x]
-            unit = "m"
-            velocity = "v"
-            [define.block.parameters]
-            force = {{ value = 1.0, unit = "N" }}
-            friction = {{ value = 0.3, unit = "N" }}
-            frequency = {{ value = 0.7, unit = "rad/s" }}
-            [define.block.energy]
-            kinetic = "1 [kg]*v^2/2"
-            potential = "1 [N/m]*x^2/2"
-            [[define.block.forces]]
-            coordinate = "x"
-            expression = "force*cos(frequency*t)"
-            {friction}
-            "#
-        ),
-        Keep::Needed,
-    )
-}
-
-const BY_MODES: &str = r#"
-    [define.block.friction.guide]
-    speed = "v"
-    sliding = "friction"
-    unit = "N"
-"#;
-const BY_SIGN: &str = r#"
-    [[define.block.forces]]
-    coordinate = "x"
-    expression = "-friction*sign(v)"
-"#;
-
 #[test]
 fn dry_friction_without_stops_has_the_amplitude_of_den_hartog() {
     for text in [BY_MODES, BY_SIGN] {
-        let scene = rubbing(text);
+        let scene = of_text(&specs::rubbing(text), Keep::Needed);
         for frequency in [0.7_f64, 0.9, 1.3] {
             let run = Simulation::new(scene.single());
             let run = run.parameter("block.frequency", frequency).expect("a parameter");
@@ -385,6 +310,35 @@ fn dry_friction_without_stops_has_the_amplitude_of_den_hartog() {
     }
 }
 
+/// Stops begin where the block accelerates by nothing as it turns: amplitude times the square of the
+/// frequency is the friction, f^2 = V^2/(U^2 + 1/w^4).
+#[test]
+fn stops_begin_at_the_boundary_of_den_hartog() {
+    let scene = of_text(&specs::rubbing(BY_MODES), Keep::Needed);
+    for frequency in [0.6_f64, 0.9, 1.3] {
+        let v = 1.0 / (1.0 - frequency * frequency);
+        let angle = PI / frequency;
+        let u = angle.sin() / (frequency * (1.0 + angle.cos()));
+        let boundary = v.abs() / u.hypot(1.0 / (frequency * frequency));
+        let settings = BranchSettings {
+            cycle: CycleSettings { points: 101, ..of_period("block.frequency", 300.0) },
+            parameter: "block.friction".to_owned(),
+            from: 0.8 * boundary,
+            to: 1.1 * boundary,
+            longest_step: 0.1,
+            max_points: 200,
+        };
+        let run = Simulation::new(scene.single());
+        let run = run.parameter("block.frequency", frequency).expect("a parameter");
+        let found = branch(&run, &settings).expect("a branch");
+        assert!(found.is_complete, "{frequency}: {}", found.end);
+        let bends: Vec<_> = found.bifurcations().map(|(kind, p)| (kind, p.value)).collect();
+        let [(kind, value)] = bends[..] else { panic!("{frequency}: {boundary} {bends:?}") };
+        assert_eq!(kind, Bifurcation::Events);
+        near(value, boundary, 1e-8);
+    }
+}
+
 #[test]
 fn motions_with_stops_have_the_same_multipliers_by_modes_and_along_a_surface() {
     let settings = of_period("block.frequency", 60.0);
@@ -394,7 +348,10 @@ fn motions_with_stops_have_the_same_multipliers_by_modes_and_along_a_surface() {
         let run = run.parameter("block.frequency", 0.4).expect("a parameter");
         cycle(&run, &settings).expect("a cycle")
     };
-    let (by_modes, by_sign) = (find(&rubbing(BY_MODES)), find(&rubbing(BY_SIGN)));
+    let (by_modes, by_sign) = (
+        find(&of_text(&specs::rubbing(BY_MODES), Keep::Needed)),
+        find(&of_text(&specs::rubbing(BY_SIGN), Keep::Needed)),
+    );
     for found in [&by_modes, &by_sign] {
         assert!(!found.notes.iter().any(|note| note.contains("differences")), "{:?}", found.notes);
     }
@@ -560,6 +517,9 @@ fn searches_without_a_period_or_a_motion_are_refused() {
     let run = Simulation::new(duffing.single());
     let unknown = CycleSettings { settle: 10.0, ..CycleSettings::default() };
     assert!(matches!(cycle(&run, &unknown), Err(CycleError::NeedsPeriod { .. })));
+    // A guard depends on time, the rate does not.
+    let bouncing = cycle(&Simulation::new(&BouncingMass), &unknown);
+    assert!(matches!(bouncing, Err(CycleError::NeedsPeriod { .. })), "{bouncing:?}");
     let wrong = of_period("block.force", 0.0);
     let Err(CycleError::BadSetting(why)) = cycle(&run, &wrong) else { panic!("refused") };
     assert!(why.contains("is in N"), "{why}");

@@ -4,6 +4,8 @@
 //! Nothing here reads the configuration, prints, or ends the process, except [`run`], which does
 //! as the program does.
 
+mod scatter;
+
 use std::ffi::OsString;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -21,6 +23,8 @@ use crate::failure::{Failure, Trouble};
 use crate::freeze::admit_against;
 use crate::program;
 use crate::spec_source::SpecSource;
+
+pub use scatter::{ScatterDesign, ScatterResults, scatter_design, scatter_results};
 
 /// Runs the command that `arguments` ask for, the first of which is the name of the program, and
 /// returns the exit code. `again` starts the same program in another process: an executable and its

@@ -4,6 +4,7 @@
 //! The origin of a table is in the file's metadata, as JSON under `machinist.sweep`,
 //! `machinist.run` and so on, and the units of columns are under `machinist.units`.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use machinist::Trajectory;
@@ -119,15 +120,45 @@ pub fn write_table(
     (command, argument, scene): (&str, &str, &Scene),
     more: Value,
 ) -> Result<(), Failure> {
-    let mut of = provenance(argument, scene)?;
-    if let Value::Object(more) = more {
-        of.extend(more);
-    }
-    let of = Value::Object(of);
+    let of = origin(argument, scene, more)?;
     let key = of_bytes(of.to_string().as_bytes());
     let told = json!({ command: of, "made_by": made_by(), "key": key });
     let bytes = bytes(columns, command, &told)?;
     write_file(file, |out| out.write_all(&bytes))
+}
+
+fn origin(argument: &str, scene: &Scene, more: Value) -> Result<Value, Failure> {
+    let mut of = provenance(argument, scene)?;
+    if let Value::Object(more) = more {
+        of.extend(more);
+    }
+    Ok(Value::Object(of))
+}
+
+/// Reads a table that [`write_table`] wrote with the same machine and settings. `is_same` compares
+/// the value of a setting in the file with that of the command.
+pub fn read_table(
+    file: &Path,
+    (command, argument, scene): (&str, &str, &Scene),
+    more: Value,
+    is_same: impl Fn(&str, &Value, &Value) -> bool,
+) -> Result<Vec<Column>, Failure> {
+    let wrong = |why: String| {
+        let message = format!("--resume: {}: {why}", file.display());
+        Failure::input(message, "give another --out, or leave out --resume to begin again")
+    };
+    let (columns, told) = read(file, command).map_err(wrong)?;
+    let of = origin(argument, scene, more)?;
+    let theirs = told.get(command).and_then(Value::as_object).cloned().unwrap_or_default();
+    let Value::Object(ours) = of else { return Ok(columns) };
+    let names: BTreeSet<&String> = ours.keys().chain(theirs.keys()).collect();
+    let value = |of: &Map<String, Value>, name: &str| of.get(name).cloned().unwrap_or_default();
+    let differs = |name: &&&String| !is_same(name, &value(&theirs, name), &value(&ours, name));
+    let others: Vec<&str> = names.iter().filter(differs).map(|name| name.as_str()).collect();
+    if others.is_empty() {
+        return Ok(columns);
+    }
+    Err(wrong(format!("it has runs of other settings: {}", others.join(", "))))
 }
 
 /// Returns the columns of a run, time first. If a state and an output share a name, the state is
@@ -148,6 +179,16 @@ fn bytes(_columns: &[Column], _name: &str, _told: &Value) -> Result<Vec<u8>, Fai
     Err(Failure::unsuccessful("this program was built without Parquet", ""))
 }
 
+/// Reads the columns and the metadata of a file.
+#[cfg(not(feature = "parquet"))]
+fn read(_file: &Path, _name: &str) -> Result<(Vec<Column>, Value), String> {
+    Err("this program was built without Parquet".to_owned())
+}
+
+#[cfg(feature = "parquet")]
+mod reading;
+#[cfg(feature = "parquet")]
+use reading::read;
 #[cfg(feature = "parquet")]
 use with_crate::bytes;
 

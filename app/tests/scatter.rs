@@ -208,7 +208,7 @@ fn what_makes_no_sense_is_refused_before_any_run() {
         assert!(said.contains(words), "{arguments:?}: {said}");
     }
     let said = refusal(Path::new(process::REPOSITORY), &["two_mass"]);
-    assert!(said.contains("no parameter of two_mass has a distribution"), "{said}");
+    assert!(said.contains("no parameter of scene `two_mass` has a distribution"), "{said}");
 }
 
 #[test]
@@ -272,4 +272,40 @@ fn correlated_parameters_scatter_together_and_have_no_indices() {
     assert!((sampled / exact - 1.0).abs() < 0.05, "{sampled}, {exact}");
     let said = refusal(folder.path(), &["buffer.toml", "--indices"]);
     assert!(said.contains("correlated"), "{said}");
+}
+
+#[test]
+fn a_scatter_resumes_from_its_table_also_with_more_samples() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    fs::write(folder.join("buffer.toml"), BUFFER).expect("the scene is written");
+    let ask = ["buffer.toml", "--of", "max(force)", "--limit", "max(force) < 35 [kN]", "--json"];
+    let with = |more: &[&str]| scatter(folder, &[&ask[..], more].concat());
+    let of_file = |out: &str| fs::read(folder.join(out)).expect("a table");
+    for more in [&[][..], &["--indices"]] {
+        let (part, whole) = ("part.parquet", "whole.parquet");
+        let run = |samples: &str, out: &str, resume: &[&str]| {
+            with(&[&["--samples", samples, "--out", out], more, resume].concat())
+        };
+        assert!(run("64", part, &[]).status.success());
+        let resumed = run("256", part, &["--resume"]);
+        assert!(resumed.status.success(), "{}", String::from_utf8_lossy(&resumed.stderr));
+        let fresh = run("256", whole, &[]);
+        assert_eq!(resumed.stdout, fresh.stdout);
+        assert_eq!(of_file(part), of_file(whole));
+        // A file with all runs is taken as it is.
+        let again = run("256", part, &["--resume"]);
+        assert_eq!(again.stdout, fresh.stdout);
+        let other = run("256", part, &["--resume", "--seed", "2"]);
+        let said = String::from_utf8_lossy(&other.stderr);
+        assert!(!other.status.success() && said.contains("other settings: seed"), "{said}");
+        let other = run("256", part, &["--resume", "--vary", "speed=uniform(1, 2)"]);
+        let said = String::from_utf8_lossy(&other.stderr);
+        assert!(!other.status.success() && said.contains("other settings: parameters"), "{said}");
+    }
+    fs::write(folder.join("damaged.parquet"), "PAR1").expect("a file");
+    let damaged = with(&["--out", "damaged.parquet", "--resume"]);
+    assert!(String::from_utf8_lossy(&damaged.stderr).contains("--resume: damaged.parquet"));
+    let csv = with(&["--out", "runs.csv", "--resume"]);
+    assert!(String::from_utf8_lossy(&csv.stderr).contains("no .parquet file"));
 }

@@ -14,6 +14,7 @@ import math
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,8 +22,12 @@ import tempfile
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 MACHINIST = os.environ.get("MACHINIST", "machinist")
 STATES, ROUNDS = 16, 101
+COLUMNS = ["C", "C fused", "C clang", "Rust", "CasADi"]
 SCENES = {"m1": "M1", "m2": "M2", "m6_5": "M65"}
-OPTIMIZED = ["gcc", "-O3", "-march=native", "-shared", "-fPIC", "-fno-semantic-interposition", "-w"]
+FLAGS = ["-O3", "-march=native", "-shared", "-fPIC", "-fno-semantic-interposition", "-w"]
+OPTIMIZED = ["gcc", *FLAGS]
+# Of the emitted CMake file.
+SCHEDULED = ["-fschedule-insns", "-fsched-pressure"]
 
 LOOP = """
 #include <time.h>
@@ -101,7 +106,7 @@ pub mod NAME {
 """
 
 
-def emitted_c(name: str, folder: pathlib.Path, contraction: str):
+def emitted_c(name: str, folder: pathlib.Path, contraction: str, compiler: str = "gcc"):
     """Compiles emitted C; returns the library and the names of the states."""
     scene = REPOSITORY / "specs/scenes/bench" / f"{name}.toml"
     written = folder / f"c_{name}"
@@ -109,9 +114,9 @@ def emitted_c(name: str, folder: pathlib.Path, contraction: str):
         command = [MACHINIST, "gen", "--target", "c99", str(scene), "-o", str(written)]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
         (written / "shim.c").write_text(SHIM.replace("NAME", name))
-    library = written / f"{contraction}.so"
-    flags = ["-std=c99", f"-ffp-contract={contraction}"]
-    subprocess.run([*OPTIMIZED, *flags, "shim.c", "-o", library, "-lm"], check=True, cwd=written)
+    library = written / f"{compiler}_{contraction}.so"
+    flags = [*FLAGS, "-std=c99", f"-ffp-contract={contraction}", *(SCHEDULED if compiler == "gcc" else [])]
+    subprocess.run([compiler, *flags, "shim.c", "-o", library, "-lm"], check=True, cwd=written)
     header = (written / f"{name}.h").read_text()
     states = re.search(r"typedef struct \{\n((?:(?!typedef).)*?)\} " + name + "_state_t;", header, re.S)
     members = re.findall(r"/\* ([\w.]+)[: \[]", states.group(1))
@@ -227,12 +232,14 @@ def main() -> None:
     seconds = ctypes.CDLL(str(folder / "loop.so")).seconds
     seconds.restype = ctypes.c_double
     rust = emitted_rust(folder)
-    print(f"{'':<14}{'C':>8}{'C fused':>9}{'Rust':>8}{'CasADi':>8}  [ns]  slower of ours, C fused or Rust, over the fastest")
+    print(f"{'':<14}" + "".join(f"{key:>10}" for key in COLUMNS) + "  [ns]  slower of ours, over the fastest")
     for name in SCENES:
         plain, names = emitted_c(name, folder, "off")
         fused, _ = emitted_c(name, folder, "fast")
-        for library in (plain, fused):
-            library.begin()
+        by_clang = emitted_c(name, folder, "fast", "clang")[0] if shutil.which("clang") else None
+        for library in (plain, fused, by_clang):
+            if library:
+                library.begin()
         getattr(rust, f"{name}_begin")()
         casadi = casadi_c(name, names, folder)
         n, nonzeros = len(names), plain.nonzeros()
@@ -248,6 +255,8 @@ def main() -> None:
                 "C fused": getattr(fused, what),
                 "Rust": getattr(rust, f"{name}_{what}"),
             }
+            if by_clang:
+                calls["C clang"] = getattr(by_clang, what)
             if casadi:
                 calls["CasADi"] = getattr(casadi[0], what)
             values = {}
@@ -273,11 +282,9 @@ def main() -> None:
                     took = seconds(calls[key], states, n, out, ctypes.c_long(10000))
                     times[key].append(took / 10000 * 1e9)
             found = {key: min(values) for key, values in times.items()}
-            cells = "".join(
-                f"{found[key]:>{width}.1f}" if key in found else f"{'-':>{width}}"
-                for key, width in [("C", 8), ("C fused", 9), ("Rust", 8), ("CasADi", 8)]
-            )
-            ours = max(found["C fused"], found["Rust"])
+            cells = "".join(f"{found[key]:>10.1f}" if key in found else f"{'-':>10}" for key in COLUMNS)
+            of_c = min(found[key] for key in ("C fused", "C clang") if key in found)
+            ours = max(of_c, found["Rust"])
             print(f"{name + ' ' + what:<14}{cells}        {ours / min(found.values()):.2f}")
             sys.stdout.flush()
 

@@ -29,17 +29,22 @@ from .errors import (
 )
 
 if TYPE_CHECKING:
+    from ._cycle import Branch, BranchPoint, Cycle, Multiplier, branch, cycle
     from ._designs import Design, design
     from ._fit import Fit
     from ._linear import Mode, Modes, Response
     from ._model import Model, load
     from ._run import Run
+    from ._scatter import Scatter, scatter
     from ._sensitivities import Sensitivities
     from ._state_space import Estimator, LinearPiece, Regulator, StateSpace
     from ._sweep import Sweep, sweep
 
 #: Modules of the names that are imported on first use: the program `machinist` does without NumPy.
 _LATER = {
+    "Branch": "_cycle",
+    "BranchPoint": "_cycle",
+    "Cycle": "_cycle",
     "Design": "_designs",
     "Estimator": "_state_space",
     "Fit": "_fit",
@@ -47,19 +52,27 @@ _LATER = {
     "Mode": "_linear",
     "Model": "_model",
     "Modes": "_linear",
+    "Multiplier": "_cycle",
     "Regulator": "_state_space",
     "Response": "_linear",
     "Run": "_run",
+    "Scatter": "_scatter",
     "Sensitivities": "_sensitivities",
     "StateSpace": "_state_space",
     "Sweep": "_sweep",
+    "branch": "_cycle",
+    "cycle": "_cycle",
     "design": "_designs",
     "load": "_model",
+    "scatter": "_scatter",
     "sweep": "_sweep",
 }
 
 __all__ = [
     "AnalysisError",
+    "Branch",
+    "BranchPoint",
+    "Cycle",
     "Design",
     "Estimator",
     "Fit",
@@ -71,9 +84,11 @@ __all__ = [
     "Model",
     "ModelFileError",
     "Modes",
+    "Multiplier",
     "Regulator",
     "Response",
     "Run",
+    "Scatter",
     "Sensitivities",
     "ShapeError",
     "SpecError",
@@ -84,10 +99,13 @@ __all__ = [
     "SweepError",
     "UnknownNameError",
     "__version__",
+    "branch",
     "built_in_names",
+    "cycle",
     "design",
     "load",
     "methods",
+    "scatter",
     "sweep",
 ]
 

@@ -8,6 +8,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
+#: Period, guess, turns, time to settle; multiple, segments, points.
+Search = tuple[
+    str | float | None,
+    float | None,
+    Sequence[tuple[str, float]],
+    float | None,
+    tuple[int, int, int],
+]
 
 __version__: str
 MODEL_MARK: bytes
@@ -89,6 +97,14 @@ def pieces_along(
     signals: tuple[Sequence[str], Sequence[str]],
     times: ArrayLike,
 ) -> list[dict[str, Any]]: ...
+def cycle(machine: Machine, settings: dict[str, Any], search: Search) -> dict[str, Any]: ...
+def branch(
+    machine: Machine,
+    settings: dict[str, Any],
+    search: Search,
+    over: tuple[str, float, float],
+    steps: tuple[float, int],
+) -> dict[str, Any]: ...
 def fit(
     machine: Machine,
     settings: dict[str, Any],
@@ -111,3 +127,27 @@ def sweep_piece(
     extremes: bool,
     threads: int,
 ) -> tuple[Array, NDArray[np.uint64], list[str | None]]: ...
+def scatter_design(
+    machine: Machine,
+    settings: dict[str, Any],
+    spec: tuple[bool, str] | None,
+    vary: Sequence[tuple[str, str]],
+    design: tuple[str, int, int, bool],
+) -> dict[str, Any]: ...
+def scatter_results(
+    machine: Machine, of: Sequence[str], limits: Sequence[str]
+) -> tuple[list[str], list[str], bool, list[bool]]: ...
+def scatter_piece(
+    machine: Machine,
+    settings: dict[str, Any],
+    names: Sequence[str],
+    values: Array,
+    results: tuple[Sequence[str], Sequence[str]],
+    threads: int,
+) -> tuple[Array, NDArray[np.uint64], list[str | None]]: ...
+def scatter_statistics(
+    values: Array,
+    is_at_most: Sequence[bool],
+    design: tuple[int | None, int | None],
+    asked: tuple[float, Sequence[float]],
+) -> dict[str, Any]: ...

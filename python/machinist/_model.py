@@ -12,9 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _derive, _machinist
+from ._cycle import Branch, Cycle, branch, cycle
 from ._fit import Fit, measured_runs
 from ._linear import Modes, Response
 from ._run import Run
+from ._scatter import Scatter, scatter
 from ._sensitivities import Sensitivities
 from ._state_space import LinearPiece, StateSpace
 from ._sweep import Sweep, sweep
@@ -57,11 +59,11 @@ def load(
     is_path = Path(name).suffix in {".toml", ".model"} or os.sep in name or "/" in name
     if not is_path:
         if not keep_all and name in _machinist.built_in_names():
-            return _loaded(("built in", name), elements, order)
+            return _loaded(("built in", name), elements, order, (False, name))
         found = _derive.derived(name=name, keep_all=keep_all)
         if found is None:
             raise _unknown(name)
-        return _loaded(("model", found), elements, order)
+        return _loaded(("model", found), elements, order, (False, name))
     content, is_model = _derive.read(Path(name), _machinist.MODEL_MARK)
     if is_model or Path(name).suffix == ".model":
         try:
@@ -69,7 +71,7 @@ def load(
         except ModelFileError as error:
             raise ModelFileError(error.message, file=name, hint=_again(error)) from None
     derived = _derive.derived(file=Path(name), keep_all=keep_all)
-    return _loaded(("model", derived), elements, order)
+    return _loaded(("model", derived), elements, order, (True, os.path.abspath(name)))
 
 
 def _unknown(name: str) -> UnknownNameError:
@@ -87,9 +89,15 @@ def _again(error: ModelFileError) -> str:
     return "`machinist compile` makes it again from its spec"
 
 
-def _loaded(payload: tuple[str, Any], elements: int | None, order: int | None) -> Model:
-    """Machine of a payload, created once per process."""
-    key = (*payload, elements, order)
+def _loaded(
+    payload: tuple[str, Any],
+    elements: int | None,
+    order: int | None,
+    spec: tuple[bool, str] | None = None,
+) -> Model:
+    """Machine of a payload, created once per process. `spec` is the spec it is from: whether it is
+    a file, and its path or name."""
+    key = (*payload, elements, order, spec)
     if key not in _LOADED:
         kind, content = payload
         if kind == "model":
@@ -113,6 +121,8 @@ class Model:
     def __init__(self, machine: _machinist.Machine, key: tuple[Any, ...]) -> None:
         self._machine = machine
         self._key = key
+        #: Spec with the distributions of parameters: whether it is a file, and its path or name.
+        self._spec: tuple[bool, str] | None = key[4]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_restored, (self._key,))
@@ -385,6 +395,14 @@ class Model:
         told = _machinist.pieces_along(self._machine, given, signals, times)
         return [LinearPiece(piece) for piece in told]
 
+    def cycle(self, period: str | float | None = None, **options: Any) -> Cycle:
+        """Find a periodic motion with its Floquet multipliers, see :func:`machinist.cycle`."""
+        return cycle(self, period, **options)
+
+    def branch(self, over: str, start_value: float, end_value: float, **options: Any) -> Branch:
+        """Follow a periodic motion over a parameter, see :func:`machinist.branch`."""
+        return branch(self, over, start_value, end_value, **options)
+
     def sensitivities(
         self,
         parameters: Sequence[str] = (),
@@ -485,6 +503,10 @@ class Model:
     def sweep(self, space: Any, **options: Any) -> Sweep:
         """Run many variants of the machine, see :func:`machinist.sweep`."""
         return sweep(self, space, **options)
+
+    def scatter(self, of: Sequence[str] | str = (), **options: Any) -> Scatter:
+        """Run the machine with parameters drawn from distributions, see :func:`machinist.scatter`."""
+        return scatter(self, of, **options)
 
     def __repr__(self) -> str:
         return "\n".join([self._line(), *text(_HEADING, self._rows())])

@@ -48,7 +48,7 @@ class Store:
         of = json.dumps(self._of, sort_keys=True)
         self._key = hashlib.sha256(of.encode()).hexdigest()
         self._told = json.dumps({**provenance, "key": self._key}, indent=1, default=str)
-        self._units = _units(model, plan)
+        self._units = plan.units_of(model)
         self._schema = self._made_schema()
         if self._folder is not None and self._folder.is_file():
             self._take(self._folder)
@@ -191,15 +191,6 @@ def _identity(sweep: dict[str, Any]) -> dict[str, Any]:
     """Identity of a sweep; a design counts by its numbers, not by its sampler."""
     design = sweep.get("design") or {}
     return {**sweep, "design": {name: design.get(name) for name in ("names", "sha256")}}
-
-
-def _units(model: Model, plan: Plan) -> dict[str, str]:
-    units = {name: model.parameters[name].unit for name in plan.names}
-    for name in plan.wanted:
-        quantity = model.outputs.get(name) or model.states[name]
-        for column in (name, f"{name}.least", f"{name}.greatest"):
-            units[column] = quantity.unit
-    return units
 
 
 def _write(path: Path, write: Any) -> None:

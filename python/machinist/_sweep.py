@@ -49,6 +49,22 @@ class Plan:
             return self.wanted
         return tuple(f"{name}.{end}" for name in self.wanted for end in ("least", "greatest"))
 
+    def run(self, model: Model, variants: Array, threads: int) -> tuple[Any, Any, Any]:
+        """Values, steps and reasons of failure of variants."""
+        return _machinist.sweep_piece(
+            model._machine, self.settings, list(self.names), variants,
+            list(self.wanted), self.extremes, threads,
+        )  # fmt: skip
+
+    def units_of(self, model: Model) -> dict[str, str]:
+        """Units of the columns."""
+        units = {name: model.parameters[name].unit for name in self.names}
+        for name in self.wanted:
+            quantity = model.outputs.get(name) or model.states[name]
+            for column in (name, f"{name}.least", f"{name}.greatest"):
+                units[column] = quantity.unit
+        return units
+
 
 @dataclass(frozen=True, eq=False)
 class Piece:
@@ -69,10 +85,7 @@ class Piece:
 def run_piece(model: Model, plan: Plan, first: int, variants: Array, threads: int) -> Piece:
     """Run consecutive variants in this process."""
     start = time.perf_counter()
-    values, steps, errors = _machinist.sweep_piece(
-        model._machine, plan.settings, list(plan.names), np.ascontiguousarray(variants),
-        list(plan.wanted), plan.extremes, threads,
-    )  # fmt: skip
+    values, steps, errors = plan.run(model, np.ascontiguousarray(variants), threads)
     return Piece(first, variants, values, steps, errors, time.perf_counter() - start)
 
 
@@ -115,10 +128,6 @@ def sweep(
     variants = space if isinstance(space, Design) else design(space, kind, n, seed=seed)
     for name in (*variants.names, *(given or {})):
         model.parameters.index(name)
-    if not chunk_seconds > 0:
-        raise InputError(f"chunk_seconds is {chunk_seconds}, not above 0")
-    if threads is not None and threads < 1:
-        raise InputError(f"threads is {threads}: it takes at least one")
     wanted = tuple([outputs] if isinstance(outputs, str) else outputs)
     wanted = wanted or tuple(model.outputs) or tuple(model.states)
     if "times" not in settings and not extremes:
@@ -130,6 +139,24 @@ def sweep(
     run_piece(model, plan, 0, variants.values[:0], 1)
 
     store = Store(path, model, variants, plan, provenance(model, variants, plan))
+    ran, took = runs(model, plan, variants, store, client, threads, chunk_seconds)
+    return Sweep(variants, store.table(), ran, took, path, _notes(model, plan, variants.values))
+
+
+def runs(
+    model: Model,
+    plan: Plan,
+    variants: Design,
+    store: Store,
+    client: Client | None,
+    threads: int | None,
+    chunk_seconds: float,
+) -> tuple[int, tuple[float, float]]:
+    """Run what the store misses. Returns the number of variants, wall-clock and computing time."""
+    if not chunk_seconds > 0:
+        raise InputError(f"chunk_seconds is {chunk_seconds}, not above 0")
+    if threads is not None and threads < 1:
+        raise InputError(f"threads is {threads}: it takes at least one")
     missing = store.missing()
     start = time.perf_counter()
     if client is None:
@@ -143,8 +170,7 @@ def sweep(
         store.add(piece)
         ran += len(piece)
         computing += piece.seconds
-    took = (time.perf_counter() - start, computing)
-    return Sweep(variants, store.table(), ran, took, path, _notes(model, plan, variants.values))
+    return ran, (time.perf_counter() - start, computing)
 
 
 def _notes(model: Model, plan: Plan, variants: Array) -> list[str]:

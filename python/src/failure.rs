@@ -3,6 +3,7 @@
 use machinist::SimulateError;
 use machinist::field::FieldError;
 use machinist::linear_analysis::LinearError;
+use machinist::periodic::CycleError;
 use machinist_model::file::FileError;
 use pyo3::prelude::*;
 
@@ -42,6 +43,20 @@ impl From<LinearError> for Failure {
             LinearError::Simulate(error) => Self::Simulate(error),
             error => Self::Linear(error),
         }
+    }
+}
+
+impl From<CycleError> for Failure {
+    fn from(error: CycleError) -> Self {
+        let class = match error {
+            CycleError::Simulate(error) => return Self::Simulate(error),
+            CycleError::UnknownState { .. } => "UnknownNameError",
+            CycleError::BadSetting(_)
+            | CycleError::TooLarge { .. }
+            | CycleError::NeedsPeriod { .. } => "InputError",
+            _ => "AnalysisError",
+        };
+        Self::Refused(class, error.to_string())
     }
 }
 

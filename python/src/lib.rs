@@ -10,9 +10,11 @@
 //! - [`derive`]: models of specs, and the commands of the program;
 //! - [`settings`]: settings of a run, from keywords;
 //! - [`patience`]: interruption of runs by Ctrl-C;
-//! - [`machine`], [`run`], [`linear`], [`fit`], [`sweep`]: the interface for Python.
+//! - [`machine`], [`run`], [`linear`], [`cycle`], [`fit`], [`sweep`], [`scatter`]: the
+//!   interface for Python.
 
 mod arrays;
+mod cycle;
 mod derive;
 mod describe;
 mod failure;
@@ -21,6 +23,7 @@ mod linear;
 mod machine;
 mod patience;
 mod run;
+mod scatter;
 mod settings;
 mod source;
 mod sweep;
@@ -31,6 +34,10 @@ use pyo3::prelude::*;
 /// The native part of the package `machinist`.
 #[pymodule]
 mod _machinist {
+    #[pymodule_export]
+    use crate::cycle::branch;
+    #[pymodule_export]
+    use crate::cycle::cycle;
     #[pymodule_export]
     use crate::derive::derive;
     #[pymodule_export]
@@ -53,6 +60,14 @@ mod _machinist {
     use crate::machine::Machine;
     #[pymodule_export]
     use crate::run::Run;
+    #[pymodule_export]
+    use crate::scatter::scatter_design;
+    #[pymodule_export]
+    use crate::scatter::scatter_piece;
+    #[pymodule_export]
+    use crate::scatter::scatter_results;
+    #[pymodule_export]
+    use crate::scatter::scatter_statistics;
     #[pymodule_export]
     use crate::sweep::negative_inertias;
     #[pymodule_export]

@@ -54,6 +54,16 @@ impl Settings {
         Ok(settings)
     }
 
+    /// Returns whether a relative tolerance is given.
+    pub fn has_tolerance(&self) -> bool {
+        self.rtol.is_some()
+    }
+
+    /// Returns the end time \[s\] if it is given.
+    pub fn end(&self) -> Option<f64> {
+        self.until
+    }
+
     fn set(&mut self, key: &str, value: &Bound<'_, PyAny>) -> Result<(), Failure> {
         let list = || numbers(key, value, None).map(|values| values.as_slice().to_vec());
         match key {

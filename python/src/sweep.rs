@@ -13,7 +13,7 @@ use crate::machine::Machine;
 use crate::settings::Settings;
 
 /// Values, steps and reason of failure, if any, of every variant.
-type Piece<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u64>>, Vec<Option<String>>);
+pub type Piece<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u64>>, Vec<Option<String>>);
 
 /// Runs variants: a row of `values` contains the parameters called `names`.
 #[pyfunction]
@@ -46,6 +46,15 @@ pub fn sweep_piece<'py>(
             .collect();
         Ok((each * wanted.places.len(), found))
     })?;
+    Ok(piece(py, found, width))
+}
+
+/// Arrays of the values and steps of variants.
+pub fn piece(
+    py: Python<'_>,
+    found: Vec<Result<(Vec<f64>, u64), String>>,
+    width: usize,
+) -> Piece<'_> {
     let table = PyArray2::<f64>::zeros(py, [found.len(), width], false);
     let mut steps = Vec::with_capacity(found.len());
     let mut errors = Vec::with_capacity(found.len());
@@ -67,7 +76,7 @@ pub fn sweep_piece<'py>(
             }
         }
     }
-    Ok((table, PyArray1::from_vec(py, steps), errors))
+    (table, PyArray1::from_vec(py, steps), errors)
 }
 
 /// Number of variants with a negative mass, index of the first and the note of its run.
@@ -92,7 +101,10 @@ pub fn negative_inertias(
 }
 
 /// One row per variant, with one number per name.
-fn rows(values: &PyReadonlyArray2<'_, f64>, names: &[String]) -> Result<Vec<Vec<f64>>, Failure> {
+pub fn rows(
+    values: &PyReadonlyArray2<'_, f64>,
+    names: &[String],
+) -> Result<Vec<Vec<f64>>, Failure> {
     if values.shape()[1] != names.len() {
         let message = format!("{} columns for {} parameters", values.shape()[1], names.len());
         return Err(Failure::Refused("ShapeError", message));
@@ -101,7 +113,7 @@ fn rows(values: &PyReadonlyArray2<'_, f64>, names: &[String]) -> Result<Vec<Vec<
 }
 
 /// Requested columns and all parameters of every variant; rejects settings invalid for all.
-fn prepared(
+pub fn prepared(
     simulator: &dyn Simulator<f64>,
     settings: &Settings,
     names: &[String],
@@ -158,7 +170,7 @@ fn prepared(
 }
 
 /// Runs of all variants, in order.
-fn all_runs(
+pub fn all_runs(
     machine: &Machine,
     settings: &Settings,
     variants: &[Vec<f64>],

@@ -12,24 +12,16 @@ use serde::Serialize;
 
 use super::equations::{Guess, Problem};
 use super::error::CycleError;
-use super::locate::{Test, Watched, locate};
+use super::locate::Watched;
 use super::newton::{Side, Solution, shortest, solve, solve_beside};
-use super::{Cycle, CycleSettings, Stability, finished, guess, problem};
+use super::{Cycle, CycleSettings, finished, guess, problem};
 use crate::simulate::Simulation;
 
 /// Maximum number of points of a branch.
 pub const MAX_POINTS: usize = 100_000;
 
-/// First step, as a share of the longest one.
-const FIRST: f64 = 0.2;
-/// Factor by which a step grows after few of Newton's steps.
-const GROWTH: f64 = 1.5;
-/// Number of Newton's steps up to which the next step grows, and above which it shrinks.
-const FEW: usize = 4;
-const MANY: usize = 7;
-/// Share of the longest step below which the continuation gives up.
-const SHORTEST: f64 = 1e-5;
-/// Cosine of the angle between tangents below which a step is repeated with half its length.
+/// Cosine of the angle between tangents, or between a tangent and the way to the next place, below
+/// which a step is repeated with half its length.
 const STRAIGHT: f64 = 0.9;
 /// Share of the scale of a state that its range counts at least.
 const LEAST_RANGE: f64 = 1e-3;
@@ -73,6 +65,8 @@ pub struct BranchPoint {
     pub value: f64,
     /// Bifurcation that was located here.
     pub bifurcation: Option<Bifurcation>,
+    /// Guard that is grazed here: the name of its event in backticks, or a comparison in the rate.
+    pub grazed: Option<String>,
     /// The motion.
     pub cycle: Cycle,
 }
@@ -90,8 +84,15 @@ pub enum Bifurcation {
     Flip,
     /// A second frequency arises: a complex pair of multipliers passes the unit circle.
     NeimarkSacker,
-    /// Multipliers jump, as where an event begins to happen or a guard is grazed.
+    /// Multipliers jump, and the branch goes on.
     Jump,
+    /// The motion touches a guard, so that an event begins or ceases to happen.
+    Grazing,
+    /// The branch turns back with a corner: modes change, and multipliers jump.
+    NonsmoothFold,
+    /// Other events happen in a period, or in another order, without grazing: a friction begins to
+    /// stick, or two events change places.
+    Events,
 }
 
 impl Bifurcation {
@@ -104,6 +105,9 @@ impl Bifurcation {
             Self::Flip => "flip",
             Self::NeimarkSacker => "Neimark-Sacker",
             Self::Jump => "jump",
+            Self::Grazing => "grazing",
+            Self::NonsmoothFold => "nonsmooth fold",
+            Self::Events => "other events",
         }
     }
 }
@@ -122,13 +126,27 @@ pub(super) struct Place {
     pub(super) tangent: Tangent,
     /// Projections onto the constraints at the start of each segment, scaled.
     projections: Vec<DMatrix<f64>>,
-    iterations: usize,
+    /// Derivatives of the end of each segment by its start, scaled.
+    pub(super) transitions: Vec<DMatrix<f64>>,
+    pub(super) iterations: usize,
 }
 
 impl Place {
     /// Returns the functions whose signs change at bifurcations.
     pub(super) fn watched(&self) -> Watched {
         Watched::of(&self.cycle, self.tangent.value)
+    }
+
+    /// Returns the same place with another tangent.
+    pub(super) fn turned(&self, tangent: Tangent) -> Self {
+        Self {
+            guess: self.guess.clone(),
+            cycle: self.cycle.clone(),
+            tangent,
+            projections: self.projections.clone(),
+            transitions: self.transitions.clone(),
+            iterations: self.iterations,
+        }
     }
 }
 
@@ -139,19 +157,30 @@ impl Place {
 /// equations across them would leave the branch where it is.
 #[derive(Clone)]
 pub(super) struct Tangent {
-    states: DVector<f64>,
+    pub(super) states: DVector<f64>,
     /// Slopes of a length along the tangent by the states: weighted, on the constraints.
-    normal: DVector<f64>,
-    period: f64,
-    value: f64,
+    pub(super) normal: DVector<f64>,
+    pub(super) period: f64,
+    pub(super) value: f64,
+}
+
+impl Tangent {
+    pub(super) fn times(&self, factor: f64) -> Self {
+        Self {
+            states: &self.states * factor,
+            normal: &self.normal * factor,
+            period: self.period * factor,
+            value: self.value * factor,
+        }
+    }
 }
 
 /// A continuation under way.
 pub(super) struct Walk<'a> {
-    problem: Problem<'a>,
+    pub(super) problem: Problem<'a>,
     points: usize,
     /// Weights of squares of the states over their scales.
-    weights: DVector<f64>,
+    pub(super) weights: DVector<f64>,
     /// Range of the parameter.
     range: f64,
     most: usize,
@@ -212,9 +241,14 @@ impl Walk<'_> {
         let zero = || DVector::zeros(self.weights.len());
         let along = Tangent { states: zero(), normal: zero(), period: 0.0, value: sign };
         let tangent = self.tangent(&solution, &along);
+        Ok(self.place(solution, cycle, tangent))
+    }
+
+    pub(super) fn place(&self, solution: Solution, cycle: Cycle, tangent: Tangent) -> Place {
         let projections = self.projections(&solution);
-        let Solution { guess, iterations, .. } = solution;
-        Ok(Place { guess, cycle, tangent, projections, iterations })
+        let Solution { guess, iterations, shots, .. } = solution;
+        let transitions = shots.iter().map(|shot| self.problem.scaled(&shot.transition)).collect();
+        Place { guess, cycle, tangent, projections, transitions, iterations }
     }
 
     /// Widens the measure of lengths to the ranges of a motion.
@@ -240,25 +274,46 @@ impl Walk<'_> {
     }
 
     /// Widens the measure to the motion of a place, whose tangent is scaled to it.
-    fn remeasure(&mut self, place: &mut Place) {
+    pub(super) fn remeasure(&mut self, place: &mut Place) {
         self.measure(&place.cycle);
         let tangent = self.scaled(place.tangent.clone(), &place.projections);
         place.tangent = tangent;
     }
 
-    fn cycle(&self, solution: &Solution) -> Result<Cycle, CycleError> {
+    pub(super) fn cycle(&self, solution: &Solution) -> Result<Cycle, CycleError> {
         finished(&self.problem, solution, self.points)
     }
 
     /// Returns the scalar product of two directions.
-    fn product(&self, a: &Tangent, b: &Tangent) -> f64 {
+    pub(super) fn product(&self, a: &Tangent, b: &Tangent) -> f64 {
         let states = a.states.iter().zip(&b.states).zip(&self.weights);
         let states: f64 = states.map(|((a, b), weight)| a * b * weight).sum();
         states + a.period * b.period + a.value * b.value
     }
 
+    /// Returns whether a step is nearly straight: the tangents at its ends, and the way between them.
+    pub(super) fn is_straight(&self, place: &Place, next: &Place, length: f64) -> bool {
+        let cosine = self.product(&place.tangent, &next.tangent);
+        cosine > STRAIGHT && length > STRAIGHT * self.distance(&place.guess, &next.guess)
+    }
+
+    fn distance(&self, a: &Guess, b: &Guess) -> f64 {
+        let n = self.problem.free.len();
+        let mut square = (a.period / b.period).ln().powi(2);
+        square += ((a.value - b.value) / self.range).powi(2);
+        for (segment, (node, other)) in a.nodes.iter().zip(&b.nodes).enumerate() {
+            for (at, (state, scale)) in
+                self.problem.free.iter().zip(&self.problem.scales).enumerate()
+            {
+                let change = (node[*state] - other[*state]) / scale;
+                square += self.weights[segment * n + at] * change * change;
+            }
+        }
+        square.sqrt()
+    }
+
     /// Returns the tangent of the branch that forms an acute angle with another direction.
-    fn tangent(&self, solution: &Solution, along: &Tangent) -> Tangent {
+    pub(super) fn tangent(&self, solution: &Solution, along: &Tangent) -> Tangent {
         let linear = self.problem.linear(&solution.guess, &solution.shots);
         let n = linear.residual.len();
         let has_period = linear.by_period.is_some();
@@ -311,7 +366,7 @@ impl Walk<'_> {
     }
 
     /// Returns the guess at some length along the tangent.
-    fn predicted(&self, place: &Place, length: f64) -> Guess {
+    pub(super) fn predicted(&self, place: &Place, length: f64) -> Guess {
         let Place { guess, tangent, .. } = place;
         let n = self.problem.free.len();
         let mut nodes = guess.nodes.clone();
@@ -338,7 +393,12 @@ impl Walk<'_> {
     }
 
     /// Returns the place on the branch at a value of the parameter.
-    fn at_value(&self, place: &Place, length: f64, value: f64) -> Result<Place, CycleError> {
+    pub(super) fn at_value(
+        &self,
+        place: &Place,
+        length: f64,
+        value: f64,
+    ) -> Result<Place, CycleError> {
         let mut predicted = self.predicted(place, length);
         predicted.value = value;
         let n = self.weights.len();
@@ -363,9 +423,7 @@ impl Walk<'_> {
         let solution = solve_beside(&self.problem, predicted, self.most, side)?;
         let tangent = self.tangent(&solution, &place.tangent);
         let cycle = self.cycle(&solution)?;
-        let projections = self.projections(&solution);
-        let Solution { guess, iterations, .. } = solution;
-        Ok(Place { guess, cycle, tangent, projections, iterations })
+        Ok(self.place(solution, cycle, tangent))
     }
 
     /// Returns the equation of the plane across a tangent through a point.
@@ -383,73 +441,6 @@ impl Walk<'_> {
         }
         let Tangent { period, value, .. } = *tangent;
         Side { residual, states: slopes, period, value, range: self.range }
-    }
-
-    /// Takes steps until the branch leaves the range, or a step fails at any length.
-    fn follow(&mut self, mut place: Place, settings: &BranchSettings, mut found: Branch) -> Branch {
-        let BranchSettings { longest_step: longest, max_points, .. } = *settings;
-        let mut length = FIRST * longest;
-        found.points.push(point(&place, None));
-        while found.points.len() < max_points {
-            let (next, is_last) = match self.step(&place, &mut length, settings) {
-                Ok(next) => next,
-                Err(error) => {
-                    found.end = error.to_string();
-                    return found;
-                }
-            };
-            for test in Test::between(&place.watched(), &next.watched()) {
-                let located = locate(self, &place, length, test);
-                found.points.extend(located.map(|(located, kind)| point(&located, Some(kind))));
-            }
-            found.points.push(point(&next, None));
-            if is_last {
-                found.end = format!("{} = {}", settings.parameter, next.guess.value);
-                found.is_complete = true;
-                return found;
-            }
-            if next.iterations <= FEW {
-                length = (length * GROWTH).min(longest);
-            } else if next.iterations > MANY {
-                length /= GROWTH;
-            }
-            place = next;
-            self.remeasure(&mut place);
-        }
-        found.end = format!("the limit of {max_points} points is reached");
-        found
-    }
-
-    /// Takes one step, halved until Newton's method converges and the branch bends little. Returns
-    /// the next place, and whether it is at an end of the range.
-    fn step(
-        &self,
-        place: &Place,
-        length: &mut f64,
-        settings: &BranchSettings,
-    ) -> Result<(Place, bool), CycleError> {
-        let BranchSettings { from, to, longest_step: longest, .. } = *settings;
-        let shortest = SHORTEST * longest;
-        let next = loop {
-            match self.at(place, *length) {
-                Ok(next) => {
-                    let cosine = self.product(&place.tangent, &next.tangent);
-                    if cosine > STRAIGHT || *length <= shortest {
-                        break next;
-                    }
-                }
-                Err(error) if error.is_final() || *length <= shortest => return Err(error),
-                Err(_) => {}
-            }
-            *length *= 0.5;
-        };
-        if (from.min(to)..=from.max(to)).contains(&next.guess.value) {
-            return Ok((next, false));
-        }
-        let end = next.guess.value.clamp(from.min(to), from.max(to));
-        let share = (end - place.guess.value) / (next.guess.value - place.guess.value);
-        *length *= share;
-        Ok((self.at_value(place, *length, end)?, true))
     }
 }
 
@@ -475,12 +466,4 @@ fn by_segment(
         mapped.rows_mut(segment * n, n).copy_from(&map(projection, part));
     }
     mapped
-}
-
-fn point(place: &Place, bifurcation: Option<Bifurcation>) -> BranchPoint {
-    let mut cycle = place.cycle.clone();
-    if bifurcation.is_some() {
-        cycle.stability = Stability::Neutral;
-    }
-    BranchPoint { value: place.guess.value, bifurcation, cycle }
 }

@@ -31,12 +31,7 @@ pub(super) fn settled(
         let (state, period) = returning(problem, settings)?;
         (state, period, 0.0)
     };
-    let mut guess =
-        away_from_events(problem, Guess { nodes: vec![state], period, skipped, value })?;
-    if problem.segments > 1 {
-        guess.nodes = nodes(problem, &guess)?;
-    }
-    Ok(guess)
+    away_from_events(problem, Guess { nodes: vec![state], period, skipped, value })
 }
 
 /// Returns the state of the run at a time, or its start.
@@ -51,7 +46,15 @@ fn state_at(problem: &Problem<'_>, time: f64) -> Result<Vec<f64>, CycleError> {
 
 /// Moves the start to the middle of the longest time without events, so that none of them passes
 /// the start on a branch.
-fn away_from_events(problem: &Problem<'_>, guess: Guess) -> Result<Guess, CycleError> {
+pub(super) fn away_from_events(problem: &Problem<'_>, guess: Guess) -> Result<Guess, CycleError> {
+    let mut guess = moved_from_events(problem, guess)?;
+    if problem.segments > 1 {
+        guess.nodes = nodes(problem, &guess)?;
+    }
+    Ok(guess)
+}
+
+fn moved_from_events(problem: &Problem<'_>, guess: Guess) -> Result<Guess, CycleError> {
     if problem.run.simulator().events() == 0 {
         return Ok(guess);
     }
@@ -173,7 +176,7 @@ fn latest_return(problem: &Problem<'_>, times: &[f64], rows: &[Vec<f64>]) -> Res
     Err(format!(": `{}` differs most", problem.run.simulator().state(state).name))
 }
 
-/// Refuses an unknown period of a machine whose rate depends on time.
+/// Refuses an unknown period of a machine whose rate, guards or resets depend on time.
 fn require_independent_of_time(
     problem: &Problem<'_>,
     state: &[f64],
@@ -182,16 +185,26 @@ fn require_independent_of_time(
     /// Shares of the span that have no simple ratio to the period of an excitation.
     const TIMES: [f64; 4] = [0.013_718, 0.170_931, 0.414_213, 0.832_179];
     let run = &problem.run;
-    let rate = |time: f64| {
-        let mut rate = vec![0.0; state.len()];
-        run.simulator().rate(time, state, run.parameter_values(), &mut rate);
-        rate
+    let (simulator, parameters) = (run.simulator(), run.parameter_values());
+    let events = simulator.events();
+    let resets: usize = (0..events).map(|index| simulator.event(index).sets.len()).sum();
+    let values = |time: f64| {
+        let [mut rate, mut guards, mut resets] =
+            [state.len(), events, resets].map(|n| vec![0.0; n]);
+        simulator.rate(time, state, parameters, &mut rate);
+        if events > 0 {
+            simulator.guards(time, state, parameters, &mut guards);
+            simulator.resets(time, state, parameters, &mut resets);
+        }
+        [rate, guards, resets]
     };
-    let now = rate(problem.origin + span);
-    let size = now.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
+    let now = values(problem.origin + span);
     let differs = |share: f64| {
-        let then = rate(problem.origin + share * span);
-        then.iter().zip(&now).any(|(a, b)| (a - b).abs() > 1e-12 * size)
+        let then = values(problem.origin + share * span);
+        then.iter().zip(&now).any(|(then, now)| {
+            let size = now.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
+            then.iter().zip(now).any(|(a, b)| (a - b).abs() > 1e-12 * size)
+        })
     };
     if TIMES.into_iter().any(differs) {
         return Err(CycleError::NeedsPeriod { scene: run.simulator().name().to_owned() });

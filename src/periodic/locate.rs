@@ -1,6 +1,7 @@
 //! Location of bifurcations between two points of a branch, by the secant method with bisection.
 
 use super::branch::{Bifurcation, Place, Walk};
+use super::corner::{events, same_events};
 use super::{Crossing, Cycle};
 
 /// Maximum number of points computed for one bifurcation.
@@ -23,6 +24,8 @@ pub(super) struct Watched {
     negative: Vec<f64>,
     /// Moduli of complex pairs, descending.
     complex: Vec<f64>,
+    /// Events in a period.
+    events: Vec<Vec<String>>,
 }
 
 impl Watched {
@@ -37,6 +40,7 @@ impl Watched {
             positive: of(Crossing::Fold),
             negative: of(Crossing::Flip),
             complex: of(Crossing::NeimarkSacker),
+            events: events(&cycle.motion),
         }
     }
 
@@ -57,6 +61,8 @@ impl Watched {
 /// Function whose sign changes between two points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Test {
+    /// The events in a period.
+    Events,
     /// The direction of the parameter.
     Turn,
     /// The modulus of the multiplier of this rank among its kind, less 1.
@@ -67,6 +73,9 @@ impl Test {
     /// Returns the functions whose signs differ.
     pub(super) fn between(a: &Watched, b: &Watched) -> Vec<Self> {
         let mut tests = Vec::new();
+        if !same_events(&a.events, &b.events) {
+            tests.push(Self::Events);
+        }
         let turns = a.along * b.along < 0.0;
         if turns {
             tests.push(Self::Turn);
@@ -84,6 +93,7 @@ impl Test {
 
     fn value(self, watched: &Watched) -> Option<f64> {
         match self {
+            Self::Events => None,
             Self::Turn => Some(watched.along),
             Self::Leaves { crossing, rank } => {
                 watched.moduli(crossing).get(rank).map(|modulus| modulus - 1.0)
@@ -93,6 +103,7 @@ impl Test {
 
     fn kind(self) -> Bifurcation {
         match self {
+            Self::Events => Bifurcation::Events,
             Self::Turn => Bifurcation::Fold,
             Self::Leaves { crossing: Crossing::Fold, .. } => Bifurcation::BranchPoint,
             Self::Leaves { crossing: Crossing::Flip, .. } => Bifurcation::Flip,
@@ -100,9 +111,23 @@ impl Test {
         }
     }
 
-    /// Returns the sign on a side: where there is no such multiplier, it is inside the circle.
-    fn is_positive(self, watched: &Watched) -> bool {
-        self.value(watched).is_some_and(|value| value > 0.0)
+    /// Returns the kind where the function jumps over zero.
+    fn kind_of_jump(self) -> Bifurcation {
+        match self {
+            Self::Events => Bifurcation::Events,
+            Self::Turn => Bifurcation::NonsmoothFold,
+            Self::Leaves { .. } => Bifurcation::Jump,
+        }
+    }
+
+    /// Returns whether the function has not changed its sign. Where there is no such multiplier, it
+    /// is inside the circle.
+    fn is_same(self, before: &Watched, watched: &Watched) -> bool {
+        if self == Self::Events {
+            return same_events(&before.events, &watched.events);
+        }
+        let is_positive = |of: &Watched| self.value(of).is_some_and(|value| value > 0.0);
+        is_positive(before) == is_positive(watched)
     }
 }
 
@@ -116,9 +141,10 @@ pub(super) fn locate(
 ) -> Option<(Place, Bifurcation)> {
     let end = walk.at(place, length).ok()?;
     let value = |place: &Place| test.value(&place.watched());
-    let was_positive = test.is_positive(&place.watched());
+    let before = place.watched();
     let (mut a, mut b) = ((0.0, value(place)), (length, value(&end)));
     let (mut nearest, mut stuck, mut was_before) = (end, 0, None);
+    let mut last_before = None;
     for _ in 0..ROUNDS {
         let middle = 0.5 * (a.0 + b.0);
         let secant = match (a.1, b.1) {
@@ -129,9 +155,13 @@ pub(super) fn locate(
         let at = if secant > a.0 && secant < b.0 { secant } else { middle };
         let next = walk.at(place, at).ok()?;
         let here = value(&next);
-        let is_before = test.is_positive(&next.watched()) == was_positive;
+        let is_before = test.is_same(&before, &next.watched());
         let is_zero = here.is_some_and(|here| here.abs() <= ZERO);
-        nearest = next;
+        if test == Test::Events && is_before {
+            last_before = Some(next);
+        } else {
+            nearest = next;
+        }
         stuck = if was_before == Some(is_before) { stuck + 1 } else { 1 };
         was_before = Some(is_before);
         if is_before {
@@ -143,7 +173,9 @@ pub(super) fn locate(
             break;
         }
     }
+    // Before the change, a guard that is grazed has one sign.
+    let nearest = last_before.unwrap_or(nearest);
     let is_jump = value(&nearest).is_none_or(|here| here.abs() > JUMPS);
-    let kind = if is_jump { Bifurcation::Jump } else { test.kind() };
+    let kind = if is_jump { test.kind_of_jump() } else { test.kind() };
     Some((nearest, kind))
 }

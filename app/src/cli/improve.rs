@@ -1,7 +1,7 @@
 //! `machinist improve`: parameters of the best design within limits.
 
 mod answer;
-pub(super) mod units;
+pub mod units;
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};

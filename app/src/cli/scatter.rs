@@ -21,8 +21,10 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::parquet;
 use answer::Answer;
-use inputs::{Inputs, Varied, varied};
-use runs::{Plan, Ran, Runner};
+use runs::{Outcome, Ran, Runner};
+
+pub use inputs::{Inputs, Varied, of_scene, varied};
+pub use runs::Plan;
 
 /// Default number of samples.
 const SAMPLES: usize = 1024;
@@ -30,6 +32,7 @@ const SAMPLES: usize = 1024;
 const MAX_RUNS: usize = 100_000_000;
 
 #[derive(Debug, Args)]
+#[expect(clippy::struct_excessive_bools, reason = "switches of the command line")]
 pub struct ScatterCommand {
     /// Distribution of a parameter: normal(MEAN, DEVIATION), normal(5 %), uniform(LOW, HIGH),
     /// triangular(LOW, MODE, HIGH), lognormal(MEAN, DEVIATION) or 10 +- 0.5; repeatable
@@ -80,6 +83,10 @@ pub struct ScatterCommand {
     /// Write all runs to a .csv or .parquet file
     #[arg(long, short, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
+    /// Continue an interrupted scatter, whose runs are in the .parquet file of --out; also with more
+    /// --samples
+    #[arg(long, help_heading = "Output", requires = "out", conflicts_with_all = ["plot", "morris"])]
+    resume: bool,
     /// Plot the quantiles of outputs over time to a .svg or .png file
     #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -99,19 +106,68 @@ pub struct ScatterCommand {
 }
 
 /// Results that are computed of each run.
-struct Results {
+pub struct Results {
     /// Texts of `--of`, and their expressions.
-    of: Vec<(String, Expression)>,
+    pub of: Vec<(String, Expression)>,
     /// Texts of `--limit`, and their inequalities.
-    limits: Vec<(String, Inequality)>,
+    pub limits: Vec<(String, Inequality)>,
 }
 
 impl Results {
+    /// Creates the results from texts of expressions and requirements. Without any, they are the
+    /// final values of outputs.
+    pub fn new(
+        of: &[String],
+        limits: &[String],
+        simulator: &dyn Simulator<f64>,
+    ) -> Result<Self, Failure> {
+        let shape = simulator.shape();
+        let given = if of.is_empty() && limits.is_empty() {
+            let outputs = (0..shape.outputs).map(|index| simulator.output(index).name);
+            let states = (0..shape.states()).map(|index| simulator.state(index).name);
+            let all: Vec<&str> =
+                if shape.outputs > 0 { outputs.collect() } else { states.collect() };
+            all.into_iter().map(|name| format!("final({name})")).collect()
+        } else {
+            of.to_vec()
+        };
+        let of = given.into_iter().map(|text| {
+            let expression = expression("--of", &text, simulator)?;
+            Ok((text, expression))
+        });
+        let of = of.collect::<Result<_, Failure>>()?;
+        let limit = |text: &String| {
+            let read = Inequality::parse(text).and_then(|limit| {
+                check(&limit.left, simulator)?;
+                check(&limit.right, simulator)?;
+                units::check_sides(&limit, simulator)?;
+                Ok(units::sides_in_one_unit(limit, simulator))
+            });
+            let limit = read.map_err(|error| wrong("--limit", text, &error))?;
+            Ok((text.clone(), limit))
+        };
+        let limits = limits.iter().map(limit).collect::<Result<_, Failure>>()?;
+        Ok(Self { of, limits })
+    }
+
     /// Returns the expressions of `--of`, then both sides of each limit.
-    fn expressions(&self) -> Vec<&Expression> {
+    pub fn expressions(&self) -> Vec<&Expression> {
         let of = self.of.iter().map(|(_, expression)| expression);
         let sides = self.limits.iter().flat_map(|(_, limit)| [&limit.left, &limit.right]);
         of.chain(sides).collect()
+    }
+
+    /// Returns the names of the columns of these expressions.
+    pub fn names(&self) -> Vec<String> {
+        let of = self.of.iter().map(|(text, _)| text.clone());
+        let sides =
+            |(text, _): &(String, Inequality)| [format!("{text}: left"), format!("{text}: right")];
+        of.chain(self.limits.iter().flat_map(sides)).collect()
+    }
+
+    /// Returns whether the first and the last output time suffice.
+    pub fn take_ends_only(&self) -> bool {
+        self.expressions().into_iter().all(takes_ends_only)
     }
 }
 
@@ -124,17 +180,14 @@ impl ScatterCommand {
         let scene = self.scene.load()?;
         let simulator = scene.simulator();
         let base = self.scene.simulation(simulator)?;
-        let inputs = Inputs::new(&self.scene.scene, &self.vary, &self.scene.machine.set, &base)?;
-        let results = self.results(simulator)?;
+        let set: Vec<&str> = self.scene.machine.set.iter().map(|(name, _)| name.as_str()).collect();
+        let inputs = Inputs::new(&of_scene(&self.scene.scene)?, &self.vary, &set, &base)?;
+        let results = Results::new(&self.of, &self.limit, simulator)?;
         // Settings are checked before the first run.
-        let points = self.points.or(self.sufficient_points(&results));
+        let points = self.points_of(&results);
         let simulation = self.run.apply(points.into_iter().fold(base, Simulation::points))?;
-        if !inputs.correlation.is_none() && (self.indices || self.morris.is_some()) {
-            let option = if self.indices { "--indices" } else { "--morris" };
-            let message = format!("{option}: the parameters are correlated");
-            let help =
-                "these measures hold for independent parameters; --linear takes correlations";
-            return Err(Failure::input(message, help));
+        if self.indices || self.morris.is_some() {
+            inputs.require_independent(if self.indices { "--indices" } else { "--morris" })?;
         }
         let dimensions = inputs.names.len();
         let design = Design { sampler, dimensions, samples: self.samples, seed: self.seed };
@@ -149,7 +202,10 @@ impl ScatterCommand {
         }
         let flag = interrupt::flag();
         let runner = Runner::new(self, &scene, &inputs, &results, &flag)?;
-        let ran = runner.run(&plan)?;
+        let done =
+            if self.resume { self.done(&scene, &inputs, &results, &plan)? } else { Vec::new() };
+        let saved = |ran: &Ran| self.save(&scene, &inputs, &results, &plan, ran);
+        let ran = runner.run(&plan, done, &saved)?;
         let mut answer = Answer::new(self, &scene, &inputs, &results, &plan, &ran)?;
         if let Some(paths) = self.morris {
             answer.screening = analyses::morris(paths, &runner, &results)?;
@@ -195,40 +251,10 @@ impl ScatterCommand {
         }
     }
 
-    fn results(&self, simulator: &dyn Simulator<f64>) -> Result<Results, Failure> {
-        let shape = simulator.shape();
-        let given = if self.of.is_empty() && self.limit.is_empty() {
-            let outputs = (0..shape.outputs).map(|index| simulator.output(index).name);
-            let states = (0..shape.states()).map(|index| simulator.state(index).name);
-            let all: Vec<&str> =
-                if shape.outputs > 0 { outputs.collect() } else { states.collect() };
-            all.into_iter().map(|name| format!("final({name})")).collect()
-        } else {
-            self.of.clone()
-        };
-        let of = given.into_iter().map(|text| {
-            let expression = expression("--of", &text, simulator)?;
-            Ok((text, expression))
-        });
-        let of = of.collect::<Result<_, Failure>>()?;
-        let limit = |text: &String| {
-            let read = Inequality::parse(text).and_then(|limit| {
-                check(&limit.left, simulator)?;
-                check(&limit.right, simulator)?;
-                units::check_sides(&limit, simulator)?;
-                Ok(units::sides_in_one_unit(limit, simulator))
-            });
-            let limit = read.map_err(|error| wrong("--limit", text, &error))?;
-            Ok((text.clone(), limit))
-        };
-        let limits = self.limit.iter().map(limit).collect::<Result<_, Failure>>()?;
-        Ok(Results { of, limits })
-    }
-
-    /// Returns the number of output times if both ends suffice.
-    fn sufficient_points(&self, results: &Results) -> Option<usize> {
-        let ends = results.expressions().into_iter().all(takes_ends_only);
-        (ends && self.plot.is_none()).then_some(2)
+    /// Returns the number of output times, unless it is that of the scene.
+    fn points_of(&self, results: &Results) -> Option<usize> {
+        let suffice = results.take_ends_only() && self.plot.is_none();
+        self.points.or(suffice.then_some(2))
     }
 
     fn write(
@@ -239,15 +265,7 @@ impl ScatterCommand {
         plan: &Plan,
         ran: &Ran,
     ) -> Result<(), Failure> {
-        if let Some(file) = &self.out {
-            let columns = ran.columns(scene.simulator(), inputs, results, plan);
-            if parquet::is_named(file) {
-                let of = ("scatter", self.scene.scene.as_str(), scene);
-                parquet::write_table(file, &columns, of, self.told(inputs))?;
-            } else {
-                write_file(file, |out| runs::write_csv(&columns, out))?;
-            }
-        }
+        self.save(scene, inputs, results, plan, ran)?;
         if let Some(file) = &self.plot {
             let bands = ran.bands(scene.simulator(), &self.quantiles)?;
             draw_file(file, |path| crate::plot::plot(&bands, &[], path))?;
@@ -255,9 +273,57 @@ impl ScatterCommand {
         Ok(())
     }
 
+    /// Writes the runs until now to the file of `--out`.
+    fn save(
+        &self,
+        scene: &Scene,
+        inputs: &Inputs,
+        results: &Results,
+        plan: &Plan,
+        ran: &Ran,
+    ) -> Result<(), Failure> {
+        let Some(file) = &self.out else { return Ok(()) };
+        let columns = ran.columns(scene.simulator(), inputs, results, plan);
+        if parquet::is_named(file) {
+            let of = ("scatter", self.scene.scene.as_str(), scene);
+            parquet::write_table(file, &columns, of, self.told(inputs, results))
+        } else {
+            write_file(file, |out| runs::write_csv(&columns, out))
+        }
+    }
+
+    /// Reads the runs in the file of `--out`.
+    fn done(
+        &self,
+        scene: &Scene,
+        inputs: &Inputs,
+        results: &Results,
+        plan: &Plan,
+    ) -> Result<Vec<Outcome>, Failure> {
+        let Some(file) = &self.out else { return Ok(Vec::new()) };
+        if !parquet::is_named(file) {
+            let message = format!("--resume: {} is no .parquet file", file.display());
+            return Err(Failure::input(message, "a .csv file does not tell of its settings"));
+        }
+        if !file.exists() {
+            return Ok(Vec::new());
+        }
+        let of = ("scatter", self.scene.scene.as_str(), scene);
+        // Points of other samplers than Latin hypercubes begin with those of fewer samples.
+        let is_free = |name: &str| name == "samples" && self.sampler != "latin";
+        let columns = parquet::read_table(file, of, self.told(inputs, results), |name, a, b| {
+            a == b || is_free(name)
+        })?;
+        runs::outcomes_of(&columns, inputs, results, plan).ok_or_else(|| {
+            let message = format!("--resume: {} has other columns", file.display());
+            Failure::input(message, "give another --out")
+        })
+    }
+
     /// Returns the settings that determine the numbers besides the machine.
-    fn told(&self, inputs: &Inputs) -> serde_json::Value {
+    fn told(&self, inputs: &Inputs, results: &Results) -> serde_json::Value {
         let mut told = serde_json::json!({
+            "results": results.names(),
             "parameters": inputs.told(),
             "sampler": self.sampler,
             "samples": self.samples,
@@ -289,7 +355,13 @@ impl ScatterCommand {
         if ran.is_interrupted {
             let (done, all) = (ran.count(), plan.len());
             let message = format!("interrupted after {done} of {all} runs");
-            return Err(Failure::unsuccessful(message, "the results above are of these runs"));
+            let is_kept = self.out.as_deref().is_some_and(parquet::is_named);
+            let help = if is_kept {
+                "the results above are of these runs; --resume does the others"
+            } else {
+                "the results above are of these runs"
+            };
+            return Err(Failure::unsuccessful(message, help));
         }
         match ran.stopped().count() {
             0 => Ok(()),

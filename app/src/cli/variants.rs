@@ -45,6 +45,17 @@ impl<'a> Variants<'a> {
         scene: &Scene,
         variants: &[Vec<f64>],
     ) -> Result<Vec<Result<VariantRun, SimulateError>>, Failure> {
+        self.runs_each(scene, variants, |_, run| run)
+    }
+
+    /// Like [`Variants::runs`], with what `take` makes of the simulation and the results of each
+    /// variant. Only the results of a few variants are in memory at a time, unless there are fields.
+    pub fn runs_each<T: Send>(
+        &self,
+        scene: &Scene,
+        variants: &[Vec<f64>],
+        take: impl Fn(&Simulation<'_>, Result<VariantRun, SimulateError>) -> T + Sync,
+    ) -> Result<Vec<T>, Failure> {
         let threads = self.threads.or_else(config::threads).unwrap_or_default();
         let machine: &dyn Sweepable = match scene {
             Scene::Emitted(_) => &BuiltIn { name: self.scene.scene.clone() },
@@ -55,14 +66,19 @@ impl<'a> Variants<'a> {
                     one(&self.adjust(run))
                 };
                 let runs = each_on_its_own(variants, threads, cut.again(), run);
-                return runs.map_err(|error| refused(&error));
+                let runs = runs.map_err(|error| refused(&error))?.into_iter().zip(variants);
+                let base = Simulation::new(scene.simulator());
+                let taken = runs.map(|(run, parameters)| {
+                    take(&self.adjust(base.clone().parameters(parameters)), run)
+                });
+                return Ok(taken.collect());
             }
         };
         let sweep = Sweep::new(machine)
             .each(|run| self.adjust(run))
             .variants(variants.to_vec())
             .threads(threads);
-        Ok(sweep.run())
+        Ok(sweep.run_each(take))
     }
 }
 

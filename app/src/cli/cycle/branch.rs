@@ -119,15 +119,16 @@ impl CycleCommand {
         let mut rows = vec![head];
         let last = points.len() - 1;
         for (index, (point, extents)) in points.iter().zip(&ranges.extents).enumerate() {
-            let kind = match point.bifurcation {
-                Some(kind) => kind.name(),
-                None if index == 0 => "start",
-                None if index == last => "end",
-                None => continue,
+            let kind = match (point.bifurcation, &point.grazed) {
+                (Some(kind), None) => kind.name().to_owned(),
+                (Some(kind), Some(guard)) => format!("{} {guard}", kind.name()),
+                (None, _) if index == 0 => "start".to_owned(),
+                (None, _) if index == last => "end".to_owned(),
+                (None, _) => continue,
             };
             let stability = ranges.stability(index);
             let numbers = [point.value, point.cycle.period, modulus(point)];
-            let mut row = vec![kind.to_owned(), stability];
+            let mut row = vec![kind, stability];
             row.extend(numbers.map(|value| number(value, 9)));
             row.extend(extents[..shown].iter().map(|extent| number(extent.amplitude(), 6)));
             rows.push(row);

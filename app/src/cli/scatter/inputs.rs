@@ -10,7 +10,6 @@ use machinist_codegen::spec::spread::{self, Spread};
 use nalgebra::DMatrix;
 use serde_json::{Map, Value, json};
 
-use crate::cli::amount::Amount;
 use crate::cli::scene::Given;
 use crate::failure::{Failure, did_you_mean};
 
@@ -51,14 +50,14 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// Collects the distributions of a scene and of the command line, which take precedence.
+    /// Collects the distributions of a scene and of `vary`, which take precedence. Parameters that
+    /// are `set` must not have any.
     pub fn new(
-        scene: &str,
+        of_scene: &Scatter,
         vary: &[Varied],
-        set: &[(String, Amount)],
+        set: &[&str],
         run: &Simulation<'_>,
     ) -> Result<Self, Failure> {
-        let of_scene = of_scene(scene)?;
         let mut inputs = Self {
             names: Vec::new(),
             units: Vec::new(),
@@ -93,7 +92,7 @@ impl Inputs {
             let law = spread.law(inputs.base[place], &declared).map_err(wrong)?;
             inputs.add(name, law, run)?;
         }
-        if let Some((name, _)) = set.iter().find(|(name, _)| inputs.names.contains(name)) {
+        if let Some(name) = set.iter().find(|name| inputs.names.iter().any(|of| of == *name)) {
             let message = format!("`--set {name}`: this parameter has a distribution");
             return Err(Failure::input(
                 message,
@@ -103,10 +102,11 @@ impl Inputs {
         if inputs.names.is_empty() {
             let help = "give one with --vary 'NAME=normal(5 %)', or in the scene: [parameters.NAME] \
                         distribution = \"normal\", or [scatter]";
-            let message = format!("no parameter of {scene} has a distribution");
+            let scene = run.simulator().name();
+            let message = format!("no parameter of scene `{scene}` has a distribution");
             return Err(Failure::input(message, help));
         }
-        inputs.correlation = inputs.correlation(&of_scene)?;
+        inputs.correlation = inputs.correlation(of_scene)?;
         Ok(inputs)
     }
 
@@ -147,6 +147,16 @@ impl Inputs {
         Correlation::new(matrix).map_err(|error| Failure::input(error, ""))
     }
 
+    /// Refuses correlated parameters for a measure that an option asks for.
+    pub fn require_independent(&self, option: &str) -> Result<(), Failure> {
+        if self.correlation.is_none() {
+            return Ok(());
+        }
+        let message = format!("{option}: the parameters are correlated");
+        let help = "these measures hold for independent parameters; --linear takes correlations";
+        Err(Failure::input(message, help))
+    }
+
     /// Returns the values of the parameters that vary, at a point of the unit cube.
     pub fn values(&self, point: &[f64]) -> Vec<f64> {
         let scores = self.correlation.scores(point);
@@ -182,7 +192,8 @@ fn place_of(run: &Simulation<'_>, name: &str) -> Option<usize> {
     (0..run.parameter_values().len()).find(|index| run.simulator().parameter(*index).name == name)
 }
 
-fn of_scene(argument: &str) -> Result<Scatter, Failure> {
+/// Returns the distributions of a scene.
+pub fn of_scene(argument: &str) -> Result<Scatter, Failure> {
     match Given::of(argument)? {
         // Model files have no distributions.
         Given::Model(_) => Ok(Scatter::default()),

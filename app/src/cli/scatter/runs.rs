@@ -2,6 +2,7 @@
 
 use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 use machinist::error::StopCause;
 use machinist::improve::Expression;
@@ -22,6 +23,8 @@ use crate::progress::spinner;
 
 /// Number of runs between looks at the interrupt.
 const BATCH: usize = 4096;
+/// Time between two writings of the table.
+const BETWEEN_SAVES: Duration = Duration::from_secs(60);
 /// Maximum number of stored values of outputs over time, 512 MB.
 const MAX_STORED: usize = 1 << 26;
 
@@ -76,7 +79,7 @@ impl Plan {
     }
 
     /// Returns points in the order of runs, about [`BATCH`] of them.
-    fn batch(&self, from: usize) -> Vec<Vec<f64>> {
+    pub fn batch(&self, from: usize) -> Vec<Vec<f64>> {
         match &self.kind {
             Kind::Plain(points) => {
                 (from..points.len().min(from + BATCH)).map(|index| points.get(index)).collect()
@@ -163,7 +166,7 @@ impl<'a> Runner<'a> {
         results: &'a Results,
         flag: &'a AtomicBool,
     ) -> Result<Self, Failure> {
-        let points = command.points.or(command.sufficient_points(results));
+        let points = command.points_of(results);
         let expressions = results.expressions();
         let columns = wanted(command, scene.simulator())?;
         Ok(Self { command, scene, inputs, expressions, points, flag, columns })
@@ -188,12 +191,19 @@ impl<'a> Runner<'a> {
         self.flag.load(Ordering::Relaxed)
     }
 
-    /// Runs the whole plan, or until Ctrl-C.
-    pub fn run(&self, plan: &Plan) -> Result<Ran, Failure> {
+    /// Runs what is left of the plan after the outcomes `done`, or until Ctrl-C. Meanwhile `save` is
+    /// called every minute.
+    pub fn run(
+        &self,
+        plan: &Plan,
+        done: Vec<Outcome>,
+        save: &dyn Fn(&Ran) -> Result<(), Failure>,
+    ) -> Result<Ran, Failure> {
         self.check_first_run()?;
         let spinner = spinner("simulating");
         let mut stored = Stored { columns: self.columns.clone(), ..Stored::default() };
-        let mut outcomes: Vec<Outcome> = Vec::with_capacity(plan.len());
+        let mut outcomes = done;
+        let mut saved = Instant::now();
         while outcomes.len() < plan.len() && !self.is_interrupted() {
             let points = plan.batch(outcomes.len());
             let keep = |run: &VariantRun| stored.add(self.scene.simulator(), run);
@@ -204,6 +214,12 @@ impl<'a> Runner<'a> {
                 break;
             }
             spinner.set_message(format!("simulating: {} of {} runs", outcomes.len(), plan.len()));
+            if saved.elapsed() > BETWEEN_SAVES {
+                let ran = Ran { outcomes, stored, is_interrupted: true };
+                save(&ran)?;
+                Ran { outcomes, stored, .. } = ran;
+                saved = Instant::now();
+            }
         }
         spinner.finish_and_clear();
         let is_interrupted = self.is_interrupted() && outcomes.len() < plan.len();
@@ -233,18 +249,25 @@ impl<'a> Runner<'a> {
         points: &[Vec<f64>],
         mut keep: impl FnMut(&VariantRun),
     ) -> Result<Vec<Outcome>, Failure> {
-        let values: Vec<Vec<f64>> = points.iter().map(|point| self.inputs.values(point)).collect();
+        let values_of_points: Vec<Vec<f64>> =
+            points.iter().map(|point| self.inputs.values(point)).collect();
         let variants: Vec<Vec<f64>> =
-            values.iter().map(|values| self.inputs.variant(values)).collect();
-        let runs = self.settings_of_runs().runs(self.scene, &variants)?;
+            values_of_points.iter().map(|values| self.inputs.variant(values)).collect();
+        let (expressions, is_kept) = (&self.expressions, !self.columns.is_empty());
+        // Results are reduced to values where they are computed: whole runs fill the memory.
+        let reduced = |simulation: &Simulation<'_>, run: Result<VariantRun, SimulateError>| {
+            let run = run?;
+            let values = values(expressions, simulation, &run);
+            Ok((values, run.steps, is_kept.then_some(run)))
+        };
+        let runs = self.settings_of_runs().runs_each(self.scene, &variants, reduced)?;
         let mut outcomes = Vec::with_capacity(runs.len());
-        for ((parameters, variant), run) in values.into_iter().zip(&variants).zip(runs) {
+        for (parameters, run) in values_of_points.into_iter().zip(runs) {
             let outcome = match run {
                 Err(SimulateError::Stopped { cause: StopCause::Interrupted, .. }) => break,
                 Err(error) => Outcome { parameters, values: Err(error.to_string()), steps: 0 },
-                Ok(run) => {
-                    keep(&run);
-                    let (values, steps) = (self.values(variant, &run), run.steps);
+                Ok((values, steps, run)) => {
+                    run.iter().for_each(&mut keep);
                     Outcome { parameters, values, steps }
                 }
             };
@@ -252,15 +275,19 @@ impl<'a> Runner<'a> {
         }
         Ok(outcomes)
     }
+}
 
-    fn values(&self, variant: &[f64], run: &VariantRun) -> Result<Vec<f64>, String> {
-        let simulation = Simulation::new(self.scene.simulator()).parameters(variant);
-        let value = |expression: &&Expression| value_over(expression, &simulation, run);
-        let values: Vec<f64> = self.expressions.iter().map(value).collect();
-        match values.iter().find(|value| !value.is_finite()) {
-            Some(value) => Err(format!("a result is {value}")),
-            None => Ok(values),
-        }
+/// Returns the values of expressions over a run, or the reason why there are none.
+fn values(
+    expressions: &[&Expression],
+    simulation: &Simulation<'_>,
+    run: &VariantRun,
+) -> Result<Vec<f64>, String> {
+    let value = |expression: &&Expression| value_over(expression, simulation, run);
+    let values: Vec<f64> = expressions.iter().map(value).collect();
+    match values.iter().find(|value| !value.is_finite()) {
+        Some(value) => Err(format!("a result is {value}")),
+        None => Ok(values),
     }
 }
 
@@ -371,11 +398,8 @@ impl Ran {
             let values = self.outcomes.iter().map(|outcome| outcome.parameters[index]).collect();
             columns.push(Column::numbers(name, unit, values));
         }
-        let of = results.of.iter().map(|(text, of)| (text.clone(), of));
-        let limits = results.limits.iter().flat_map(|(text, limit)| {
-            [(format!("{text}: left"), &limit.left), (format!("{text}: right"), &limit.right)]
-        });
-        for (index, (name, expression)) in of.chain(limits).enumerate() {
+        let named = results.names().into_iter().zip(results.expressions());
+        for (index, (name, expression)) in named.enumerate() {
             let values = self
                 .outcomes
                 .iter()
@@ -444,6 +468,39 @@ impl Ran {
             error: None,
         })
     }
+}
+
+/// Returns the outcomes that a table of [`Ran::columns`] contains: of whole rows of the plan, at
+/// most of all. Returns nothing if columns are missing.
+pub fn outcomes_of(
+    columns: &[Column],
+    inputs: &Inputs,
+    results: &Results,
+    plan: &Plan,
+) -> Option<Vec<Outcome>> {
+    let find = |name: &str| Some(&columns.iter().find(|column| column.name == name)?.values);
+    let numbers = |name: &String| match find(name)? {
+        Values::Some(values) => Some(values),
+        _ => None,
+    };
+    let parameters: Vec<_> = inputs.names.iter().map(numbers).collect::<Option<_>>()?;
+    let names = results.names();
+    let values: Vec<_> = names.iter().map(numbers).collect::<Option<_>>()?;
+    let (Values::Counts(steps), Values::Texts(errors)) = (find("steps")?, find("error")?) else {
+        return None;
+    };
+    let length = plan.row_length().unwrap_or(1);
+    let count = steps.len().min(plan.len()) / length * length;
+    let outcome = |row: usize| {
+        let values = values.iter().map(|column| column[row]).collect::<Option<Vec<f64>>>();
+        let error = || errors[row].clone().unwrap_or_default();
+        Some(Outcome {
+            parameters: parameters.iter().map(|column| column[row]).collect::<Option<_>>()?,
+            values: values.ok_or_else(error),
+            steps: steps[row].try_into().ok()?,
+        })
+    };
+    (0..count).map(outcome).collect()
 }
 
 /// Writes columns as CSV.

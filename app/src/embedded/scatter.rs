@@ -1,0 +1,133 @@
+//! Designs and results of scatters, as `machinist scatter` has them.
+
+use machinist::Simulation;
+use machinist::improve::Expression;
+use machinist::scatter::{Design, Distribution, Groups};
+use machinist_codegen::scene::scatter::{Scatter, distributions};
+use machinist_codegen::spec::library::LibraryScene;
+use machinist_contract::Simulator;
+
+use super::Spec;
+use crate::cli::improve::units;
+use crate::cli::scatter::{Inputs, Plan, Results, Varied, varied};
+use crate::failure::Failure;
+use crate::spec_source::SpecSource;
+
+/// Parameters that vary, and their values in all runs.
+#[derive(Debug, Clone)]
+pub struct ScatterDesign {
+    /// Names of the parameters.
+    pub names: Vec<String>,
+    /// SI units.
+    pub units: Vec<String>,
+    /// Distributions.
+    pub distributions: Vec<Distribution>,
+    /// True if the parameters are correlated.
+    pub is_correlated: bool,
+    /// Parameters of the scene that have a distribution but are not parameters of the model.
+    pub left_out: Vec<String>,
+    /// Values of the parameters, in the order of runs.
+    pub values: Vec<Vec<f64>>,
+    /// Number of runs of a row of a Saltelli design.
+    pub row_length: Option<usize>,
+    /// Samples or rows that are independent of each other.
+    pub groups: Groups,
+}
+
+/// Results of each run.
+#[derive(Debug, Clone)]
+pub struct ScatterResults {
+    /// Names of the columns: expressions, then both sides of each requirement.
+    pub names: Vec<String>,
+    /// Units of the columns.
+    pub units: Vec<String>,
+    /// Expressions of the columns.
+    pub expressions: Vec<Expression>,
+    /// True for each requirement whose left side must be at most the right one.
+    pub is_at_most: Vec<bool>,
+    /// True if the first and the last output time suffice.
+    pub takes_ends_only: bool,
+}
+
+/// Creates the design of a scatter from the distributions of a spec and from those of `vary`, names
+/// with texts such as `normal(5 %)`, which take precedence. `run` has the other parameters;
+/// `design.dimensions` is not read.
+///
+/// # Errors
+/// A message for wrong distributions or settings.
+pub fn scatter_design(
+    spec: Option<&Spec>,
+    vary: &[(String, String)],
+    set: &[&str],
+    design: Design,
+    with_indices: bool,
+    run: &Simulation<'_>,
+) -> Result<ScatterDesign, String> {
+    let of_scene = of_spec(spec).map_err(|failure| told(&failure))?;
+    let vary = vary.iter().map(|(name, text)| varied(&format!("{name}={text}")));
+    let vary: Vec<Varied> = vary.collect::<Result<_, _>>()?;
+    let made = || -> Result<ScatterDesign, Failure> {
+        let inputs = Inputs::new(&of_scene, &vary, set, run)?;
+        if with_indices {
+            inputs.require_independent("indices")?;
+        }
+        let design = Design { dimensions: inputs.names.len(), ..design };
+        let plan = Plan::new(design, with_indices, &inputs)?;
+        let mut values = Vec::with_capacity(plan.len());
+        while values.len() < plan.len() {
+            values.extend(plan.batch(values.len()).iter().map(|point| inputs.values(point)));
+        }
+        Ok(ScatterDesign {
+            values,
+            row_length: plan.row_length(),
+            groups: plan.groups(),
+            is_correlated: !inputs.correlation.is_none(),
+            names: inputs.names,
+            units: inputs.units,
+            distributions: inputs.distributions,
+            left_out: inputs.left_out,
+        })
+    };
+    made().map_err(|failure| told(&failure))
+}
+
+/// Reads expressions over a run, such as `max(force)`, and requirements, such as
+/// `max(force) < 38 [kN]`. Without any, the results are the final values of outputs.
+///
+/// # Errors
+/// A message for expressions that are wrong or that the machine does not have.
+pub fn scatter_results(
+    of: &[String],
+    limits: &[String],
+    simulator: &dyn Simulator<f64>,
+) -> Result<ScatterResults, String> {
+    let results = Results::new(of, limits, simulator).map_err(|failure| told(&failure))?;
+    let expressions: Vec<Expression> = results.expressions().into_iter().cloned().collect();
+    Ok(ScatterResults {
+        names: results.names(),
+        units: expressions.iter().map(|of| units::of(of, simulator)).collect(),
+        expressions,
+        is_at_most: results.limits.iter().map(|(_, limit)| limit.is_at_most).collect(),
+        takes_ends_only: results.take_ends_only(),
+    })
+}
+
+fn of_spec(spec: Option<&Spec>) -> Result<Scatter, Failure> {
+    let source = match spec {
+        Some(Spec::File(path)) => SpecSource::File(path.clone()),
+        Some(Spec::Named(name)) if LibraryScene::find(name).is_some() => {
+            SpecSource::BuiltIn(name.clone())
+        }
+        // Models have no distributions.
+        None | Some(Spec::Named(_)) => return Ok(Scatter::default()),
+    };
+    Ok(distributions(&source.read()?)?)
+}
+
+fn told(failure: &Failure) -> String {
+    let one = |trouble: crate::failure::Trouble| match trouble.help.as_str() {
+        "" => trouble.message,
+        help => format!("{}. Hint: {help}", trouble.message),
+    };
+    failure.troubles().into_iter().map(one).collect::<Vec<_>>().join("; ")
+}

@@ -126,3 +126,43 @@ fn a_rattleback_reverses_its_spin_as_the_laws_of_newton_and_euler_say() {
     }
     assert!(worst < 1e-5, "{worst:e}");
 }
+
+/// Steady motion of a disc of mass m and radius r that leans by a, with Omega about the vertical, from
+/// the torque about its centre: (C + m r^2) omega Omega cos a = A Omega^2 sin a cos a - m g r sin a. Its
+/// centre runs around a circle of radius omega r/Omega.
+#[test]
+fn a_disc_rolls_around_a_circle_at_the_rate_of_steady_motion() {
+    let disc = of_specs("rolling/disc", Keep::All);
+    let (r, m, axis, across, g) = (0.3, 2.0, 0.09, 0.045, 9.81);
+    for (lean, precession) in [(0.5, 4.0), (0.2, 1.5), (1.1, 9.0), (0.05, -0.7), (-0.4, 6.0)] {
+        let (sine, cosine) = f64::sin_cos(lean);
+        let about_axis = sine * (across * precession * precession * cosine - m * g * r)
+            / ((axis + m * r * r) * precession * cosine);
+        let circle = about_axis * r / precession;
+        let values = [("lean", lean), ("precession", precession), ("wobble", 0.0)];
+        let run = values
+            .into_iter()
+            .try_fold(Simulation::new(&disc), |run, (name, value)| run.parameter(name, value))
+            .expect("parameters");
+        let run = run.rtol(1e-11).until(3.0).run().expect("it rolls");
+        let [x, y, leans] = ["x", "y", "leans"].map(|name| column(&run, name));
+        for (at, time) in run.times.iter().enumerate() {
+            let (sine, cosine) = (precession * time).sin_cos();
+            let off = [x[at] - circle * sine, y[at] - circle * (1.0 - cosine), leans[at] - lean];
+            let size = off.iter().fold(0.0, |most: f64, off| most.max(off.abs()));
+            assert!(size < 1e-7 * (1.0 + circle.abs()), "lean {lean} at {time} s: {off:?}");
+        }
+    }
+}
+
+#[test]
+fn a_wobbling_disc_keeps_its_energy() {
+    let disc = of_specs("rolling/disc", Keep::All);
+    let run = Simulation::new(&disc).rtol(1e-10).until(20.0).run().expect("it rolls");
+    let energy = column(&run, "energy.total");
+    let most = energy.iter().fold(0.0, |most: f64, now| most.max((now - energy[0]).abs()));
+    assert!(most < 1e-7 * energy[0], "{most:e}");
+    let leans = column(&run, "leans");
+    let [low, high] = [f64::min, f64::max].map(|of| leans.iter().copied().fold(leans[0], of));
+    assert!(high - low > 0.05, "it wobbles by {}", high - low);
+}

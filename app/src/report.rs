@@ -21,6 +21,7 @@ mod printed_figures;
 mod reduction;
 mod scene;
 mod schematic;
+mod space;
 mod stability;
 mod studies;
 mod verification;
@@ -28,5 +29,5 @@ mod watched;
 mod winder_walk;
 
 pub use gather::{Extent, own, whole};
-pub use live::Headless;
+pub use live::{Headless, HeadlessDrawing};
 pub use watched::{Beside, Content, Ran, page, troubles};

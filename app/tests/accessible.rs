@@ -26,12 +26,13 @@ const WAYS: [&[&str]; 3] = [
     &["--window-size=500,900"],
 ];
 
-/// Pages of machines with events, without, with constraints, and with a field.
-const PAGES: [(&str, &str); 4] = [
+/// Pages of machines with events, without, with constraints, with a field, and in space.
+const PAGES: [(&str, &str); 5] = [
     ("specs/scenes/drives/winch.toml", "winch"),
     ("specs/scenes/parts/translational/mass.toml", "translational_mass"),
     ("specs/scenes/slider_crank.toml", "slider_crank"),
     ("specs/scenes/shaft_with_rotors.toml", "shaft_with_rotors"),
+    ("specs/scenes/msl/spatial_four_bar.toml", "msl_spatial_four_bar"),
 ];
 
 #[test]

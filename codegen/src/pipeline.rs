@@ -94,10 +94,12 @@ fn reduce(
 }
 
 /// Returns how far a system may be reduced: the machine's own equations do not show what its
-/// fields depend on, and trees of bodies are kept whole.
+/// fields and its drawing depend on, and trees of bodies are kept whole.
 fn possible(system: &LagrangianSystem, keep: Keep) -> Keep {
-    let is_reducible =
-        system.fields.is_empty() && system.mechanisms.is_empty() && system.orientations.is_empty();
+    let is_reducible = system.fields.is_empty()
+        && system.mechanisms.is_empty()
+        && system.orientations.is_empty()
+        && system.drawing.is_empty();
     if is_reducible { keep } else { Keep::All }
 }
 

@@ -27,6 +27,7 @@ pub mod rewrite;
 mod scatter;
 mod scene;
 pub mod schema;
+pub mod shape;
 mod source;
 pub mod spread;
 pub(crate) mod stack;
@@ -56,6 +57,7 @@ use self::dimension::{Dimension, Unit};
 use self::expression::{Ast, Literal};
 use self::library::LibraryScene;
 use self::measure::Factor;
+use self::shape::ShapeSpec;
 use self::spread::Spread;
 use machinist_model::Direction;
 
@@ -211,6 +213,8 @@ pub struct UnitSpec {
     pub orientations: Vec<OrientationSpec>,
     /// Rigid bodies.
     pub bodies: Vec<BodySpec>,
+    /// Shapes of bodies in drawings.
+    pub shapes: Vec<ShapeSpec>,
     /// Acceleration of free fall, along the axes of the world.
     pub gravity: Option<Components>,
     /// Ports.

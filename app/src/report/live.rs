@@ -3,9 +3,9 @@
 
 mod moving;
 mod order;
-mod unrolled;
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
+use machinist::field::Discretisation;
 use machinist::method::Method;
 use machinist::method::published::{ExplicitTable, RosenbrockTable, dop853, rodas5p, tsit5};
 use machinist::trajectory::Trajectory;
@@ -20,8 +20,9 @@ pub(super) use moving::Moving;
 pub(super) use order::by_run;
 
 use super::machine::Machine;
+use super::space::Space;
+use crate::fields::divided;
 use crate::number::exact;
-use unrolled::unrolled;
 
 /// Scripts that run a machine, in the order of their dependencies.
 const ENGINE: [&str; 9] = [
@@ -36,16 +37,20 @@ const ENGINE: [&str; 9] = [
     include_str!("live/run.js"),
 ];
 /// Scripts that show it.
-const DISPLAY: [&str; 5] = [
+const DISPLAY: [&str; 7] = [
     include_str!("live/chart.js"),
     include_str!("live/controls.js"),
     include_str!("live/tables.js"),
     include_str!("live/motion.js"),
+    include_str!("live/places.js"),
+    include_str!("live/space.js"),
     include_str!("live/page.js"),
 ];
 
 /// Maximum bytes of a module, so that a page stays below 1.5 MB in total.
 const LARGEST: usize = 500_000;
+/// Maximum bytes of a module beside a drawing in space, whose equations take room too.
+const LARGEST_IN_SPACE: usize = 300_000;
 /// Number of sliders in view; others are folded away.
 const IN_SIGHT: usize = 8;
 /// Maximum number of points of a run in a page; more would not be visible.
@@ -85,8 +90,27 @@ impl Headless {
     /// # Errors
     /// A sentence that says why the machine cannot run in a page.
     pub fn of(model: &Model, run: &Trajectory) -> Result<Self, String> {
-        let live = Live::of_run((model, &model.name), &Moving::default(), run, None)?;
+        let live = Live::of_run((model, &model.name), &Moving::default(), run, (None, None))?;
         Ok(Self { engine: ENGINE.concat(), known: live.known() })
+    }
+}
+
+/// Scripts and data that place the elements of a machine's drawing in space, as its page does.
+#[derive(Debug, Clone)]
+pub struct HeadlessDrawing {
+    /// Scripts in the order of their dependencies.
+    pub scripts: String,
+    /// Data of the drawing, as JSON.
+    pub known: String,
+}
+
+impl HeadlessDrawing {
+    /// Returns the page's data and scripts for a model with its run; `None` without a drawing.
+    #[must_use]
+    pub fn of(model: &Model, run: &Trajectory) -> Option<Self> {
+        let space = Space::of(model, run, &[])?;
+        let scripts = [include_str!("live/motion.js"), include_str!("live/places.js")].concat();
+        Some(Self { scripts, known: serde_json::to_string(&space).ok()? })
     }
 }
 
@@ -122,11 +146,21 @@ struct Known {
     mass_matrix: SparsityPattern,
     constraint_matrix: SparsityPattern,
     moving: Moving,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    space: Option<Space>,
     methods: Methods,
     run: RunOfPage,
     /// Present if the machine starts in equilibrium.
     #[serde(skip_serializing_if = "Option::is_none")]
     equilibrium: Option<Equilibrium>,
+}
+
+/// Data of a machine that is shown moving but does not run in the page.
+#[derive(Serialize)]
+struct Still<'a> {
+    name: &'a str,
+    moving: &'a Moving,
+    space: &'a Space,
 }
 
 /// Start of the stored run, and the guess near which it was found.
@@ -206,34 +240,37 @@ impl Live {
     ///
     /// # Errors
     /// A sentence that says why the machine cannot run in a page.
-    pub(super) fn of(machine: &Machine) -> Option<Result<Self, String>> {
+    pub(super) fn of(machine: &Machine, space: Option<&Space>) -> Option<Result<Self, String>> {
         let run = machine.trajectory()?;
         let (model, order) = (&machine.model, machine.order.as_deref());
-        Some(Self::of_run((model, &machine.argument), &machine.moving, run, order))
+        let argument = &machine.argument;
+        Some(Self::of_run((model, argument), &machine.moving, run, (order, space)))
     }
 
     fn of_run(
         (model, argument): (&Model, &str),
         moving: &Moving,
         run: &Trajectory,
-        order: Option<&[usize]>,
+        (order, space): (Option<&[usize]>, Option<&Space>),
     ) -> Result<Self, String> {
         let refused = |why: &dyn std::fmt::Display| format!("The page cannot run it: {why}.");
         if !model.fields.is_empty() {
-            let whole = unrolled(model).map_err(|why| refused(&why))?;
+            let whole = divided(model, Discretisation::default(), Model::divided);
+            let whole = whole.map_err(|why| refused(&why))?;
             let moving = moving.moved(model.coordinates.len(), whole.coordinates.len());
-            return Self::of_run((&whole, argument), &moving, run, order);
+            return Self::of_run((&whole, argument), &moving, run, (order, space));
         }
         if !model.constraints.is_empty() && model.positions() > model.coordinates.len() {
             return Err(refused(&"it has constraints and an orientation"));
         }
         let (module, is_implicit) = modules(model).map_err(|error| refused(&error))?;
-        if module.bytes.len() > LARGEST {
+        if module.bytes.len() > largest(model) {
             let size = module.bytes.len() / 1000;
             return Err(refused(&format!("its equations would take {size} kB of the page")));
         }
         let order = order.map_or_else(|| order::at_once(model, run), <[usize]>::to_vec);
-        let known = Known::of((model, argument), moving, run, (&module, is_implicit));
+        let mut known = Known::of((model, argument), moving, run, (&module, is_implicit));
+        known.space = space.cloned();
         Ok(Self { known, order })
     }
 
@@ -270,42 +307,48 @@ impl Live {
         }
     }
 
-    /// Renders the controls of the animated drawing, which the script shows. Empty if nothing in
-    /// the drawing moves.
-    pub(super) fn motion(&self) -> Markup {
-        html! {
-            @if !self.known.moving.is_empty() {
-                div #live-motion hidden {
-                    figure.plane hidden {
-                        svg viewBox="0 0 880 320" role="img" aria-label="bodies in the plane" {}
-                    }
-                    p.tools {
-                        button type="button" { "Play" }
-                        input type="range" min="0" max="1000" step="1" value="0"
-                            aria-label="time of the run";
-                        output {}
-                    }
-                }
-            }
-        }
-    }
-
     fn slider(&self, index: usize) -> Markup {
         let Parameter { name, unit, doc, value } = &self.known.parameters[index];
         slider(&index.to_string(), name, unit, doc, *value)
     }
 
-    /// Renders the data and script that run the machine, for the end of the page.
-    pub(super) fn scripts(&self) -> Markup {
-        html! {
-            (data(&self.known()))
-            script { (PreEscaped(script())) }
-        }
-    }
-
     /// Returns the data of the machine for scripts, as JSON.
     pub(super) fn known(&self) -> String {
         serde_json::to_string(&self.known).unwrap_or_default()
+    }
+}
+
+/// Returns the data of a machine that does not run in the page, as JSON.
+pub(super) fn still(name: &str, moving: &Moving, space: &Space) -> String {
+    serde_json::to_string(&Still { name, moving, space }).unwrap_or_default()
+}
+
+/// Renders the animated drawing with its controls, which the script shows. Empty if nothing in it
+/// moves.
+pub(super) fn motion(moving: &Moving, space: Option<&Space>) -> Markup {
+    html! {
+        @if space.is_some() || !moving.is_empty() {
+            div #live-motion hidden {
+                @if space.is_some() { (Space::figure()) }
+                figure.plane hidden {
+                    svg viewBox="0 0 880 320" role="img" aria-label="bodies in the plane" {}
+                }
+                p.tools.player {
+                    button type="button" { "Play" }
+                    input type="range" min="0" max="1000" step="1" value="0"
+                        aria-label="time of the run";
+                    output {}
+                }
+            }
+        }
+    }
+}
+
+/// Renders the data and scripts of a machine, for the end of the page.
+pub(super) fn scripts(known: &str) -> Markup {
+    html! {
+        (data(known))
+        script { (PreEscaped(script())) }
     }
 }
 
@@ -340,6 +383,11 @@ fn slider(key: &str, name: &str, unit: &str, doc: &str, value: f64) -> Markup {
     }
 }
 
+/// Returns the maximum bytes of the module of a machine.
+fn largest(model: &Model) -> usize {
+    if model.drawing.is_some() { LARGEST_IN_SPACE } else { LARGEST }
+}
+
 /// Compiles the module, with the functions of implicit methods if they fit. Returns whether they
 /// did.
 fn modules(model: &Model) -> Result<(WasmModule, bool), NotInWasm> {
@@ -349,7 +397,7 @@ fn modules(model: &Model) -> Result<(WasmModule, bool), NotInWasm> {
     }
     let all: Vec<FunctionId> = FUNCTIONS.into_iter().chain(OF_IMPLICIT).collect();
     match module(model, &all) {
-        Ok(whole) if whole.bytes.len() <= LARGEST => Ok((whole, true)),
+        Ok(whole) if whole.bytes.len() <= largest(model) => Ok((whole, true)),
         Err(error @ (NotInWasm::Fields | NotInWasm::Malformed)) => Err(error),
         _ => module(model, &FUNCTIONS).map(|module| (module, false)),
     }
@@ -419,6 +467,7 @@ impl Known {
             mass_matrix: model.mass_matrix.pattern.clone(),
             constraint_matrix: model.constraint_matrix.pattern.clone(),
             moving: moving.clone(),
+            space: None,
             methods: Methods {
                 explicit: if is_tsit5 { tsit5() } else { dop853() },
                 implicit: is_implicit.then(rodas5p),

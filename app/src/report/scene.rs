@@ -6,9 +6,10 @@ use machinist_model::Model;
 use machinist_studies::work_precision::{Plan, WorkPrecision};
 use maud::{Markup, html};
 
-use super::live::Live;
+use super::live::{Live, motion as motion_of, scripts, still};
 use super::machine::{By, Machine};
 use super::page::{Page, prose, section};
+use super::space::Space;
 use super::{equations, fields, figure, key, modes, reduction, schematic, verification};
 use crate::cli::specs::{Cost, costs};
 use crate::explain::Explanation;
@@ -21,8 +22,8 @@ pub(super) struct Pieces {
     pub(super) header: Markup,
     /// Sections by id, title and content.
     pub(super) sections: Vec<(&'static str, &'static str, Markup)>,
-    /// The machine that runs in the page.
-    pub(super) live: Option<Live>,
+    /// Data of the machine that runs or moves in the page, as JSON.
+    pub(super) known: Option<String>,
 }
 
 impl Pieces {
@@ -30,9 +31,21 @@ impl Pieces {
     pub(super) fn of(machine: &Machine) -> Self {
         let model = &machine.model;
         let (name, argument) = (machine.name(), machine.argument.as_str());
-        let live = Live::of(machine);
+        let moving = &machine.moving;
+        let run = machine.trajectory();
+        let space = run.and_then(|run| Space::of(model, run, &moving.entries()));
+        let live = Live::of(machine, space.as_ref());
+        let known = match (&live, &space) {
+            (Some(Ok(live)), _) => Some(live.known()),
+            (_, Some(space)) => Some(still(name, moving, space)),
+            _ => None,
+        };
         let mut sections = vec![
-            ("machine", "The machine", picture(machine, live.as_ref())),
+            (
+                "machine",
+                "The machine",
+                picture(machine, space.as_ref(), matches!(live, Some(Ok(_)))),
+            ),
             ("run", "Run", ran(machine, argument, live.as_ref())),
         ];
         if !machine.verdicts.is_empty() {
@@ -54,7 +67,7 @@ impl Pieces {
             sections.push(("methods", "Error against run time", methods(name, measured)));
         }
         let title = format!("{}: Machinist", machine.title());
-        Self { title, header: header(machine), sections, live: live.and_then(Result::ok) }
+        Self { title, header: header(machine), sections, known }
     }
 
     /// Returns the sections by id and title.
@@ -75,7 +88,7 @@ pub(super) fn page(machine: &Machine, has_index: bool) -> String {
         body: html! {
             (pieces.header)
             @for (id, title, content) in &pieces.sections { (section(id, title, content)) }
-            @if let Some(live) = &pieces.live { (live.scripts()) }
+            @if let Some(known) = &pieces.known { (scripts(known)) }
         },
     };
     page.render()
@@ -122,7 +135,7 @@ fn sources(text: &str) -> Markup {
     }
 }
 
-fn picture(machine: &Machine, live: Option<&Result<Live, String>>) -> Markup {
+fn picture(machine: &Machine, space: Option<&Space>, is_live: bool) -> Markup {
     let model = &machine.model;
     let counts = [
         ("parts", machine.schematic.parts()),
@@ -133,11 +146,12 @@ fn picture(machine: &Machine, live: Option<&Result<Live, String>>) -> Markup {
         ("parameters", model.parameters.len()),
     ];
     html! {
+        @if space.is_some() { (motion_of(&machine.moving, space)) }
         figure {
             (schematic::legend(&machine.schematic))
             div.scroll { (schematic::drawing(&machine.schematic)) }
         }
-        @if let Some(Ok(live)) = live { (live.motion()) }
+        @if space.is_none() && is_live { (motion_of(&machine.moving, None)) }
         dl.counts {
             @for (what, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
                 div { dt { (what) } dd { (count) } }

@@ -75,18 +75,14 @@ impl Ran {
 
     /// Returns the content of the page.
     pub fn content(&self) -> Content {
-        let Pieces { title, header, sections, live } = Pieces::of(&self.machine);
+        let Pieces { title, header, sections, known } = Pieces::of(&self.machine);
         let header = Piece { id: "summary".to_owned(), title: None, html: header.into_string() };
         let sections = sections.iter().map(|(id, title, content)| Piece {
             id: (*id).to_owned(),
             title: Some((*title).to_owned()),
             html: section(id, title, content).into_string(),
         });
-        Content {
-            title,
-            pieces: std::iter::once(header).chain(sections).collect(),
-            known: live.map(|live| live.known()),
-        }
+        Content { title, pieces: std::iter::once(header).chain(sections).collect(), known }
     }
 }
 

@@ -162,7 +162,7 @@ fn modulated(draft: &mut Draft, i: usize) {
 
 fn quantizer(draft: &mut Draft, i: usize) {
     let (k, q) = (draft.parameter(5.0, 100.0, "N/m"), draft.parameter(0.01, 0.2, "m"));
-    draft.push(i, &format!("-{k}*{q}*(x{i}/{q} + 0.5 - mod(x{i}/{q} + 0.5, 1))"));
+    draft.push(i, &format!("-{k}*{q}*round(x{i}/{q})"));
 }
 
 fn encoder(draft: &mut Draft, i: usize) {
@@ -243,7 +243,7 @@ fn square_wave(draft: &mut Draft, i: usize) {
 
 fn stairs(draft: &mut Draft, i: usize) {
     let (f, period) = (draft.parameter(0.1, 1.0, "N"), draft.parameter(0.2, 2.0, "s"));
-    draft.push(i, &format!("{f}*(t/{period} - mod(t/{period}, 1))"));
+    draft.push(i, &format!("{f}*floor(t/{period})"));
 }
 
 fn dead_zone(draft: &mut Draft, i: usize) {

@@ -369,6 +369,7 @@ impl Recipe {
             kinetic: self.kinetic(),
             potential: sum(self.potential.iter().map(|piece| self.term(piece)).collect()),
             mechanisms: Vec::new(),
+            drawing: Vec::new(),
             orientations: Orientations::default(),
             scalars: Vec::new(),
             springs: Vec::new(),

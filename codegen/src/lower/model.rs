@@ -8,7 +8,9 @@ use std::ops::Range;
 use machinist_algebra::expr::abbreviate::Abbreviations;
 use machinist_algebra::expr::{Expr, Graph};
 use machinist_model::evaluate::{Evaluator, Inputs};
-use machinist_model::{MatrixTape, Model, NodeId, SparsityPattern, Tape, reachable};
+use machinist_model::{
+    Drawing, Element, MatrixTape, Model, NodeId, SparsityPattern, Tape, reachable,
+};
 
 use crate::lower::angles::expand;
 use crate::lower::describe::{constraints, describe, events};
@@ -21,6 +23,7 @@ use crate::lower::substitute::{Step, Substitution};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::linearize::{Linearization, Partials};
 use crate::mechanics::state::Motion;
+use crate::scene::system::Drawn;
 
 /// Lowers a scene to one tape for each function of a simulator. If the machine is large, a
 /// further tape computes what several of them need.
@@ -58,6 +61,7 @@ pub fn lower(linearization: &Linearization) -> Model {
         initial_state: graph.tape(&initial),
         discontinuities: graph.tape(&discontinuities),
         required: required(&linearization.equations),
+        drawing: drawing(&linearization.equations),
         rate: expand(&rate),
         mass_matrix: build.mass_matrix_tape(),
         forcing: graph.tape(&build.forcing),
@@ -83,6 +87,21 @@ fn required(equations: &EquationsOfMotion) -> Tape {
     let required = equations.system.requirements.iter();
     let values: Vec<NodeId> = required.map(|required| graph.lower(&required.expr)).collect();
     graph.tape(&values)
+}
+
+/// Returns the drawing, on a separate graph: no function that simulates reads it.
+fn drawing(equations: &EquationsOfMotion) -> Option<Drawing> {
+    let drawn = &equations.system.drawing;
+    let mut graph = Graph::for_scene(equations.layout.symbols());
+    let element = |drawn: &Drawn| Element {
+        kind: drawn.kind,
+        name: drawn.name.clone(),
+        is_of_inertia: drawn.is_of_inertia,
+    };
+    let elements = drawn.iter().map(element).collect();
+    let places: Vec<NodeId> =
+        drawn.iter().flat_map(|drawn| &drawn.numbers).map(|number| graph.lower(number)).collect();
+    (!drawn.is_empty()).then(|| Drawing { elements, places: graph.tape(&places) })
 }
 
 /// Number of products of a solution for all columns of the Jacobian beyond which functions share

@@ -95,6 +95,7 @@ fn density(system: &LagrangianSystem, field: &Field) -> LagrangianSystem {
         dissipation: field.dissipation.clone(),
         generalized_force: vec![force(field.force.clone()), force(Expr::integer(0))],
         mechanisms: Vec::new(),
+        drawing: Vec::new(),
         orientations: Orientations::default(),
         scalars: Vec::new(),
         springs: Vec::new(),

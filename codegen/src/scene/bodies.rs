@@ -8,6 +8,7 @@ use machinist_algebra::cas::arithmetic::{normal_form, product, sum};
 use machinist_algebra::expr::{Expr, Symbol};
 use num_rational::BigRational;
 
+use crate::scene::drawing::{Attached, Taken};
 use crate::scene::evaluate;
 use crate::scene::frames::turn;
 use crate::scene::layout::{FramePart, Scope};
@@ -32,6 +33,10 @@ pub struct Spatial {
     frames: HashMap<Option<(usize, usize)>, Frame>,
     /// The world's view of each frame that has been asked for.
     placed: RefCell<HashMap<(usize, usize), Rc<Placed>>>,
+    /// Steps between frames, for drawings.
+    taken: Vec<Taken>,
+    /// Bodies, for drawings.
+    attached: Vec<Attached>,
 }
 
 /// State of the tree of an instance.
@@ -67,8 +72,20 @@ impl Spatial {
     pub(super) fn new(
         mechanism: Mechanism,
         frames: HashMap<Option<(usize, usize)>, Frame>,
+        taken: Vec<Taken>,
+        attached: Vec<Attached>,
     ) -> Self {
-        Spatial { mechanism, frames, placed: RefCell::default() }
+        Spatial { mechanism, frames, placed: RefCell::default(), taken, attached }
+    }
+
+    /// Returns the bodies with the frames to which they are fixed.
+    pub(super) fn attached(&self) -> &[Attached] {
+        &self.attached
+    }
+
+    /// Returns the steps between frames, from the world outwards.
+    pub(super) fn taken(&self) -> &[Taken] {
+        &self.taken
     }
 
     /// Returns a frame; the world for `None`.
@@ -229,7 +246,7 @@ impl Resolver<'_> {
     }
 
     /// Returns the matrix of rotations that do not move.
-    fn constant_rotation(
+    pub(super) fn constant_rotation(
         &mut self,
         rotations: &[RotationSpec],
         scope: Scope,
@@ -397,7 +414,7 @@ impl Resolver<'_> {
         Err(Box::new(mistake.help("turn a frame by `spherical`")))
     }
 
-    fn components(
+    pub(super) fn components(
         &mut self,
         spec: &Components,
         scope: Scope,

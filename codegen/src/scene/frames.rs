@@ -12,6 +12,7 @@ use machinist_algebra::cas::arithmetic::negative;
 use machinist_algebra::expr::Expr;
 
 use crate::scene::bodies::{Spatial, Step};
+use crate::scene::drawing::{Attached, Taken};
 use crate::scene::layout::{Layout, Scope};
 use crate::scene::resolve::Resolver;
 use crate::spatial::mechanism::{Frame, Kind, Mechanism};
@@ -65,6 +66,7 @@ impl Resolver<'_> {
         let mut edges = edges(self.spec, self.layout, instances)?;
         edges.retain(|edge| !self.layout.cuts.iter().any(|cut| cut.edge == edge.id));
         let mut frames: HashMap<Node, Frame> = HashMap::from([(None, Mechanism::world())]);
+        let (mut taken, mut bodies) = (Vec::new(), Vec::new());
         let mut near: HashMap<Node, Vec<usize>> = HashMap::new();
         for (index, edge) in edges.iter().enumerate() {
             edge.ends.iter().for_each(|end| near.entry(*end).or_default().push(index));
@@ -83,7 +85,10 @@ impl Resolver<'_> {
             let there = match edge.id {
                 EdgeId::Joint(_) => at,
                 EdgeId::Frame(instance, frame) => {
-                    self.along(&mut tree, at, (instance, frame), forward)?
+                    let along = self.along(&mut tree, at.clone(), (instance, frame), forward)?;
+                    let there = along.last().map_or(at, |taken| taken.between[1].clone());
+                    taken.extend(along);
+                    there
                 }
             };
             frames.insert(to, there);
@@ -98,13 +103,15 @@ impl Resolver<'_> {
                     return Err(Box::new(self.adrift(*instance, frame)));
                 }
             }
-            for body in &unit.bodies {
-                let frame = find(unit, &body.frame)?.map(|index| (*instance, index));
-                let body = self.body(body, Scope::Instance(*instance))?;
+            for spec in &unit.bodies {
+                let frame = find(unit, &spec.frame)?.map(|index| (*instance, index));
+                let body = self.body(spec, Scope::Instance(*instance))?;
                 tree.attach(&frames[&frame], &body);
+                let name = spec.name.value.clone();
+                bodies.push(Attached { instance: *instance, name, frame, body });
             }
         }
-        Ok(Spatial::new(tree, frames))
+        Ok(Spatial::new(tree, frames, taken, bodies))
     }
 
     /// Returns the mistake of a frame that nothing connects to the world.
@@ -117,14 +124,14 @@ impl Resolver<'_> {
         Mistake::new(name.span, message, "adrift").help(help)
     }
 
-    /// Returns the frame at the other end of an edge.
+    /// Returns the steps along an edge, with the frames between them.
     fn along(
         &mut self,
         tree: &mut Mechanism,
         mut at: Frame,
         (instance, index): (usize, usize),
         forward: bool,
-    ) -> Result<Frame, Box<Mistake>> {
+    ) -> Result<Vec<Taken>, Box<Mistake>> {
         let spec = self.spec;
         let frame = &spec.units[spec.instances[instance].unit].frames[index];
         let prefix = spec.instances[instance].name.value.replace('.', "_");
@@ -133,10 +140,14 @@ impl Resolver<'_> {
         if !forward {
             steps.reverse();
         }
-        for step in &steps {
-            at = if forward { taken(tree, at, step, &name) } else { undone(tree, at, step, &name) };
+        let mut along = Vec::new();
+        for step in steps {
+            let before = at.clone();
+            let walk = if forward { taken } else { undone };
+            at = walk(tree, at, &step, &name);
+            along.push(Taken { frame: (instance, index), step, between: [before, at.clone()] });
         }
-        Ok(at)
+        Ok(along)
     }
 }
 

@@ -54,6 +54,10 @@ const OTHERS: &[(&str, &str)] = &[
     ("z_of", "z_of(u)"),
 ];
 
+/// Functions of one dimensionless number that return a whole one. Their names are not reserved,
+/// since machines have floors; a parenthesis tells calls from names.
+const WHOLE: &[&str] = &["floor", "ceil", "round"];
+
 impl Resolver<'_> {
     /// Resolves a call.
     pub(super) fn call(
@@ -83,6 +87,7 @@ impl Resolver<'_> {
             }
             ("min" | "max", [a, b]) => self.extremum(function == "min", a, b, scope, allowed),
             ("mod", [x, y]) => self.remainder(x, y, span, scope, allowed),
+            ("floor" | "ceil" | "round", [x]) => self.whole(function, x, span, scope, allowed),
             ("sign", [x]) => self.sign(x, span, scope, allowed),
             ("smooth_step", [x]) => self.smooth_step(x, span, scope, allowed),
             ("step", [t, at]) => self.step(t, at, span, scope, allowed),
@@ -132,6 +137,38 @@ impl Resolver<'_> {
                 ))
             }
         }
+    }
+
+    /// Resolves a whole number near a dimensionless one.
+    ///
+    /// ```text
+    /// floor(x)      ceil(x) = -floor(-x)      round(x) = floor(x + 1/2)
+    /// ```
+    fn whole(
+        &mut self,
+        function: &str,
+        of: &Ast,
+        span: Span,
+        scope: Scope,
+        allowed: Uses,
+    ) -> Resolved {
+        let x = self.number(of, scope, allowed)?;
+        self.spend(2, span)?;
+        let mut typed = Typed::over(&[&x]);
+        typed.terms += 2;
+        typed.depth += 3;
+        typed.angular = Angular::of_function(x.uses.moves());
+        let floor = |x: Expr| Expr::Call(Function::Floor, vec![x]);
+        let negative = |x: Expr| product(vec![integer(-1), x]);
+        (typed.value, typed.expr) = match function {
+            "floor" => (x.value.map(f64::floor), floor(x.expr)),
+            "ceil" => (x.value.map(f64::ceil), negative(floor(negative(x.expr)))),
+            _ => {
+                let half = Expr::Number(num_rational::BigRational::new(1.into(), 2.into()));
+                (x.value.map(|x| (x + 0.5).floor()), floor(sum(vec![x.expr, half])))
+            }
+        };
+        Ok(typed)
     }
 
     /// Resolves x - y floor(x/y).
@@ -490,7 +527,7 @@ fn like(x: &Typed, parts: &[&Typed]) -> Typed {
 }
 
 fn unknown(function: &str, name: Span, span: Span, given: usize) -> Mistake {
-    if PURE.iter().any(|(known, _)| *known == function) {
+    if PURE.iter().any(|(known, _)| *known == function) || WHOLE.contains(&function) {
         let message = format!("{function} takes one argument, not {given}");
         return Mistake::new(span, message, "here");
     }
@@ -499,6 +536,7 @@ fn unknown(function: &str, name: Span, span: Span, given: usize) -> Mistake {
         return Mistake::new(span, message, "here").help(format!("write {usage}"));
     }
     let known = PURE.iter().map(|(name, _)| *name).chain(OTHERS.iter().map(|(name, _)| *name));
+    let known = known.chain(WHOLE.iter().copied());
     let message = format!("unknown function {}", quoted(function));
     Mistake::new(name, message, "unknown").help(did_you_mean(function, known))
 }

@@ -155,6 +155,14 @@ impl Mechanism {
         joint.map_or_else(Motion::at_rest, |joint| self.joints[joint].motion.clone())
     }
 
+    /// Returns the position of a frame and its axes as columns, along the world's axes.
+    #[must_use]
+    pub fn pose(&self, frame: &Frame) -> (Vector, Matrix3) {
+        let Motion { to_world, position, .. } = self.motion(frame.joint);
+        let position = plus(&position, &times(&to_world, &frame.offset));
+        (position, multiplied(&to_world, &frame.to_joint))
+    }
+
     /// Returns the world's view of a frame.
     #[must_use]
     pub fn placed(&self, frame: &Frame) -> Placed {

@@ -263,11 +263,11 @@ fn inertia(tree: &Spanned<Tree>, found: &mut Findings) -> [Option<Formula>; 6] {
 /// Reads three components, if present.
 pub fn vector(key: &'static str, fields: &mut Fields<'_>) -> Option<Components> {
     let tree = fields.take(key)?;
-    components(tree, key, "the components x, y, z", fields)
+    components_of(tree, key, "the components x, y, z", fields)
 }
 
 /// Reads a list of exactly N formulas.
-fn components<const N: usize>(
+pub fn components_of<const N: usize>(
     tree: &Spanned<Tree>,
     key: &str,
     what: &str,
@@ -301,7 +301,7 @@ fn axis(
 }
 
 /// Reads `rotation`: one, or a list of them.
-fn rotations(fields: &mut Fields<'_>) -> Vec<RotationSpec> {
+pub fn rotations(fields: &mut Fields<'_>) -> Vec<RotationSpec> {
     match fields.take("rotation") {
         None => Vec::new(),
         Some(Spanned { value: Tree::List(items), .. }) => {
@@ -326,7 +326,7 @@ fn rotation(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RotationSpec> 
     let roll_pitch_yaw = vector("roll_pitch_yaw", &mut fields);
     let quaternion = fields
         .take("quaternion")
-        .and_then(|tree| components(tree, "quaternion", "the parts w, x, y, z", &mut fields));
+        .and_then(|tree| components_of(tree, "quaternion", "the parts w, x, y, z", &mut fields));
     let span = fields.span;
     let given = match (axis, angle, sequence, angles, roll_pitch_yaw, quaternion) {
         (Some(axis), Some(by), None, None, None, None) => {

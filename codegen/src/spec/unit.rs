@@ -12,6 +12,7 @@ use crate::spec::inside::{self, Inside};
 use crate::spec::measure::{Measure, UnitError};
 use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::scatter;
+use crate::spec::shape;
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{
     Acts, ConnectorSpec, CoordinateSpec, DefinitionSpec, EnergySpec, ExposedSpec, ForceSpec,
@@ -36,6 +37,7 @@ pub fn read(
     let mut frames = each(&mut fields, "frames", body::frame);
     let orientations = each(&mut fields, "orientations", body::orientation);
     let bodies = each(&mut fields, "bodies", body::body);
+    let shapes = each(&mut fields, "shapes", shape::shape);
     let gravity = body::vector("gravity", &mut fields);
     let (ports, exposed) = ports(&mut fields);
     for port in ports.iter().filter(|port| port.kind.value == PortKind::Frame) {
@@ -90,6 +92,7 @@ pub fn read(
         frames,
         orientations,
         bodies,
+        shapes,
         gravity,
         ports,
         exposed,

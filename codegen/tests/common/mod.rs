@@ -125,7 +125,11 @@ fn symbol(symbol: Symbol, system: &LagrangianSystem) -> String {
         Symbol::Time => "t".to_owned(),
         Symbol::Pi => "pi".to_owned(),
         Symbol::Helper(id) => format!("helper {}", id.0),
-        Symbol::Coordinate(id) => coordinate(id).position.name.path.clone(),
+        // Parts w of quaternions follow the coordinates.
+        Symbol::Coordinate(id) => match (id.0 as usize).checked_sub(system.coordinates.len()) {
+            Some(scalar) => system.scalars[scalar].quantity.name.path.clone(),
+            None => coordinate(id).position.name.path.clone(),
+        },
         Symbol::Velocity(id) => coordinate(id).velocity.name.path.clone(),
         Symbol::Acceleration(id) => format!("{}''", coordinate(id).position.name.path),
         Symbol::FirstOrder(id) => system.first_order[id.0 as usize].quantity.name.path.clone(),

@@ -234,6 +234,7 @@ pub fn pendulum_system() -> LagrangianSystem {
         kinetic: zero(),
         potential: zero(),
         mechanisms: Vec::new(),
+        drawing: Vec::new(),
         orientations: machinist_codegen::spatial::orientation::Orientations::default(),
         scalars: Vec::new(),
         springs: vec![],

@@ -20,7 +20,7 @@ use thiserror::Error;
 use crate::{Malformed, Model};
 
 /// Version of the format, increased whenever the meaning of a model's bytes changes.
-pub const VERSION: u32 = 9;
+pub const VERSION: u32 = 10;
 
 /// The first bytes of every file.
 pub const MARK: &[u8; 16] = b"machinist model\n";

@@ -11,6 +11,8 @@
 mod check;
 #[cfg(feature = "compiled")]
 pub mod compiled;
+mod divide;
+mod drawing;
 mod elimination;
 pub mod evaluate;
 mod excitation;
@@ -39,6 +41,8 @@ mod validate;
 pub mod wasm;
 
 pub use check::{Check, ClosedForm, Reference};
+pub use divide::Division;
+pub use drawing::{Drawing, Element, ElementKind};
 pub use elimination::Elimination;
 pub use excitation::Excitation;
 pub use field::{Attachment, FieldModel, LocalForces};

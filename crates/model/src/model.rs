@@ -4,8 +4,8 @@ use machinist_contract as contract;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Check, Direction, Excitation, FieldModel, Motion, Name, Op, Quantity, Reduction, RunDefaults,
-    Solve, SourceFile, Table, Tape,
+    Check, Direction, Drawing, Excitation, FieldModel, Motion, Name, Op, Quantity, Reduction,
+    RunDefaults, Solve, SourceFile, Table, Tape,
 };
 
 /// Structural nonzeros, sorted by row, then by column.
@@ -330,6 +330,8 @@ pub struct Model {
     pub requirements: Vec<Requirement>,
     /// One result for each requirement, computed from parameters only.
     pub required: Tape,
+    /// Drawing in space, if the machine has frames.
+    pub drawing: Option<Drawing>,
 }
 
 impl Model {

@@ -20,10 +20,10 @@ pub struct Directions {
 impl Model {
     /// Returns the derivative of some results of a tape of this machine along a direction.
     ///
-    /// The tape must be [live](Tape::live). It may read the motion, but no constants.
+    /// It may read the motion, but no constants. Slots of relations are constant.
     ///
     /// # Panics
-    /// If the tape reads constants, slots, or numbers of fields.
+    /// If the tape reads constants or numbers of fields.
     #[must_use]
     pub fn tangent(&self, tape: &Tape, results: &[usize], directions: &Directions) -> Tape {
         let mut writer = Writer::new(self, directions);
@@ -194,7 +194,7 @@ impl<'a> Writer<'a> {
     fn slope(&mut self, op: Op, value: NodeId) -> Option<NodeId> {
         let (states, parameters) = (self.model.states.len(), self.model.parameters.len());
         match op {
-            Op::Literal(_) => None,
+            Op::Literal(_) | Op::Held(_) => None,
             Op::Time => {
                 let last = parameters + self.directions.along.len();
                 Some(self.add(Op::Parameter(last as u32)))
@@ -204,8 +204,8 @@ impl<'a> Writer<'a> {
                 let place = self.directions.along.iter().position(|along| *along == parameter)?;
                 Some(self.add(Op::Parameter((parameters + place) as u32)))
             }
-            Op::Constant(_) | Op::Held(_) | Op::Handed(_) | Op::Motion(_) => {
-                unreachable!("tapes of live machines without fields, before hoisting")
+            Op::Constant(_) | Op::Handed(_) | Op::Motion(_) => {
+                unreachable!("tapes of machines without fields, before hoisting")
             }
             Op::Neg(a) => {
                 let slope = self.of(a)?;

@@ -84,6 +84,10 @@ impl Model {
             }
         }
         check("required", &self.required, &self.room(), self.requirements.len())?;
+        if let Some(drawing) = &self.drawing {
+            let room = Room { time: true, states: self.states.len(), ..self.room() };
+            check("drawing", &drawing.places, &room, drawing.numbers())?;
+        }
         self.check_events()?;
         for field in &self.fields {
             self.check_field(field)?;

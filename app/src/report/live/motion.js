@@ -11,9 +11,11 @@ class Motion {
   constructor(page, root) {
     Object.assign(this, { page, root, run: null, time: 0, frame: 0, last: 0 });
     const { moving } = page.machine.known;
-    this.play = root.querySelector("button");
-    this.slider = root.querySelector("input");
-    this.told = root.querySelector("output");
+    this.stored = null;
+    const player = root.querySelector(".player");
+    this.play = player.querySelector("button");
+    this.slider = player.querySelector("input");
+    this.told = player.querySelector("output");
     this.parts = moving.parts.map((part) => this.part(part)).filter(Boolean);
     this.plane = moving.bodies.length ? new Plane(root.querySelector("svg"), moving.bodies) : null;
     this.play.addEventListener("click", () => this.toggle());
@@ -27,6 +29,18 @@ class Motion {
     ending.signal.addEventListener("abort", () => this.stop());
     respect();
     root.hidden = false;
+    this.begin();
+  }
+
+  // Draws the machine in space, if it has a place there.
+  async begin() {
+    const { known } = this.page.machine;
+    if (!known.space) return;
+    const places = await Places.of(known.space);
+    if (ending.signal.aborted) return;
+    this.space = new Space(this.root.querySelector(".space"), places);
+    this.stored = places.stored;
+    this.show(this.run ?? this.stored);
   }
 
   // A part of the drawing: a dial that turns against the clock, or a symbol that slides.
@@ -52,6 +66,7 @@ class Motion {
     const end = run.times[run.taken - 1];
     for (const part of this.parts) part.way = ways(run, part.by);
     this.plane?.fit(run);
+    this.space?.fit(run);
     this.time = Math.min(Math.max(this.time, run.from), end);
     this.draw();
   }
@@ -122,6 +137,7 @@ class Motion {
       }
     }
     this.plane?.draw(run, at);
+    this.space?.draw(time);
     this.mark();
     const span = this.end() - run.from;
     this.slider.value = span > 0 ? (LAST * (time - run.from)) / span : 0;
@@ -134,10 +150,14 @@ class Motion {
 
 // The sample before a time, and the share of the way to the next one.
 function place({ times, taken }, time) {
-  const step = (times[taken - 1] - times[0]) / Math.max(1, taken - 1);
-  const exact = step > 0 ? (time - times[0]) / step : 0;
-  const index = Math.max(0, Math.min(taken - 2, Math.floor(exact)));
-  return [index, Math.max(0, Math.min(1, exact - index))];
+  let [index, after] = [0, Math.max(1, taken - 1)];
+  while (after - index > 1) {
+    const middle = (index + after) >> 1;
+    if (times[middle] <= time) index = middle;
+    else after = middle;
+  }
+  const step = times[after] - times[index];
+  return [index, step > 0 ? Math.max(0, Math.min(1, (time - times[index]) / step)) : 0];
 }
 
 function between(values, [index, share]) {

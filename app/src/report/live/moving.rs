@@ -73,6 +73,16 @@ impl Moving {
         moved
     }
 
+    /// Returns the entries of the state that show it, in order.
+    pub(in crate::report) fn entries(&self) -> Vec<u32> {
+        let of_parts = self.parts.iter().filter_map(|part| part.by.position.or(part.by.velocity));
+        let of_bodies = self
+            .bodies
+            .iter()
+            .flat_map(|body| body.points.iter().flatten().copied().chain([body.angle]).flatten());
+        of_parts.chain(of_bodies).collect()
+    }
+
     pub(in crate::report) fn is_empty(&self) -> bool {
         self.parts.is_empty() && self.bodies.is_empty()
     }

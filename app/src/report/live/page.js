@@ -52,7 +52,8 @@ class LivePage {
       this.show(null);
       this.tell("");
       // The motion follows, if it has begun.
-      if (this.motion?.run) await this.simulate();
+      if (this.motion?.stored) this.motion.show(this.motion.stored);
+      else if (this.motion?.run) await this.simulate();
       return;
     }
     const found = await this.simulate();
@@ -102,7 +103,9 @@ class LivePage {
     const run = new Run(this.machine, wanted);
     const spent = await this.finish(run, () => turn === this.turn);
     if (spent === null) return null;
-    if (run.taken > 1) this.motion?.show(run);
+    // The drawing in space has the stored run.
+    const isMoved = this.sliders.some((slider) => slider.value !== slider.original);
+    if (run.taken > 1 && (isMoved || !this.motion?.stored)) this.motion?.show(run);
     return { run, spent };
   }
 
@@ -161,9 +164,21 @@ class LivePage {
 const ending = new AbortController();
 document.addEventListener("machinist:live-ends", () => ending.abort(), { once: true });
 
+// A machine that moves as in the stored run.
+class StillPage {
+  constructor(known) {
+    this.machine = { known };
+    this.charts = [];
+    this.motion = new Motion(this, document.getElementById("live-motion"));
+  }
+
+  async latest() {}
+}
+
 const ofPage = JSON.parse(document.getElementById("live-known").textContent);
-ofPage.tracked = tracked(ofPage.moving);
-Machine.of(ofPage).then(
+ofPage.tracked = [...new Set([...tracked(ofPage.moving), ...(ofPage.space?.entries ?? [])])];
+if (!ofPage.module) new StillPage(ofPage);
+else Machine.of(ofPage).then(
   (machine) => {
     if (!ending.signal.aborted) new LivePage(machine, document.getElementById("live"));
   },

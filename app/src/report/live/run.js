@@ -11,7 +11,7 @@ class Run {
   constructor(machine, { parameters, from, until, points, times }) {
     const { known } = machine;
     machine.begin(parameters);
-    Object.assign(this, { machine, from, until, taken: 0, stopped: null, work: machine.work, used: new Set() });
+    Object.assign(this, { machine, parameters, from, until, taken: 0, stopped: null, work: machine.work, used: new Set() });
     const at = (k) => (k === points - 1 ? until : from + (until - from) * (k / (points - 1)));
     this.times = Float64Array.from(times ?? range(points).map(at));
     this.outputs = known.outputs.map(() => new Float64Array(this.times.length));

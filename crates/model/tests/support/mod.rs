@@ -150,6 +150,7 @@ pub fn model(n: usize, rate: Tape, mass: MatrixTape, forcing: Tape) -> Model {
     let parameter =
         |index: usize| Parameter { quantity: quantity(&format!("p_{index}")), value: 1.0 };
     Model {
+        drawing: None,
         requirements: Vec::new(),
         required: Tape::default(),
         starts_in_equilibrium: false,

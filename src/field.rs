@@ -24,7 +24,7 @@ mod simulator;
 
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
-use machinist_contract::field::{FieldScene, HANDED, MAX_ORDER};
+use machinist_contract::field::{FieldScene, HANDED, MAX_ORDER, Rule};
 use machinist_contract::{Dual, Real, Shape};
 
 use chain::{Chain, columns_beside};
@@ -373,6 +373,14 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         let mut x = vec![R::literal(0.0); mesh.owners.len()];
         mesh.elements(field, &work.bounds[mesh.bounds(field)]).places(&mut x);
         x
+    }
+
+    /// Returns for each field the rule of its elements, and x at its nodes \[m\] for given
+    /// parameters.
+    #[must_use]
+    pub fn divisions(&self, parameters: &[R]) -> Vec<(Rule<'_>, Vec<R>)> {
+        let meshes = self.meshes.iter().enumerate();
+        meshes.map(|(field, mesh)| (mesh.rule.rule(), self.places(field, parameters))).collect()
     }
 
     /// Returns u at the nodes of a field in a given state.

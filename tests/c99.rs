@@ -20,13 +20,13 @@ use machinist_model::evaluate::{Evaluator, Inputs};
 use machinist_model::{Model, ModelSimulator, Tape};
 
 use crate::fixed_steps::{adaptive, difference, steps_in_rust};
-use crate::own_scene::{model_of_specs, scenes_to_try};
+use crate::own_scene::{model_of_specs, scenes_to_try, whole_model_of_specs};
 use crate::wasm::{assert_same, expected};
 use compiler::{Compiler, Program};
 
 /// A motor, events and modes, branches, tables, constraints, constraints in modes, a prescribed
-/// motion that solves for the Jacobian, and standard parts.
-const SCENES: [&str; 21] = [
+/// motion that solves for the Jacobian, fields, and standard parts.
+const SCENES: [&str; 23] = [
     "saw_gin",
     "winder_full",
     "stick_slip",
@@ -37,6 +37,8 @@ const SCENES: [&str; 21] = [
     "four_bar",
     "winder_holder_drop",
     "drives/winch",
+    "drives/shaft_crank",
+    "saw_gin_shaft",
     "parts/control/pid_controller",
     "parts/control/relay",
     "parts/electrical/pmsm",
@@ -87,10 +89,7 @@ fn compiled(compiler: &Compiler, model: &Model, options: &C99Options) -> Program
 fn every_function_of_emitted_c_gives_the_bits_of_the_machine_in_rust() {
     let Some(compiler) = Compiler::found() else { return };
     for name in scenes_to_try("MACHINIST_C99", &SCENES) {
-        let model = model_of_specs(&name, Keep::Needed);
-        if !model.fields.is_empty() {
-            continue;
-        }
+        let model = whole_model_of_specs(&name, Keep::Needed);
         let mut program = compiled(&compiler, &model, &options(Real::Double, &model));
         let simulator = ModelSimulator::interpreted(model.clone());
         for index in 0..6 {
@@ -176,8 +175,10 @@ fn steps_of_emitted_c_give_the_bits_of_steps_in_rust() {
         ("pendulum_constrained", 100),
         ("drives/winch", 4000),
         ("parts/sources/torque", 200),
+        ("drives/shaft_crank", 100),
+        ("saw_gin_shaft", 100),
     ] {
-        let model = model_of_specs(name, Keep::Needed);
+        let model = whole_model_of_specs(name, Keep::Needed);
         let step = (model.run.until - model.run.from) / steps as f64;
         for method in StepMethod::ALL {
             let options = C99Options { method, ..options(Real::Double, &model) };
@@ -254,11 +255,11 @@ fn float_steps_follow_double_ones_to_rounding() {
 }
 
 #[test]
-fn a_scene_with_fields_is_refused_by_the_name_of_its_field() {
+fn a_scene_with_fields_that_are_not_divided_is_refused_by_the_name_of_its_field() {
     let model = model_of_specs("shaft_step_torque", Keep::Needed);
     let error = emit(&model, &C99Options::default()).expect_err("fields").to_string();
     let field = &model.fields[0].quantities[0].name.path;
-    assert!(error.starts_with(&format!("field `{field}` is discretized")), "{error}");
+    assert!(error.starts_with(&format!("field `{field}` is not divided")), "{error}");
 }
 
 /// Writes a row of the table of microcontrollers.

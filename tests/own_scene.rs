@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock};
 
+use machinist::FieldSimulator;
 use machinist::constraints::lasting;
+use machinist::field::Discretisation;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_codegen::scene::system::LagrangianSystem;
@@ -56,6 +58,20 @@ pub fn model_of_specs(name: &str, keep: Keep) -> Model {
     let key = (name.to_owned(), keep);
     let model = Arc::clone(DERIVED.lock().expect("models").entry(key).or_default());
     model.get_or_init(|| as_run(&folder_of_specs().join(format!("{name}.toml")), keep)).clone()
+}
+
+/// Returns that model with its fields divided, as it is emitted as C99.
+pub fn whole_model_of_specs(name: &str, keep: Keep) -> Model {
+    let model = model_of_specs(name, keep);
+    if model.fields.is_empty() { model } else { divided(&model, Discretisation::default()) }
+}
+
+/// Returns a model with its fields divided into elements.
+pub fn divided(model: &Model, wanted: Discretisation) -> Model {
+    let simulator = ModelSimulator::interpreted(model.clone());
+    let cut = FieldSimulator::new(simulator.with_fields(), wanted).expect("a division");
+    let p: Vec<f64> = model.parameters.iter().map(|parameter| parameter.value).collect();
+    model.divided_completely(&cut.divisions(&p)).expect("a whole machine")
 }
 
 /// Returns that scene as a simulator.

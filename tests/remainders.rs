@@ -1,4 +1,4 @@
-//! `mod(x, y)`: remainders, and motions in which it jumps.
+//! `mod(x, y)`, `floor`, `ceil` and `round`: values, and motions in which they jump.
 
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -102,11 +102,82 @@ fn a_force_that_repeats_along_a_way_does_its_work() {
 }
 
 #[test]
+fn whole_numbers_are_those_of_their_definitions() {
+    let outputs = "down = { expression = \"floor(cart.x/pitch - 1.5)\", unit = \"1\" }\n\
+                   up = { expression = \"ceil(1 - 3*t/1 [s])\", unit = \"1\" }\n\
+                   near = { expression = \"round(cart.x/pitch)\", unit = \"1\" }\n\
+                   fixed = { expression = \"ceil(2.1) + 10*round(-2.5) + 100*floor(-0.1) + round(2.5)\", unit = \"1\" }\n\
+                   rate = { expression = \"der(round(cart.x/pitch))\", unit = \"1/s\" }";
+    let run = run(&of_text(&pushed("1 [N]", outputs), Keep::Needed), Method::Auto);
+    let near = |found: f64, exact: &dyn Fn(f64) -> f64, at: f64| {
+        // At a jump, rounding decides on the side.
+        let sides = [exact(at - 1e-12), exact(at), exact(at + 1e-12)];
+        assert!(sides.contains(&found), "{found} instead of {sides:?}");
+    };
+    for (row, t) in run.times.iter().enumerate() {
+        let at = |name: &str| column(&run, name)[row];
+        near(at("down"), &|x| (x - 1.5).floor(), at("x") / 0.3);
+        near(at("up"), &f64::ceil, 1.0 - 3.0 * t);
+        near(at("near"), &|x| (x + 0.5).floor(), at("x") / 0.3);
+        // 3 - 20 - 100 + 3: halves go up.
+        assert_eq!((at("fixed"), at("rate")), (-114.0, 0.0));
+    }
+}
+
+/// F = 6 N round(x/p): the energy at x is 6 N p times the sum of the steps below.
+#[test]
+fn a_force_in_steps_along_a_way_does_its_work() {
+    let work = |x: f64| {
+        let step = (x / 0.3 + 0.5).floor();
+        6.0 * (0.3 * step * (step - 1.0) / 2.0 + step * (x - 0.3 * (step - 0.5)))
+    };
+    for force in [
+        "6 [N]*round(cart.x/pitch)",
+        "6 [N]*floor(cart.x/pitch + 0.5)",
+        "6 [N]*(ceil(cart.x/pitch + 0.5) - 1)",
+    ] {
+        let scene = of_text(&pushed(force, ""), Keep::Needed);
+        for method in METHODS {
+            let run = run(&scene, method);
+            assert!(*column(&run, "x").last().expect("a value") > 1.5, "{method}");
+            for (x, v) in column(&run, "x").iter().zip(column(&run, "v")) {
+                // 2 kg v^2/2
+                let off = v * v - 0.25 - work(*x);
+                assert!(off.abs() < 1e-7 * v * v, "{force}, {method} at {x}: {off:e}");
+            }
+        }
+    }
+}
+
+/// F = 3 N floor(t/0.4 s): jumps at known times.
+#[test]
+fn stairs_over_time_are_followed_exactly() {
+    let scene = of_text(&pushed("3 [N]*floor(t/0.4 [s])", ""), Keep::Needed);
+    for method in METHODS {
+        let run = run(&scene, method);
+        let v = *column(&run, "v").last().expect("a value");
+        // Up to 2 s: 0.4 s each of 0, 3, 6, 9, 12 N on 2 kg.
+        assert!((v - 0.5 - 0.4 * 30.0 / 2.0).abs() < 1e-9, "{method}: {v}");
+    }
+}
+
+#[test]
+fn a_unit_may_be_called_floor() {
+    let text = pushed("1 [N]*floor(3.7)", "").replace("cart", "floor");
+    let run = run(&of_text(&text, Keep::Needed), Method::Auto);
+    let v = *column(&run, "v").last().expect("a value");
+    assert!((v - 0.5 - 2.0 * 3.0 / 2.0).abs() < 1e-9, "{v}");
+}
+
+#[test]
 fn remainders_of_what_does_not_fit_are_refused() {
     for (force, message) in [
         ("1 [N/m]*mod(cart.x, 1 [s])", "the arguments of `mod` differ in dimension"),
         ("1 [N/m]*mod(cart.x, pitch - pitch)", "a remainder by zero"),
         ("1 [N/m]*mod(cart.x)", "mod(x, y)"),
+        ("1 [N]*floor(cart.x)", "the argument of this function must be dimensionless"),
+        ("1 [N]*ceil(cart.x/pitch, 2)", "ceil"),
+        ("1 [N]*rund(cart.x/pitch)", "round"),
     ] {
         let said = refusal(&pushed(force, ""));
         assert!(said.contains(message), "{force}: {said}");

@@ -2,6 +2,7 @@
 //! one.
 
 mod common;
+mod drawings;
 mod output_times;
 mod own_scene;
 
@@ -23,6 +24,7 @@ mod constrained_fields;
 mod constraints;
 mod contacts;
 mod cycles;
+mod divided;
 mod equilibrium;
 mod error_estimates;
 mod estimators;
@@ -50,6 +52,7 @@ mod long_chains;
 mod loops;
 mod loose;
 mod massless;
+mod massless_networks;
 mod methods;
 mod mode_slopes;
 mod motion_laws;

@@ -31,7 +31,7 @@ mod gradient;
 pub mod groups;
 #[cfg(feature = "derive")]
 mod import;
-mod improve;
+pub mod improve;
 mod linear;
 mod linearize;
 mod list;
@@ -49,7 +49,7 @@ mod response;
 mod rewrite;
 pub mod run;
 #[cfg(feature = "derive")]
-mod scatter;
+pub mod scatter;
 pub mod scene;
 #[cfg(feature = "derive")]
 mod schema;

@@ -16,6 +16,8 @@ pub mod embedded;
 mod explain;
 mod failure;
 #[cfg(feature = "derive")]
+mod fields;
+#[cfg(feature = "derive")]
 mod fmu;
 #[cfg(feature = "derive")]
 mod freeze;
@@ -45,4 +47,4 @@ pub use config::KEYS as CONFIGURATION_KEYS;
 #[cfg(feature = "derive")]
 pub use failure::Trouble;
 #[cfg(feature = "derive")]
-pub use report::Headless;
+pub use report::{Headless, HeadlessDrawing};

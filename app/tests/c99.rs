@@ -58,11 +58,29 @@ fn float_and_other_methods_are_emitted_on_request() {
 }
 
 #[test]
+fn fields_are_divided_as_asked_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let generate = ["gen", "--target", "c99", "shaft_step_torque", "-o", "shaft"];
+    let generate = [&generate[..], &["--elements", "3", "--order", "2"]].concat();
+    answer(machinist(folder.path(), &generate));
+    let path = folder.path().join("shaft/shaft_step_torque.h");
+    let header = fs::read_to_string(path).expect("a header");
+    assert!(header.contains("shaft_step_torque -o . --elements 3 --order 2"), "{header}");
+    // The first of seven nodes is held, and the last is a coordinate of the machine.
+    for node in 0..7 {
+        let is_there = header.contains(&format!("shaft.phi[{node}]"));
+        assert_eq!(is_there, (1..6).contains(&node), "node {node}:\n{header}");
+    }
+}
+
+#[test]
 fn what_c99_cannot_be_made_of_is_refused_and_nothing_written() {
     let folder = tempfile::tempdir().expect("a folder");
     let here = |arguments: &[&str]| machinist(folder.path(), arguments);
     let c99 = |more: &[&str]| here(&[&["gen", "--target", "c99"], more].concat());
-    assert_refused(c99(&["shaft_step_torque", "-o", "out"]), &["field `", "is discretized"]);
+    let none = ["shaft_step_torque", "-o", "out", "--elements", "0"];
+    assert_refused(c99(&none), &["field `shaft.phi`", "--elements"]);
+    assert_refused(c99(&["saw_gin", "-o", "out", "--order", "2"]), &["has no fields"]);
     let unknown = ["saw_gin", "-o", "out", "--inputs", "load.meen"];
     assert_refused(c99(&unknown), &["no parameter `load.meen`", "did you mean `load.mean`?"]);
     let inertia = ["two_mass", "-o", "out", "--inputs", "driver.inertia"];

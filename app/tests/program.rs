@@ -13,6 +13,7 @@ mod conformance;
 mod csv;
 mod cycle;
 mod deriving;
+mod drawings;
 mod estimator;
 mod fatigue;
 mod fit;

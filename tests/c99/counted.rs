@@ -12,7 +12,7 @@ use machinist_contract::fixed_step::StepMethod;
 use machinist_model::Model;
 
 use super::{options, options_with};
-use crate::own_scene::model_of_specs;
+use crate::own_scene::{model_of_specs, whole_model_of_specs};
 
 const NUMBERS: &str = include_str!("counted/numbers.cpp");
 
@@ -94,8 +94,8 @@ fn steps(step: f64, steps: usize) -> String {
 }
 
 /// Scenes with steps in their span: a jump, shared motion, constraints, a table, friction, an
-/// impact, brakes and gears with several events, quaternions.
-const SCENES: [(&str, usize); 12] = [
+/// impact, brakes and gears with several events, fields, quaternions.
+const SCENES: [(&str, usize); 14] = [
     ("saw_gin", 200),
     ("two_mass", 100),
     ("pendulum_chain", 60),
@@ -105,6 +105,8 @@ const SCENES: [(&str, usize); 12] = [
     ("bouncing_mass", 700),
     ("stick_slip", 300),
     ("drives/winch", 4000),
+    ("drives/shaft_crank", 400),
+    ("saw_gin_shaft", 400),
     ("msl/coupled_clutches", 300),
     ("parts/rotational/lossy_gear", 300),
     ("parts/spatial/revolute_constraint", 300),
@@ -134,7 +136,7 @@ fn no_step_takes_more_operations_than_are_printed() {
         return;
     }
     for (name, count) in SCENES {
-        let model = model_of_specs(name, Keep::Needed);
+        let model = whole_model_of_specs(name, Keep::Needed);
         let step = (model.run.until - model.run.from) / count as f64;
         let of_double = StepMethod::ALL.map(|method| (method, Real::Double));
         for (method, real) in of_double.into_iter().chain([(StepMethod::RungeKutta4, Real::Float)])
@@ -152,8 +154,10 @@ fn no_step_takes_more_operations_than_are_printed() {
             let mut counts: Vec<usize> = rows.iter().map(|row| row[0] as usize).collect();
             counts.sort_unstable();
             let usual = counts[counts.len() / 2];
+            // Eliminations of a projection skip rows that are zero, which the pivots decide.
+            let share = if model.constraints.is_empty() { 0.6 } else { 0.5 };
             assert!(
-                5 * usual >= 3 * cost.usual && usual <= cost.usual,
+                usual as f64 >= share * cost.usual as f64 && usual <= cost.usual,
                 "{said}: {usual} operations of {}",
                 cost.usual
             );
@@ -215,7 +219,7 @@ fn no_filter_takes_more_operations_than_are_printed() {
         return;
     }
     for (name, count) in SCENES {
-        let model = model_of_specs(name, Keep::Needed);
+        let model = whole_model_of_specs(name, Keep::Needed);
         let step = (model.run.until - model.run.from) / (4 * count) as f64;
         let filter = filter_of(&model);
         for method in [StepMethod::RungeKutta4, StepMethod::Rosenbrock2] {

@@ -112,6 +112,12 @@ impl Fmu {
         if !self.inputs.is_empty() {
             command.extend([" --inputs ", &*self.inputs.join(",")]);
         }
+        let FieldArgs { elements, order } = self.fields;
+        for (name, value) in [("elements", elements), ("order", order)] {
+            if let Some(value) = value {
+                command.extend([" --", name, " ", &value.to_string()]);
+            }
+        }
         if self.scene.keep.keep_all {
             command.push_str(" --keep-all");
         }

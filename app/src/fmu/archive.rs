@@ -1,5 +1,6 @@
 //! Archive of an FMU. The same scene gives the same bytes.
 
+use machinist::field::Discretisation;
 use machinist_codegen::emit::c99::FmiVersion;
 use machinist_fmu::resource::{EXPORT, Export, MODEL, Machine, token};
 use machinist_fmu::variables::Unfit;
@@ -13,6 +14,7 @@ use super::terminals;
 use super::zip::archive;
 use crate::cli::scene::CUTTING;
 use crate::failure::{Failure, did_you_mean};
+use crate::fields::whole;
 
 /// Code that runs the model of an archive.
 pub enum Content {
@@ -38,13 +40,27 @@ impl Archive {
         version: FmiVersion,
         content: &Content,
     ) -> Result<Self, Failure> {
+        let Content::Sources(_) = content else {
+            return Self::of_machine(stamped, export, version, content);
+        };
+        // Sources have the nodes of fields as states.
+        let wanted = Discretisation { elements: export.elements, order: export.order };
+        let model = whole(stamped.model.clone(), wanted)?;
+        let stamped = Stamped { model, ..stamped.clone() };
+        let export = Export { elements: None, order: None, ..export.clone() };
+        Self::of_machine(&stamped, &export, version, content)
+    }
+
+    fn of_machine(
+        stamped: &Stamped,
+        export: &Export,
+        version: FmiVersion,
+        content: &Content,
+    ) -> Result<Self, Failure> {
         let inputs = &export.inputs;
         let bytes_of_model = file::write(stamped);
         let bytes_of_export = export.write();
         let token = token(&bytes_of_model, &bytes_of_export);
-        if let Content::Sources(_) = content {
-            Sources::require_no_fields(&stamped.model)?;
-        }
         let mut machine = Machine::of(stamped.model.clone(), export, token)
             .map_err(|unfit| refused(unfit, stamped))?;
         if let Some(twice) = (1..inputs.len()).find(|at| inputs[..*at].contains(&inputs[*at])) {

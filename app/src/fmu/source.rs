@@ -7,7 +7,6 @@ use machinist_codegen::write::WriteError;
 use machinist_contract::fixed_step::StepMethod;
 use machinist_fmu::resource::{Machine, token};
 use machinist_fmu::variables::{Causality, Initial, Kind, Variability, Variable, Variables};
-use machinist_model::Model;
 
 use super::fixed_step::FixedStep;
 use super::xml::Element;
@@ -37,17 +36,6 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// Returns an error for a scene with fields.
-    pub fn require_no_fields(model: &Model) -> Result<(), Failure> {
-        let Some(field) = model.fields.first() else { return Ok(()) };
-        let message = format!(
-            "scene `{}`: field `{}` is discretized at the start of a run, which C99 sources do not \
-             support",
-            model.name, field.quantities[0].name.path
-        );
-        Err(Failure::input(message, "leave `--source` out: the library discretizes fields"))
-    }
-
     /// Emits the sources of a machine and gives it a token of their own.
     pub fn of(
         machine: &mut Machine,

@@ -213,11 +213,8 @@ fn split(line: &str) -> Vec<String> {
 /// Returns the absolute path of a spec of the repository.
 fn of_repository(word: &str) -> String {
     let path = Path::new(REPOSITORY).join(word);
-    if word.starts_with("specs/") && path.exists() {
-        path.display().to_string()
-    } else {
-        word.to_owned()
-    }
+    let is_kept = ["specs/", "app/tests/"].iter().any(|folder| word.starts_with(folder));
+    if is_kept && path.exists() { path.display().to_string() } else { word.to_owned() }
 }
 
 /// Removes invisible text, trailing blanks, and output that depends on the computer's load.

@@ -39,10 +39,9 @@ const FORMS: [Form; 4] = [
 
 /// Returns the forms in which a scene is tested: all where `MACHINIST_PEERS` names scenes, else
 /// FMI 3.0 with the library and one other, in turn.
-fn forms(place: usize, is_whole: bool, has_fields: bool) -> Vec<Form> {
+fn forms(place: usize, is_whole: bool) -> Vec<Form> {
     let other = FORMS[1 + place % 3];
-    let wanted = if is_whole { FORMS.to_vec() } else { vec![FORMS[0], other] };
-    wanted.into_iter().filter(|form| !(has_fields && form.is_source)).collect()
+    if is_whole { FORMS.to_vec() } else { vec![FORMS[0], other] }
 }
 
 /// Tests these scenes, those that `MACHINIST_PEERS` names, or `all` built-in ones.
@@ -67,8 +66,7 @@ fn fmpy_validates_and_simulates_what_is_exported() {
         let csv = folder.path().join(name).with_extension("csv");
         let table = csv.to_str().expect("a plain path");
         answer(machinist(REPOSITORY, &["run", scene, "--rtol", "1e-10", "--out", table]));
-        let has_fields = scenes::FIELD_NAMES.contains(&scene);
-        for Form { version, is_source } in forms(place, named.is_ok(), has_fields) {
+        for Form { version, is_source } in forms(place, named.is_ok()) {
             let kind = if is_source { "sources" } else { "library" };
             let archive = folder.path().join(format!("{name}_{kind}_{version}.fmu"));
             let mut export = vec!["fmu", scene, "--fmi", version, "-o"];

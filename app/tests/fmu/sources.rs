@@ -111,6 +111,21 @@ fn the_same_scene_gives_the_same_sources() {
 }
 
 #[test]
+fn sources_of_a_scene_with_fields_have_its_nodes_as_states() {
+    let sources = Sources::of("saw_gin_shaft", &["--elements", "2", "--order", "3"]);
+    let text = sources.text("sources/saw_gin_shaft.h");
+    assert!(
+        text.contains("machinist fmu saw_gin_shaft --out unit.fmu --source --elements 2 --order 3")
+    );
+    let description = sources.text("modelDescription.xml");
+    for node in 0..7 {
+        let is_there = description.contains(&format!("name=\"saws.phi[{node}]\""));
+        // Both ends are coordinates of the machine.
+        assert_eq!(is_there, (1..6).contains(&node), "node {node}");
+    }
+}
+
+#[test]
 fn a_smaller_step_has_a_smaller_error() {
     let error = |size: &str| {
         let said = Sources::of("two_mass", &["--step-size", size]).said;
@@ -130,10 +145,7 @@ fn what_sources_cannot_do_is_refused() {
         assert_refused(machinist(folder.path(), &all), words);
         assert!(!Path::new(&folder.path().join("x.fmu")).exists());
     };
-    refused(
-        &["saw_gin_shaft", "--source"],
-        &["saw_gin_shaft", "field `saws.phi`", "leave `--source` out"],
-    );
+    refused(&["saw_gin_shaft", "--source", "--elements", "0"], &["`saws.phi`", "--elements"]);
     refused(&["saw_gin", "--step", "heun"], &["--source"]);
     refused(&["saw_gin", "--source", "--library", "x.so"], &["--library"]);
     refused(&["saw_gin", "--source", "--step", "euler"], &["rk4"]);

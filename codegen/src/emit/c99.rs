@@ -117,8 +117,8 @@ pub(crate) const MARK: &str = "Emitted by Machinist";
 /// Emits the files of a scene: header, source, CMake file and example.
 ///
 /// # Errors
-/// [`EmitError::Unsupported`] for a scene with fields, which are divided into elements when a run
-/// begins, and for an input that is not a parameter; else as [`rust::emit`](super::rust::emit).
+/// [`EmitError::Unsupported`] for a scene with fields that are not divided into elements, which
+/// [`Model::divided_completely`] does, and for an input that is not a parameter; else as [`rust::emit`](super::rust::emit).
 pub fn emit(model: &Model, options: &C99Options) -> Result<Vec<C99File>, EmitError> {
     model.validate()?;
     if let Some(field) = model.fields.first() {
@@ -141,7 +141,7 @@ pub fn emit(model: &Model, options: &C99Options) -> Result<Vec<C99File>, EmitErr
 /// Returns the error for a scene with fields.
 fn fields_are_unsupported(field: &str) -> EmitError {
     let message = format!(
-        "field `{field}` is discretized at the start of a run, which emitted C99 does not support"
+        "field `{field}` is not divided into elements, whose nodes emitted C99 has as states"
     );
     EmitError::Unsupported { message }
 }

@@ -6,6 +6,7 @@ use std::path::Path;
 use clap::{Args, ValueEnum};
 use machinist::Simulation;
 use machinist::estimator::EstimatorIndices;
+use machinist::field::Discretisation;
 use machinist::linear_analysis::{Place, operating_point};
 use machinist_codegen::emit::c99::{
     C99Options, EstimatorOptions, Real, filter_cost, needs_start, step_cost,
@@ -17,11 +18,13 @@ use machinist_fmu::variables::{Unfit, Variables};
 use machinist_model::{Elimination, Model, ModelSimulator};
 
 use super::describe;
+use crate::cli::arguments::FieldArgs;
 use crate::cli::estimator::EstimatorArgs;
 use crate::cli::output::print;
 use crate::cli::run::step_method;
 use crate::cli::scene::stamped;
 use crate::failure::{Failure, did_you_mean};
+use crate::fields::whole;
 
 /// The type of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -42,6 +45,8 @@ pub struct Options {
     /// during the run
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     inputs: Vec<String>,
+    #[command(flatten)]
+    fields: FieldArgs,
 }
 
 impl Options {
@@ -51,6 +56,8 @@ impl Options {
             ("--real", self.real.is_some()),
             ("--step", self.step.is_some()),
             ("--inputs", !self.inputs.is_empty()),
+            ("--elements", self.fields.elements.is_some()),
+            ("--order", self.fields.order.is_some()),
         ];
         match given.into_iter().find(|(_, is_given)| *is_given) {
             None => Ok(()),
@@ -69,8 +76,8 @@ impl Options {
         out: &Path,
         mode: Mode,
     ) -> Result<(), Failure> {
-        Self { step: None, ..self.clone() }.refuse()?;
-        let model = stamped(scene, keep_all)?.model;
+        Self { step: None, fields: FieldArgs::default(), ..self.clone() }.refuse()?;
+        let model = self.model(scene, keep_all)?;
         let method = self.step.unwrap_or_default();
         let filter = emitted(&model, estimator, method)?;
         let start = match start(&model)? {
@@ -82,6 +89,7 @@ impl Options {
         if let Some(step) = self.step {
             command.extend([" --step ", step.name()]);
         }
+        command.push_str(&self.division());
         let filter = (&filter, method, &start[..]);
         let summary = emit_rust_estimator(out, &model, filter, &command, mode);
         let step = step_cost(&model, method, Real::Double);
@@ -96,7 +104,7 @@ impl Options {
         out: &Path,
         mode: Mode,
     ) -> Result<(), Failure> {
-        let model = stamped(scene, keep_all)?.model;
+        let model = self.model(scene, keep_all)?;
         self.check_inputs(&model)?;
         let method = self.step.unwrap_or_default();
         let filter =
@@ -124,10 +132,16 @@ impl Options {
         print(&text)
     }
 
+    /// Returns the model of a scene, with its fields divided.
+    fn model(&self, scene: &str, keep_all: bool) -> Result<Model, Failure> {
+        let FieldArgs { elements, order } = self.fields;
+        whole(stamped(scene, keep_all)?.model, Discretisation { elements, order })
+    }
+
     /// Returns an error for inputs that are given twice, that do not exist, or that the equations
     /// take to be constant.
     fn check_inputs(&self, model: &Model) -> Result<(), Failure> {
-        if self.inputs.is_empty() || !model.fields.is_empty() {
+        if self.inputs.is_empty() {
             return Ok(());
         }
         let all = &self.inputs;
@@ -153,10 +167,18 @@ impl Options {
         if !self.inputs.is_empty() {
             command.extend([" --inputs ", &*self.inputs.join(",")]);
         }
+        command.push_str(&self.division());
         if keep_all {
             command.push_str(" --keep-all");
         }
         command
+    }
+
+    /// Returns the options that divide fields, as they stand on a command line.
+    fn division(&self) -> String {
+        let FieldArgs { elements, order } = self.fields;
+        let given = [("elements", elements), ("order", order)].into_iter();
+        given.filter_map(|(name, value)| Some(format!(" --{name} {}", value?))).collect()
     }
 }
 
@@ -179,11 +201,6 @@ fn emitted(
     estimator: &EstimatorArgs,
     method: StepMethod,
 ) -> Result<EstimatorOptions, Failure> {
-    if let Some(field) = model.fields.first() {
-        let name = &field.quantities[0].name.path;
-        let message = format!("field `{name}` is discretized at the start of a run");
-        return Err(Failure::input(message, "estimators are emitted for scenes without fields"));
-    }
     let simulator = ModelSimulator::interpreted(model.clone());
     let list = Elimination::new(model.states.len(), &model.rate_jacobian.pattern.entries);
     let found = estimator.indices(simulator.single(), method.with(list.borrowed()))?;
@@ -216,7 +233,7 @@ fn refused(unfit: &Unfit, model: &Model) -> Failure {
 
 /// Returns the state in which a run starts, if it differs from the initial values of the spec.
 pub fn start(model: &Model) -> Result<Option<Vec<f64>>, Failure> {
-    if !model.fields.is_empty() || !needs_start(model) {
+    if !needs_start(model) {
         return Ok(None);
     }
     let simulator = ModelSimulator::interpreted(model.clone());

@@ -21,6 +21,10 @@ pub(super) fn cmake(scene: &Scene<'_>) -> String {
            # The last keeps products and sums apart, as other compilers and emitted Rust have them.\n  \
            target_compile_options({name} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off)\n\
          endif()\n\
+         if(CMAKE_C_COMPILER_ID STREQUAL \"GNU\")\n  \
+           # Orders long functions for few registers; faster, with the same results.\n  \
+           target_compile_options({name} PRIVATE -fschedule-insns -fsched-pressure)\n\
+         endif()\n\
          if(UNIX)\n  \
            target_link_libraries({name} PUBLIC m)\n\
          endif()\n\

@@ -1,0 +1,45 @@
+//! Models whose fields are divided into elements.
+
+use machinist::FieldSimulator;
+use machinist::field::{Discretisation, FieldError};
+use machinist_contract::Describe as _;
+use machinist_model::{Division, Model, ModelSimulator};
+
+use crate::cli::scene::{refused, require_no_cut};
+use crate::failure::Failure;
+
+/// Reason why the fields of a model cannot be divided.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DivideError {
+    /// The division is out of range.
+    #[error(transparent)]
+    Range(#[from] FieldError),
+    /// The reduction has left out coordinates.
+    #[error("its fields are beside coordinates that are left out")]
+    Reduced,
+}
+
+/// Returns a model without fields: with every function, and its fields divided as asked for.
+pub fn whole(model: Model, wanted: Discretisation) -> Result<Model, Failure> {
+    if model.fields.is_empty() {
+        require_no_cut(wanted, &model.name)?;
+        return Ok(model);
+    }
+    divided(&model, wanted, Model::divided_completely).map_err(|error| match error {
+        DivideError::Range(error) => refused(&error),
+        DivideError::Reduced => Failure::input(format!("scene `{}`: {error}", model.name), ""),
+    })
+}
+
+/// Divides the fields of a model, by [`Model::divided`] or [`Model::divided_completely`].
+pub fn divided(
+    model: &Model,
+    wanted: Discretisation,
+    by: impl FnOnce(&Model, &[Division<'_>]) -> Option<Model>,
+) -> Result<Model, DivideError> {
+    let simulator = ModelSimulator::interpreted(model.clone());
+    let cut = FieldSimulator::new(simulator.with_fields(), wanted)?;
+    let parameters: Vec<f64> =
+        (0..cut.shape().parameters).map(|index| cut.parameter_default(index)).collect();
+    by(model, &cut.divisions(&parameters)).ok_or(DivideError::Reduced)
+}

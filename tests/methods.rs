@@ -190,7 +190,7 @@ fn auto_says_what_it_chose_and_why() {
     };
     let notes = run(&HardSpring, 1e-2);
     assert_eq!(notes[0], "starts with dop853, for a relative tolerance of 1e-3");
-    assert!(notes[1].contains("1e-3 instead of 1e-2: looser steps show nothing"), "{notes:?}");
+    assert!(notes[1].contains("1e-3 instead of 1e-2: looser steps skip whole"), "{notes:?}");
     // Errors of many loose steps may add up.
     let long = Simulation::new(&HardSpring).until(1000.0).method(Method::Auto).rtol(1e-3);
     let notes = long.run().unwrap().notes;

@@ -96,16 +96,15 @@ pub fn eliminate(system: &mut LagrangianSystem, is_unjoined: &dyn Fn(usize) -> b
     let coordinates = system.coordinates.iter().flat_map(|one| [&one.position, &one.velocity]);
     let states = coordinates.chain(system.first_order.iter().map(|state| &state.quantity));
     let states: BTreeSet<String> = states.map(|quantity| quantity.name.path.clone()).collect();
-    let mut index = 0..;
-    system.outputs.retain(|output| {
-        let is_own = index.next().is_some_and(|index| index < outputs);
-        is_own || !states.contains(&output.quantity.name.path)
-    });
+    let remains = |output: &Definition| states.contains(&output.quantity.name.path);
+    if system.outputs[outputs..].iter().all(remains) {
+        system.outputs.truncate(outputs);
+    }
     left
 }
 
 /// Returns the coordinates and velocities that checks concern, as outputs. They are needed where
-/// they do not remain states.
+/// one of them does not remain a state: a scene with an output keeps no others.
 fn checked_coordinates(system: &LagrangianSystem) -> Vec<Definition> {
     let ids = (0..).map(CoordinateId);
     let all = ids.zip(&system.coordinates).flat_map(|(id, coordinate)| {

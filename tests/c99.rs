@@ -9,6 +9,7 @@ mod compiler;
 mod counted;
 mod driver;
 mod filter;
+mod stack;
 
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};

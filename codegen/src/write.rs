@@ -128,6 +128,7 @@ pub fn emit_scenes(folder: &Path, models: &[Model], mode: Mode) -> Result<Summar
 }
 
 /// Emits a model as C99 to `folder`: `<scene>.h`, `<scene>.c`, `CMakeLists.txt` and an example.
+/// Returns the stack of its functions, too.
 ///
 /// # Errors
 /// As [`emit_scenes`].
@@ -136,10 +137,12 @@ pub fn emit_c99(
     model: &Model,
     options: &C99Options,
     mode: Mode,
-) -> Result<Summary, WriteError> {
+) -> Result<(Summary, c99::StackBounds), WriteError> {
     let refuse = |source| WriteError::Emit { scene: model.name.clone(), source };
     let emitted = c99::emit(model, options).map_err(refuse)?;
-    write_all(folder, emitted.into_iter().map(|c99::C99File { name, text }| (name, text)), mode)
+    let stack = c99::StackBounds::of(&emitted[0].text, &emitted[1].text);
+    let texts = emitted.into_iter().map(|c99::C99File { name, text }| (name, text));
+    Ok((write_all(folder, texts, mode)?, stack))
 }
 
 /// Emits a model and a filter for it as Rust to `folder`: `<scene>.rs`, `<scene>_ekf.rs`, and

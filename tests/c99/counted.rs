@@ -177,7 +177,7 @@ fn check(said: &str, cost: StepCost, rows: &[[f64; 2]]) -> usize {
     any
 }
 
-fn filter_of(model: &Model) -> EstimatorOptions {
+pub fn filter_of(model: &Model) -> EstimatorOptions {
     let states = model.states.iter();
     let is_mode = |kind| kind == machinist_model::StateKind::Mode;
     let start = states.map(|state| if is_mode(state.kind) { 0.0 } else { 1e-3 * state.scale });

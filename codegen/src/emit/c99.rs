@@ -17,6 +17,7 @@ mod layout;
 mod names;
 mod project;
 mod solve;
+mod stack;
 mod step;
 mod unit;
 
@@ -32,6 +33,7 @@ pub use estimator::EstimatorOptions;
 use estimator::Tangents;
 use expression::Written;
 use names::Namer;
+pub use stack::{StackBound, StackBounds};
 pub use unit::{FmiVersion, Settable, UnitKind, UnitOptions, UnitVariable, emit_unit};
 
 /// Number type of emitted C.
@@ -126,13 +128,16 @@ pub fn emit(model: &Model, options: &C99Options) -> Result<Vec<C99File>, EmitErr
     }
     // Steps of emitted C hold no relations.
     let model = &model.live();
-    let scene = Scene::new(model, options)?;
+    let mut scene = Scene::new(model, options)?;
     let functions = functions::functions(&scene)?;
     let name = &model.name;
     let file = |name: String, text: String| C99File { name, text };
+    let source = description::source(&scene, &functions)?;
+    // The header states the stack of functions of the source, whose types it declares.
+    scene.stack = Some(StackBounds::of(&description::header(&scene, &functions), &source));
     Ok(vec![
         file(format!("{name}.h"), description::header(&scene, &functions)),
-        file(format!("{name}.c"), description::source(&scene, &functions)?),
+        file(format!("{name}.c"), source),
         file("CMakeLists.txt".to_owned(), project::cmake(&scene)),
         file(format!("{name}_example.c"), project::example(&scene)?),
     ])
@@ -175,6 +180,8 @@ struct Scene<'a> {
     inputs: Vec<usize>,
     /// Derivatives for the filter, if there is one.
     tangents: Option<Tangents>,
+    /// Stack of the emitted functions, once it is counted.
+    stack: Option<StackBounds>,
 }
 
 impl<'a> Scene<'a> {
@@ -218,6 +225,7 @@ impl<'a> Scene<'a> {
             motion_results: Vec::new(),
             inputs: inputs(model, &options.inputs)?,
             tangents,
+            stack: None,
         };
         scene.name_constants()?;
         scene.motion = solve::Motion::of(&scene)?;
@@ -256,6 +264,12 @@ impl<'a> Scene<'a> {
     /// Returns a public name: `saw_gin_rate`.
     fn public(&self, name: &str) -> String {
         format!("{}_{name}", self.model.name)
+    }
+
+    /// Returns a sentence on the stack of a public function.
+    fn stack_of(&self, name: &str) -> String {
+        let bound = self.stack.as_ref().and_then(|stack| stack.function(&self.public(name)));
+        bound.map_or_else(String::new, |bound| format!(" Its stack holds {bound}."))
     }
 
     /// Returns the name of a macro: `SAW_GIN_STATES`.

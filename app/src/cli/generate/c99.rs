@@ -11,7 +11,7 @@ use machinist::linear_analysis::{Place, operating_point};
 use machinist_codegen::emit::c99::{
     C99Options, EstimatorOptions, Real, filter_cost, needs_start, step_cost,
 };
-use machinist_codegen::write::{Mode, Summary, WriteError, emit_c99, emit_rust_estimator};
+use machinist_codegen::write::{Mode, WriteError, emit_c99, emit_rust_estimator};
 use machinist_contract::Simulator;
 use machinist_contract::fixed_step::StepMethod;
 use machinist_fmu::variables::{Unfit, Variables};
@@ -120,14 +120,21 @@ impl Options {
             start: start(&model)?,
             estimator: filter,
         };
-        let summary = fresh(emit_c99(out, &model, &options, mode))?;
-        let mut text = describe(&summary, "");
+        let (summary, stack) = fresh(emit_c99(out, &model, &options, mode))?;
         let cost = step_cost(&model, options.method, options.real);
-        let _ = writeln!(text, "a step takes {cost}");
+        let mut costs = vec![("step", "a step takes", cost.to_string())];
         if let Some(filter) = &options.estimator {
             let cost = filter_cost(&model, (options.method, options.real), filter);
-            let _ = writeln!(text, "a prediction takes {}", cost.predict);
-            let _ = writeln!(text, "a correction takes at most {} operations", cost.correct);
+            costs.push(("estimator_predict", "a prediction takes", cost.predict.to_string()));
+            let correct = format!("at most {} operations", cost.correct);
+            costs.push(("estimator_correct", "a correction takes", correct));
+        }
+        let mut text = describe(&summary, "");
+        for (function, takes, cost) in costs {
+            let _ = writeln!(text, "{takes} {cost}");
+            if let Some(bound) = stack.function(&format!("{}_{function}", model.name)) {
+                let _ = writeln!(text, "  its stack holds {bound}");
+            }
         }
         print(&text)
     }
@@ -182,10 +189,10 @@ impl Options {
     }
 }
 
-/// Returns the summary of written files, or an error that names files that are out of date.
-fn fresh(summary: Result<Summary, WriteError>) -> Result<Summary, Failure> {
-    match summary {
-        Ok(summary) => Ok(summary),
+/// Returns what has been written, or an error that names files that are out of date.
+fn fresh<T>(written: Result<T, WriteError>) -> Result<T, Failure> {
+    match written {
+        Ok(written) => Ok(written),
         Err(WriteError::NotFresh { files, .. }) => {
             let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
             let message = format!("out of date: {}", names.join(", "));

@@ -174,13 +174,15 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
     );
     let cost = cost::filter_cost(scene.model, (scene.options.method, scene.options.real), options);
     let predict = format!(
-        "Advances the estimate by a step [s]. Gives what a step gives. It takes {}.",
-        cost.predict
+        "Advances the estimate by a step [s]. Gives what a step gives. It takes {}.{}",
+        cost.predict,
+        scene.stack_of("estimator_predict")
     );
     let correct = format!(
         "Corrects the estimate by measured outputs. Gives the normalized innovation squared, whose \
-         expected value is the number of measured outputs. It takes at most {} operations.",
-        cost.correct
+         expected value is the number of measured outputs. It takes at most {} operations.{}",
+        cost.correct,
+        scene.stack_of("estimator_correct")
     );
     let functions = [
         (

@@ -80,8 +80,9 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
     let cost = cost::step_cost(scene.model, scene.options.method, scene.options.real);
     let doc = format!(
         "Advances the machine by a step [s], by {}.{events} Parameters and inputs may be changed \
-         between steps; call {prepare} after that of parameters. It takes {cost}.",
+         between steps; call {prepare} after that of parameters. It takes {cost}.{}",
         scene.options.method.meaning(),
+        scene.stack_of("step"),
     );
     let _ = write!(
         text,

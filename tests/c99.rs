@@ -13,7 +13,9 @@ mod stack;
 
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
-use machinist_codegen::emit::c99::{C99Options, EstimatorOptions, Real, emit, needs_start};
+use machinist_codegen::emit::c99::{
+    C99Options, EstimatorOptions, Real, StackBounds, emit, needs_start,
+};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
 use machinist_contract::fixed_step::StepMethod;
@@ -305,6 +307,11 @@ fn microcontrollers_give_the_bits_of_the_host() {
                 }
                 let events: f64 = rows.iter().map(|(.., events)| events).sum();
                 assert_eq!(ran.events, events as u64, "{what}");
+                // The frame of the board's program and those of the C library come on top.
+                let stack = StackBounds::of(&files[0].text, &files[1].text);
+                let stated = stack.function(&format!("{}_step", model.name)).expect("a step");
+                let most = stated.bytes + stated.calls * stack::ON_CORTEX_M + 512;
+                assert!(ran.stack as usize <= most, "{what}: {} of {stated}", ran.stack);
                 print_run((name, real), board, &ran);
             }
         }

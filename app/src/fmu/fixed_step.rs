@@ -12,8 +12,8 @@ use crate::progress::during;
 
 /// Error of an output, relative to its range, to which the step is halved.
 const WANTED: f64 = 1e-4;
-/// Operations of the largest run that the search for a step takes: some seconds.
-const MOST_OPERATIONS: f64 = 1e9;
+/// Operations of the largest run that the search for a step takes: ten seconds.
+const MOST_OPERATIONS: f64 = 5e9;
 
 /// Number of halvings that do not halve the error, after which the search for a step ends.
 const IN_VAIN: usize = 6;
@@ -28,8 +28,17 @@ pub struct FixedStep {
     pub method: StepMethod,
     /// Error in the run of the scene.
     error: LargestError,
-    /// True if smaller steps have not brought the error below [`WANTED`].
-    is_in_vain: bool,
+    /// Reason why the error is not below [`WANTED`].
+    reason: Option<Reason>,
+}
+
+/// Reason why the search for a step ends above the wanted error.
+#[derive(Clone, Copy)]
+enum Reason {
+    /// Smaller steps do not reduce the error.
+    InVain,
+    /// Smaller steps would take too many operations.
+    TooMany,
 }
 
 impl FixedStep {
@@ -39,14 +48,19 @@ impl FixedStep {
         let Some(size) = settings.step else { return searched(machine, settings.method) };
         let method = settings.method.unwrap_or_default();
         let error = error_of(machine, method, size)?;
-        Ok(Self { size, method, error, is_in_vain: false })
+        Ok(Self { size, method, error, reason: None })
     }
 
     /// Returns a sentence about method, step and error, without a full stop.
     pub fn statement(&self) -> String {
         let LargestError { relative, name } = &self.error;
-        let in_vain =
-            if self.is_in_vain { ", which smaller steps do not bring below 1e-4" } else { "" };
+        let in_vain = match self.reason {
+            None => "",
+            Some(Reason::InVain) => ", which smaller steps do not bring below 1e-4",
+            Some(Reason::TooMany) => {
+                "; smaller steps would take the search too long, `--step-size` sets them"
+            }
+        };
         format!(
             "{} with steps of at most {:e} s: largest error in the scene's run {relative:.1e} of \
              the range of {name}{in_vain}",
@@ -95,7 +109,13 @@ fn searched(machine: &Machine, given: Option<StepMethod>) -> Result<FixedStep, F
         let size = span / rows as f64 / f64::from(1_u32 << halvings);
         let is_first = best.is_none() && failure.is_none();
         let operations = step_cost(machine.model(), methods[0], Real::Double).usual as f64;
-        if in_vain == IN_VAIN || (!is_first && span / size * operations > MOST_OPERATIONS) {
+        if in_vain == IN_VAIN {
+            break;
+        }
+        if !is_first && span / size * operations > MOST_OPERATIONS {
+            if let Some(reason) = best.as_mut().and_then(|best| best.reason.as_mut()) {
+                *reason = Reason::TooMany;
+            }
             break;
         }
         let last = best.as_ref().map_or(f64::INFINITY, |best| best.error.relative);
@@ -107,16 +127,16 @@ fn searched(machine: &Machine, given: Option<StepMethod>) -> Result<FixedStep, F
                 // Outputs may be infinite where the state is still finite.
                 Ok(error) if !error.relative.is_finite() => {}
                 Ok(error) => {
-                    let is_in_vain = error.relative > WANTED;
+                    let reason = (error.relative > WANTED).then_some(Reason::InVain);
                     if error.relative < last {
-                        best = Some(FixedStep { size, method, error, is_in_vain });
+                        best = Some(FixedStep { size, method, error, reason });
                     }
                     break;
                 }
             }
         }
         let Some(found) = &best else { continue };
-        if !found.is_in_vain {
+        if found.reason.is_none() {
             break;
         }
         in_vain = if found.error.relative < 0.5 * last { 0 } else { in_vain + 1 };

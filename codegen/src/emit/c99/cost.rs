@@ -86,8 +86,11 @@ pub fn filter_cost(
 const SIGN: usize = 2;
 /// A guard that its rate takes back to zero: two signs, absolute values, a product, a comparison.
 const COMES_BACK: usize = 2 * SIGN + 4;
-/// Operations of the search for a zero crossing for each digit of a number.
-const PASSING: usize = 20 + SIGN;
+/// Operations of the search for a zero crossing for each digit of a number: half of a sum, and a
+/// cubic by Horner's scheme.
+const PASSING: usize = 2 + 6 + SIGN;
+/// Coefficients of the cubic, before the search.
+const CUBIC: usize = 8;
 /// Sum of step and time with the remainder of the sum.
 const PASS_TIME: usize = 4;
 
@@ -339,7 +342,8 @@ impl<'a> Step<'a> {
             let part = if self.jump() > 0 { 4 + self.jump() } else { 0 };
             return parts * (part + self.try_step() + followed) + PASS_TIME;
         }
-        let located = self.at_once * (PASSING * self.digits + 2 + usize::from(filter.is_some()))
+        let located = self.at_once
+            * (CUBIC + PASSING * self.digits + 2 + usize::from(filter.is_some()))
             + (1 + 1 + 2 + self.try_step())
             + (2 + 2 + usize::from(filter.is_some()))
             + self.guards()

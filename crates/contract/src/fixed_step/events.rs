@@ -41,13 +41,14 @@ fn comes_back<R: StepNumber>(guard: R, rate: R, h: R) -> bool {
 /// the cubic through values and rates at both ends, found by one bisection for each binary digit.
 fn passing<R: StepNumber>(side: i8, h: R, guard: [R; 2], rate: [R; 2]) -> R {
     let l = R::literal;
+    let change = guard[1] - guard[0];
+    let slope = h * rate[0];
+    let cubic = slope + h * rate[1] - l(2.0) * change;
+    let square = change - slope - cubic;
     let (mut low, mut high) = (l(0.0), l(1.0));
     for _ in 0..R::DIGITS {
         let s = l(0.5) * (low + high);
-        let u = l(1.0) - s;
-        let start = (l(1.0) + l(2.0) * s) * guard[0] + s * h * rate[0];
-        let end = (l(3.0) - l(2.0) * s) * guard[1] - u * h * rate[1];
-        if sign_of(u * u * start + s * s * end) == side {
+        if sign_of(guard[0] + s * (slope + s * (square + s * cubic))) == side {
             low = s;
         } else {
             high = s;

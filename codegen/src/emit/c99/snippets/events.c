@@ -30,16 +30,17 @@ static int comes_back(scene_real_t guard, scene_real_t rate, scene_real_t h)
 static scene_real_t passing(int side, scene_real_t h, const scene_real_t guard[2],
                             const scene_real_t rate[2])
 {
+    const scene_real_t change = guard[1] - guard[0];
+    const scene_real_t slope = h * rate[0];
+    const scene_real_t cubic = slope + h * rate[1] - R(2.0) * change;
+    const scene_real_t square = change - slope - cubic;
     scene_real_t low = R(0.0);
     scene_real_t high = R(1.0);
     unsigned int digit;
 
     for (digit = 0u; digit < SCENE_DIGITS; ++digit) {
         const scene_real_t s = R(0.5) * (low + high);
-        const scene_real_t u = R(1.0) - s;
-        const scene_real_t start = (R(1.0) + R(2.0) * s) * guard[0] + s * h * rate[0];
-        const scene_real_t end = (R(3.0) - R(2.0) * s) * guard[1] - u * h * rate[1];
-        if (sign_of(u * u * start + s * s * end) == side) {
+        if (sign_of(guard[0] + s * (slope + s * (square + s * cubic))) == side) {
             low = s;
         } else {
             high = s;

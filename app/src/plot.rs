@@ -19,8 +19,8 @@ use thiserror::Error;
 
 pub use heat::{Heat, plot_heat};
 pub use linear::{
-    plot_branch, plot_campbell, plot_cuts, plot_loads, plot_modes, plot_profiles, plot_response,
-    plot_spectrum,
+    plot_branch, plot_campbell, plot_cuts, plot_errors, plot_loads, plot_modes, plot_profiles,
+    plot_response, plot_spectrum,
 };
 use machinist::error::did_you_mean;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};

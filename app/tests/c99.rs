@@ -128,6 +128,17 @@ fn steps_of_a_fixed_length_are_compared_with_the_adaptive_run() {
     let heun = fixed("1e-3", &["--step-method", "heun"]);
     assert!(heun > fine, "{heun:e} {fine:e}");
 
+    let several = ["run", "two_mass", "--fixed", "2ms,1ms", "--plot", "errors.svg"];
+    let table = answer(here(&several));
+    let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split_whitespace().collect()).collect();
+    let row = |size: &str| rows.iter().find(|row| row.first() == Some(&size)).expect("a size");
+    assert_eq!(row("0.002")[1], "250", "{table}");
+    let order: f64 = row("0.001").last().and_then(|order| order.parse().ok()).expect("an order");
+    assert!((order - 4.0).abs() < 0.2, "{table}");
+    assert!(fs::read_to_string(folder.path().join("errors.svg")).is_ok());
+    let with_table = here(&[&several[..], &["--out", "errors.csv"]].concat());
+    assert_refused(with_table, &["one size of `--fixed`"]);
+
     assert_refused(here(&["run", "stick_slip", "--fixed", "0"]), &["finite and above zero"]);
     assert_refused(here(&["run", "stick_slip", "--fixed", "1e-30"]), &["would take"]);
     let unstable = output(here(&["run", "saw_gin", "--fixed", "0.1"]));

@@ -32,6 +32,7 @@ use crate::rounding::Rounding;
 use compare::{Other, Others};
 #[cfg(not(feature = "derive"))]
 use fixed::Fixed;
+use fixed::OverSteps;
 #[cfg(feature = "derive")]
 pub use fixed::{Fixed, LargestError, step_method};
 use serde_json::json;
@@ -107,8 +108,10 @@ impl RunCommand {
         let format = self.out.as_deref().map(format_of).transpose()?;
         require_picture(self.plot.as_deref(), "--plot")?;
         let scene = self.scene.load()?;
-        if let Some(fixed) = self.fixed.asked()? {
-            return self.by_fixed_steps(&fixed, &scene, format);
+        match &self.fixed.asked()?[..] {
+            [] => {}
+            [fixed] => return self.by_fixed_steps(fixed, &scene, format),
+            several => return self.over_steps(several, &scene),
         }
         self.check_columns(scene.simulator())?;
         self.check_sensitivities()?;
@@ -160,6 +163,36 @@ impl RunCommand {
             return Ok(());
         }
         for file in [&self.out, &self.plot].into_iter().flatten() {
+            summary.extend(["\nwrote ", &file.display().to_string(), "\n"]);
+        }
+        print(&summary)
+    }
+
+    /// Takes steps of several sizes, and compares each run with the adaptive one.
+    fn over_steps(&self, several: &[Fixed], scene: &Scene) -> Result<(), Failure> {
+        if self.out.is_some() || !self.columns.is_empty() {
+            let message = "--out and --columns take one size of `--fixed`";
+            return Err(Failure::input(message, "`--plot` draws the errors over the size"));
+        }
+        let simulator = scene.simulator();
+        let run = self.adjusted(self.scene.simulation(simulator)?)?;
+        let until = self.run.span.until.unwrap_or(simulator.run_defaults().until);
+        let rows = self.points.unwrap_or(simulator.run_defaults().points).max(2) - 1;
+        let mut errors = OverSteps::default();
+        let mut title = String::new();
+        for fixed in several {
+            let stepping = during("stepping", || fixed.run(&run, until, rows))?;
+            let exact = run.clone().times(stepping.times());
+            let exact = during("simulating", || exact.run())?;
+            errors.push(&stepping, stepping.errors(&run, &exact));
+            title = format!("{}: {}", exact.scene, exact.title);
+        }
+        let said = "errors of fixed steps over the range of each output, away from events";
+        if let Some(file) = &self.plot {
+            draw_file(file, |path| errors.plot([&title, said], path))?;
+        }
+        let mut summary = format!("{title}\n{said}\n\n{}", errors.table());
+        if let Some(file) = &self.plot {
             summary.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }
         print(&summary)

@@ -178,6 +178,24 @@ pub fn plot_loads(
     Picture { title: texts[0], subtitle: texts[1].to_owned(), panels }.write(path)
 }
 
+/// Draws errors over the size of steps, into an `.svg` or `.png` file; `texts` are title and
+/// subtitle.
+///
+/// # Errors
+/// As [`plot_response`].
+pub fn plot_errors(
+    sizes: &[f64],
+    errors: Vec<(String, Vec<f64>)>,
+    texts: [&str; 2],
+    path: &Path,
+) -> Result<(), PlotError> {
+    let drawn = errors.into_iter().map(|(name, values)| column(&name, "1", values));
+    let drawn: Vec<Column> = drawn.collect();
+    let axes = [Axis::Logarithmic("step [s]".into()), Axis::Logarithmic("".into())];
+    let panel = over(sizes, drawn.iter().collect(), [&axes[0], &axes[1]]);
+    Picture { title: texts[0], subtitle: texts[1].to_owned(), panels: vec![panel] }.write(path)
+}
+
 /// Draws tau of likelihood profiles over the change of their parameters in standard errors, and the
 /// limits of 95 %, into an `.svg` or `.png` file.
 ///

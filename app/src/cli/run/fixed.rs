@@ -1,6 +1,8 @@
 //! `machinist run --fixed`: steps of a fixed length, as emitted C99 takes them, compared with the
 //! adaptive run.
 
+use std::path::Path;
+
 use clap::Args;
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
@@ -13,13 +15,14 @@ use super::columns;
 use crate::cli::amount::time;
 use crate::failure::Failure;
 use crate::number::number;
+use crate::plot::{PlotError, plot_errors};
 
 #[derive(Debug, Args)]
 pub struct Options {
     /// Use fixed steps of this size, `1ms`, as emitted C99 does, and report errors relative to the
-    /// adaptive run
-    #[arg(long, value_name = "TIME", value_parser = time, allow_hyphen_values = true, conflicts_with_all = ["sensitivities", "modes"])]
-    fixed: Option<f64>,
+    /// adaptive run; of several sizes, `2ms,1ms`, report and plot the errors over the size
+    #[arg(long, value_name = "TIMES", value_parser = time, value_delimiter = ',', allow_hyphen_values = true, conflicts_with_all = ["sensitivities", "modes"])]
+    fixed: Vec<f64>,
     /// With --fixed: step method, rk4, heun or ros2. Default: rk4
     #[arg(long, value_name = "NAME", requires = "fixed", value_parser = step_method)]
     step_method: Option<StepMethod>,
@@ -36,6 +39,11 @@ pub fn step_method(name: &str) -> Result<StepMethod, String> {
 
 /// Maximum number of steps of a run.
 const MOST_STEPS: f64 = 1e9;
+
+/// Returns the largest of errors, the first of equal ones.
+fn worst(errors: Vec<LargestError>) -> Option<LargestError> {
+    errors.into_iter().rev().max_by(|a, b| a.relative.total_cmp(&b.relative))
+}
 
 /// Settings of fixed steps.
 pub struct Fixed {
@@ -58,20 +66,22 @@ pub struct Stepping {
 }
 
 impl Options {
-    /// Returns the settings, if fixed steps are asked for.
-    pub fn asked(&self) -> Result<Option<Fixed>, Failure> {
-        let Some(step) = self.fixed else { return Ok(None) };
-        if !(step > 0.0 && step.is_finite()) {
-            let message = format!("--fixed {step}: the step size must be finite and above zero");
-            return Err(Failure::input(message, "such as `--fixed 1e-4`, in seconds"));
-        }
-        let advice = "use smaller steps, or `--step-method ros2` for a stiff machine";
-        Ok(Some(Fixed { step, method: self.step_method.unwrap_or_default(), advice }))
+    /// Returns the settings for each size of fixed steps that is asked for.
+    pub fn asked(&self) -> Result<Vec<Fixed>, Failure> {
+        let settings = |&step: &f64| {
+            if !(step > 0.0 && step.is_finite()) {
+                let message =
+                    format!("--fixed {step}: the step size must be finite and above zero");
+                return Err(Failure::input(message, "such as `--fixed 1e-4`, in seconds"));
+            }
+            let advice = "use smaller steps, or `--step-method ros2` for a stiff machine";
+            Ok(Fixed { step, method: self.step_method.unwrap_or_default(), advice })
+        };
+        self.fixed.iter().map(settings).collect()
     }
 }
 
 /// Largest error of fixed steps, away from events.
-#[cfg(feature = "derive")]
 pub struct LargestError {
     /// Error relative to the range of the quantity in the adaptive run.
     pub relative: f64,
@@ -211,11 +221,18 @@ impl Stepping {
         &self.times
     }
 
-    /// Returns the largest error of an output, or of a state if there are no outputs, against an
-    /// adaptive run with the same times. Within a step of an event of that run, both may be on
-    /// different sides of it.
+    /// Returns the largest error of any output, or of any state if there are no outputs, as
+    /// [`Stepping::errors`].
     #[cfg(feature = "derive")]
     pub fn largest_error(&self, run: &Simulation<'_>, exact: &Trajectory) -> LargestError {
+        let none = LargestError { relative: 0.0, name: String::new() };
+        worst(self.errors(run, exact)).unwrap_or(none)
+    }
+
+    /// Returns the largest error of each output, or of each state if there are no outputs, against
+    /// an adaptive run with the same times. Within a step of an event of that run, both may be on
+    /// different sides of it.
+    pub fn errors(&self, run: &Simulation<'_>, exact: &Trajectory) -> Vec<LargestError> {
         let simulator = run.simulator();
         let mut outputs = vec![0.0; simulator.shape().outputs];
         let kind = if outputs.is_empty() { ColumnKind::State } else { ColumnKind::Output };
@@ -228,7 +245,8 @@ impl Stepping {
             range.max(1e-6 * size).max(f64::MIN_POSITIVE)
         };
         let ranges: Vec<f64> = columns.iter().map(|column| range(&column.values)).collect();
-        let mut largest = LargestError { relative: 0.0, name: String::new() };
+        let none = |column: &&Column| LargestError { relative: 0.0, name: column.name.clone() };
+        let mut largest: Vec<LargestError> = columns.iter().map(none).collect();
         for (row, (time, state)) in self.times.iter().zip(&self.states).enumerate() {
             let is_near = |event: f64| (event - time).abs() <= 1.5 * self.step;
             if exact.switches.iter().any(|switch| is_near(switch.time)) {
@@ -236,12 +254,10 @@ impl Stepping {
             }
             simulator.outputs(*time, state, run.parameter_values(), &mut outputs);
             let values = if kind == ColumnKind::Output { &outputs } else { state };
-            for ((value, column), range) in values.iter().zip(&columns).zip(&ranges) {
-                let relative = (value - column.values[row]).abs() / range;
+            for (entry, value) in values.iter().enumerate() {
+                let relative = (value - columns[entry].values[row]).abs() / ranges[entry];
                 let relative = if relative.is_nan() { f64::INFINITY } else { relative };
-                if relative > largest.relative || largest.name.is_empty() {
-                    largest = LargestError { relative, name: column.name.clone() };
-                }
+                largest[entry].relative = largest[entry].relative.max(relative);
             }
         }
         largest
@@ -251,5 +267,61 @@ impl Stepping {
     fn first_lost(&self) -> Option<f64> {
         let mut rows = self.times.iter().zip(&self.states);
         rows.find(|(_, state)| state.iter().any(|value| !value.is_finite())).map(|(time, _)| *time)
+    }
+}
+
+/// Errors of fixed steps of several sizes.
+#[derive(Default)]
+pub struct OverSteps {
+    /// Sizes \[s\].
+    sizes: Vec<f64>,
+    /// Number of steps and of events, and errors of the outputs, for each size.
+    runs: Vec<(usize, usize, Vec<LargestError>)>,
+}
+
+impl OverSteps {
+    /// Adds a run.
+    pub fn push(&mut self, stepping: &Stepping, errors: Vec<LargestError>) {
+        self.sizes.push(stepping.step);
+        self.runs.push((stepping.steps, stepping.events, errors));
+    }
+
+    /// Draws the errors over the size of steps. Errors that vanish have no place on the axis.
+    pub fn plot(&self, texts: [&str; 2], path: &Path) -> Result<(), PlotError> {
+        let mut ascending: Vec<usize> = (0..self.sizes.len()).collect();
+        ascending.sort_by(|&a, &b| self.sizes[a].total_cmp(&self.sizes[b]));
+        let sizes: Vec<f64> = ascending.iter().map(|&run| self.sizes[run]).collect();
+        let names = self.runs.first().into_iter().flat_map(|(.., errors)| errors).enumerate();
+        let curve = |(entry, of): (usize, &LargestError)| {
+            let errors = ascending.iter().map(|&run| self.runs[run].2[entry].relative);
+            (of.name.clone(), errors.collect::<Vec<f64>>())
+        };
+        let curves: Vec<(String, Vec<f64>)> =
+            names.map(curve).filter(|(_, errors)| errors.iter().all(|&e| e > 0.0)).collect();
+        plot_errors(&sizes, curves, texts, path)
+    }
+
+    /// Returns a table with the largest error of each size, and the order between sizes.
+    pub fn table(self) -> String {
+        let heads = ["step [s]", "steps", "events", "largest error", "of", "order"];
+        let mut lines = vec![heads.map(str::to_owned)];
+        let mut before: Option<(f64, f64)> = None;
+        for (size, (steps, events, errors)) in self.sizes.into_iter().zip(self.runs) {
+            let Some(LargestError { relative, name }) = worst(errors) else { continue };
+            let order = before.map(|(last, error)| (error / relative).ln() / (last / size).ln());
+            let order = order.filter(|order| order.is_finite());
+            let order = order.map_or_else(String::new, |order| format!("{order:.2}"));
+            let error = number(relative, 3);
+            lines.push([
+                number(size, 4),
+                steps.to_string(),
+                events.to_string(),
+                error,
+                name,
+                order,
+            ]);
+            before = Some((size, relative));
+        }
+        columns(&lines, 0)
     }
 }

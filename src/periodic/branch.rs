@@ -365,6 +365,23 @@ impl Walk<'_> {
         solution.shots.iter().map(|shot| self.problem.scaled(&shot.projection)).collect()
     }
 
+    /// Returns the direction from one guess to another at some length, with the components of a
+    /// tangent along period and parameter.
+    pub(super) fn direction(
+        &self,
+        (from, to): (&Guess, &Guess),
+        length: f64,
+        &Tangent { period, value, .. }: &Tangent,
+    ) -> Tangent {
+        let n = self.problem.free.len();
+        let states = DVector::from_fn(self.weights.len(), |at, _| {
+            let (node, state) = (at / n, self.problem.free[at % n]);
+            let change = to.nodes[node][state] - from.nodes[node][state];
+            change / (self.problem.scales[at % n] * length)
+        });
+        Tangent { normal: states.component_mul(&self.weights), states, period, value }
+    }
+
     /// Returns the guess at some length along the tangent.
     pub(super) fn predicted(&self, place: &Place, length: f64) -> Guess {
         let Place { guess, tangent, .. } = place;

@@ -1,8 +1,6 @@
 //! Steps along a branch, and its bifurcations.
 
-use nalgebra::DVector;
-
-use super::branch::{Bifurcation, Branch, BranchPoint, BranchSettings, Place, Tangent, Walk};
+use super::branch::{Bifurcation, Branch, BranchPoint, BranchSettings, Place, Walk};
 use super::corner::Beyond;
 use super::error::CycleError;
 use super::locate::{Test, locate};
@@ -40,7 +38,7 @@ impl Walk<'_> {
                     return found;
                 }
                 failed => {
-                    if !is_moved && let Some(moved) = self.moved_from_events(&place) {
+                    if !is_moved && let Some(moved) = self.moved_from_events(&place, length) {
                         is_moved = true;
                         place = moved;
                         length = FIRST * longest;
@@ -58,7 +56,7 @@ impl Walk<'_> {
                         Ok(beyond) => {
                             is_at_corner = true;
                             length = beyond.length;
-                            place = self.moved_from_events(&beyond.place).unwrap_or(beyond.place);
+                            place = beyond.place;
                             self.remeasure(&mut place);
                             continue;
                         }
@@ -90,23 +88,23 @@ impl Walk<'_> {
     }
 
     /// Returns the same motion with a start away from events: one that passes the start, as impacts
-    /// do along a branch, would end it. Nothing if the start is away from them, or if the parameter
-    /// is about to turn, so that it does not tell the direction.
-    fn moved_from_events(&self, place: &Place) -> Option<Place> {
-        const LEAST: f64 = 0.01;
-        if place.tangent.value.abs() < LEAST {
+    /// do along a branch, would end it. Nothing if the start is away from them. `length` is that of
+    /// the last step.
+    fn moved_from_events(&self, place: &Place, length: f64) -> Option<Place> {
+        /// Share of the last step, back along the tangent to a motion that gives the direction.
+        const BACK: f64 = 0.1;
+        let back = BACK * length;
+        let share = guess::share_without_events(&self.problem, &place.guess).ok()?;
+        if share == 0.0 {
             return None;
         }
-        let guess = guess::away_from_events(&self.problem, place.guess.clone()).ok()?;
-        if guess.nodes == place.guess.nodes {
-            return None;
-        }
+        let moved = |guess| guess::moved_by(&self.problem, guess, share).ok();
+        let guess = moved(place.guess.clone())?;
+        let behind = moved(self.predicted(place, -back))?;
+        let along = self.direction((&behind, &guess), back, &place.tangent);
         let shots = self.problem.shots(&guess).ok()?;
         let residual = self.problem.largest_gap(&shots).0;
         let solution = Solution { guess, shots, residual, iterations: place.iterations };
-        let zero = || DVector::zeros(self.weights.len());
-        let value = place.tangent.value.signum();
-        let along = Tangent { states: zero(), normal: zero(), period: 0.0, value };
         let tangent = self.tangent(&solution, &along);
         let cycle = self.cycle(&solution).ok()?;
         Some(self.place(solution, cycle, tangent))

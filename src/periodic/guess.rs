@@ -47,40 +47,56 @@ fn state_at(problem: &Problem<'_>, time: f64) -> Result<Vec<f64>, CycleError> {
 /// Moves the start to the middle of the longest time without events, so that none of them passes
 /// the start on a branch.
 pub(super) fn away_from_events(problem: &Problem<'_>, guess: Guess) -> Result<Guess, CycleError> {
-    let mut guess = moved_from_events(problem, guess)?;
+    let share = share_without_events(problem, &guess)?;
+    moved_by(problem, guess, share)
+}
+
+/// Returns the share of the period after which the middle of the longest time without events comes;
+/// 0 without events.
+pub(super) fn share_without_events(
+    problem: &Problem<'_>,
+    guess: &Guess,
+) -> Result<f64, CycleError> {
+    if problem.run.simulator().events() == 0 {
+        return Ok(0.0);
+    }
+    let (start, period) = problem.span_of(guess);
+    let run = problem.run_at(guess).shot_from(&guess.nodes[0]).from(start);
+    let once = run.until(start + period).points(2).run()?;
+    let shares = once.switches.iter().map(|switch| (switch.time - start) / period);
+    let mut shares: Vec<f64> = shares.collect();
+    let Some(first) = shares.first().copied() else { return Ok(0.0) };
+    shares.push(first + 1.0);
+    let gaps = shares.windows(2).map(|pair| (pair[1] - pair[0], 0.5 * (pair[0] + pair[1])));
+    let longest = gaps.max_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(longest.map_or(0.0, |(_, middle)| middle.rem_euclid(1.0)))
+}
+
+/// Moves the start by a share of the period along the motion.
+pub(super) fn moved_by(
+    problem: &Problem<'_>,
+    mut guess: Guess,
+    share: f64,
+) -> Result<Guess, CycleError> {
+    if share != 0.0 {
+        let (start, period) = problem.span_of(&guess);
+        let run = problem.run_at(&guess).shot_from(&guess.nodes[0]).from(start);
+        let moved = run.until(start + share * period).points(2).run()?;
+        guess.nodes = vec![rows(&moved).pop().unwrap_or_default()];
+        if problem.period != Span::Unknown {
+            guess.skipped += share;
+        }
+    }
     if problem.segments > 1 {
         guess.nodes = nodes(problem, &guess)?;
     }
     Ok(guess)
 }
 
-fn moved_from_events(problem: &Problem<'_>, guess: Guess) -> Result<Guess, CycleError> {
-    if problem.run.simulator().events() == 0 {
-        return Ok(guess);
-    }
-    let (start, period) = problem.span_of(&guess);
-    let run = problem.run.clone().shot_from(&guess.nodes[0]).from(start);
-    let once = run.clone().until(start + period).points(2).run()?;
-    let shares = once.switches.iter().map(|switch| (switch.time - start) / period);
-    let mut shares: Vec<f64> = shares.collect();
-    let Some(first) = shares.first().copied() else { return Ok(guess) };
-    shares.push(first + 1.0);
-    let gaps = shares.windows(2).map(|pair| (pair[1] - pair[0], 0.5 * (pair[0] + pair[1])));
-    let longest = gaps.max_by(|a, b| a.0.total_cmp(&b.0));
-    let share = longest.map_or(0.0, |(_, middle)| middle.rem_euclid(1.0));
-    if share == 0.0 {
-        return Ok(guess);
-    }
-    let moved = run.until(start + share * period).points(2).run()?;
-    let state = rows(&moved).pop().unwrap_or_default();
-    let skipped = if problem.period == Span::Unknown { 0.0 } else { guess.skipped + share };
-    Ok(Guess { nodes: vec![state], skipped, ..guess })
-}
-
 /// Returns the states at the starts of all segments, along one period.
 fn nodes(problem: &Problem<'_>, guess: &Guess) -> Result<Vec<Vec<f64>>, CycleError> {
     let (start, period) = problem.span_of(guess);
-    let run = problem.run.clone().shot_from(&guess.nodes[0]);
+    let run = problem.run_at(guess).shot_from(&guess.nodes[0]);
     let run = run.from(start).until(start + period).points(problem.segments + 1).run()?;
     let mut nodes = rows(&run);
     nodes.truncate(problem.segments);

@@ -1,11 +1,14 @@
 //! Torsional drives of standard parts: natural frequencies of geared, branched and ship drives
-//! against Holzer's elimination.
+//! against Holzer's elimination and published digits, and of a drill string.
 
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fmt::Write as _;
 
 use machinist::Simulation;
+use machinist::field::{Discretisation, FieldSimulator};
 use machinist::linear_analysis::{Linearization, ModeKind, Place, operating_point};
 use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::Simulator;
 
 use crate::own_scene::of_text;
 
@@ -92,20 +95,135 @@ fn scene(drive: &[Disc]) -> String {
     text + "[outputs]\nspeed = \"d0.omega\"\n[run]\nuntil = 0.1\npoints = 2\nrtol = 1e-9\nmethod = \"auto\"\n"
 }
 
-fn assert_frequencies(name: &str, drive: &[Disc]) {
-    let simulator = of_text(&scene(drive), Keep::All);
-    let point = operating_point(&Simulation::new(&simulator), Place::Initial).expect("a state");
-    let modes = Linearization::at(&simulator, point).expect("finite").modes().expect("modes");
+/// Returns the natural frequencies at the initial state \[rad/s\], ascending.
+fn natural_frequencies(simulator: &dyn Simulator<f64>) -> Vec<f64> {
+    let point = operating_point(&Simulation::new(simulator), Place::Initial).expect("a state");
+    let modes = Linearization::at(simulator, point).expect("finite").modes().expect("modes");
     let mut found: Vec<f64> = modes
         .iter()
         .filter(|mode| mode.kind == ModeKind::Oscillation)
         .map(machinist::linear_analysis::Mode::natural_frequency)
         .collect();
     found.sort_by(f64::total_cmp);
+    found
+}
+
+fn assert_frequencies(name: &str, drive: &[Disc]) -> Vec<f64> {
+    let found = natural_frequencies(&of_text(&scene(drive), Keep::All));
     let wanted = holzer(drive);
     assert_eq!(found.len(), wanted.len(), "{name}: {found:?}, {wanted:?}");
     for (found, wanted) in found.iter().zip(&wanted) {
         assert!((found / wanted - 1.0).abs() < 1e-9, "{name}: {found}, not {wanted}");
+    }
+    found
+}
+
+/// Natural frequencies agree with those printed in Hz, to the last digit.
+fn assert_published(name: &str, drive: &[Disc], printed: &[&str]) {
+    let found = assert_frequencies(name, drive);
+    assert_eq!(found.len(), printed.len(), "{name}");
+    for (found, printed) in found.iter().zip(printed) {
+        let digits = printed.split_once('.').map_or(0, |(_, digits)| digits.len());
+        assert_eq!(&format!("{:.digits$}", found / TAU), printed, "{name}");
+    }
+}
+
+/// Drives of M. Friswell, J. Penny, S. Garvey and A. Lees, Dynamics of Rotating Machines,
+/// Cambridge 2010, chapter 9; numbers as in the tests of openTorsion.
+#[test]
+fn published_drives_have_their_printed_frequencies() {
+    let two = [first(211.4), disc(0, 9.775e6, 8.3, 1.0)];
+    assert_published("two discs", &two, &["176.1"]);
+    // A motor drives two rotors, one of them by gears of equal size.
+    let inertia = 700e-6;
+    let geared = [
+        first(400e-6),
+        disc(0, 1e4, 2.0 * 25e-6, 1.0),
+        disc(1, 5e3, inertia, 1.0),
+        disc(1, 5e3, inertia, -1.0),
+    ];
+    assert_published("geared", &geared, &["425.4", "634.1", "3247.2"]);
+    // Three cylinders, a flywheel and a generator.
+    let cylinder = 3.5e-3;
+    let engine = [
+        first(cylinder),
+        disc(0, 12e3, cylinder, 1.0),
+        disc(1, 12e3, cylinder, 1.0),
+        disc(2, 14e3, 0.15, 1.0),
+        disc(3, 10e3, 0.05, 1.0),
+    ];
+    assert_published("engine", &engine, &["81.21", "141.21", "378.95", "536.36"]);
+    // A propeller and two turbines behind gears of 0.5 m and 0.8 m, of 200 and 800 kg m^2.
+    let shaft = |diameter: f64, length: f64| 68e9 * PI * diameter.powi(4) / 32.0 / length;
+    let share = 0.5_f64 / 0.8;
+    let gears = 2.0 * 200.0 + 2.0 * 800.0 * share * share;
+    let (slow, turbine) = (shaft(0.2, 2.5), shaft(0.25, 3.5) * share * share);
+    let branched = [
+        first(3200.0),
+        disc(0, slow, gears, 1.0),
+        disc(1, turbine, 450.0, 1.0 / share),
+        disc(1, turbine, 450.0, -1.0 / share),
+    ];
+    assert_published("branched", &branched, &["10.304", "20.479", "24.423"]);
+}
+
+/// Drill pipe of 5000 ft, held at the top, with a collar of 120 ft at its end: W. Thomson, Theory
+/// of Vibration with Applications, example 9.3-3, prints 2.41 and 7.93 rad/s. The frequency equation
+/// is b tan b = J_pipe/J_collar with w = b sqrt(G/rho)/l.
+#[test]
+fn a_drill_string_has_the_frequencies_of_its_equation_and_the_printed_ones() {
+    const FOOT: f64 = 0.3048;
+    const POUND: f64 = 4.448_221_615_260_5;
+    let (length, polar, shear) = (5000.0, 0.000_94, 12e6 * 144.0);
+    let (density, collar) = (490.0 / 32.2, 29.3);
+    let (of_length, of_pipe) = (length * FOOT, density * polar * POUND);
+    let (rigidity, inertia) = (shear * polar * POUND * FOOT * FOOT, collar * POUND * FOOT);
+    let text = format!(
+        r#"
+        [scene]
+        name = "drill_string"
+        [units.pipe]
+        unit = "shaft"
+        parameters = {{ length = {of_length:?}, density = {of_pipe:?}, stiffness = {rigidity:?} }}
+        inputs = {{ load = 0 }}
+        fields = {{ phi = {{ elements = 8, order = 6, start = "fixed" }} }}
+        [units.collar]
+        unit = "rotational/inertia"
+        parameters = {{ inertia = {inertia:?} }}
+        [[joints]]
+        connect = ["pipe.end", "collar.a"]
+        [outputs]
+        twist = "collar.phi"
+        [run]
+        until = 1.0
+        points = 2
+        rtol = 1e-9
+        method = "auto"
+        "#
+    );
+    let scene = of_text(&text, Keep::All);
+    let divided = FieldSimulator::new(scene.with_fields(), Discretisation::default());
+    let divided = divided.expect("it is divided");
+    let found = natural_frequencies(divided.single());
+    let ratio = density * polar * length / collar;
+    let root = |number: usize| {
+        let start = PI * number as f64;
+        let (mut low, mut high) = (start, start + FRAC_PI_2);
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            let value = middle * middle.sin() - ratio * middle.cos();
+            if value * start.cos() > 0.0 { high = middle } else { low = middle }
+        }
+        low
+    };
+    for (number, found) in found.iter().take(6).enumerate() {
+        let wanted = root(number) * (shear / density).sqrt() / length;
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{number}: {found}, not {wanted}");
+    }
+    for (found, printed) in found.iter().zip(["2.41", "7.93"]) {
+        // The book divides rounded numbers.
+        let off = found - printed.parse::<f64>().expect("a number");
+        assert!(off.abs() < 0.01, "{found}, printed {printed}");
     }
 }
 

@@ -153,17 +153,27 @@ const LOOSE: &str = r#"unit = "rotational/gear_mesh"
         parameters = { teeth_a = 20, teeth_b = 30, radius_a = 1, backlash = "backlash", damping = "damping" }
         inputs = { stiffness = "1 [N/m]", error = "0.05 [m]*cos(2*pi*gears.phase)" }"#;
 
+/// Returns the same gears with a stiffness that varies with the tooth, and without error.
+fn loose_and_soft() -> String {
+    let varying = LOOSE.replace("1 [N/m]\"", "1 [N/m]*(1 + 0.3*cos(2*pi*gears.phase))\"");
+    let soft = varying.replace("0.05 [m]*cos(2*pi*gears.phase)", "0 [m]");
+    assert_ne!(soft, varying);
+    soft
+}
+
 /// Teeth with backlash part near resonance: the amplitude jumps up as the speed rises past one
-/// fold, and down as it falls past the other (Kahraman and Singh).
+/// fold, and down as it falls past the other (Kahraman and Singh; Blankenship and Kahraman).
 #[test]
 fn loose_gears_part_near_resonance_as_in_the_reference() {
-    let scene = drive(LOOSE, "gears", 2.0);
-    for (tooth, wanted) in AMPLITUDES {
-        let run = Simulation::new(&scene).parameter("tooth", tooth).expect("a parameter");
-        let found = cycle(&run, &of_tooth(300.0)).expect("a cycle");
-        assert_eq!(found.stability, Stability::Stable);
-        let found = amplitude(&found, "way");
-        assert!((found - wanted).abs() < 2e-5 * wanted, "{tooth}: {found} for {wanted}");
+    for (gears, amplitudes) in [(LOOSE, AMPLITUDES), (&loose_and_soft(), AMPLITUDES_SOFT)] {
+        let scene = drive(gears, "gears", 2.0);
+        for (tooth, wanted) in amplitudes {
+            let run = Simulation::new(&scene).parameter("tooth", tooth).expect("a parameter");
+            let found = cycle(&run, &of_tooth(300.0)).expect("a cycle");
+            assert_eq!(found.stability, Stability::Stable);
+            let found = amplitude(&found, "way");
+            assert!((found - wanted).abs() < 2e-5 * wanted, "{tooth}: {found} for {wanted}");
+        }
     }
 }
 
@@ -199,8 +209,13 @@ const WAY: &str = r#"
 "#;
 
 /// Follows the branch over a parameter and compares its folds.
-fn assert_folds(scene: &ModelSimulator, parameter: &str, cycle: &CycleSettings, most: usize) {
-    for (from, to, folds) in [(1.2, 0.6, FOLDS), (0.6, 1.2, [FOLDS[1], FOLDS[0]])] {
+fn assert_folds(
+    (scene, folds): (&ModelSimulator, [f64; 2]),
+    parameter: &str,
+    cycle: &CycleSettings,
+    most: usize,
+) {
+    for (from, to, folds) in [(1.2, 0.6, folds), (0.6, 1.2, [folds[1], folds[0]])] {
         let settings = BranchSettings {
             cycle: cycle.clone(),
             parameter: parameter.to_owned(),
@@ -233,7 +248,7 @@ fn continuation_finds_both_folds_between_which_loose_gears_jump() {
         points: 401,
         ..CycleSettings::default()
     };
-    assert_folds(&of_text(WAY, Keep::Needed), "pair.tooth", &cycle, 400);
+    assert_folds((&of_text(WAY, Keep::Needed), FOLDS), "pair.tooth", &cycle, 400);
 }
 
 /// The gear part has a drive that is prescribed: a constraint that moves with time and parameter.
@@ -242,8 +257,16 @@ fn continuation_of_the_gear_part_finds_the_folds_of_its_oscillator() {
     let scene = drive(LOOSE, "gears", 2.0);
     for segments in [1, 3] {
         let cycle = CycleSettings { segments, points: 401, ..of_tooth(300.0) };
-        assert_folds(&scene, "tooth", &cycle, 100);
+        assert_folds((&scene, FOLDS), "tooth", &cycle, 100);
     }
+}
+
+/// Stiffness that varies and backlash together.
+#[test]
+fn continuation_finds_the_folds_of_loose_gears_with_a_stiffness_of_the_tooth() {
+    let scene = drive(&loose_and_soft(), "gears", 2.0);
+    let cycle = CycleSettings { points: 401, ..of_tooth(300.0) };
+    assert_folds((&scene, FOLDS_SOFT), "tooth", &cycle, 100);
 }
 
 /// Mesh frequencies and half the range of the way between the teeth.
@@ -256,3 +279,12 @@ const AMPLITUDES: [(f64, f64); 4] = [
 
 /// Mesh frequencies at the folds.
 const FOLDS: [f64; 2] = [0.708_031_618_721_829, 0.828_463_984_388_200_6];
+
+/// The same with a stiffness that varies by 0.3.
+const AMPLITUDES_SOFT: [(f64, f64); 4] = [
+    (1.2, 0.060_638_091_366),
+    (0.9, 0.189_198_999_849),
+    (0.84, 0.225_459_506_355),
+    (0.65, 0.053_966_817_829),
+];
+const FOLDS_SOFT: [f64; 2] = [0.705_697_489_229_3, 0.844_564_142_008_1];

@@ -3,16 +3,19 @@
     pip install numpy scipy
     python3 tests/gears/references.py
 
-x'' + 2 zeta x' + g(x) = F + E W^2 cos(W t), with g the play of half width 1 (Kahraman and Singh,
-1990), integrated from corner to corner of g by SciPy; periodic motions by shooting with the
-variational equations, folds where the determinant of (monodromy - 1) vanishes.
+x'' + 2 zeta x' + (1 + 2 eps cos(W t)) g(x) = F + E W^2 cos(W t), with g the play of half width 1,
+integrated from corner to corner of g by SciPy; periodic motions by shooting with the variational
+equations, folds where the determinant of (monodromy - 1) vanishes. Without eps this is the pair of
+Kahraman and Singh (J. Sound Vib. 142, 1990) with their zeta, F and E; without E, the pair of
+Blankenship and Kahraman (J. Sound Vib. 185, 1995).
 """
 
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import fsolve
 
-ZETA, MEAN, ERROR = 0.05, 0.1, 0.05
+ZETA, MEAN = 0.05, 0.1
+ERROR, EPS = 0.05, 0.0
 
 
 def zone(x):
@@ -30,6 +33,7 @@ def period(start, frequency, cycles=1):
 
         def rate(t, y, side=side, k=stiffness):
             m = y[2:].reshape(2, 2)
+            k = k * (1 + 2 * EPS * np.cos(frequency * t))
             a = MEAN + ERROR * frequency**2 * np.cos(frequency * t) - 2 * ZETA * y[1] - k * (y[0] - side)
             return np.concatenate([[y[1], a], (np.array([[0, 1], [-k, -2 * ZETA]]) @ m).ravel()])
 
@@ -76,20 +80,28 @@ def show(state, frequency):
 
 if __name__ == "__main__":
     steady = lambda state, frequency: motion(period(state, frequency, 60)[0], frequency)[0]
-    below = above = np.array([1.1, 0.0])
-    for frequency in np.arange(1.3, 0.705, -0.01):
-        above = steady(above, frequency)
-        if round(frequency, 2) in (1.2, 0.9, 0.84):
-            show(above, frequency)
-    frequency, step = 0.65, 0.01
-    below = steady(below, frequency)
-    show(below, frequency)
-    while step > 2e-5:
-        x, off = motion(below, frequency + step)
-        if off < 1e-10 and np.abs(x - below).max() < 0.1:
-            below, frequency = x, frequency + step
-        else:
-            step /= 2
-    for name, start, guess in [("lower", above, 0.709), ("upper", below, frequency)]:
-        (x, v, place), off, range_ = fold(start, guess)
-        print(f"{name} fold at {place:.13f}, amplitude {range_ / 2:.13f}, residual {off:.0e}")
+    for ERROR, EPS in [(0.05, 0.0), (0.0, 0.15)]:
+        print(f"E = {ERROR}, eps = {EPS}")
+        below = above = np.array([1.1, 0.0])
+        # The last motions before the jump down.
+        for frequency in np.arange(1.3, 0.6, -0.01):
+            found = steady(above, frequency)
+            _, _, least, greatest = period(found, frequency)
+            if greatest - least < 0.2:
+                if frequency < 1:
+                    break
+            above, lowest = found, frequency
+            if round(frequency, 2) in (1.2, 0.9, 0.84):
+                show(above, frequency)
+        frequency, step = 0.65, 0.01
+        below = steady(below, frequency)
+        show(below, frequency)
+        while step > 2e-5:
+            x, off = motion(below, frequency + step)
+            if off < 1e-10 and np.abs(x - below).max() < 0.1:
+                below, frequency = x, frequency + step
+            else:
+                step /= 2
+        for name, start, guess in [("lower", above, lowest), ("upper", below, frequency)]:
+            (x, v, place), off, range_ = fold(start, guess)
+            print(f"{name} fold at {place:.13f}, amplitude {range_ / 2:.13f}, residual {off:.0e}")

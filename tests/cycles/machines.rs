@@ -370,3 +370,119 @@ const FOLDS: [f64; 16] = [
     0.051_684_909_682_359_9,
     0.051_378_123_060_769_8,
 ];
+
+/// Rotor with unbalance, damping of the bearings and of the shaft itself, which turns with it.
+const DAMPED_WITHIN: &str = r#"
+    [scene]
+    name = "damped_within"
+    [units.disc]
+    unit = "disc"
+    [initial]
+    "disc.x" = 0.1
+    [outputs]
+    way = { expression = "sqrt(disc.x^2 + disc.y^2)", unit = "m" }
+    [run]
+    until = 400.0
+    points = 2
+    rtol = 1e-11
+    method = "dop853"
+    [define.disc.coordinates.x]
+    unit = "m"
+    [define.disc.coordinates.y]
+    unit = "m"
+    [define.disc.parameters]
+    speed = { value = 1.3, unit = "rad/s" }
+    outer = { value = 0.1, unit = "N s/m" }
+    inner = { value = 0.15, unit = "N s/m" }
+    hardening = { value = 0.0, unit = "N/m^3" }
+    [define.disc.energy]
+    kinetic = "1 [kg]*(x_dot^2 + y_dot^2)/2"
+    potential = "1 [N/m]*(x^2 + y^2)/2 + hardening*(x^2 + y^2)^2/4"
+    dissipation = "outer*(x_dot^2 + y_dot^2)/2"
+    [[define.disc.forces]]
+    coordinate = "x"
+    expression = "0.3 [kg m]*speed^2*cos(speed*t) - inner*(x_dot + speed*y/1 [rad])"
+    [[define.disc.forces]]
+    coordinate = "y"
+    expression = "0.3 [kg m]*speed^2*sin(speed*t) - inner*(y_dot - speed*x/1 [rad])"
+"#;
+
+/// Returns the largest real part of the exponents of the whirl: in the turning frame the disturbance
+/// has constant coefficients.
+fn largest_exponent(speed: f64, hardening: f64) -> f64 {
+    let (outer, inner) = (0.1, 0.15);
+    // r^2 ((1 + h r^2 - w^2)^2 + (c w)^2) = (u w^2)^2: above resonance, the smallest radius.
+    let square = speed * speed;
+    let off = |radius: f64| {
+        radius * (1.0 + hardening * radius * radius - square).hypot(outer * speed)
+            - UNBALANCE * square
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    while off(high) < 0.0 {
+        high *= 1.01;
+    }
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if off(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    let (across, along) =
+        (1.0 + hardening * low * low - square, 1.0 + 3.0 * hardening * low * low - square);
+    let whole = outer + inner;
+    let rate = Matrix4::new(
+        0.0,
+        0.0,
+        1.0,
+        0.0, //
+        0.0,
+        0.0,
+        0.0,
+        1.0, //
+        -along,
+        outer * speed,
+        -whole,
+        2.0 * speed, //
+        -outer * speed,
+        -across,
+        -2.0 * speed,
+        -whole,
+    );
+    rate.complex_eigenvalues().iter().fold(f64::NEG_INFINITY, |most, value| most.max(value.re))
+}
+
+/// Damping within a shaft drives its whirl above the speed w (1 + outer/inner) (Smith 1933): a pair
+/// of multipliers leaves the unit circle.
+#[test]
+fn damping_within_a_shaft_drives_a_second_frequency_above_the_speed_of_its_closed_form() {
+    let scene = of_text(DAMPED_WITHIN, Keep::Needed);
+    for hardening in [0.0, 0.05] {
+        let run = Simulation::new(scene.single());
+        let run = run.parameter("disc.hardening", hardening).expect("a parameter");
+        let settings = BranchSettings {
+            cycle: CycleSettings { points: 101, ..of_period("disc.speed", 400.0) },
+            parameter: "disc.speed".to_owned(),
+            from: 1.4,
+            to: 2.2,
+            longest_step: 0.1,
+            max_points: 100,
+        };
+        let run = run.parameter("disc.speed", 1.4).expect("a parameter");
+        let found = branch(&run, &settings).expect("a branch");
+        assert!(found.is_complete, "{}", found.end);
+        let (mut low, mut high) = (1.4, 2.2);
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            if largest_exponent(middle, hardening) < 0.0 { low = middle } else { high = middle }
+        }
+        if hardening == 0.0 {
+            near(low, 1.0 + 0.1 / 0.15, 1e-9);
+        }
+        let all: Vec<_> = found.bifurcations().map(|(kind, point)| (kind, point.value)).collect();
+        let [(kind, value)] = all[..] else { panic!("{all:?}") };
+        assert_eq!(kind, Bifurcation::NeimarkSacker);
+        near(value, low, 1e-7);
+        for point in found.points.iter().filter(|point| point.bifurcation.is_none()) {
+            let growth = (largest_exponent(point.value, hardening) * TAU / point.value).exp();
+            near(point.cycle.multipliers[0].modulus, growth, 1e-7);
+        }
+    }
+}

@@ -21,6 +21,7 @@
 
 mod branch;
 mod corner;
+mod doubled;
 mod equations;
 mod error;
 mod floquet;
@@ -42,6 +43,7 @@ use equations::{Period as Span, Problem};
 use newton::Solution;
 
 pub use branch::{Bifurcation, Branch, BranchPoint, BranchSettings, MAX_POINTS, branch};
+pub use doubled::doubled;
 pub use error::CycleError;
 pub use floquet::{Crossing, Multiplier, Stability};
 

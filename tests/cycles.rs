@@ -1,6 +1,7 @@
 //! Periodic motions, their multipliers and branches. `tests/cycles/references.py` computes the
 //! reference values.
 
+mod bouncing;
 mod machines;
 mod specs;
 
@@ -188,88 +189,6 @@ fn a_backbone_is_followed_through_the_folds_of_harmonic_balance() {
     assert_eq!(values.len(), 2);
     near(values[0], DUFFING_FOLDS[1].0, 1e-9);
     near(values[1], DUFFING_FOLDS[0].0, 1e-9);
-}
-
-/// Derivatives of the map from one impact to the next, of time and speed after the impact, in
-/// period-1 motion: flight time T, plate speed w and acceleration a at the impact.
-fn of_impact_map(period: f64, restitution: f64, gravity: f64, w: f64, a: f64) -> [f64; 2] {
-    let down = -gravity * period / 2.0;
-    // plate(t') = plate(t) + v (t' - t) - g/2 (t' - t)^2
-    let (dt_dt, dt_dv) = (1.0, period / (w - down));
-    // v' = w(t') (1 + e) - e (v - g (t' - t))
-    let by_end = (1.0 + restitution) * a + restitution * gravity;
-    let dv_dt = by_end * dt_dt - restitution * gravity;
-    let dv_dv = by_end * dt_dv - restitution;
-    [dt_dt + dv_dv, dt_dt * dv_dv - dt_dv * dv_dt]
-}
-
-#[test]
-fn a_bouncing_mass_has_the_closed_form_of_one_bounce_a_period() {
-    let (period, restitution, gravity) = (0.1, 0.8, 9.81);
-    for amplitude in [1.6e-3, 1.7395e-3, 1.8e-3] {
-        let run = Simulation::new(&BouncingMass).rtol(1e-11);
-        let run = run.parameter("amplitude", amplitude).expect("a parameter");
-        let found = cycle(&run, &of_period("frequency", 2.0)).expect("a cycle");
-        let impacts: Vec<_> = found.motion.switches.iter().collect();
-        assert_eq!(impacts.len(), 1);
-        let omega = TAU / period;
-        let speed = gravity * period / 2.0 * (1.0 - restitution) / (1.0 + restitution);
-        let phase = (speed / (amplitude * omega)).acos();
-        let at = (omega * impacts[0].time).rem_euclid(TAU);
-        assert!((at - phase).abs() < 1e-8 || (at + phase - TAU).abs() < 1e-8, "{at} {phase}");
-        let acceleration = -amplitude * omega * omega * at.sin();
-        let [trace, determinant] = of_impact_map(period, restitution, gravity, speed, acceleration);
-        let [one, two] = &found.multipliers[..] else { panic!("{:?}", found.multipliers) };
-        assert!((one.real + two.real - trace).abs() < 1e-8, "{trace}: {one:?}");
-        let product = one.real * two.real - one.imaginary * two.imaginary;
-        assert!((product - determinant).abs() < 1e-8);
-        assert!((determinant - restitution * restitution).abs() < 1e-12);
-    }
-}
-
-#[test]
-fn a_bouncing_mass_doubles_its_period_where_the_closed_form_says() {
-    let (period, restitution, gravity): (f64, f64, f64) = (0.1, 0.8, 9.81);
-    let omega = TAU / period;
-    let speed = gravity * period / 2.0 * (1.0 - restitution) / (1.0 + restitution);
-    // At a flip the trace is -(1 + e^2); it is linear in the acceleration of the plate.
-    let trace =
-        |acceleration: f64| of_impact_map(period, restitution, gravity, speed, acceleration)[0];
-    let slope = trace(1.0) - trace(0.0);
-    let acceleration = (-(1.0 + restitution * restitution) - trace(0.0)) / slope;
-    let wanted = (speed / omega).hypot(acceleration / (omega * omega));
-    let settings = BranchSettings {
-        cycle: CycleSettings { points: 101, ..of_period("frequency", 2.0) },
-        parameter: "amplitude".to_owned(),
-        from: 1.7e-3,
-        to: 3.0e-3,
-        longest_step: 0.1,
-        max_points: 200,
-    };
-    let run = Simulation::new(&BouncingMass).rtol(1e-11);
-    let found = branch(&run, &settings).expect("a branch");
-    let flips: Vec<_> =
-        found.bifurcations().filter(|(kind, _)| *kind == Bifurcation::Flip).collect();
-    assert_eq!(
-        flips.len(),
-        1,
-        "{:?}",
-        found.bifurcations().map(|(k, p)| (k, p.value)).collect::<Vec<_>>()
-    );
-    near(flips[0].1.value, wanted, 1e-8);
-    // Towards smaller amplitudes the motion vanishes where the plate is just fast enough.
-    let down = BranchSettings { to: 0.5e-3, ..settings };
-    let down = branch(&run, &down).expect("a branch");
-    let folds: Vec<_> =
-        down.bifurcations().filter(|(kind, _)| *kind == Bifurcation::Fold).collect();
-    near(folds[0].1.value, speed / omega, 1e-9);
-    // Beyond, two bounces follow each other in two periods.
-    let run = run.parameter("amplitude", wanted + 5e-5).expect("a parameter");
-    let twice = CycleSettings { multiple: 2, ..of_period("frequency", 20.0) };
-    let twice = cycle(&run, &twice).expect("a cycle");
-    assert_eq!((twice.stability, twice.motion.switches.len()), (Stability::Stable, 2));
-    let gaps = twice.motion.switches[1].time - twice.motion.switches[0].time;
-    assert!((gaps - period).abs() > 1e-3, "{gaps}");
 }
 
 #[test]

@@ -113,6 +113,18 @@ impl Bifurcation {
 }
 
 impl Branch {
+    /// Creates a branch over a parameter without points.
+    pub(super) fn empty(run: &Simulation<'_>, index: usize) -> Self {
+        let parameter = run.simulator().parameter(index);
+        Self {
+            parameter: parameter.name.to_owned(),
+            unit: parameter.unit.to_owned(),
+            points: Vec::new(),
+            end: String::new(),
+            is_complete: false,
+        }
+    }
+
     /// Returns the points at which bifurcations were located.
     pub fn bifurcations(&self) -> impl Iterator<Item = (Bifurcation, &BranchPoint)> {
         self.points.iter().filter_map(|point| Some((point.bifurcation?, point)))
@@ -197,28 +209,17 @@ pub fn branch(run: &Simulation<'_>, settings: &BranchSettings) -> Result<Branch,
     let index = run.parameter_index(&settings.parameter)?;
     let BranchSettings { from, to, .. } = *settings;
     let run = run.clone().parameter_at(index, from);
-    let unit = run.simulator().parameter(index).unit.to_owned();
     let mut problem = problem(&run, &settings.cycle)?;
     problem.varied = Some(index);
     let most = settings.cycle.max_iterations;
     let first = guess::settled(&problem, &settings.cycle)?;
     let solution = solve(&problem, first, most)?;
-    let count = solution.guess.nodes.len() * problem.free.len();
-    let weights = DVector::from_element(count, f64::INFINITY);
-    let points = settings.cycle.points;
-    let mut walk = Walk { problem, points, weights, range: (to - from).abs(), most };
+    let mut walk = Walk::new(problem, settings);
     let start = walk.start(solution, (to - from).signum())?;
-    let found = Branch {
-        parameter: settings.parameter.clone(),
-        unit,
-        points: Vec::new(),
-        end: String::new(),
-        is_complete: false,
-    };
-    Ok(walk.follow(start, settings, found))
+    Ok(walk.follow(start, settings, Branch::empty(&run, index)))
 }
 
-fn check(settings: &BranchSettings) -> Result<(), CycleError> {
+pub(super) fn check(settings: &BranchSettings) -> Result<(), CycleError> {
     let BranchSettings { from, to, longest_step, max_points, .. } = settings;
     let bad = |what: String| Err(CycleError::BadSetting(what));
     if !(from.is_finite() && to.is_finite()) || from.to_bits() == to.to_bits() {
@@ -231,6 +232,20 @@ fn check(settings: &BranchSettings) -> Result<(), CycleError> {
         return bad(format!("{max_points} points: a branch has 2 to {MAX_POINTS} of them"));
     }
     Ok(())
+}
+
+impl<'a> Walk<'a> {
+    pub(super) fn new(problem: Problem<'a>, settings: &BranchSettings) -> Self {
+        let BranchSettings { from, to, cycle, .. } = settings;
+        let count = problem.segments * problem.free.len();
+        Self {
+            problem,
+            points: cycle.points,
+            weights: DVector::from_element(count, f64::INFINITY),
+            range: (to - from).abs(),
+            most: cycle.max_iterations,
+        }
+    }
 }
 
 impl Walk<'_> {
@@ -252,7 +267,7 @@ impl Walk<'_> {
     }
 
     /// Widens the measure of lengths to the ranges of a motion.
-    fn measure(&mut self, cycle: &Cycle) {
+    pub(super) fn measure(&mut self, cycle: &Cycle) {
         let n = self.problem.free.len();
         let count = self.weights.len();
         let rows = super::rows(&cycle.motion);
@@ -352,7 +367,7 @@ impl Walk<'_> {
     }
 
     /// Scales a tangent to length 1, with its normal.
-    fn scaled(&self, mut tangent: Tangent, projections: &[DMatrix<f64>]) -> Tangent {
+    pub(super) fn scaled(&self, mut tangent: Tangent, projections: &[DMatrix<f64>]) -> Tangent {
         let length = self.product(&tangent, &tangent).sqrt();
         tangent.states /= length;
         tangent.period /= length;
@@ -361,7 +376,7 @@ impl Walk<'_> {
         tangent
     }
 
-    fn projections(&self, solution: &Solution) -> Vec<DMatrix<f64>> {
+    pub(super) fn projections(&self, solution: &Solution) -> Vec<DMatrix<f64>> {
         solution.shots.iter().map(|shot| self.problem.scaled(&shot.projection)).collect()
     }
 

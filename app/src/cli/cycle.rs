@@ -68,6 +68,10 @@ pub struct CycleCommand {
     /// Maximum number of points of the branch
     #[arg(long, value_name = "NUMBER", default_value_t = 1000, requires = "over")]
     max_points: usize,
+    /// Follow the branches of twice the period that begin at flips too, and those that begin at
+    /// their flips, up to this number of doublings
+    #[arg(long, value_name = "NUMBER", default_value_t = 0, requires = "over")]
+    doublings: u32,
     /// Outputs and states to report, write and plot. Default: all outputs
     #[arg(long, help_heading = "Output", value_name = "NAMES", value_delimiter = ',')]
     columns: Vec<String>,

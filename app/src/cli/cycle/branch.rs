@@ -5,7 +5,8 @@ use std::path::Path;
 
 use machinist::Simulation;
 use machinist::periodic::{
-    Bifurcation, Branch, BranchPoint, BranchSettings, CycleSettings, Stability, branch,
+    Bifurcation, Branch, BranchPoint, BranchSettings, CycleError, CycleSettings, Stability, branch,
+    doubled,
 };
 use machinist::trajectory::{Column, ColumnKind};
 use serde_json::json;
@@ -50,33 +51,55 @@ impl CycleCommand {
             longest_step: self.longest_step,
             max_points: self.max_points,
         };
-        let found = during("following a periodic motion", || branch(run, &settings))?;
-        let ranges = self.ranges(&found);
+        let found = during("following a periodic motion", || self.branches(run, &settings))?;
+        let ranges: Vec<_> = found.iter().map(|branch| self.ranges(branch)).collect();
         if let Some(file) = &self.plot {
-            draw_file(file, |path| ranges.plot(scene.simulator().title(), path))?;
+            draw_file(file, |path| plot(&ranges, scene.simulator().title(), path))?;
         }
-        let table = |out: &mut dyn io::Write| ranges.table(out);
+        let columns = || as_columns(&ranges, self.doublings > 0);
         match &self.out {
-            Some(_) if to_standard_output => print_with(table)?,
+            Some(_) if to_standard_output => print_with(|out| table(&columns(), out))?,
             Some(file) if parquet::is_named(file) => {
                 let of = ("cycle", self.scene.scene.as_str(), scene);
-                parquet::write_table(file, &ranges.as_columns(), of, json!({ "end": found.end }))?;
+                let more = json!({ "end": found[0].end });
+                parquet::write_table(file, &columns(), of, more)?;
             }
-            Some(file) => write_file(file, table)?,
+            Some(file) => write_file(file, |out| table(&columns(), out))?,
             None => {}
         }
         if self.json && !to_standard_output {
-            let text = serde_json::to_string_pretty(&found);
+            let text = match &found[..] {
+                [only] if self.doublings == 0 => serde_json::to_string_pretty(only),
+                all => serde_json::to_string_pretty(all),
+            };
             let text = text.map_err(|error| Failure::unsuccessful(error, ""))?;
             print(&format!("{text}\n"))?;
         } else if !to_standard_output {
             print(&self.told(scene, &ranges))?;
         }
-        if found.is_complete {
-            return Ok(());
-        }
-        let message = format!("the branch ends early: {}", found.end);
+        let Some(early) = found.iter().find(|branch| !branch.is_complete) else { return Ok(()) };
+        let message = format!("the branch ends early: {}", early.end);
         Err(Failure::unsuccessful(message, "try a shorter `--longest-step`, or more segments"))
+    }
+
+    /// Returns the branch and those of the doublings asked for, each after the one with its flip.
+    fn branches(
+        &self,
+        run: &Simulation<'_>,
+        settings: &BranchSettings,
+    ) -> Result<Vec<Branch>, CycleError> {
+        let mut found = vec![branch(run, settings)?];
+        let (mut settings, mut first) = (settings.clone(), 0);
+        for _ in 0..self.doublings {
+            let flips = found[first..].iter().flat_map(|branch| branch.points.iter().skip(1));
+            let flips = flips.filter(|point| point.bifurcation == Some(Bifurcation::Flip));
+            let more: Vec<_> =
+                flips.map(|flip| doubled(run, &settings, flip)).collect::<Result<_, _>>()?;
+            first = found.len();
+            found.extend(more);
+            settings = settings.doubled();
+        }
+        Ok(found)
     }
 
     fn ranges<'b>(&self, branch: &'b Branch) -> Ranges<'b> {
@@ -93,19 +116,79 @@ impl CycleCommand {
         }
     }
 
-    fn told(&self, scene: &Scene, ranges: &Ranges<'_>) -> String {
+    fn told(&self, scene: &Scene, all: &[Ranges<'_>]) -> String {
         let simulator = scene.simulator();
-        let Branch { parameter, unit, points, end, .. } = ranges.branch;
+        let Branch { parameter, unit, points, .. } = all[0].branch;
         let first = points.first().map(|point| &point.cycle.motion);
         let (method, rtol) = first.map_or(("", 0.0), |run| (run.method.name(), run.rtol));
         let mut text = format!(
-            "{}: {} ({})\nperiodic motions over {parameter} [{unit}]; {method}, rtol {rtol:e}\n{} \
-             points\n\n",
+            "{}: {} ({})\nperiodic motions over {parameter} [{unit}]; {method}, rtol {rtol:e}\n",
             simulator.name(),
             simulator.title(),
             scene.how(),
-            points.len(),
         );
+        for (index, ranges) in all.iter().enumerate() {
+            if index > 0 {
+                text.push_str("\nTwice the period, from a flip: ");
+            }
+            text.push_str(&ranges.told());
+        }
+        for file in [&self.out, &self.plot].into_iter().flatten() {
+            text.extend(["\nwrote ", &file.display().to_string()]);
+        }
+        text.trim_end().to_owned() + "\n"
+    }
+}
+
+/// Returns the largest modulus of the multipliers but that of the phase.
+fn modulus(point: &BranchPoint) -> f64 {
+    point.cycle.nontrivial().map(|multiplier| multiplier.modulus).fold(0.0, f64::max)
+}
+
+fn word(stability: Stability) -> &'static str {
+    match stability {
+        Stability::Stable => "stable",
+        Stability::Unstable => "unstable",
+        Stability::Neutral => "neutral",
+    }
+}
+
+/// Draws amplitudes of all branches and, if it is solved for, the period.
+fn plot(all: &[Ranges<'_>], title: &str, path: &Path) -> Result<(), crate::plot::PlotError> {
+    let points = || all.iter().flat_map(|ranges| &ranges.branch.points);
+    let places: Vec<f64> = points().map(|point| point.value).collect();
+    let is_forced = points().all(|point| point.cycle.is_forced);
+    let (mut panels, mut marks): (Vec<Vec<Column>>, Vec<_>) = (Vec::new(), Vec::new());
+    let mut before = 0;
+    for (index, ranges) in all.iter().enumerate() {
+        let after = places.len() - before - ranges.branch.points.len();
+        for (at, mut columns) in ranges.panels(is_forced).into_iter().enumerate() {
+            for column in &mut columns {
+                let gap = |count: usize| vec![f64::NAN; count];
+                column.values = [gap(before), column.values.split_off(0), gap(after)].concat();
+                if index > 0 {
+                    column.name = format!("{}, doubled {index}", column.name);
+                }
+            }
+            if at == panels.len() {
+                panels.push(Vec::new());
+            }
+            panels[at].extend(columns);
+        }
+        marks.extend(ranges.marks(usize::from(index > 0)));
+        before += ranges.branch.points.len();
+    }
+    let Branch { parameter, unit, .. } = all[0].branch;
+    let axis = format!("{parameter} [{unit}]");
+    let subtitle = format!("periodic motions over {parameter}");
+    plot_branch((axis, &places), &panels, marks, [title, &subtitle], path)
+}
+
+impl Ranges<'_> {
+    fn told(&self) -> String {
+        let Branch { parameter, unit, points, end, .. } = self.branch;
+        let ranges = self;
+        let mut text = format!("{} points\n\n", points.len());
         let shown = ranges.columns.len().min(SHOWN);
         let mut head = vec![
             String::new(),
@@ -135,27 +218,9 @@ impl CycleCommand {
         }
         text.push_str(&columns(&rows, 2));
         text.extend(["\nThe branch ends at ", end, ".\n"]);
-        for file in [&self.out, &self.plot].into_iter().flatten() {
-            text.extend(["\nwrote ", &file.display().to_string()]);
-        }
-        text.trim_end().to_owned() + "\n"
+        text
     }
-}
 
-/// Returns the largest modulus of the multipliers but that of the phase.
-fn modulus(point: &BranchPoint) -> f64 {
-    point.cycle.nontrivial().map(|multiplier| multiplier.modulus).fold(0.0, f64::max)
-}
-
-fn word(stability: Stability) -> &'static str {
-    match stability {
-        Stability::Stable => "stable",
-        Stability::Unstable => "unstable",
-        Stability::Neutral => "neutral",
-    }
-}
-
-impl Ranges<'_> {
     /// Returns the stability of a point, and of both sides at a bifurcation.
     fn stability(&self, index: usize) -> String {
         let points = &self.branch.points;
@@ -169,28 +234,30 @@ impl Ranges<'_> {
         sides.collect::<Vec<_>>().join(" to ")
     }
 
-    /// Draws amplitudes and, if it is solved for, the period.
-    fn plot(&self, title: &str, path: &Path) -> Result<(), crate::plot::PlotError> {
-        let points = &self.branch.points;
-        let places: Vec<f64> = points.iter().map(|point| point.value).collect();
+    /// Returns amplitudes and, if it is solved for, the period.
+    fn panels(&self, is_forced: bool) -> Vec<Vec<Column>> {
         let mut panels = Vec::new();
         for (at, (name, unit)) in self.columns.iter().enumerate() {
             let values: Vec<f64> = self.extents.iter().map(|all| all[at].amplitude()).collect();
             panels.push(self.split(&format!("{name} amplitude"), unit, &values));
         }
-        if points.iter().any(|point| !point.cycle.is_forced) {
-            let periods: Vec<f64> = points.iter().map(|point| point.cycle.period).collect();
+        if !is_forced {
+            let points = self.branch.points.iter();
+            let periods: Vec<f64> = points.map(|point| point.cycle.period).collect();
             panels.push(self.split("period", "s", &periods));
         }
+        panels
+    }
+
+    /// Returns parameter, amplitude and name of the bifurcations after some points.
+    fn marks(&self, skipped: usize) -> Vec<(f64, f64, String)> {
         let first = |index: usize| self.extents[index].first().map_or(f64::NAN, Extent::amplitude);
-        let marks = points.iter().enumerate().filter_map(|(index, point)| {
+        let points = self.branch.points.iter().enumerate().skip(skipped);
+        let marks = points.filter_map(|(index, point)| {
             let kind = point.bifurcation?;
             Some((point.value, first(index), kind.name().to_owned()))
         });
-        let Branch { parameter, unit, .. } = self.branch;
-        let axis = format!("{parameter} [{unit}]");
-        let subtitle = format!("periodic motions over {parameter}");
-        plot_branch((axis, &places), &panels, marks.collect(), [title, &subtitle], path)
+        marks.collect()
     }
 
     /// Splits a curve into its stable and its unstable parts, which meet at bifurcations.
@@ -255,20 +322,46 @@ impl Ranges<'_> {
         all.push(texts("bifurcation", &kind));
         all
     }
+}
 
-    /// Writes parameter, period, largest modulus, ranges, stability and bifurcation of each point.
-    fn table(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        let all = self.as_columns();
-        let mut writer = csv::Writer::from_writer(out);
-        writer.write_record(all.iter().map(parquet::Column::head))?;
-        let cell = |column: &parquet::Column, row: usize| match &column.values {
-            Values::Numbers(values) => values[row].to_string(),
-            Values::Texts(values) => values[row].clone().unwrap_or_default(),
-            _ => String::new(),
-        };
-        for row in 0..self.branch.points.len() {
-            writer.write_record(all.iter().map(|column| cell(column, row)))?;
+/// Returns the columns of the table of all branches, with their numbers if asked for.
+fn as_columns(all: &[Ranges<'_>], with_numbers: bool) -> Vec<parquet::Column> {
+    let mut tables = all.iter().map(Ranges::as_columns);
+    let mut joined = tables.next().unwrap_or_default();
+    for table in tables {
+        for (column, more) in joined.iter_mut().zip(table) {
+            match (&mut column.values, more.values) {
+                (Values::Numbers(values), Values::Numbers(more)) => values.extend(more),
+                (Values::Texts(values), Values::Texts(more)) => values.extend(more),
+                _ => {}
+            }
         }
-        writer.flush()
     }
+    if with_numbers {
+        let of = |(index, ranges): (usize, &Ranges<'_>)| {
+            vec![(index + 1) as f64; ranges.branch.points.len()]
+        };
+        let numbers = all.iter().enumerate().flat_map(of).collect();
+        joined.insert(0, parquet::Column::numbers("branch", "1", numbers));
+    }
+    joined
+}
+
+/// Writes parameter, period, largest modulus, ranges, stability and bifurcation of each point.
+fn table(all: &[parquet::Column], out: &mut dyn io::Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(all.iter().map(parquet::Column::head))?;
+    let cell = |column: &parquet::Column, row: usize| match &column.values {
+        Values::Numbers(values) => values[row].to_string(),
+        Values::Texts(values) => values[row].clone().unwrap_or_default(),
+        _ => String::new(),
+    };
+    let rows = match all.first().map(|column| &column.values) {
+        Some(Values::Numbers(values)) => values.len(),
+        _ => 0,
+    };
+    for row in 0..rows {
+        writer.write_record(all.iter().map(|column| cell(column, row)))?;
+    }
+    writer.flush()
 }

@@ -98,6 +98,16 @@ impl Default for CycleSettings {
     }
 }
 
+impl CycleSettings {
+    /// Returns the period \[s\] of the motion at the parameters of a run, unless it is unknown.
+    ///
+    /// # Errors
+    /// [`CycleError`] if the parameter that determines it is unknown, or the period is no time.
+    pub fn period_of(&self, run: &Simulation<'_>) -> Result<Option<f64>, CycleError> {
+        Ok(span(run, self)?.of(run.parameter_values()))
+    }
+}
+
 /// A periodic motion with its stability.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cycle {

@@ -72,6 +72,7 @@ impl<S: Simulator<f64> + Simulator<F64x8> + Sync> Sweepable for S {
 pub struct Sweep<'a> {
     machine: &'a dyn Sweepable,
     each: Box<dyn Fn(Simulation<'a>) -> Simulation<'a> + Sync + 'a>,
+    of_variant: Box<dyn Fn(Simulation<'a>) -> Simulation<'a> + Sync + 'a>,
     variants: Vec<Vec<f64>>,
     threads: usize,
 }
@@ -136,6 +137,7 @@ impl<'a> Sweep<'a> {
         Self {
             machine,
             each: Box::new(|simulation| simulation),
+            of_variant: Box::new(|simulation| simulation),
             variants: vec![defaults.collect()],
             threads: 0,
         }
@@ -168,6 +170,16 @@ impl<'a> Sweep<'a> {
     /// Sets the variants, each a full list of parameters.
     pub fn variants(mut self, variants: Vec<Vec<f64>>) -> Self {
         self.variants = variants;
+        self
+    }
+
+    /// Sets what depends on the parameters of a variant, such as the end of its run; the number of
+    /// output times must be that of all.
+    pub fn of_variant(
+        mut self,
+        adjust: impl Fn(Simulation<'a>) -> Simulation<'a> + Sync + 'a,
+    ) -> Self {
+        self.of_variant = Box::new(adjust);
         self
     }
 
@@ -235,7 +247,8 @@ impl<'a> Sweep<'a> {
     }
 
     fn simulation(&self, parameters: &[f64]) -> Simulation<'a> {
-        (self.each)(Simulation::new(self.machine.single())).parameters(parameters)
+        let run = (self.each)(Simulation::new(self.machine.single()));
+        (self.of_variant)(run.parameters(parameters))
     }
 
     /// Runs a chunk in lanes; returns `None` if the machine has no Taylor series.

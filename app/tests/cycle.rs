@@ -80,6 +80,50 @@ fn a_branch_is_a_table_with_its_bifurcations() {
     assert!(svg.contains("x amplitude, unstable"));
 }
 
+/// The mass bounces once, twice or four times in its period on both sides of the flips.
+#[test]
+fn sections_repeat_after_the_periods_of_the_branches_that_begin_at_flips() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let common = ["cycle", "bouncing_mass", "--period", "frequency", "--columns", "height"];
+    let run = |more: &[&str]| answer(machinist(&folder, &[&common[..], more].concat()));
+    let branches = ["--over", "amplitude=1.7e-3..3.08e-3", "--doublings", "2", "--out", "b.csv"];
+    let said = run(&[&branches[..], &["--plot", "b.svg"]].concat());
+    assert_eq!(said.matches("Twice the period").count(), 2, "{said}");
+    let table = fs::read_to_string(folder.path().join("b.csv")).expect("a table");
+    let flips: Vec<f64> = table
+        .lines()
+        .filter(|row| row.ends_with(",flip"))
+        .map(|row| row.split(',').nth(1).expect("a value").parse().expect("a number"))
+        .collect();
+    // Each flip is a point of both branches.
+    let [one, same, two, again] = flips[..] else { panic!("{flips:?}") };
+    assert!((one - same).abs() + (two - again).abs() < 1e-15 && one < two);
+    let over = format!("amplitude={}..{}", one - 2e-4, two + 3e-5);
+    let at = ["--over", &over, "--settle", "60", "--sections", "6", "--returns", "16"];
+    let said = run(&[&at[..], &["--out", "s.csv", "--plot", "s.svg"]].concat());
+    let told: Vec<&str> =
+        said.lines().skip(4).map_while(|row| row.split_whitespace().last()).collect();
+    assert_eq!(told, ["1", "2", "4"], "{said}");
+    let table = fs::read_to_string(folder.path().join("s.csv")).expect("a table");
+    assert_eq!(table.lines().count(), 1 + 6 * 16);
+    // The period may be that of the parameter.
+    let said = answer(cycle(
+        &folder,
+        &[
+            "--period",
+            "block.frequency",
+            "--over",
+            "block.frequency=0.9..1.1",
+            "--sections",
+            "3",
+            "--settle",
+            "300",
+        ],
+    ));
+    assert!(said.contains("3 values of 64 periods"), "{said}");
+    assert!(said.trim_end().ends_with('1'), "{said}");
+}
+
 #[test]
 fn what_is_no_period_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -95,6 +139,9 @@ fn what_is_no_period_is_refused() {
         (&["--period", "6", "--columns", "y"], "no output or state `y`"),
         (&["--period", "6", "--over", "block.force=1..1"], "has no length"),
         (&["--period", "6", "--plot", "x.pdf"], "unknown format"),
+        (&["--period", "6", "--over", "block.force=1..2", "--sections", "1"], "at least 2"),
+        (&["--over", "block.force=1..2", "--sections", "9"], "--period"),
+        (&["--period", "6", "--doublings", "1"], "--over"),
     ] {
         assert_refused(cycle(&folder, more), &[words]);
     }

@@ -1,6 +1,7 @@
 //! `machinist cycle`: periodic motions and their stability.
 
 mod branch;
+mod section;
 
 use std::io;
 use std::path::PathBuf;
@@ -72,6 +73,14 @@ pub struct CycleCommand {
     /// their flips, up to this number of doublings
     #[arg(long, value_name = "NUMBER", default_value_t = 0, requires = "over")]
     doublings: u32,
+    /// Run the machine at this number of values of the parameter instead of following a motion, and
+    /// report its state once in a period (Poincare section, bifurcation diagram)
+    #[arg(long, value_name = "NUMBER", requires_all = ["over", "period"],
+        conflicts_with_all = ["longest_step", "max_points", "doublings", "json"])]
+    sections: Option<usize>,
+    /// Number of periods after the time to settle that --sections reports
+    #[arg(long, value_name = "NUMBER", default_value_t = 64, requires = "sections")]
+    returns: usize,
     /// Outputs and states to report, write and plot. Default: all outputs
     #[arg(long, help_heading = "Output", value_name = "NAMES", value_delimiter = ',')]
     columns: Vec<String>,
@@ -126,6 +135,9 @@ impl CycleCommand {
         let flag = interrupt::flag();
         let run = self.run(simulator)?.until_flagged(&flag);
         let settings = self.settings(simulator)?;
+        if self.sections.is_some() {
+            return self.write_sections(&scene, &run, &settings, to_standard_output);
+        }
         if self.over.is_some() {
             return self.follow(&scene, &run, settings, to_standard_output);
         }

@@ -56,6 +56,17 @@ impl<'a> Variants<'a> {
         variants: &[Vec<f64>],
         take: impl Fn(&Simulation<'_>, Result<VariantRun, SimulateError>) -> T + Sync,
     ) -> Result<Vec<T>, Failure> {
+        self.runs_of(scene, variants, |run| run, take)
+    }
+
+    /// Like [`Variants::runs_each`], with settings that depend on the parameters of a variant.
+    pub fn runs_of<T: Send>(
+        &self,
+        scene: &Scene,
+        variants: &[Vec<f64>],
+        of_variant: impl for<'s> Fn(Simulation<'s>) -> Simulation<'s> + Sync,
+        take: impl Fn(&Simulation<'_>, Result<VariantRun, SimulateError>) -> T + Sync,
+    ) -> Result<Vec<T>, Failure> {
         let threads = self.threads.or_else(config::threads).unwrap_or_default();
         let machine: &dyn Sweepable = match scene {
             Scene::Emitted(_) => &BuiltIn { name: self.scene.scene.clone() },
@@ -63,19 +74,20 @@ impl<'a> Variants<'a> {
             Scene::Fields(cut) => {
                 let run = |simulator: &FieldSimulator<'_, f64>, parameters: &[f64]| {
                     let run = Simulation::new(simulator.single()).parameters(parameters);
-                    one(&self.adjust(run))
+                    one(&of_variant(self.adjust(run)))
                 };
                 let runs = each_on_its_own(variants, threads, cut.again(), run);
                 let runs = runs.map_err(|error| refused(&error))?.into_iter().zip(variants);
                 let base = Simulation::new(scene.simulator());
                 let taken = runs.map(|(run, parameters)| {
-                    take(&self.adjust(base.clone().parameters(parameters)), run)
+                    take(&of_variant(self.adjust(base.clone().parameters(parameters))), run)
                 });
                 return Ok(taken.collect());
             }
         };
         let sweep = Sweep::new(machine)
             .each(|run| self.adjust(run))
+            .of_variant(of_variant)
             .variants(variants.to_vec())
             .threads(threads);
         Ok(sweep.run_each(take))

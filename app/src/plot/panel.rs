@@ -1,5 +1,7 @@
 //! One panel of a plot: the columns of one unit over time, frequency or names.
 
+use std::collections::BTreeSet;
+
 use plotters::chart::ChartContext;
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -125,9 +127,16 @@ impl Panel<'_> {
         for (column, color) in self.columns.iter().zip(COLORS.iter().cycle()) {
             let style = color.stroke_width(SCALE + SCALE / 2);
             if column.kind == ColumnKind::Measured {
-                let dots = finite_lines(&places, &self.vertical.placed(&column.values)).concat();
-                let dot = |point: &(f64, f64)| Circle::new(*point, 2 * SCALE, color.filled());
-                chart.draw_series(thinned(dots).iter().map(dot))?;
+                let mut dots =
+                    finite_lines(&places, &self.vertical.placed(&column.values)).concat();
+                // Dots at one place are drawn once.
+                let (mut drawn, radius) = (BTreeSet::new(), 2 * SCALE as i32);
+                dots.retain(|point| {
+                    let (x, y) = chart.backend_coord(point);
+                    drawn.insert((x / radius, y / radius))
+                });
+                let dot = |point: &(f64, f64)| Circle::new(*point, radius, color.filled());
+                chart.draw_series(dots.iter().map(dot))?;
                 continue;
             }
             for line in finite_lines(&places, &self.vertical.placed(&column.values)) {

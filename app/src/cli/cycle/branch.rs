@@ -348,7 +348,7 @@ fn as_columns(all: &[Ranges<'_>], with_numbers: bool) -> Vec<parquet::Column> {
 }
 
 /// Writes parameter, period, largest modulus, ranges, stability and bifurcation of each point.
-fn table(all: &[parquet::Column], out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn table(all: &[parquet::Column], out: &mut dyn io::Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(all.iter().map(parquet::Column::head))?;
     let cell = |column: &parquet::Column, row: usize| match &column.values {

@@ -98,14 +98,15 @@ fn sections_repeat_after_the_periods_of_the_branches_that_begin_at_flips() {
     // Each flip is a point of both branches.
     let [one, same, two, again] = flips[..] else { panic!("{flips:?}") };
     assert!((one - same).abs() + (two - again).abs() < 1e-15 && one < two);
-    let over = format!("amplitude={}..{}", one - 2e-4, two + 3e-5);
-    let at = ["--over", &over, "--settle", "60", "--sections", "6", "--returns", "16"];
+    assert!((2.63e-3..2.69e-3).contains(&one) && (2.99e-3..3.05e-3).contains(&two));
+    let at = ["--over", "amplitude=2.45e-3..3.05e-3", "--settle", "60", "--sections", "11"];
+    let at = [&at[..], &["--returns", "16"]].concat();
     let said = run(&[&at[..], &["--out", "s.csv", "--plot", "s.svg"]].concat());
     let told: Vec<&str> =
         said.lines().skip(4).map_while(|row| row.split_whitespace().last()).collect();
     assert_eq!(told, ["1", "2", "4"], "{said}");
     let table = fs::read_to_string(folder.path().join("s.csv")).expect("a table");
-    assert_eq!(table.lines().count(), 1 + 6 * 16);
+    assert_eq!(table.lines().count(), 1 + 11 * 16);
     // The period may be that of the parameter.
     let said = answer(cycle(
         &folder,

@@ -4,6 +4,7 @@
 mod bouncing;
 mod machines;
 mod specs;
+mod studies;
 
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;

@@ -24,7 +24,11 @@ use crate::freeze::admit_against;
 use crate::program;
 use crate::spec_source::SpecSource;
 
-pub use scatter::{ScatterDesign, ScatterResults, scatter_design, scatter_results};
+pub use crate::cli::scatter::{LinearShare, Linearized};
+pub use scatter::{
+    ScatterDesign, ScatterResults, Spread, scatter_design, scatter_linear, scatter_paths,
+    scatter_results,
+};
 
 /// Runs the command that `arguments` ask for, the first of which is the name of the program, and
 /// returns the exit code. `again` starts the same program in another process: an executable and its

@@ -130,10 +130,24 @@ def sweep_piece(
 def scatter_design(
     machine: Machine,
     settings: dict[str, Any],
-    spec: tuple[bool, str] | None,
-    vary: Sequence[tuple[str, str]],
+    given: tuple[tuple[bool, str] | None, Sequence[tuple[str, str]]],
     design: tuple[str, int, int, bool],
 ) -> dict[str, Any]: ...
+def scatter_paths(
+    machine: Machine,
+    settings: dict[str, Any],
+    given: tuple[tuple[bool, str] | None, Sequence[tuple[str, str]]],
+    design: tuple[int, int],
+) -> Array: ...
+def scatter_effects(
+    values: Array, design: tuple[int, int, int], confidence: float
+) -> list[tuple[float, float, float, float, int]]: ...
+def scatter_linear(
+    machine: Machine,
+    settings: dict[str, Any],
+    given: tuple[tuple[bool, str] | None, Sequence[tuple[str, str]]],
+    of: Sequence[str],
+) -> list[tuple[float, float, list[tuple[float, float, float]], list[str]]]: ...
 def scatter_results(
     machine: Machine, of: Sequence[str], limits: Sequence[str]
 ) -> tuple[list[str], list[str], bool, list[bool]]: ...

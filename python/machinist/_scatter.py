@@ -79,6 +79,46 @@ class Distributed:
 
 
 @dataclass(frozen=True)
+class Effect:
+    """Elementary effects of one parameter on a result, per unit of probability (Morris)."""
+
+    #: Mean of the absolute effects, mu*.
+    mean_absolute: Estimate
+    #: Mean of the effects.
+    mean: float
+    #: Standard deviation of the effects; large for curvature and interactions.
+    deviation: float
+    #: Number of effects.
+    count: int
+
+
+@dataclass(frozen=True)
+class Share:
+    """Contribution of one parameter to the linear propagation."""
+
+    #: Derivative of the result; NaN if there is none.
+    slope: float
+    #: Change of the result for one standard deviation.
+    contribution: float
+    #: Share of the variance.
+    share: float
+
+
+@dataclass(frozen=True)
+class Linear:
+    """Linear propagation of the standard deviations to one result, by sensitivities."""
+
+    #: Value at the means of the parameters.
+    value: float
+    #: Standard deviation to first order.
+    deviation: float
+    #: Contributions by parameter.
+    shares: dict[str, Share]
+    #: Parameters without a derivative, with reasons.
+    left_out: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Statistics:
     """Statistics of one result."""
 
@@ -97,6 +137,10 @@ class Statistics:
     first: dict[str, Estimate]
     #: Sobol indices of total order by parameter; empty unless requested.
     total: dict[str, Estimate]
+    #: Elementary effects by parameter; empty unless requested.
+    effects: dict[str, Effect]
+    #: Linear propagation; None unless requested.
+    linear: Linear | None
 
 
 @dataclass(frozen=True)
@@ -120,6 +164,8 @@ def scatter(
     sampler: str = "sobol",
     seed: int = 1,
     indices: bool = False,
+    morris: int | None = None,
+    linear: bool = False,
     confidence: float = 0.95,
     quantiles: Sequence[float] = (0.05, 0.5, 0.95),
     path: str | os.PathLike[str] | None = None,
@@ -143,6 +189,9 @@ def scatter(
     :param sampler: `sobol`, `latin` or `random`.
     :param indices: compute Sobol indices; takes `samples` times the number of parameters plus 2
         runs.
+    :param morris: number of paths of a screening by elementary effects, 10 to 50 are usual; each
+        takes one run per parameter and one more.
+    :param linear: propagate the standard deviations by the sensitivities of one run.
     :param confidence: confidence of intervals.
     :param quantiles: probabilities of the quantiles.
     :param path: folder for the runs as Parquet files, as for :func:`machinist.sweep`: an existing
@@ -163,10 +212,12 @@ def scatter(
         settings.setdefault("points", 2)
     set_by = {"parameters": dict(given) if given else None, "time_limit": time_limit, **settings}
     set_by = {name: value for name, value in set_by.items() if value is not None}
+    if morris is not None and morris < 2:
+        raise InputError("morris takes at least 2 paths; 10 to 50 are usual")
+    spread = (model._spec, list((vary or {}).items()))
     told = _machinist.scatter_design(
-        model._machine, set_by, model._spec, list((vary or {}).items()),
-        (sampler, samples, seed, indices),
-    )  # fmt: skip
+        model._machine, set_by, spread, (sampler, samples, seed, indices)
+    )
     names = tuple(told["names"])
     laws = [law for *_, law in told["laws"]]
     drawn = {"kind": "scatter", "names": list(names), "laws": laws, "sampler": sampler, "seed": seed}
@@ -182,9 +233,24 @@ def scatter(
     design = (told["row_length"], told["replicates"])
     asked = (confidence, list(quantiles))
     found = _machinist.scatter_statistics(values, at_most, design, asked)
+    shown = columns[: len(columns) - 2 * len(limited)]
+    effects: list[dict[str, Effect]] = [{} for _ in shown]
+    if morris is not None:
+        paths = _machinist.scatter_paths(model._machine, set_by, spread, (morris, seed))
+        of_paths, _, _ = plan.run(model, np.ascontiguousarray(paths), threads or 0)
+        effects = [
+            _effects(of_paths[:, at], names, (len(names), morris, seed), confidence)
+            for at in range(len(shown))
+        ]
+    linearized: list[Linear | None] = [None for _ in shown]
+    if linear:
+        propagated = _machinist.scatter_linear(model._machine, set_by, spread, shown)
+        linearized = [_linear(names, one) for one in propagated]
     results = {
-        name: _statistics(unit, names, result)
-        for name, unit, result in zip(columns, units, found["results"])
+        name: _statistics(unit, names, result, more)
+        for name, unit, result, more in zip(
+            shown, units, found["results"], zip(effects, linearized)
+        )
     }
     missed = {
         limit: Requirement(failures, count, Estimate(*probability))
@@ -207,7 +273,28 @@ def _filled(column: Any) -> Array:
     return np.asarray(column.to_numpy(), dtype=np.float64)
 
 
-def _statistics(unit: str, names: tuple[str, ...], found: dict[str, Any]) -> Statistics:
+def _effects(
+    values: Array, names: tuple[str, ...], design: tuple[int, int, int], confidence: float
+) -> dict[str, Effect]:
+    found = _machinist.scatter_effects(np.ascontiguousarray(values), design, confidence)
+    return {
+        name: Effect(Estimate(most, most - error, most + error), mean, deviation, count)
+        for name, (most, error, mean, deviation, count) in zip(names, found)
+    }
+
+
+def _linear(names: tuple[str, ...], found: tuple[float, float, list[Any], list[str]]) -> Linear:
+    value, deviation, shares, left_out = found
+    by_name = {name: Share(*share) for name, share in zip(names, shares)}
+    return Linear(value, deviation, by_name, tuple(left_out))
+
+
+def _statistics(
+    unit: str,
+    names: tuple[str, ...],
+    found: dict[str, Any],
+    more: tuple[dict[str, Effect], Linear | None],
+) -> Statistics:
     indices = found.get("indices", [])
     return Statistics(
         unit,
@@ -219,6 +306,7 @@ def _statistics(unit: str, names: tuple[str, ...], found: dict[str, Any]) -> Sta
         {p: Estimate(*quantile) for p, quantile in found["quantiles"]},
         {name: Estimate(*first) for name, (first, _) in zip(names, indices)},
         {name: Estimate(*total) for name, (_, total) in zip(names, indices)},
+        *more,
     )
 
 
@@ -266,6 +354,10 @@ class Scatter(Sweep):
             for order, indices in (("first", result.first), ("total", result.total)):
                 for parameter, index in indices.items():
                     rows.append(["", f"{order} index of {parameter}", *index._cells()])
+            for parameter, effect in result.effects.items():
+                rows.append(["", f"mu* of {parameter}", *effect.mean_absolute._cells()])
+            if result.linear:
+                rows.append(["", "linear deviation", f"{result.linear.deviation:.6g}", "", ""])
         for limit, missed in self.limits.items():
             rows.append([limit, "probability of failure", *missed.probability._cells()])
         return ["", "", "estimate", "from", "to"], rows

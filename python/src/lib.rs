@@ -63,6 +63,12 @@ mod _machinist {
     #[pymodule_export]
     use crate::scatter::scatter_design;
     #[pymodule_export]
+    use crate::scatter::scatter_effects;
+    #[pymodule_export]
+    use crate::scatter::scatter_linear;
+    #[pymodule_export]
+    use crate::scatter::scatter_paths;
+    #[pymodule_export]
     use crate::scatter::scatter_piece;
     #[pymodule_export]
     use crate::scatter::scatter_results;

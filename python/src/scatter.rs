@@ -2,9 +2,10 @@
 
 use machinist::Simulation;
 use machinist::scatter::{
-    Design, Estimate, Groups, Sampler, ScatterError, SobolIndices, Summary, Tally, value_over,
+    Design, Effect, Estimate, Groups, Morris, Sampler, ScatterError, SobolIndices, Summary, Tally,
+    value_over,
 };
-use machinist_app::embedded::{self, ScatterResults, Spec};
+use machinist_app::embedded::{self, LinearShare, Linearized, ScatterResults, Spec, Spread};
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -25,30 +26,49 @@ impl From<ScatterError> for Failure {
     }
 }
 
-/// Parameters that vary and their values in all runs, as a dictionary. `spec` is a file or a name;
-/// `design` has sampler, number of samples, seed, and whether there are runs for indices.
+/// Source of the distributions: a file (true) or a name, if there is a spec, and texts by parameter.
+type Given = (Option<(bool, String)>, Vec<(String, String)>);
+
+/// Calls a function with the distributions and a run with the settings; releases the GIL.
+fn spread<T: Send>(
+    py: Python<'_>,
+    machine: &Machine,
+    settings: &Bound<'_, PyDict>,
+    (spec, vary): Given,
+    job: impl FnOnce(Spread<'_>, &Simulation<'_>) -> Result<T, String> + Send,
+) -> Result<T, Failure> {
+    let settings = Settings::of(settings)?;
+    let spec =
+        spec.map(|(is_file, of)| if is_file { Spec::File(of.into()) } else { Spec::Named(of) });
+    py.detach(|| -> Result<_, Failure> {
+        machine.source.with(|simulator| {
+            let run = settings.apply(Simulation::new(simulator))?;
+            let set: Vec<&str> = settings.parameters.iter().map(|(name, _)| &**name).collect();
+            let spread = Spread { spec: spec.as_ref(), vary: &vary, set: &set };
+            job(spread, &run).map_err(Failure::input)
+        })?
+    })
+}
+
+/// Returns rows as an array.
+fn table<'py>(py: Python<'py>, rows: &[Vec<f64>], width: usize) -> PyResult<Bound<'py, PyAny>> {
+    array(py, rows.concat()).call_method1("reshape", ((rows.len(), width),))
+}
+
+/// Parameters that vary and their values in all runs, as a dictionary. `design` has sampler, number
+/// of samples, seed, and whether there are runs for indices.
 #[pyfunction]
 pub fn scatter_design<'py>(
     py: Python<'py>,
     machine: &Machine,
     settings: &Bound<'py, PyDict>,
-    spec: Option<(bool, String)>,
-    vary: Vec<(String, String)>,
+    given: Given,
     design: (String, usize, u64, bool),
 ) -> Result<Bound<'py, PyDict>, Failure> {
-    let settings = Settings::of(settings)?;
-    let spec =
-        spec.map(|(is_file, of)| if is_file { Spec::File(of.into()) } else { Spec::Named(of) });
     let (sampler, samples, seed, with_indices) = design;
     let design = Design { sampler: Sampler::from_name(&sampler)?, dimensions: 0, samples, seed };
-    let found = py.detach(|| -> Result<_, Failure> {
-        machine.source.with(|simulator| {
-            let run = settings.apply(Simulation::new(simulator))?;
-            let set: Vec<&str> = settings.parameters.iter().map(|(name, _)| &**name).collect();
-            let spec = spec.as_ref();
-            embedded::scatter_design(spec, &vary, &set, design, with_indices, &run)
-                .map_err(Failure::input)
-        })?
+    let found = spread(py, machine, settings, given, |spread, run| {
+        embedded::scatter_design(spread, design, with_indices, run)
     })?;
     let answer = PyDict::new(py);
     let laws: Vec<_> = found
@@ -56,8 +76,7 @@ pub fn scatter_design<'py>(
         .iter()
         .map(|of| (of.name(), of.mean(), of.deviation(), format!("{:?}", of.law())))
         .collect();
-    let (count, width) = (found.values.len(), found.names.len());
-    let values = array(py, found.values.concat()).call_method1("reshape", ((count, width),))?;
+    let values = table(py, &found.values, found.names.len())?;
     let replicates = match found.groups {
         Groups::Independent => None,
         Groups::Replicates(count) => Some(count),
@@ -71,6 +90,63 @@ pub fn scatter_design<'py>(
     answer.set_item("row_length", found.row_length)?;
     answer.set_item("replicates", replicates)?;
     Ok(answer)
+}
+
+/// Values of the parameters on the paths of Morris' design, path after path.
+#[pyfunction]
+pub fn scatter_paths<'py>(
+    py: Python<'py>,
+    machine: &Machine,
+    settings: &Bound<'py, PyDict>,
+    given: Given,
+    design: (usize, u64),
+) -> Result<Bound<'py, PyAny>, Failure> {
+    let design = Morris { dimensions: 0, paths: design.0, seed: design.1 };
+    let found = spread(py, machine, settings, given, |spread, run| {
+        embedded::scatter_paths(spread, &design, run)
+    })?;
+    Ok(table(py, &found, found.first().map_or(0, Vec::len))?)
+}
+
+/// mu*, half the width of its interval, mu, sigma, number.
+type Told = (f64, f64, f64, f64, usize);
+
+/// Elementary effects of each parameter. `values` are those of one result on the paths of [`scatter_paths`].
+#[pyfunction]
+pub fn scatter_effects(
+    values: Vec<f64>,
+    design: (usize, usize, u64),
+    confidence: f64,
+) -> Result<Vec<Told>, Failure> {
+    let (dimensions, paths, seed) = design;
+    let design = Morris { dimensions, paths, seed };
+    let values: Vec<Vec<f64>> = values.chunks_exact(dimensions + 1).map(<[f64]>::to_vec).collect();
+    let effects = design.effects(&values, confidence)?;
+    let told = |of: &Effect| (of.mean_absolute, of.error, of.mean, of.deviation, of.count);
+    Ok(effects.iter().map(told).collect())
+}
+
+/// Value, deviation, and for each parameter slope, change for one deviation and share; reasons for
+/// missing slopes.
+type Linear = (f64, f64, Vec<(f64, f64, f64)>, Vec<String>);
+
+/// Linear propagation of deviations to each expression.
+#[pyfunction]
+pub fn scatter_linear(
+    py: Python<'_>,
+    machine: &Machine,
+    settings: &Bound<'_, PyDict>,
+    given: Given,
+    of: Vec<String>,
+) -> Result<Vec<Linear>, Failure> {
+    let found = spread(py, machine, settings, given, |spread, run| {
+        embedded::scatter_linear(spread, &of, run)
+    })?;
+    let share = |of: &LinearShare| (of.slope, of.contribution, of.share);
+    let told = |of: Linearized| {
+        (of.value, of.deviation, of.shares.iter().map(share).collect(), of.left_out)
+    };
+    Ok(found.into_iter().map(told).collect())
 }
 
 /// Names and units of columns, whether the ends of a run suffice, and the directions of requirements.

@@ -76,6 +76,39 @@ def test_indices_are_those_of_the_program(trolley):
     assert "total index of trolley.mass" in repr(found)
 
 
+def test_screening_and_linear_propagation_are_those_of_the_closed_form(trolley):
+    ask = {"samples": 64, "morris": 20, "linear": True, "threads": 1}
+    found = trolley.scatter("max(force)", limits="max(force) < 38 [kN]", **ask)
+    force = found.statistics("max(force)")
+    # v sqrt(k m) at the means, and its relative slopes 1, 1/2, 1/2.
+    spreads = {"speed": (1, 0.05), "trolley.mass": (2000, 300)}
+    spreads["buffer.stiffness"] = (1.55e6 / 3, 31180.5)
+    peak = np.sqrt(2000 * 1.55e6 / 3) / 1000
+    assert force.linear is not None
+    assert force.linear.value == pytest.approx(peak, rel=1e-6)
+    of_one = {
+        name: peak * (1 if name == "speed" else 0.5) * deviation / mean
+        for name, (mean, deviation) in spreads.items()
+    }
+    deviation = np.sqrt(sum(change**2 for change in of_one.values()))
+    assert force.linear.deviation == pytest.approx(deviation, rel=1e-5)
+    for name, change in of_one.items():
+        share = force.linear.shares[name]
+        assert share.contribution == pytest.approx(change, rel=1e-5)
+        assert share.share == pytest.approx((change / deviation) ** 2, rel=1e-5)
+    assert force.linear.left_out == ()
+    # The force grows with each parameter, most with the mass.
+    effects = force.effects
+    assert [effects[name].count for name in of_one] == [20, 20, 20]
+    for effect in effects.values():
+        assert effect.mean == effect.mean_absolute.value > effect.mean_absolute.low
+    order = sorted(effects, key=lambda name: effects[name].mean)
+    assert order == ["buffer.stiffness", "speed", "trolley.mass"]
+    assert "mu* of speed" in repr(found) and "linear deviation" in repr(found)
+    plain = trolley.scatter("max(force)", samples=64).statistics("max(force)")
+    assert plain.linear is None and plain.effects == {}
+
+
 def test_a_scatter_is_resumed_and_another_is_refused(trolley, scattered, tmp_path):
     path = tmp_path / "runs"
     first = trolley.scatter("max(force)", path=path, chunk_seconds=0.01, **ASK)
@@ -132,6 +165,8 @@ def test_distributions_of_the_call_take_precedence(gin, trolley):
          machinist.InputError, "twst"),
         ({"vary": {"coupling.stiffness": "normal(5 %)"}, "samples": 1},
          machinist.InputError, "samples"),
+        ({"vary": {"coupling.stiffness": "normal(5 %)"}, "morris": 1},
+         machinist.InputError, "at least 2 paths"),
         ({"vary": {"coupling.stiffness": "normal(5 %)"}, "confidence": 95},
          machinist.InputError, "between 0 and 1"),
         ({"vary": {"coupling.stiffness": "normal(5 %)"}, "given": {"coupling.stiffness": 1.0}},

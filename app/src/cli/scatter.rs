@@ -23,6 +23,7 @@ use crate::parquet;
 use answer::Answer;
 use runs::{Outcome, Ran, Runner};
 
+pub use analyses::{LinearShare, Linearized, propagated};
 pub use inputs::{Inputs, Varied, of_scene, varied};
 pub use runs::Plan;
 

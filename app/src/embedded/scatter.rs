@@ -2,14 +2,14 @@
 
 use machinist::Simulation;
 use machinist::improve::Expression;
-use machinist::scatter::{Design, Distribution, Groups};
+use machinist::scatter::{Design, Distribution, Groups, Morris};
 use machinist_codegen::scene::scatter::{Scatter, distributions};
 use machinist_codegen::spec::library::LibraryScene;
 use machinist_contract::Simulator;
 
 use super::Spec;
 use crate::cli::improve::units;
-use crate::cli::scatter::{Inputs, Plan, Results, Varied, varied};
+use crate::cli::scatter::{Inputs, Linearized, Plan, Results, Varied, propagated, varied};
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
 
@@ -49,25 +49,40 @@ pub struct ScatterResults {
     pub takes_ends_only: bool,
 }
 
-/// Creates the design of a scatter from the distributions of a spec and from those of `vary`, names
-/// with texts such as `normal(5 %)`, which take precedence. `run` has the other parameters;
-/// `design.dimensions` is not read.
+/// Distributions of a scatter: those of a spec and those of `vary`, names with texts such as
+/// `normal(5 %)`, which take precedence. Parameters that are `set` must not have any.
+#[derive(Debug, Clone, Copy)]
+pub struct Spread<'a> {
+    /// The spec.
+    pub spec: Option<&'a Spec>,
+    /// Names and texts.
+    pub vary: &'a [(String, String)],
+    /// Names of parameters with values.
+    pub set: &'a [&'a str],
+}
+
+impl Spread<'_> {
+    fn inputs(&self, run: &Simulation<'_>) -> Result<Inputs, Failure> {
+        let of_scene = of_spec(self.spec)?;
+        let vary = self.vary.iter().map(|(name, text)| varied(&format!("{name}={text}")));
+        let vary: Result<Vec<Varied>, _> = vary.collect();
+        let vary = vary.map_err(|message| Failure::input(message, ""))?;
+        Inputs::new(&of_scene, &vary, self.set, run)
+    }
+}
+
+/// Creates the design of a scatter. `run` has the other parameters; `design.dimensions` is not read.
 ///
 /// # Errors
 /// A message for wrong distributions or settings.
 pub fn scatter_design(
-    spec: Option<&Spec>,
-    vary: &[(String, String)],
-    set: &[&str],
+    spread: Spread<'_>,
     design: Design,
     with_indices: bool,
     run: &Simulation<'_>,
 ) -> Result<ScatterDesign, String> {
-    let of_scene = of_spec(spec).map_err(|failure| told(&failure))?;
-    let vary = vary.iter().map(|(name, text)| varied(&format!("{name}={text}")));
-    let vary: Vec<Varied> = vary.collect::<Result<_, _>>()?;
     let made = || -> Result<ScatterDesign, Failure> {
-        let inputs = Inputs::new(&of_scene, &vary, set, run)?;
+        let inputs = spread.inputs(run)?;
         if with_indices {
             inputs.require_independent("indices")?;
         }
@@ -87,6 +102,44 @@ pub fn scatter_design(
             distributions: inputs.distributions,
             left_out: inputs.left_out,
         })
+    };
+    made().map_err(|failure| told(&failure))
+}
+
+/// Returns the values of the parameters on the paths of Morris' design, path after path.
+/// `design.dimensions` is not read.
+///
+/// # Errors
+/// A message for wrong distributions, and for correlated parameters.
+pub fn scatter_paths(
+    spread: Spread<'_>,
+    design: &Morris,
+    run: &Simulation<'_>,
+) -> Result<Vec<Vec<f64>>, String> {
+    let made = || -> Result<Vec<Vec<f64>>, Failure> {
+        let inputs = spread.inputs(run)?;
+        inputs.require_independent("morris")?;
+        let design = Morris { dimensions: inputs.names.len(), ..*design };
+        let points = (0..design.paths).flat_map(|path| design.path(path));
+        Ok(points.map(|point| inputs.values(&point)).collect())
+    };
+    made().map_err(|failure| told(&failure))
+}
+
+/// Propagates the standard deviations of the parameters to expressions, by the sensitivities of one
+/// run at their means.
+///
+/// # Errors
+/// A message for wrong distributions or expressions, and for a run that stops.
+pub fn scatter_linear(
+    spread: Spread<'_>,
+    of: &[String],
+    run: &Simulation<'_>,
+) -> Result<Vec<Linearized>, String> {
+    let made = || -> Result<Vec<Linearized>, Failure> {
+        let inputs = spread.inputs(run)?;
+        let results = Results::new(of, &[], run.simulator())?;
+        results.of.iter().map(|one| propagated(run, &inputs, one)).collect()
     };
     made().map_err(|failure| told(&failure))
 }

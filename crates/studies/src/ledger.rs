@@ -8,6 +8,7 @@
 
 mod motor;
 mod page;
+mod periodic;
 mod reed;
 mod reed_told;
 mod run_up;
@@ -179,6 +180,7 @@ pub fn ledger() -> Result<Vec<LedgerRow>, CheckFailure> {
     rows.extend(winder::rows()?);
     rows.extend(reed_told::rows()?);
     rows.extend(reed::rows()?);
+    rows.extend(periodic::rows()?);
     Ok(rows)
 }
 

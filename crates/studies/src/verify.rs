@@ -48,6 +48,7 @@ use machine::Machine;
 use machinist::error::SimulateError;
 use machinist::field::{FieldError, ModalError};
 use machinist::linear_analysis::LinearError;
+use machinist::periodic::CycleError;
 
 /// Settings of the checks.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -360,6 +361,9 @@ pub enum CheckFailure {
     /// Its modal reduction failed.
     #[error(transparent)]
     Modal(#[from] ModalError),
+    /// No periodic motion was found.
+    #[error(transparent)]
+    Cycle(#[from] CycleError),
     /// The scene lacks a quantity.
     #[error("scene `{scene}` has no {kind} `{name}`")]
     Unknown {

@@ -74,11 +74,13 @@ pub fn morris(
 /// Linear propagation to one result.
 #[derive(Debug, Serialize)]
 pub struct Linearized {
+    /// Text of the expression.
     pub of: String,
     /// Value at the means of the parameters.
     pub value: f64,
     /// Standard deviation to first order.
     pub deviation: f64,
+    /// Contributions of all parameters.
     pub shares: Vec<LinearShare>,
     /// Parameters without a derivative, with reasons.
     pub left_out: Vec<String>,
@@ -87,6 +89,7 @@ pub struct Linearized {
 /// Contribution of one parameter.
 #[derive(Debug, Serialize)]
 pub struct LinearShare {
+    /// Name of the parameter.
     pub parameter: String,
     /// Derivative of the result.
     pub slope: f64,
@@ -102,34 +105,41 @@ pub fn linear(
     inputs: &Inputs,
     results: &Results,
 ) -> Result<Vec<Linearized>, Failure> {
+    let each = results.of.iter();
+    each.map(|of| during("differentiating", || propagated(simulation, inputs, of))).collect()
+}
+
+/// Propagates deviations about the means of the parameters to one result.
+pub fn propagated(
+    simulation: &Simulation<'_>,
+    inputs: &Inputs,
+    (of, expression): &(String, Expression),
+) -> Result<Linearized, Failure> {
     let means: Vec<f64> = inputs.distributions.iter().map(Distribution::mean).collect();
     let simulation = simulation.clone().parameters(&inputs.variant(&means));
     let deviations: Vec<f64> = inputs.distributions.iter().map(Distribution::deviation).collect();
-    let one = |(of, expression): &(String, Expression)| {
-        let found = during("differentiating", || gradient(&simulation, expression))?;
-        let slope = |name: &String| {
-            let mut slopes = found.gradient.slopes.iter();
-            let own = slopes.find(|slope| slope.is_parameter && slope.name == *name);
-            own.map_or(f64::NAN, |slope| slope.value)
-        };
-        let slopes: Vec<f64> = inputs.names.iter().map(slope).collect();
-        let propagation = propagate(&slopes, &deviations, &inputs.correlation);
-        let shares = inputs.names.iter().zip(&slopes).zip(&propagation.shares);
-        let shares = shares.map(|((name, slope), share)| LinearShare {
-            parameter: name.clone(),
-            slope: *slope,
-            contribution: share.contribution,
-            share: share.share,
-        });
-        let is_input = |(name, _): &&(String, String)| inputs.names.contains(name);
-        let left_out = found.left_out.iter().filter(is_input);
-        Ok(Linearized {
-            of: of.clone(),
-            value: found.value,
-            deviation: propagation.deviation,
-            shares: shares.collect(),
-            left_out: left_out.map(|(name, why)| format!("{name} {why}")).collect(),
-        })
+    let found = gradient(&simulation, expression)?;
+    let slope = |name: &String| {
+        let mut slopes = found.gradient.slopes.iter();
+        let own = slopes.find(|slope| slope.is_parameter && slope.name == *name);
+        own.map_or(f64::NAN, |slope| slope.value)
     };
-    results.of.iter().map(one).collect()
+    let slopes: Vec<f64> = inputs.names.iter().map(slope).collect();
+    let propagation = propagate(&slopes, &deviations, &inputs.correlation);
+    let shares = inputs.names.iter().zip(&slopes).zip(&propagation.shares);
+    let shares = shares.map(|((name, slope), share)| LinearShare {
+        parameter: name.clone(),
+        slope: *slope,
+        contribution: share.contribution,
+        share: share.share,
+    });
+    let is_input = |(name, _): &&(String, String)| inputs.names.contains(name);
+    let left_out = found.left_out.iter().filter(is_input);
+    Ok(Linearized {
+        of: of.clone(),
+        value: found.value,
+        deviation: propagation.deviation,
+        shares: shares.collect(),
+        left_out: left_out.map(|(name, why)| format!("{name} {why}")).collect(),
+    })
 }

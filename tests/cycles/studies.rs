@@ -1,0 +1,68 @@
+//! Periodic motions of the studies' machines: the winder over its growth, the gin under load.
+
+use std::f64::consts::TAU;
+
+use machinist::linear_analysis::{Linearization, Place, operating_point};
+use machinist::periodic::{BranchSettings, CycleSettings, Period, Stability, branch, cycle};
+use machinist::{Method, Simulation};
+use machinist_scenes::scenes::saw_gin::SawGin;
+use machinist_scenes::scenes::winder_linear::WinderLinear;
+
+use super::near;
+
+/// The layer's damping and the mass give exp(-h T/(2 m)), as long as the bobbin oscillates.
+#[test]
+fn the_winder_decays_over_its_growth_as_its_closed_form() {
+    let period = TAU * 0.05 / 5.5;
+    let run = Simulation::new(&WinderLinear).rtol(1e-11).method(Method::Dop853);
+    let settings = BranchSettings {
+        cycle: CycleSettings {
+            period: Period::Given(period),
+            settle: 2.0,
+            points: 101,
+            ..CycleSettings::default()
+        },
+        parameter: "holder.package_radius".to_owned(),
+        from: 0.03,
+        to: 0.06,
+        longest_step: 0.1,
+        max_points: 100,
+    };
+    let found = branch(&run, &settings).expect("a branch");
+    assert!(found.is_complete && found.bifurcations().count() == 0, "{}", found.end);
+    for point in &found.points {
+        // m0 + mn (lbc/lab)^2 + pi (R^2 - Rmin^2) H rho
+        let grown = point.value * point.value - 0.03 * 0.03;
+        let mass = 1.5 + 0.9 * (0.1_f64 / 0.15).powi(2) + TAU / 2.0 * grown * 0.15 * 350.0;
+        let decay = (-95.0 * period / (2.0 * mass)).exp();
+        for multiplier in &point.cycle.multipliers {
+            near(multiplier.modulus, decay, 1e-8);
+        }
+        assert_eq!(point.cycle.stability, Stability::Stable);
+    }
+}
+
+/// Without the harmonic part of the load, the motion in axes that turn is constant, and its
+/// multipliers are exp(lambda T). The harmonic part changes them little.
+#[test]
+fn the_gin_under_load_is_as_stable_as_its_linearization() {
+    let period = 60.0 / 735.0;
+    let settings = CycleSettings {
+        period: Period::Given(period),
+        settle: 3.0,
+        points: 101,
+        ..CycleSettings::default()
+    };
+    let run = Simulation::new(&SawGin).rtol(1e-11).method(Method::Dop853).until(6.0);
+    let steady = run.clone().parameter("load.amplitude", 0.0).expect("a parameter");
+    let found = cycle(&steady, &settings).expect("a cycle");
+    let point = operating_point(&steady, Place::Time(6.0)).expect("a state");
+    let modes = Linearization::at(&SawGin, point).expect("finite").modes().expect("modes");
+    // Angles that no rate depends on are not in the periodic motion, nor in the modes that decay.
+    let slowest = modes.iter().map(|mode| mode.real).filter(|real| *real < -1e-6);
+    let slowest = slowest.fold(f64::NEG_INFINITY, f64::max);
+    near(found.multipliers[0].modulus, (slowest * period).exp(), 1e-7);
+    let loaded = cycle(&run, &settings).expect("a cycle");
+    assert_eq!(loaded.stability, Stability::Stable);
+    near(loaded.multipliers[0].modulus, found.multipliers[0].modulus, 1e-2);
+}

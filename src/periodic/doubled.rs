@@ -12,7 +12,7 @@ use nalgebra::DVector;
 use super::branch::{
     Bifurcation, Branch, BranchPoint, BranchSettings, Place, Tangent, Walk, check,
 };
-use super::equations::Guess;
+use super::equations::{Guess, Period};
 use super::error::CycleError;
 use super::follow::FIRST;
 use super::newton::Solution;
@@ -93,6 +93,12 @@ impl Walk<'_> {
         let parts =
             free.iter().zip(scales).map(|(state, scale)| multiplier.vector[*state][0] / scale);
         let mut part = DVector::from_iterator(free.len(), parts);
+        if self.problem.period == Period::Unknown {
+            // The phase condition keeps the start across the motion.
+            let (start, _) = self.problem.span_of(&solution.guess);
+            let rate = self.problem.scaled_rate(&solution.guess, start, &solution.shots[0].start);
+            part -= &rate * (rate.dot(&part) / rate.norm_squared());
+        }
         let mut states = DVector::zeros(self.weights.len());
         for (segment, shot) in solution.shots.iter().enumerate() {
             states.rows_mut(segment * free.len(), free.len()).copy_from(&part);

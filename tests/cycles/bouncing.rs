@@ -1,4 +1,5 @@
-//! A mass that bounces on a shaken plate: its motions of one and two periods in closed form.
+//! Flips and what is beyond: a mass that bounces on a shaken plate, whose motions of one and two
+//! periods have a closed form, and Roessler's equations.
 
 use std::f64::consts::TAU;
 
@@ -6,9 +7,11 @@ use machinist::Simulation;
 use machinist::periodic::{
     Bifurcation, BranchPoint, BranchSettings, CycleSettings, Stability, branch, cycle, doubled,
 };
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_scenes::scenes::bouncing_mass::BouncingMass;
 
 use super::{near, of_period};
+use crate::own_scene::of_text;
 
 /// Derivatives of the map from one impact to the next, of time and speed after the impact, in
 /// period-1 motion: flight time T, plate speed w and acceleration a at the impact.
@@ -126,4 +129,64 @@ fn a_bouncing_mass_doubles_its_period_where_the_closed_form_says() {
     assert_eq!((twice.stability, twice.motion.switches.len()), (Stability::Stable, 2));
     let gaps = twice.motion.switches[1].time - twice.motion.switches[0].time;
     assert!((gaps - period).abs() > 1e-3, "{gaps}");
+}
+
+/// Motions of Roessler's equations, whose period is unknown, double at c = 2.832 (a = b = 0.2).
+#[test]
+fn a_motion_of_unknown_period_doubles_into_the_one_on_which_runs_settle() {
+    let scene = of_text(
+        r#"
+        [scene]
+        name = "roessler"
+        [units.r]
+        unit = "r"
+        [initial]
+        "r.x" = 2.0
+        [outputs]
+        x = "r.x"
+        [run]
+        until = 400.0
+        points = 2
+        rtol = 1e-10
+        method = "dop853"
+        [define.r.states.x]
+        unit = "1"
+        rate = "-(y + z)/1 [s]"
+        [define.r.states.y]
+        unit = "1"
+        rate = "(x + 0.2*y)/1 [s]"
+        [define.r.states.z]
+        unit = "1"
+        rate = "(0.2 + z*(x - c))/1 [s]"
+        [define.r.parameters]
+        c = { value = 2.5, unit = "1" }
+        "#,
+        Keep::Needed,
+    );
+    let run = Simulation::new(scene.single());
+    for segments in [1, 2] {
+        let settings = BranchSettings {
+            cycle: CycleSettings { settle: 400.0, segments, ..CycleSettings::default() },
+            parameter: "r.c".to_owned(),
+            from: 2.5,
+            to: 3.5,
+            longest_step: 0.05,
+            max_points: 300,
+        };
+        let found = branch(&run, &settings).expect("a branch");
+        let flips: Vec<_> =
+            found.bifurcations().filter(|(kind, _)| *kind == Bifurcation::Flip).collect();
+        let [(_, flip)] = flips[..] else { panic!("{} flips", flips.len()) };
+        assert!((flip.value - 2.832).abs() < 1e-3, "{}", flip.value);
+        let twice = doubled(&run, &settings, flip).expect("a branch of twice the period");
+        assert!(twice.is_complete, "{}", twice.end);
+        let last = twice.points.last().expect("a point");
+        let settled = run.clone().parameter("r.c", 3.5).expect("a parameter");
+        let wanted = cycle(&settled, &settings.cycle).expect("a cycle");
+        near(last.cycle.period, wanted.period, 1e-8);
+        assert!(last.cycle.period > 1.9 * flip.cycle.period);
+        let moduli = [&last.cycle, &wanted].map(|of| of.nontrivial().next().expect("one").modulus);
+        assert!((moduli[0] - moduli[1]).abs() < 1e-6, "{moduli:?}");
+        assert_eq!(last.cycle.stability, Stability::Stable);
+    }
 }

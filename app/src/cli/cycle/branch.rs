@@ -93,8 +93,16 @@ impl CycleCommand {
         for _ in 0..self.doublings {
             let flips = found[first..].iter().flat_map(|branch| branch.points.iter().skip(1));
             let flips = flips.filter(|point| point.bifurcation == Some(Bifurcation::Flip));
-            let more: Vec<_> =
-                flips.map(|flip| doubled(run, &settings, flip)).collect::<Result<_, _>>()?;
+            let of_flip = |flip: &BranchPoint| {
+                // A flip without a branch does not lose the others.
+                doubled(run, &settings, flip).unwrap_or_else(|error| Branch {
+                    points: vec![flip.clone()],
+                    end: error.to_string(),
+                    is_complete: false,
+                    ..found[0].clone()
+                })
+            };
+            let more: Vec<_> = flips.map(of_flip).collect();
             first = found.len();
             found.extend(more);
             settings = settings.doubled();

@@ -12,7 +12,7 @@ use nalgebra::DMatrix;
 use super::branch::{BranchSettings, Place, Walk};
 use super::equations::Guess;
 use super::error::CycleError;
-use super::follow::FIRST;
+use super::follow::first_lengths;
 use super::newton::Solution;
 use super::rows;
 use crate::trajectory::Trajectory;
@@ -25,8 +25,6 @@ const OVERSHOOTS: [f64; 4] = [1e-5, 1e-4, 1e-3, 1e-2];
 const SHOOTINGS: usize = 12;
 /// Cosine between two tangents that are taken for equal.
 const SETTLED: f64 = 1.0 - 1e-10;
-/// Number of halvings of the first step beyond a corner.
-const HALVINGS: i32 = 14;
 /// Number of times at which guards are sampled over a period.
 const SAMPLES: usize = 4001;
 /// Extremum of a guard, over its range in a period, that counts as zero.
@@ -157,8 +155,7 @@ impl Walk<'_> {
         settings: &BranchSettings,
     ) -> Result<Option<Beyond>, CycleError> {
         let BranchSettings { from, to, longest_step: longest, .. } = *settings;
-        for halving in 0..HALVINGS {
-            let length = FIRST * longest * 0.5_f64.powi(halving);
+        for length in first_lengths(longest) {
             let next = match self.at(start, length) {
                 Ok(next) => next,
                 Err(error) if error.is_final() => return Err(error),

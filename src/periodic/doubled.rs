@@ -14,13 +14,10 @@ use super::branch::{
 };
 use super::equations::{Guess, Period};
 use super::error::CycleError;
-use super::follow::FIRST;
+use super::follow::first_lengths;
 use super::newton::Solution;
 use super::{Crossing, Multiplier, guess, problem};
 use crate::simulate::Simulation;
-
-/// Number of halvings of the first step.
-const HALVINGS: i32 = 14;
 
 impl BranchSettings {
     /// Returns the settings of the branches of twice the period.
@@ -113,8 +110,7 @@ impl Walk<'_> {
     /// Returns the first motion of twice the period beside a flip.
     fn first_doubled(&self, flip: &Place, longest: f64) -> Result<Place, CycleError> {
         let mut failed = None;
-        for halving in 0..HALVINGS {
-            let length = FIRST * longest * 0.5_f64.powi(halving);
+        for length in first_lengths(longest) {
             match self.at(flip, length) {
                 Ok(next) if self.is_straight(flip, &next, length) => return Ok(next),
                 Ok(_) => {}

@@ -8,7 +8,7 @@ use super::newton::Solution;
 use super::{Stability, guess};
 
 /// First step, as a share of the longest one.
-pub(super) const FIRST: f64 = 0.2;
+const FIRST: f64 = 0.2;
 /// Factor by which a step grows after few of Newton's steps.
 const GROWTH: f64 = 1.5;
 /// Number of Newton's steps up to which the next step grows, and above which it shrinks.
@@ -16,6 +16,14 @@ const FEW: usize = 4;
 const MANY: usize = 7;
 /// Share of the longest step below which the continuation gives up.
 const SHORTEST: f64 = 1e-5;
+/// Number of lengths tried for a first step; half of the last one is about the shortest step.
+const FIRST_LENGTHS: i32 = 14;
+
+/// Returns the lengths to try for the first step from a place that branches leave, each half of the
+/// one before.
+pub(super) fn first_lengths(longest: f64) -> impl Iterator<Item = f64> {
+    (0..FIRST_LENGTHS).map(move |halvings| FIRST * longest * 0.5_f64.powi(halvings))
+}
 
 impl Walk<'_> {
     /// Takes steps until the branch leaves the range, or a step fails at any length and no branch

@@ -40,6 +40,7 @@ mod gears;
 mod gradients;
 mod held;
 mod hosted;
+mod impacts;
 mod improvements;
 mod independent;
 mod inertia;

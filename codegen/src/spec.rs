@@ -15,7 +15,7 @@ mod distributed;
 mod event;
 pub mod expression;
 mod fields;
-mod friction;
+pub(crate) mod friction;
 mod inside;
 mod lexer;
 pub mod library;
@@ -457,6 +457,10 @@ pub struct FrictionSpec {
     pub slide: Ast,
     /// The total force, including that of the constraint while sticking, under its name.
     pub force: DefinitionSpec,
+    /// Magnitudes as written, each with the case for which it is.
+    pub limits: Vec<(String, Ast)>,
+    /// Names of the helpers and events that follow from it.
+    pub parts: Vec<String>,
 }
 
 /// Energies of a unit.

@@ -662,9 +662,9 @@ fn a_one_way_clutch_frees_and_locks_when_it_should() {
                     .run()
                     .unwrap_or_else(|error| panic!("{frequency} {load} {drag}: {error}"));
                 let case = format!("{frequency}, {load}, {drag}, {peak}");
-                let found = time_of(&run, "freewheel.frees");
+                let found = time_of(&run, "freewheel.breaks_forth");
                 assert!((found - freed).abs() < 1e-8 * turn, "{case}: frees at {found}");
-                let found = time_of(&run, "freewheel.locks");
+                let found = time_of(&run, "freewheel.ends_forth");
                 assert!((found - locked).abs() < 1e-6 * turn, "{case}: {found}, not {locked}");
                 let ahead = column(&run, "load").iter().zip(column(&run, "motor"));
                 let least = ahead.map(|(load, motor)| load - motor).fold(0.0, f64::min);

@@ -6,6 +6,7 @@ mod distributed;
 mod events;
 mod forces;
 mod friction;
+mod impacts;
 mod initial;
 mod outputs;
 mod precision;
@@ -124,6 +125,7 @@ pub fn assemble(
         files: spec.sources.files(),
     };
     assembler.inertia(&mut system);
+    impacts::reopen_frictions(&mut system);
     system
 }
 

@@ -269,7 +269,8 @@ fn unite(
     Err(Box::new(mistake))
 }
 
-fn root(roots: &mut [usize], mut slot: usize) -> usize {
+/// Returns the representative of a joined set.
+pub(super) fn root(roots: &mut [usize], mut slot: usize) -> usize {
     while roots[slot] != slot {
         roots[slot] = roots[roots[slot]];
         slot = roots[slot];

@@ -99,6 +99,8 @@ pub struct Constraint {
     pub when: Vec<(FirstOrderId, i32)>,
     /// True if the constraint is redundant and never holds. Others carry its force.
     pub is_dropped: bool,
+    /// True if declared friction holds it, with a limited force.
+    pub is_friction: bool,
 }
 
 impl Constraint {

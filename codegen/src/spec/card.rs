@@ -5,8 +5,8 @@ use crate::spec::fields::Findings;
 use crate::spec::library::LibraryUnit;
 use crate::spec::source::{Sources, one_line, written, written_formula};
 use crate::spec::{
-    Acts, ConnectorSpec, ExposedSpec, Formula, InstanceText, JointSpec, PortKind, UnitSpec, Value,
-    toml, unit,
+    Acts, ConnectorSpec, DefinitionSpec, EventSpec, ExposedSpec, Formula, InstanceText, JointSpec,
+    PortKind, UnitSpec, Value, toml, unit,
 };
 use machinist_model::Direction;
 
@@ -39,7 +39,7 @@ pub struct Card {
     pub modes: Vec<[String; 2]>,
     /// Equations: left side, right side, unit and meaning.
     pub equations: Vec<[String; 4]>,
-    /// Events: guard, resets and meaning.
+    /// Events: guard, resets and meaning; those of dry friction by their names.
     pub events: Vec<[String; 3]>,
     /// Outputs and helpers: name, unit and meaning.
     pub outputs: Vec<[String; 3]>,
@@ -103,7 +103,8 @@ impl Reader {
             [input.name.value.clone(), input.unit.text.clone(), one_line(&input.doc)]
         };
         let modes = spec.states.iter().filter(|state| state.is_mode);
-        let outputs = spec.helpers.iter().chain(&spec.outputs);
+        let forces = spec.frictions.iter().map(|friction| &friction.force);
+        let outputs = spec.helpers.iter().chain(forces).chain(&spec.outputs);
         Card {
             name: library.name.to_owned(),
             title: spec.title.clone(),
@@ -181,14 +182,24 @@ impl Reader {
             let left = format!("{}'", state.name.value);
             add(left, self.written(state.rate.span), &format!("{}/s", state.unit.text), &state.doc);
         }
-        for constraint in &spec.constraints {
+        for friction in &spec.frictions {
+            let limits = friction.limits.iter();
+            let limits =
+                limits.map(|(case, limit)| format!("{case}: {}", self.written(limit.span)));
+            let limits: Vec<String> = limits.collect();
+            let (speed, force) = (self.written(friction.speed.span), &friction.force);
+            let right = format!("dry friction at the speed {speed}; {}", limits.join("; "));
+            add(force.name.value.clone(), right, &force.unit.text, &force.doc);
+        }
+        for constraint in spec.constraints.iter().filter(|one| one.friction.is_none()) {
             let mut doc = format!("{}: {}", constraint.name.value, constraint.doc);
             for (mode, value) in &constraint.when {
                 doc = format!("{doc}, while {} is {value}", mode.value);
             }
             add("0".to_owned(), self.written(constraint.expression.span), "", &doc);
         }
-        for helper in spec.helpers.iter().chain(&spec.outputs) {
+        let is_own = |helper: &&DefinitionSpec| !is_of_friction(spec, &helper.name.value);
+        for helper in spec.helpers.iter().filter(is_own).chain(&spec.outputs) {
             let right = self.written(helper.expression.span);
             add(helper.name.value.clone(), right, &helper.unit.text, &helper.doc);
         }
@@ -196,7 +207,8 @@ impl Reader {
     }
 
     fn events(&self, spec: &UnitSpec) -> Vec<[String; 3]> {
-        let events = spec.events.iter().map(|event| {
+        let is_own = |event: &&EventSpec| !is_of_friction(spec, &event.name.value);
+        let events = spec.events.iter().filter(is_own).map(|event| {
             let guard = self.written(event.guard.span);
             let passes = match event.direction {
                 Direction::Rising => format!("{guard} rises through 0"),
@@ -215,8 +227,20 @@ impl Reader {
             let set: Vec<String> = set.collect();
             [format!("{passes}{modes}"), set.join(", "), one_line(&event.doc)]
         });
-        events.collect()
+        let of_friction = spec.frictions.iter().map(|friction| {
+            let is_event = |name: &&String| spec.events.iter().any(|one| one.name.value == **name);
+            let names: Vec<&str> =
+                friction.parts.iter().filter(is_event).map(String::as_str).collect();
+            let name = &friction.force.name.value;
+            [names.join(", "), format!("events of {name}"), String::new()]
+        });
+        events.chain(of_friction).collect()
     }
+}
+
+/// Returns whether a helper or an event follows from a friction.
+fn is_of_friction(spec: &UnitSpec, name: &str) -> bool {
+    spec.frictions.iter().any(|friction| friction.parts.iter().any(|part| part == name))
 }
 
 /// Describes a port of an assembly.

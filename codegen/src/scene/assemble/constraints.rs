@@ -41,7 +41,6 @@ impl Assembler<'_> {
             let unit = dimension.unwrap_or(Dimension::ONE).as_unit();
             let expr = self.note(resolved);
             let when = self.modes(&constraint.when, scope);
-            let is_dropped = false;
             constraints.push(Constraint {
                 name,
                 doc,
@@ -49,7 +48,8 @@ impl Assembler<'_> {
                 expr,
                 is_of_positions,
                 when,
-                is_dropped,
+                is_dropped: false,
+                is_friction: constraint.friction.is_some(),
             });
         }
         for cut in &self.layout.cuts {

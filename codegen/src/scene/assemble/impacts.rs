@@ -1,0 +1,107 @@
+//! Dry friction at impacts.
+//!
+//! The impulse of a finite force over no time is zero, so friction neither stops what an impact
+//! throws nor holds it. After an event through which velocities may jump, each friction of the
+//! parts that it moves begins anew, from its speed after the impact: its mode becomes undetermined,
+//! and its own event determines the mode at the same instant. An event that sets the mode of a
+//! friction itself is left as it is.
+
+use std::collections::BTreeSet;
+
+use crate::scene::joints::root;
+use crate::scene::system::{Constraint, Event, LagrangianSystem};
+use crate::scene::typed::integer;
+use crate::spec::friction::OPEN;
+use machinist_algebra::expr::{Expr, FirstOrderId, Symbol};
+
+/// Lets frictions begin anew after events through which velocities may jump.
+pub(super) fn reopen_frictions(system: &mut LagrangianSystem) {
+    let grips = system.constraints.iter().filter(|constraint| constraint.is_friction);
+    let frictions: Vec<(FirstOrderId, BTreeSet<usize>)> =
+        grips.map(|grip| (grip.when[0].0, coordinates(&grip.expr))).collect();
+    if frictions.is_empty() {
+        return;
+    }
+    let together = moved_together(system);
+    let mut events = std::mem::take(&mut system.events);
+    for event in &mut events {
+        let jumping: BTreeSet<usize> =
+            jumping(event, system).into_iter().map(|one| together[one]).collect();
+        for (slip, speed) in &frictions {
+            let slip = Symbol::FirstOrder(*slip);
+            let is_set = event.set.iter().any(|(symbol, _)| *symbol == slip);
+            if !is_set && speed.iter().any(|one| jumping.contains(&together[*one])) {
+                event.set.push((slip, integer(OPEN.into())));
+            }
+        }
+    }
+    system.events = events;
+}
+
+/// Returns the coordinates through which an event may send an impulse: those whose velocities it
+/// sets, those of constraints that may begin to hold, and all if it may change the inertia.
+fn jumping(event: &Event, system: &LagrangianSystem) -> BTreeSet<usize> {
+    let mut jumping = BTreeSet::new();
+    for (symbol, _) in &event.set {
+        match symbol {
+            Symbol::Velocity(id) => drop(jumping.insert(id.0 as usize)),
+            Symbol::FirstOrder(mode) => {
+                if system.kinetic.mentions(|one| one == *symbol) {
+                    jumping.extend(0..system.coordinates.len());
+                }
+                let begins = |one: &&Constraint| {
+                    !one.is_friction && one.when.iter().any(|(other, _)| other == mode)
+                };
+                let begin = system.constraints.iter().filter(begins);
+                jumping.extend(begin.flat_map(|constraint| coordinates(&constraint.expr)));
+            }
+            _ => {}
+        }
+    }
+    jumping
+}
+
+/// Returns a common representative for coordinates of which an impulse on one may move the others:
+/// those whose velocities are in one term of the kinetic energy, of one tree of bodies, or in one
+/// constraint.
+fn moved_together(system: &LagrangianSystem) -> Vec<usize> {
+    let terms = match &system.kinetic {
+        Expr::Sum(terms) => &terms[..],
+        alone => std::slice::from_ref(alone),
+    };
+    let of_terms = terms.iter().map(velocities);
+    let of_trees = system.mechanisms.iter().map(|mechanism| {
+        let motions = mechanism.joints.iter().map(|joint| &joint.motion);
+        motions
+            .flat_map(|motion| motion.omega.iter().chain(&motion.velocity))
+            .flat_map(velocities)
+            .collect()
+    });
+    let of_constraints = system.constraints.iter().map(|constraint| coordinates(&constraint.expr));
+    let mut roots: Vec<usize> = (0..system.coordinates.len()).collect();
+    for group in of_terms.chain(of_trees).chain(of_constraints) {
+        let group: BTreeSet<usize> = group;
+        if let Some(&first) = group.first() {
+            for one in group {
+                let [a, b] = [first, one].map(|one| root(&mut roots, one));
+                roots[a.max(b)] = a.min(b);
+            }
+        }
+    }
+    (0..roots.len()).map(|one| root(&mut roots, one)).collect()
+}
+
+/// Returns the coordinates whose velocities an expression mentions.
+fn velocities(of: &Expr) -> BTreeSet<usize> {
+    let index = |symbol| if let Symbol::Velocity(id) = symbol { Some(id.0 as usize) } else { None };
+    of.symbols().into_iter().filter_map(index).collect()
+}
+
+/// Returns the coordinates that an expression mentions, also by their velocities.
+fn coordinates(of: &Expr) -> BTreeSet<usize> {
+    let index = |symbol| match symbol {
+        Symbol::Coordinate(id) | Symbol::Velocity(id) => Some(id.0 as usize),
+        _ => None,
+    };
+    of.symbols().into_iter().filter_map(index).collect()
+}

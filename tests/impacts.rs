@@ -3,8 +3,10 @@
 
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::fixed_step::StepMethod;
 use machinist_model::ModelSimulator;
 
+use crate::fixed_steps::steps_in_rust;
 use crate::own_scene::of_text;
 
 /// Methods that support constraints.
@@ -385,5 +387,22 @@ fn an_event_may_say_that_friction_holds() {
             .map(|name| *run.column(name).and_then(|all| all.last()).expect("a row"));
         assert!((x - 0.5).abs() < 1e-7 && v.abs() < 1e-12, "{method}: {x}, {v}");
         assert_eq!(happened(&run, "block.guide_closes"), 1, "{method}");
+    }
+}
+
+/// Fixed steps, as in emitted C, of a block that a wall throws back.
+#[test]
+fn fixed_steps_go_through_the_impact() {
+    let machine = scene(WALL);
+    for method in StepMethod::ALL {
+        for steps in [100, 313, 4000] {
+            let step = 4.0 / f64::from(steps);
+            let start = [0.0, 1.0, 2.0];
+            let (rows, _) = steps_in_rust(machine.model(), method, (&start, step, steps as usize));
+            let last = rows.last().expect("a row");
+            let exact = at_wall(1.0, 0.05, 0.8, 0.5, 4.0);
+            let off = (last[0] - exact[0]).abs() + (last[1] - exact[1]).abs();
+            assert!(off < 1e-9, "{method:?}, {steps}: {last:?}, not {exact:?}");
+        }
     }
 }

@@ -249,7 +249,7 @@ impl Problem<'_> {
     ) -> Result<Option<f64>, Stopped> {
         for ends in cut(self.from, self.until, self.jumps.clone()).windows(2) {
             let mut from = ends[0];
-            self.jump((from, ends[1]), state)?;
+            self.jump((from, ends[1]), watch, state)?;
             while from < ends[1] {
                 let stretch = Stretch::new(self, (from, ends[1]), watch);
                 from = stretch.until;
@@ -258,9 +258,6 @@ impl Problem<'_> {
                 if stretch.is_trivial() {
                     stretch.leap(state, samples);
                     continue;
-                }
-                if let Some(watch) = stretch.watch.filter(|_| stretch.from <= ends[0]) {
-                    watch.jump_in_time(&stretch, state)?;
                 }
                 let Some(watch) = stretch.watch else {
                     integrator.integrate(&stretch, state, samples)?;
@@ -289,16 +286,34 @@ impl Problem<'_> {
 
     /// Applies jumps in time at the start of a stretch: velocities that constraints prescribe, and
     /// sensitivities.
-    fn jump(&self, (from, until): (f64, f64), state: &mut [f64]) -> Result<(), Stopped> {
+    fn jump(
+        &self,
+        (from, until): (f64, f64),
+        watch: Option<&Watch<'_>>,
+        state: &mut [f64],
+    ) -> Result<(), Stopped> {
         let before = state.to_vec();
         let (front, behind) = (from.next_down(), just_behind(from, until));
+        let tangents = self.system.tangents();
+        // Before relations settle on their sides behind the jump.
+        let rate_before = tangents.map(|_| {
+            let mut rate = vec![0.0; self.system.len()];
+            self.system.rate(front, &before, &mut rate);
+            rate
+        });
         if from > self.from {
             self.system.keep_momentum((from - (behind - from), behind), state)?;
         }
         let has_moved = self.system.take_up((front, behind), &self.tolerance, state)?;
-        match self.system.tangents() {
-            Some(tangents) if from > self.from || has_moved => {
-                tangents.jump(self.system, (from, &before), (behind, state), has_moved)
+        if let Some(watch) = watch {
+            if from > self.from {
+                watch.leave_surfaces((front, &before), (behind, state));
+            }
+            watch.jump_in_time(&Stretch::new(self, (from, until), Some(watch)), state)?;
+        }
+        match tangents.zip(rate_before) {
+            Some((tangents, rate)) if from > self.from || has_moved => {
+                tangents.jump(self.system, (from, &before, &rate), (behind, state), has_moved)
             }
             _ => Ok(()),
         }

@@ -48,6 +48,7 @@ mod interpreted;
 mod jumps;
 mod kinks;
 mod language;
+mod left_surfaces;
 mod linear_analysis;
 mod long_chains;
 mod loops;

@@ -108,7 +108,8 @@ impl System<'_> {
             self.pass_at_events(front, &happened.applied, state, &mut impulses)?;
         }
         if impulses.has_moved {
-            watch.settle_after_impulses(front.time, state, &impulses.thrown_back)?;
+            let states = (&front.state[..], &*state);
+            watch.settle_after_impulses(front.time, states, &impulses.thrown_back)?;
         }
         Ok(impulses)
     }

@@ -90,9 +90,10 @@ impl Simulation<'_> {
         let mut begins = |time: f64, lambda: &[f64], state: &[f64]| {
             if time > self.from {
                 tangents.restart(&vec![0.0; tangents.len()]);
-                stopped = stopped
-                    .take()
-                    .or(tangents.jump(&system, (time, state), (time, state), false).err());
+                let mut rate = vec![0.0; system.len()];
+                system.rate(time.next_down(), state, &mut rate);
+                let jumped = tangents.jump(&system, (time, state, &rate), (time, state), false);
+                stopped = stopped.take().or(jumped.err());
                 let shifted = tangents.pulled(lambda);
                 by_all.iter_mut().zip(shifted).for_each(|(sum, shifted)| *sum += shifted);
             }

@@ -47,15 +47,15 @@ pub(crate) struct Passing<'p> {
 }
 
 impl Tangents<'_> {
-    /// Jumps S where the rate jumps in time, and where constraints move the state from `before` to
-    /// `behind`.
+    /// Jumps S where the rate jumps in time, from `rate_before`, and where constraints move the state
+    /// from `before` to `behind`. Relations are settled behind the jump.
     ///
     /// # Errors
     /// [`StopCause::AtOnce`] if several things happen there that are moved apart.
     pub(crate) fn jump(
         &self,
         system: &System<'_>,
-        (time, before): (f64, &[f64]),
+        (time, before, rate_before): (f64, &[f64], &[f64]),
         (behind, after): (f64, &[f64]),
         has_moved: bool,
     ) -> Result<(), Stopped> {
@@ -76,12 +76,11 @@ impl Tangents<'_> {
             system.rate(time, state, &mut rate);
             rate
         };
-        let rate_before = rate(time.next_down(), before);
         if has_moved {
             let passing = Passing { time: behind, before };
-            self.take_up(system, &passing, &shifts, [&rate_before, &rate(behind, after)], after)?;
+            self.take_up(system, &passing, &shifts, [rate_before, &rate(behind, after)], after)?;
         } else {
-            self.shift(&rate_before, &rate(time, before), &shifts);
+            self.shift(rate_before, &rate(time, before), &shifts);
         }
         self.inner.borrow_mut().latest = Instant { time, shifts };
         Ok(())

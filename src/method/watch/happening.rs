@@ -108,7 +108,9 @@ impl Watch<'_> {
         for index in events {
             if !self.is_kink(index) && self.is_armed(index, state) {
                 self.require_resolved(index, time)?;
+                let before = state.to_vec();
                 self.apply(index, time, &mut state[..states])?;
+                self.leave_surfaces((time, &before), (time, state));
                 self.settle_relations((time, state), &[])?;
                 passed[index] =
                     if self.is_armed(index, state) { Passed::GoesOn } else { Passed::Left };
@@ -194,9 +196,10 @@ impl Watch<'_> {
     pub(in crate::method) fn settle_after_impulses(
         &self,
         time: f64,
-        state: &[f64],
+        (before, state): (&[f64], &[f64]),
         thrown_back: &[usize],
     ) -> Result<(), Stopped> {
+        self.leave_surfaces((time, before), (time, state));
         self.settle_relations((time, state), &[])?;
         let passed = self.inner.borrow().happened.passed.clone();
         let is_settled = |index: &usize| {

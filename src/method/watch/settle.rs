@@ -92,6 +92,7 @@ impl Watch<'_> {
                 let event = self.system.simulator().event(index).name.to_owned();
                 return Err(Stopped { time, cause: StopCause::Contradiction { event } });
             }
+            self.leave_surfaces((time, state), (time, &trial.state));
             state.copy_from_slice(&trial.state);
             self.settle_relations((time, state), &[])?;
             passed[index] = Passed::Left;

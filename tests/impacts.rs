@@ -406,3 +406,57 @@ fn fixed_steps_go_through_the_impact() {
         }
     }
 }
+
+/// A body that slides along a joint into a wall, beside one whose orientation is a quaternion.
+#[test]
+fn bodies_in_space_slide_on_after_an_impact() {
+    let machine = scene(
+        r#"
+        [units.world]
+        unit = "spatial/world"
+        [units.slide]
+        unit = "spatial/prismatic"
+        parameters = { n_x = 1, n_y = 0, n_z = 0 }
+        [units.bob]
+        unit = "spatial/body"
+        parameters = { mass = 2 }
+        [units.ball]
+        unit = "spatial/spherical"
+        [units.top]
+        unit = "spatial/body"
+        [[joints]]
+        connect = ["world.frame", "slide.a"]
+        [[joints]]
+        connect = ["slide.b", "bob.a"]
+        [[joints]]
+        connect = ["world.frame", "ball.a"]
+        [[joints]]
+        connect = ["ball.b", "top.a"]
+        [initial]
+        "slide.v" = 1
+        [run]
+        until = 4
+        points = 81
+        [friction.guide]
+        speed = "slide.v"
+        sliding = "0.1 [N]"
+        unit = "N"
+        [friction.socket]
+        speed = "ball.turn_omega_z"
+        sliding = "0.1 [N m]"
+        unit = "N m"
+        [events.hits]
+        guard = "slide.s - 0.5 [m]"
+        direction = "rising"
+        set = { "slide.v" = "-0.8*slide.v" }
+        "#,
+    );
+    for method in METHODS {
+        let run = run(&machine, method, 1e-8, &[]);
+        let s = run.column("slide.s").expect("a column");
+        for (time, s) in run.times.iter().zip(s) {
+            let exact = at_wall(1.0, 0.05, 0.8, 0.5, *time);
+            assert!((s - exact[0]).abs() < 1e-6, "{method}, {time}: {s}, not {exact:?}");
+        }
+    }
+}

@@ -46,7 +46,7 @@ fn jumping(event: &Event, system: &LagrangianSystem) -> BTreeSet<usize> {
         match symbol {
             Symbol::Velocity(id) => drop(jumping.insert(id.0 as usize)),
             Symbol::FirstOrder(mode) => {
-                if system.kinetic.mentions(|one| one == *symbol) {
+                if inertia_reads(system, *symbol) {
                     jumping.extend(0..system.coordinates.len());
                 }
                 let begins = |one: &&Constraint| {
@@ -59,6 +59,18 @@ fn jumping(event: &Event, system: &LagrangianSystem) -> BTreeSet<usize> {
         }
     }
     jumping
+}
+
+/// Returns whether the kinetic energy depends on a mode.
+fn inertia_reads(system: &LagrangianSystem, mode: Symbol) -> bool {
+    let joints = system.mechanisms.iter().flat_map(|mechanism| &mechanism.joints);
+    let inertias = joints.filter_map(|joint| joint.inertia.as_ref());
+    let mut of_bodies = inertias.flat_map(|inertia| {
+        let rows = inertia.tensor.iter().flatten();
+        std::iter::once(&inertia.mass).chain(&inertia.moment).chain(rows)
+    });
+    let reads = |of: &Expr| of.mentions(|one| one == mode);
+    reads(&system.kinetic) || of_bodies.any(reads)
 }
 
 /// Returns a common representative for coordinates of which an impulse on one may move the others:
@@ -78,8 +90,11 @@ fn moved_together(system: &LagrangianSystem) -> Vec<usize> {
             .collect()
     });
     let of_constraints = system.constraints.iter().map(|constraint| coordinates(&constraint.expr));
-    let mut roots: Vec<usize> = (0..system.coordinates.len()).collect();
-    for group in of_terms.chain(of_trees).chain(of_constraints) {
+    let of_quaternions =
+        system.orientations.iter().map(|one| one.parts().iter().flat_map(coordinates).collect());
+    let groups = of_terms.chain(of_trees).chain(of_constraints).chain(of_quaternions);
+    let mut roots: Vec<usize> = (0..system.coordinates.len() + system.scalars.len()).collect();
+    for group in groups {
         let group: BTreeSet<usize> = group;
         if let Some(&first) = group.first() {
             for one in group {

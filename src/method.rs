@@ -294,29 +294,25 @@ impl Problem<'_> {
     ) -> Result<(), Stopped> {
         let before = state.to_vec();
         let (front, behind) = (from.next_down(), just_behind(from, until));
-        let tangents = self.system.tangents();
+        if from > self.from {
+            self.system.keep_momentum((from - (behind - from), behind), state)?;
+        }
+        let has_moved = self.system.take_up((front, behind), &self.tolerance, state)?;
+        let tangents = self.system.tangents().filter(|_| from > self.from || has_moved);
         // Before relations settle on their sides behind the jump.
         let rate_before = tangents.map(|_| {
             let mut rate = vec![0.0; self.system.len()];
             self.system.rate(front, &before, &mut rate);
             rate
         });
-        if from > self.from {
-            self.system.keep_momentum((from - (behind - from), behind), state)?;
-        }
-        let has_moved = self.system.take_up((front, behind), &self.tolerance, state)?;
         if let Some(watch) = watch {
             if from > self.from {
                 watch.leave_surfaces((front, &before), (behind, state));
             }
             watch.jump_in_time(&Stretch::new(self, (from, until), Some(watch)), state)?;
         }
-        match tangents.zip(rate_before) {
-            Some((tangents, rate)) if from > self.from || has_moved => {
-                tangents.jump(self.system, (from, &before, &rate), (behind, state), has_moved)
-            }
-            _ => Ok(()),
-        }
+        let Some((tangents, rate)) = tangents.zip(rate_before) else { return Ok(()) };
+        tangents.jump(self.system, (from, &before, &rate), (behind, state), has_moved)
     }
 
     /// Applies the events for which the method stopped, and returns the time. Energy lost there

@@ -308,6 +308,8 @@ impl Problem<'_> {
         if let Some(watch) = watch {
             if from > self.from {
                 watch.leave_surfaces((front, &before), (behind, state));
+            } else {
+                watch.leave_surfaces_left(behind, state);
             }
             watch.jump_in_time(&Stretch::new(self, (from, until), Some(watch)), state)?;
         }

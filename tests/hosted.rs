@@ -5,10 +5,10 @@ use std::cell::RefCell;
 use machinist::hosted::{Beginning, Hosted, Reached, Standing};
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_contract::Simulator;
+use machinist_contract::{Describe, Simulator};
 use machinist_scenes::scenes::find_f64;
 
-use crate::own_scene::of_specs;
+use crate::own_scene::{of_specs, of_text};
 
 fn scene(name: &str) -> &'static dyn Simulator<f64> {
     find_f64(name).expect("a built-in scene")
@@ -138,4 +138,99 @@ fn a_piece_ends_where_who_looks_on_says() {
     for (found, exact) in state.iter().zip(last_state(simulator, time)) {
         assert!((found - exact).abs() < 1e-6 * exact.abs().max(1.0), "{found}, {exact}");
     }
+}
+
+/// A mass at rest on a belt by `-F*sign(v - belt)`, whose speed a host changes between pieces, or
+/// which jumps by itself at the start of one.
+#[test]
+fn a_host_may_move_a_surface_along_which_a_run_slides() {
+    let text = |speed: &str| {
+        format!(
+            r#"
+            [scene]
+            name = "belt"
+            [units.u]
+            unit = "u"
+            [run]
+            until = 5
+            points = 2
+            [define.u.coordinates.x]
+            unit = "m"
+            velocity = "v"
+            [define.u.parameters]
+            belt = {{ value = 0, unit = "m/s" }}
+            friction = {{ value = 0.2, unit = "N" }}
+            [define.u.energy]
+            kinetic = "0.5 [kg]*v^2"
+            [[define.u.forces]]
+            coordinate = "x"
+            expression = "-friction*sign(v - {speed})"
+            "#
+        )
+    };
+    for speed in ["belt", "(belt + 0.5 [m/s]*step(t, 1 [s]))"] {
+        let machine = of_text(&text(speed), Keep::All);
+        let changes = speed == "belt";
+        for method in [Method::Auto, Method::Tsit5, Method::Radau] {
+            let mut values = parameters(&machine);
+            let place = (0..values.len()).find(|k| machine.parameter(*k).name == "u.belt");
+            let mut standing = begun(&Hosted::new(&machine, &values), &machine, 5.0);
+            for until in [0.5, 1.0, 1.7, 4.0] {
+                if changes && until > 1.0 {
+                    values[place.expect("a parameter")] = 0.5;
+                }
+                let hosted = Hosted::new(&machine, &values);
+                let reached = hosted.carry(&mut standing, until, (method, false), &|_, _| false);
+                assert_eq!(reached.expect("it goes on"), Reached::End);
+                let slides = (until - 1.0).clamp(0.0, 2.5);
+                let speed = 0.2 * slides;
+                let place = 0.5 * speed * slides + 0.5 * (until - 3.5).max(0.0);
+                let found = (standing.state[0], standing.state[1]);
+                let off = (found.0 - place).abs() + (found.1 - speed).abs();
+                assert!(off < 1e-8, "{method}, {until}: {found:?}, not {place}, {speed}");
+            }
+        }
+    }
+}
+
+/// The same by a host that takes steps of its own.
+#[test]
+fn a_host_that_steps_may_move_a_surface() {
+    let machine = of_text(
+        r#"
+        [scene]
+        name = "belt"
+        [units.u]
+        unit = "u"
+        [run]
+        until = 5
+        points = 2
+        [define.u.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.u.parameters]
+        belt = { value = 0, unit = "m/s" }
+        [define.u.energy]
+        kinetic = "0.5 [kg]*v^2"
+        [[define.u.forces]]
+        coordinate = "x"
+        expression = "-0.2 [N]*sign(v - belt)"
+        "#,
+        Keep::All,
+    );
+    let mut values = parameters(&machine);
+    let mut state = vec![0.0; 2];
+    machine.initial_state(&values, &mut state);
+    let (from, until, rtol, is_stepped) = (0.0, 5.0, 1e-9, true);
+    let is_given = &|_| true;
+    let beginning =
+        Beginning { from, until, rtol, is_stepped, state, is_given, in_equilibrium: false };
+    let mut standing = Hosted::new(&machine, &values).begin(beginning).expect("it begins");
+    values[0] = 0.5;
+    let hosted = Hosted::new(&machine, &values);
+    hosted.happen(&mut standing).expect("it goes on");
+    let mut rate = vec![0.0; 2];
+    hosted.rate(&standing, &mut rate);
+    assert_eq!(rate, [0.0, 0.2], "the belt drags it along");
+    assert_eq!(standing.state, [0.0, 0.0]);
 }

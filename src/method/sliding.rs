@@ -51,7 +51,7 @@ impl Sides {
     }
 
     /// Returns the value of the relation's guard on the surface.
-    fn level(self) -> f64 {
+    pub(super) fn level(self) -> f64 {
         if self.above.is_infinite() { 0.0 } else { self.above }
     }
 

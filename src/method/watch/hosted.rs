@@ -225,10 +225,8 @@ impl<'a> Watch<'a> {
         (time, is_jump): (f64, bool),
         state: &mut [f64],
     ) -> Result<(), Stopped> {
+        self.leave_surfaces_left(time, state);
         if is_jump {
-            // A host's time is off that of the jump by rounding.
-            let front = time - 16.0 * f64::EPSILON * time.abs();
-            self.leave_surfaces((front, state), (time, state));
             self.settle_at_jump(time, state)?;
         }
         let found = self.passed(memory, time, state);

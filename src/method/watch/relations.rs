@@ -162,6 +162,23 @@ impl Watch<'_> {
         self.system.slide(&slides);
     }
 
+    /// Ends the sliding along surfaces off which a state is by more than the tolerances, at the start
+    /// of a piece of a run: inputs or parameters have changed, or the rate jumps there.
+    pub(in crate::method) fn leave_surfaces_left(&self, time: f64, state: &[f64]) {
+        let mut slides = self.system.slides();
+        if slides.is_empty() {
+            return;
+        }
+        let guards = self.system.kink_guards(time, state);
+        slides.retain(|slide| {
+            let of = |it: &Watched| it.relation() == Some(slide.relation);
+            let blur = self.watched.iter().position(of).map(|place| self.blur(place, time, state));
+            let off = guards[slide.relation] - slide.sides.level();
+            blur.is_none_or(|blur| off.abs() <= blur)
+        });
+        self.system.slide(&slides);
+    }
+
     /// Sets relations to the sides of their guards. Returns those at their surfaces.
     fn take_sides(
         &self,

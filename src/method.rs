@@ -309,7 +309,7 @@ impl Problem<'_> {
             if from > self.from {
                 watch.leave_surfaces((front, &before), (behind, state));
             } else {
-                watch.leave_surfaces_left(behind, state);
+                watch.leave_distant_surfaces(behind, state);
             }
             watch.jump_in_time(&Stretch::new(self, (from, until), Some(watch)), state)?;
         }

@@ -27,6 +27,7 @@ mod polynomial;
 mod relations;
 mod settle;
 mod silent;
+mod surfaces;
 mod watched;
 
 use std::cell::{Cell, RefCell};
@@ -505,10 +506,26 @@ fn by_rounding(time: f64, rate: f64) -> f64 {
 }
 
 /// Returns an event whose guard and rate are zero on both branches of every relation at all probe
-/// states. These are spread over the run, the time after it, the scales of the states and the values
-/// of modes for which events ask. Such an event can never happen. A guard that only a longer run
+/// states, in the modes in which it is armed. The states are spread over the run, the time after it
+/// and the scales of the states. Such an event can never happen. A guard that only a longer run
 /// would move is not reported.
-pub(crate) fn identically_zero(system: &System<'_>, (from, until): (f64, f64)) -> Option<usize> {
+pub(crate) fn identically_zero(system: &System<'_>, span: (f64, f64)) -> Option<usize> {
+    let count = system.simulator().events();
+    let moving = moving_guards(system, span, &[]);
+    let is_still = |event: &usize| {
+        let when = system.simulator().event(*event).when;
+        !moving[*event] && (when.is_empty() || !moving_guards(system, span, when)[*event])
+    };
+    (0..count).find(is_still)
+}
+
+/// Returns for each event whether its guard or the rate of its guard is other than zero at some
+/// probe state, with the values of some modes given.
+fn moving_guards(
+    system: &System<'_>,
+    (from, until): (f64, f64),
+    modes: &[(u32, f64)],
+) -> Vec<bool> {
     const WITHIN: usize = 8;
     const PROBES: usize = 2 * WITHIN;
     let simulator = system.simulator();
@@ -517,23 +534,13 @@ pub(crate) fn identically_zero(system: &System<'_>, (from, until): (f64, f64)) -
     let (mut guards, mut rates) = (vec![0.0; count], vec![0.0; count]);
     let mut parameters = system.held().all().to_vec();
     let first = parameters.len() - simulator.relations();
-    let mut asked = vec![Vec::new(); system.states()];
-    for event in 0..count {
-        for (mode, value) in simulator.event(event).when {
-            asked[*mode as usize].push(*value);
-        }
-    }
     for probe in 0..PROBES {
         let spread = |index: usize| ((probe * 31 + index * 17) as f64 * 0.618 + 0.3).sin();
-        let value = |index: usize| {
-            let values = &asked[index];
-            if values.is_empty() {
-                simulator.state_scale(index) * spread(index + 1)
-            } else {
-                values[(probe + index) % values.len()]
-            }
-        };
-        let state: Vec<f64> = (0..system.states()).map(value).collect();
+        let value = |index: usize| simulator.state_scale(index) * spread(index + 1);
+        let mut state: Vec<f64> = (0..system.states()).map(value).collect();
+        for (mode, value) in modes {
+            state[*mode as usize] = *value;
+        }
         let time = if probe < WITHIN {
             from + (until - from) * (probe as f64 + 0.5) / WITHIN as f64
         } else {
@@ -551,5 +558,5 @@ pub(crate) fn identically_zero(system: &System<'_>, (from, until): (f64, f64)) -
             *moves |= *guard != 0.0 || *rate != 0.0;
         }
     }
-    moves.iter().position(|moves| !moves)
+    moves
 }

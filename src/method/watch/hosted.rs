@@ -225,7 +225,7 @@ impl<'a> Watch<'a> {
         (time, is_jump): (f64, bool),
         state: &mut [f64],
     ) -> Result<(), Stopped> {
-        self.leave_surfaces_left(time, state);
+        self.leave_distant_surfaces(time, state);
         if is_jump {
             self.settle_at_jump(time, state)?;
         }

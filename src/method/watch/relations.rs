@@ -111,16 +111,18 @@ impl Watch<'_> {
         let left = |slide: &Slide| changes.iter().any(|it| it.relation == slide.relation);
         let mut slides = self.system.slides();
         slides.retain(|slide| !left(slide));
-        let before = self.system.kink_guards(time, state);
+        let along = |slides: &[Slide]| {
+            let guards = self.system.kink_guards(time, state);
+            slides.iter().map(|slide| guards[slide.relation].to_bits()).collect::<Vec<_>>()
+        };
+        let before = (!slides.is_empty()).then(|| along(&slides));
         let mut zero = self.take_sides((time, state), changes, &slides);
         // A surface that jumps with the relations that it reads leaves the motion behind.
-        let after = self.system.kink_guards(time, state);
-        let stays = |slide: &Slide| {
-            let relation = slide.relation;
-            before[relation].to_bits() == after[relation].to_bits()
-        };
-        if !slides.iter().all(stays) {
-            slides.retain(stays);
+        if let Some(before) = before
+            && before != along(&slides)
+        {
+            let mut stays = before.into_iter().zip(along(&slides)).map(|(a, b)| a == b);
+            slides.retain(|_| stays.next() == Some(true));
             let known: Vec<usize> = zero.iter().map(|it| it.relation).collect();
             let more = self.take_sides((time, state), &[], &slides);
             zero.extend(more.into_iter().filter(|it| !known.contains(&it.relation)));
@@ -132,51 +134,6 @@ impl Watch<'_> {
         self.leave_or_slide((time, state), &slides, &zero)?;
         self.find_active(state);
         Ok(())
-    }
-
-    /// Ends the sliding along surfaces off which a jump takes the motion: no finite force follows a
-    /// surface that jumps, or brings back a state that is moved off it.
-    pub(in crate::method) fn leave_surfaces(
-        &self,
-        (front, before): (f64, &[f64]),
-        (behind, after): (f64, &[f64]),
-    ) {
-        let mut slides = self.system.slides();
-        if slides.is_empty() {
-            return;
-        }
-        let of = |time: f64, state: &[f64]| {
-            (self.system.kink_guards(time, state), self.system.kink_rates(time, state))
-        };
-        let ((guards, rates), (guards_after, rates_after)) = (of(front, before), of(behind, after));
-        slides.retain(|slide| {
-            let relation = slide.relation;
-            let place = self.watched.iter().position(|it| it.relation() == Some(relation));
-            let rounding = place.map_or(0.0, |place| self.inner.borrow().parts.rounding(place));
-            let passed = (behind - front) * rates[relation].abs().max(rates_after[relation].abs());
-            let has_left = (guards_after[relation] - guards[relation]).abs() > rounding + passed;
-            let has_turned = slide.order == Order::Second
-                && rates_after[relation].to_bits() != rates[relation].to_bits();
-            !(has_left || has_turned)
-        });
-        self.system.slide(&slides);
-    }
-
-    /// Ends the sliding along surfaces off which a state is by more than the tolerances, at the start
-    /// of a piece of a run: inputs or parameters have changed, or the rate jumps there.
-    pub(in crate::method) fn leave_surfaces_left(&self, time: f64, state: &[f64]) {
-        let mut slides = self.system.slides();
-        if slides.is_empty() {
-            return;
-        }
-        let guards = self.system.kink_guards(time, state);
-        slides.retain(|slide| {
-            let of = |it: &Watched| it.relation() == Some(slide.relation);
-            let blur = self.watched.iter().position(of).map(|place| self.blur(place, time, state));
-            let off = guards[slide.relation] - slide.sides.level();
-            blur.is_none_or(|blur| off.abs() <= blur)
-        });
-        self.system.slide(&slides);
     }
 
     /// Sets relations to the sides of their guards. Returns those at their surfaces.

@@ -282,6 +282,46 @@ rtol = 1e-8
 method = "dop853"
 "#;
 
+/// A mass at rest on a belt by `-friction*sign(v - belt)`, which then jumps in one of several ways.
+fn on_belt(belt: &str, more: &str) -> Case {
+    let case = Case::of_text(&format!(
+        r#"
+[scene]
+name = "belt"
+[define.u.coordinates.x]
+unit = "m"
+velocity = "v"
+[define.u.energy]
+kinetic = "1 [kg]*v^2"
+[[define.u.forces]]
+coordinate = "x"
+expression = "0.4 [N] - 1 [N]*sign(v - {belt})"
+{more}
+[units.u]
+unit = "u"
+[run]
+until = 5
+points = 101
+rtol = 1e-8
+method = "dop853"
+"#
+    ));
+    Case { name: format!("belt at {belt}"), ..case }
+}
+
+#[test]
+fn a_motion_leaves_surfaces_that_jump_in_a_page_as_by_the_engine() {
+    let go = "[define.u.events.go]\nguard = \"t - 1.25 [s]\"\ndirection = \"rising\"";
+    let cases = [
+        on_belt("0.5 [m/s]*step(t, 1.25 [s])", ""),
+        on_belt("0.5 [m/s]*floor(t/(1.25 [s]))", ""),
+        on_belt("0.25 [m/s]*(1 + sign(t - 1.25 [s]))", ""),
+        on_belt("0.5 [m/s]*on", &format!("[define.u.modes.on]\n{go}\nset = {{ on = 1 }}")),
+        on_belt("0 [m/s]", &format!("{go}\nset = {{ v = \"v - 0.5 [m/s]\" }}")),
+    ];
+    assert_all_alike(&cases, 1e-6);
+}
+
 #[test]
 fn an_encoder_of_many_lines_is_counted_in_a_page_as_by_the_engine() {
     let case = Case::of_text(ENCODER);

@@ -27,12 +27,40 @@ class Relations {
   // Settles all at a state at which some change. `isWithin` tells of a guard too near to zero.
   settle(time, state, armed, changes = [], isWithin = () => false) {
     const isLeft = ({ relation }) => changes.some((change) => change.relation === relation);
-    const slides = this.system.slides.filter((slide) => !isLeft(slide));
+    let slides = this.system.slides.filter((slide) => !isLeft(slide));
+    const before = this.surfaces(time, state);
     const zero = this.takeSides(time, state, changes, slides, isWithin);
+    // A surface that jumps with the relations that it reads leaves the motion behind.
+    const after = this.surfaces(time, state);
+    const stays = ({ relation }) => before.guards[relation] === after.guards[relation];
+    if (before && !slides.every(stays)) {
+      slides = slides.filter(stays);
+      const isKnown = ({ relation }) => zero.some((one) => one.relation === relation);
+      zero.push(...this.takeSides(time, state, [], slides, isWithin).filter((one) => !isKnown(one)));
+    }
     this.findActive(armed);
     const isActive = ({ relation }) => this.active[relation];
     this.leaveOrSlide(time, state, slides.filter(isActive), zero.filter(isActive));
     this.findActive(armed);
+  }
+
+  // Guards and their rates, if the motion slides along any surface.
+  surfaces(time, state) {
+    if (!this.system.slides.length) return null;
+    const [guards, rates] = ["kink_guards", "kink_rates"].map((of) => this.machine.kinks(of, time, state));
+    return { guards, rates };
+  }
+
+  // Ends the sliding along surfaces off which a jump takes the motion: no finite force follows a
+  // surface that jumps, or brings back a state that is moved off it. `passed` is the time between.
+  leaveSurfaces(before, time, state, rounding, passed = 0) {
+    if (!before) return;
+    const { guards, rates } = this.surfaces(time, state);
+    this.slide(this.system.slides.filter(({ relation, isSecond }) => {
+      const way = passed * Math.max(Math.abs(before.rates[relation]), Math.abs(rates[relation]));
+      const hasLeft = Math.abs(guards[relation] - before.guards[relation]) > rounding(relation) + way;
+      return !hasLeft && !(isSecond && rates[relation] !== before.rates[relation]);
+    }));
   }
 
   // Takes the sides of guards, each after those that it reads. Returns those at their

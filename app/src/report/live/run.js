@@ -95,9 +95,12 @@ class Run {
     const { system, watch, work } = this;
     const { explicit, implicit } = this.machine.known.methods;
     system.ends = [from, until];
-    if (watch && from > this.from) watch.settleRelations(from, state);
-    const before = state.slice();
     const near = 8 * EPSILON * Math.max(Math.abs(from), until - from);
+    if (watch && from > this.from) {
+      watch.leaveSurfaces(watch.relations.surfaces(from - near, state), from, state, near);
+      watch.settleRelations(from, state);
+    }
+    const before = state.slice();
     if (watch && from > this.from) this.requireSame(from, this.inertia(from - near, state), this.inertia(from + near, state));
     system.project(system.within(from), state);
     let [time, step, method, isStiff, last, isRejected] = [from, 0, null, null, null, false];
@@ -141,7 +144,7 @@ class Run {
         if (reached !== null) {
           const end = reached > time ? method.end.slice() : state;
           if (reached > time) watch.tally(method, reached);
-          system.project(reached, end);
+          system.project(system.within(reached), end);
           this.sample(method, reached, end);
           watch.enter(reached, end);
           time = reached;
@@ -162,7 +165,7 @@ class Run {
       const isAtRest = method.end.every((value, k) => Math.abs(value - method.start[k]) <= 1e-3 * system.atol[k]);
       watch?.tally(method, now);
       const end = method.end.slice();
-      system.project(now, end);
+      system.project(system.within(now), end);
       system.require(now, end, "the state");
       this.sample(method, now, end);
       // One that is suddenly far below what the step before foretells is not believed at once.

@@ -102,6 +102,10 @@ class Watch {
     }
   }
 
+  leaveSurfaces(before, time, state, passed) {
+    this.relations.leaveSurfaces(before, time, state, (relation) => this.looks.rounding(this.place[relation]), passed);
+  }
+
   settleRelations(time, state, changes) {
     const armed = this.events.map((_, index) => this.isArmed(index, state));
     this.relations.settle(time, state, armed, changes, (relation, guard) => {
@@ -283,7 +287,9 @@ class Watch {
     const events = [...happening.filter((index) => this.isEvent(index)), ...this.jumped(time, state, before, happening)];
     for (const index of events.sort((a, b) => a - b)) {
       if (!this.isArmed(index, state)) continue;
+      const surfaces = this.relations.surfaces(time, state);
       this.apply(index, time, state);
+      this.leaveSurfaces(surfaces, time, state);
       this.settleRelations(time, state);
       this.count(index, time);
       (this.isArmed(index, state) ? passed : left).push(index);
@@ -339,7 +345,9 @@ class Watch {
       const index = asked.find((index) => isContrary(index) && this.isEnded(index, time, state, isStart));
       if (index === undefined) return happened;
       if (happened.length === this.most) throw new Stopped(time, `event ${this.events[index].name} contradicts others`);
+      const surfaces = this.relations.surfaces(time, state);
       this.apply(index, time, state);
+      this.leaveSurfaces(surfaces, time, state);
       this.settleRelations(time, state);
       this.count(index, time);
       happened.push(index);

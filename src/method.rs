@@ -307,7 +307,8 @@ impl Problem<'_> {
         });
         if let Some(watch) = watch {
             if from > self.from {
-                watch.leave_surfaces((front, &before), (behind, state));
+                let surfaces = watch.surfaces(front, &before);
+                watch.leave_surfaces(surfaces, (behind, state), behind - front);
             } else {
                 watch.leave_distant_surfaces(behind, state);
             }

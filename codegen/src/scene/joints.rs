@@ -246,9 +246,7 @@ fn unite(
     joint: &JointSpec,
     before: &[JointSpec],
 ) -> Result<(), Box<Mistake>> {
-    let [a, b] = edge.slots.map(|slot| root(roots, slot));
-    if a != b {
-        roots[a.max(b)] = a.min(b);
+    if join(roots, edge.slots) {
         return Ok(());
     }
     let pair = |joint: &JointSpec| {
@@ -267,6 +265,13 @@ fn unite(
             .help("the ratios around a loop would have to agree; leave this joint out")
     };
     Err(Box::new(mistake))
+}
+
+/// Joins the sets of two slots; returns false if they are one set.
+pub(super) fn join(roots: &mut [usize], slots: [usize; 2]) -> bool {
+    let [a, b] = slots.map(|slot| root(roots, slot));
+    roots[a.max(b)] = a.min(b);
+    a != b
 }
 
 /// Returns the representative of a joined set.

@@ -136,10 +136,9 @@ impl Written {
         }
         let name = entry.key.clone();
         let is_one_way = |limits: &Option<Limits>| matches!(limits, Some(Limits::OneWay(_)));
-        let tree = breakaway.as_ref().zip(fields.take("breakaway")).map(|(_, tree)| tree);
-        if let Some(tree) = tree
-            && (is_one_way(&breakaway) != is_one_way(&sliding))
-            && !matches!(breakaway, Some(Limits::Both(_)))
+        if let Some(Limits::Each { .. } | Limits::OneWay(_)) = breakaway
+            && is_one_way(&breakaway) != is_one_way(&sliding)
+            && let Some(tree) = fields.take("breakaway")
         {
             let message = "`sliding` and `breakaway` have different directions";
             let mistake = Mistake::new(tree.span, message, "of other directions");
@@ -225,6 +224,11 @@ impl Written {
         directed(&self.sliding) || self.breakaway.as_ref().is_some_and(directed)
     }
 
+    /// Returns the directions with magnitudes of their own.
+    fn limited(&self) -> &'static [Way] {
+        if self.is_directed() { self.ways() } else { &[FORWARD] }
+    }
+
     /// Returns one of its magnitudes by its name.
     fn limit(&self, of: &str, way: &Way) -> Ast {
         let suffix = if self.is_directed() { way.of_limits } else { "" };
@@ -234,8 +238,7 @@ impl Written {
     /// Returns the magnitudes of its forces, and the force while sliding.
     fn helpers(&self) -> Vec<DefinitionSpec> {
         let mut helpers = Vec::new();
-        let ways = if self.is_directed() { self.ways() } else { &[FORWARD] };
-        for way in ways {
+        for way in self.limited() {
             let [suffix, word] = if self.is_directed() {
                 [way.of_limits.to_owned(), format!(", {}", way.word)]
             } else {
@@ -287,8 +290,7 @@ impl Written {
         let ways = self.ways();
         let begins = "friction sets in: sliding or sticking";
         let holds = self.idle.as_ref().map(|idle| {
-            let limits = if self.is_directed() { ways } else { &[FORWARD] };
-            let limits = limits.iter().map(|way| (false, self.limit("sliding", way)));
+            let limits = self.limited().iter().map(|way| (false, self.limit("sliding", way)));
             let terms = limits.chain([(true, idle.clone())]).collect();
             Ast { span: self.sliding.of(&FORWARD).span, node: Node::Sum(terms) }
         });

@@ -108,9 +108,9 @@ impl Watch<'_> {
         for index in events {
             if !self.is_kink(index) && self.is_armed(index, state) {
                 self.require_resolved(index, time)?;
-                let before = state.to_vec();
+                let surfaces = self.surfaces(time, state);
                 self.apply(index, time, &mut state[..states])?;
-                self.leave_surfaces((time, &before), (time, state));
+                self.leave_surfaces(surfaces, (time, state), 0.0);
                 self.settle_relations((time, state), &[])?;
                 passed[index] =
                     if self.is_armed(index, state) { Passed::GoesOn } else { Passed::Left };
@@ -199,7 +199,7 @@ impl Watch<'_> {
         (before, state): (&[f64], &[f64]),
         thrown_back: &[usize],
     ) -> Result<(), Stopped> {
-        self.leave_surfaces((time, before), (time, state));
+        self.leave_surfaces(self.surfaces(time, before), (time, state), 0.0);
         self.settle_relations((time, state), &[])?;
         let passed = self.inner.borrow().happened.passed.clone();
         let is_settled = |index: &usize| {

@@ -111,18 +111,16 @@ impl Watch<'_> {
         let left = |slide: &Slide| changes.iter().any(|it| it.relation == slide.relation);
         let mut slides = self.system.slides();
         slides.retain(|slide| !left(slide));
-        let along = |slides: &[Slide]| {
-            let guards = self.system.kink_guards(time, state);
-            slides.iter().map(|slide| guards[slide.relation].to_bits()).collect::<Vec<_>>()
-        };
-        let before = (!slides.is_empty()).then(|| along(&slides));
+        let count = slides.len();
+        let before = (count > 0).then(|| self.system.kink_guards(time, state));
         let mut zero = self.take_sides((time, state), changes, &slides);
         // A surface that jumps with the relations that it reads leaves the motion behind.
-        if let Some(before) = before
-            && before != along(&slides)
-        {
-            let mut stays = before.into_iter().zip(along(&slides)).map(|(a, b)| a == b);
-            slides.retain(|_| stays.next() == Some(true));
+        if let Some(before) = before {
+            let after = self.system.kink_guards(time, state);
+            let bits = |guards: &[f64], slide: &Slide| guards[slide.relation].to_bits();
+            slides.retain(|slide| bits(&before, slide) == bits(&after, slide));
+        }
+        if slides.len() < count {
             let known: Vec<usize> = zero.iter().map(|it| it.relation).collect();
             let more = self.take_sides((time, state), &[], &slides);
             zero.extend(more.into_iter().filter(|it| !known.contains(&it.relation)));

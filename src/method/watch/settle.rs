@@ -92,8 +92,9 @@ impl Watch<'_> {
                 let event = self.system.simulator().event(index).name.to_owned();
                 return Err(Stopped { time, cause: StopCause::Contradiction { event } });
             }
-            self.leave_surfaces((time, state), (time, &trial.state));
+            let surfaces = self.surfaces(time, state);
             state.copy_from_slice(&trial.state);
+            self.leave_surfaces(surfaces, (time, state), 0.0);
             self.settle_relations((time, state), &[])?;
             passed[index] = Passed::Left;
             self.count(index, time)?;

@@ -8,7 +8,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::scene::joints::root;
+use crate::scene::joints::{join, root};
 use crate::scene::system::{Constraint, Event, LagrangianSystem};
 use crate::scene::typed::integer;
 use crate::spec::friction::OPEN;
@@ -98,8 +98,7 @@ fn moved_together(system: &LagrangianSystem) -> Vec<usize> {
         let group: BTreeSet<usize> = group;
         if let Some(&first) = group.first() {
             for one in group {
-                let [a, b] = [first, one].map(|one| root(&mut roots, one));
-                roots[a.max(b)] = a.min(b);
+                join(&mut roots, [first, one]);
             }
         }
     }
@@ -108,15 +107,19 @@ fn moved_together(system: &LagrangianSystem) -> Vec<usize> {
 
 /// Returns the coordinates whose velocities an expression mentions.
 fn velocities(of: &Expr) -> BTreeSet<usize> {
-    let index = |symbol| if let Symbol::Velocity(id) = symbol { Some(id.0 as usize) } else { None };
-    of.symbols().into_iter().filter_map(index).collect()
+    let symbols = of.symbols().into_iter();
+    coordinates_of(symbols.filter(|symbol| matches!(symbol, Symbol::Velocity(_))))
 }
 
 /// Returns the coordinates that an expression mentions, also by their velocities.
 fn coordinates(of: &Expr) -> BTreeSet<usize> {
+    coordinates_of(of.symbols().into_iter())
+}
+
+fn coordinates_of(symbols: impl Iterator<Item = Symbol>) -> BTreeSet<usize> {
     let index = |symbol| match symbol {
         Symbol::Coordinate(id) | Symbol::Velocity(id) => Some(id.0 as usize),
         _ => None,
     };
-    of.symbols().into_iter().filter_map(index).collect()
+    symbols.filter_map(index).collect()
 }

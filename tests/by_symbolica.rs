@@ -154,7 +154,7 @@ fn multipliers_do_not_depend_on_the_algebra() {
             settings: forced("block.frequency", 300.0),
         },
         Searched {
-            system: checked(specs::JEFFCOTT),
+            system: checked(&specs::rotor(specs::JEFFCOTT)),
             parameters: &[("disc.speed", 0.95)],
             settings: forced("disc.speed", 400.0),
         },

@@ -6,9 +6,11 @@ use machinist::hosted::{Beginning, Hosted, Reached, Standing};
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::{Describe, Simulator};
+use machinist_model::ModelSimulator;
 use machinist_scenes::scenes::find_f64;
 
-use crate::own_scene::{of_specs, of_text};
+use crate::left_surfaces::{exact, on_belt};
+use crate::own_scene::of_specs;
 
 fn scene(name: &str) -> &'static dyn Simulator<f64> {
     find_f64(name).expect("a built-in scene")
@@ -19,11 +21,20 @@ fn parameters(simulator: &dyn Simulator<f64>) -> Vec<f64> {
 }
 
 fn begun(hosted: &Hosted<'_>, simulator: &dyn Simulator<f64>, until: f64) -> Standing {
+    begun_as(false, hosted, simulator, until)
+}
+
+fn begun_as(
+    is_stepped: bool,
+    hosted: &Hosted<'_>,
+    simulator: &dyn Simulator<f64>,
+    until: f64,
+) -> Standing {
     let mut state = vec![0.0; simulator.shape().states()];
     simulator.initial_state(&parameters(simulator), &mut state);
     let is_given = |index: usize| simulator.is_given(index);
     let is_given = &is_given;
-    let (from, rtol, is_stepped) = (0.0, 1e-9, false);
+    let (from, rtol) = (0.0, 1e-9);
     let beginning =
         Beginning { from, until, rtol, is_stepped, state, is_given, in_equilibrium: false };
     hosted.begin(beginning).expect("it begins")
@@ -140,51 +151,31 @@ fn a_piece_ends_where_who_looks_on_says() {
     }
 }
 
-/// A mass at rest on a belt by `-F*sign(v - belt)`, whose speed a host changes between pieces, or
-/// which jumps by itself at the start of one.
+/// Returns the parameters of a mass of 2 kg on a belt, which 0.4 N drag along.
+fn on_belt_with(machine: &ModelSimulator, jump: f64) -> Vec<f64> {
+    let given = [("u.friction", 0.4), ("u.pull", 0.0), ("u.jump", jump), ("u.begins", 1.0)];
+    let mut values = parameters(machine);
+    for (place, value) in values.iter_mut().enumerate() {
+        let found = given.iter().find(|(name, _)| machine.parameter(place).name == *name);
+        *value = found.map_or(*value, |(_, given)| *given);
+    }
+    values
+}
+
+/// A mass at rest on a belt whose speed a host changes between pieces, or which jumps by itself at
+/// the start of one.
 #[test]
 fn a_host_may_move_a_surface_along_which_a_run_slides() {
-    let text = |speed: &str| {
-        format!(
-            r#"
-            [scene]
-            name = "belt"
-            [units.u]
-            unit = "u"
-            [run]
-            until = 5
-            points = 2
-            [define.u.coordinates.x]
-            unit = "m"
-            velocity = "v"
-            [define.u.parameters]
-            belt = {{ value = 0, unit = "m/s" }}
-            friction = {{ value = 0.2, unit = "N" }}
-            [define.u.energy]
-            kinetic = "0.5 [kg]*v^2"
-            [[define.u.forces]]
-            coordinate = "x"
-            expression = "-friction*sign(v - {speed})"
-            "#
-        )
-    };
-    for speed in ["belt", "(belt + 0.5 [m/s]*step(t, 1 [s]))"] {
-        let machine = of_text(&text(speed), Keep::All);
-        let changes = speed == "belt";
+    for (speed, before) in [("jump", 0.0), ("jump*step(t, begins)", 0.5)] {
+        let machine = on_belt(speed, "");
         for method in [Method::Auto, Method::Tsit5, Method::Radau] {
-            let mut values = parameters(&machine);
-            let place = (0..values.len()).find(|k| machine.parameter(*k).name == "u.belt");
-            let mut standing = begun(&Hosted::new(&machine, &values), &machine, 5.0);
+            let [before, behind] = [before, 0.5].map(|jump| on_belt_with(&machine, jump));
+            let mut standing = begun(&Hosted::new(&machine, &before), &machine, 5.0);
             for until in [0.5, 1.0, 1.7, 4.0] {
-                if changes && until > 1.0 {
-                    values[place.expect("a parameter")] = 0.5;
-                }
-                let hosted = Hosted::new(&machine, &values);
+                let hosted = Hosted::new(&machine, if until > 1.0 { &behind } else { &before });
                 let reached = hosted.carry(&mut standing, until, (method, false), &|_, _| false);
                 assert_eq!(reached.expect("it goes on"), Reached::End);
-                let slides = (until - 1.0).clamp(0.0, 2.5);
-                let speed = 0.2 * slides;
-                let place = 0.5 * speed * slides + 0.5 * (until - 3.5).max(0.0);
+                let [place, speed] = exact([0.4, 0.0, 0.5, 1.0], false, until);
                 let found = (standing.state[0], standing.state[1]);
                 let off = (found.0 - place).abs() + (found.1 - speed).abs();
                 assert!(off < 1e-8, "{method}, {until}: {found:?}, not {place}, {speed}");
@@ -196,38 +187,10 @@ fn a_host_may_move_a_surface_along_which_a_run_slides() {
 /// The same by a host that takes steps of its own.
 #[test]
 fn a_host_that_steps_may_move_a_surface() {
-    let machine = of_text(
-        r#"
-        [scene]
-        name = "belt"
-        [units.u]
-        unit = "u"
-        [run]
-        until = 5
-        points = 2
-        [define.u.coordinates.x]
-        unit = "m"
-        velocity = "v"
-        [define.u.parameters]
-        belt = { value = 0, unit = "m/s" }
-        [define.u.energy]
-        kinetic = "0.5 [kg]*v^2"
-        [[define.u.forces]]
-        coordinate = "x"
-        expression = "-0.2 [N]*sign(v - belt)"
-        "#,
-        Keep::All,
-    );
-    let mut values = parameters(&machine);
-    let mut state = vec![0.0; 2];
-    machine.initial_state(&values, &mut state);
-    let (from, until, rtol, is_stepped) = (0.0, 5.0, 1e-9, true);
-    let is_given = &|_| true;
-    let beginning =
-        Beginning { from, until, rtol, is_stepped, state, is_given, in_equilibrium: false };
-    let mut standing = Hosted::new(&machine, &values).begin(beginning).expect("it begins");
-    values[0] = 0.5;
-    let hosted = Hosted::new(&machine, &values);
+    let machine = on_belt("jump", "");
+    let [before, behind] = [0.0, 0.5].map(|jump| on_belt_with(&machine, jump));
+    let mut standing = begun_as(true, &Hosted::new(&machine, &before), &machine, 5.0);
+    let hosted = Hosted::new(&machine, &behind);
     hosted.happen(&mut standing).expect("it goes on");
     let mut rate = vec![0.0; 2];
     hosted.rate(&standing, &mut rate);

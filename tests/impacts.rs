@@ -199,42 +199,45 @@ fn what_sticks_slides_when_it_is_kicked() {
     }
 }
 
+/// Blocks that rub on the ground; one slides towards another, which sticks.
+const BLOCKS: &str = r#"
+    [initial]
+    "a.v" = 2
+    "b.x" = 0.5
+    [run]
+    until = 3
+    points = 61
+    [define.block.coordinates.x]
+    unit = "m"
+    velocity = "v"
+    [define.block.parameters]
+    mass = { value = 1.0, unit = "kg" }
+    coulomb = { value = 1.0, unit = "N" }
+    [define.block.energy]
+    kinetic = "mass*v^2/2"
+    [define.block.friction.guide]
+    speed = "v"
+    sliding = "coulomb"
+    unit = "N"
+"#;
+
 /// Two blocks rub on the ground. One slides into the other, which sticks, with restitution; a third
 /// that touches neither keeps its friction.
 #[test]
 fn a_block_that_is_hit_takes_its_share_of_momentum() {
-    let machine = scene(
-        r#"
+    let own = r#"
         [units]
         a = { unit = "block" }
         b = { unit = "block" }
         c = { unit = "block" }
         [parameters]
         restitution = { value = 0.5, unit = "1" }
-        [initial]
-        "a.v" = 2
-        "b.x" = 0.5
-        [run]
-        until = 3
-        points = 61
-        [define.block.coordinates.x]
-        unit = "m"
-        velocity = "v"
-        [define.block.parameters]
-        mass = { value = 1.0, unit = "kg" }
-        coulomb = { value = 1.0, unit = "N" }
-        [define.block.energy]
-        kinetic = "mass*v^2/2"
-        [define.block.friction.guide]
-        speed = "v"
-        sliding = "coulomb"
-        unit = "N"
         [events.meet]
         guard = "a.x - b.x"
         direction = "rising"
         set = { "a.v" = "a.v - (1 + restitution)*(a.v - b.v)*b.mass/(a.mass + b.mass)", "b.v" = "b.v + (1 + restitution)*(a.v - b.v)*a.mass/(a.mass + b.mass)" }
-        "#,
-    );
+        "#;
+    let machine = scene(&[own, BLOCKS].concat());
     for (mass, restitution) in [(1.0, 0.5), (3.0, 0.9), (0.2, 0.3), (1.0, 1.0)] {
         let values = [("b.mass", mass), ("restitution", restitution), ("b.coulomb", mass)];
         // Both slow down by 1 m/s^2, and a slides back if b is heavier.
@@ -262,40 +265,21 @@ fn a_block_that_is_hit_takes_its_share_of_momentum() {
 /// A hook couples a block that slides to one that sticks: momentum stays, then both slow down.
 #[test]
 fn what_a_hook_pulls_along_slides() {
-    let machine = scene(
-        r#"
+    let own = r#"
         [units]
         a = { unit = "block" }
         b = { unit = "block" }
-        [initial]
-        "a.v" = 2
-        "b.x" = 0.5
-        [run]
-        until = 3
-        points = 61
         [modes.hooked]
         [constraints.hook]
         expression = "a.v - b.v"
         when = { hooked = 1 }
-        [define.block.coordinates.x]
-        unit = "m"
-        velocity = "v"
-        [define.block.parameters]
-        mass = { value = 1.0, unit = "kg" }
-        coulomb = { value = 1.0, unit = "N" }
-        [define.block.energy]
-        kinetic = "mass*v^2/2"
-        [define.block.friction.guide]
-        speed = "v"
-        sliding = "coulomb"
-        unit = "N"
         [events.meet]
         guard = "a.x - b.x"
         direction = "rising"
         when = { hooked = 0 }
         set = { hooked = 1 }
-        "#,
-    );
+        "#;
+    let machine = scene(&[own, BLOCKS].concat());
     for (mass, coulomb) in [(1.0, 1.0), (5.0, 0.1), (0.1, 3.0)] {
         let values = [("b.mass", mass), ("b.coulomb", coulomb)];
         let common = f64::sqrt(3.0) / (1.0 + mass);

@@ -15,7 +15,7 @@ const CARRYING: [Method; 4] = [Method::Tsit5, Method::Dop853, Method::Radau, Met
 const BEGINS: f64 = 1.25;
 
 /// A mass on a belt at rest, pulled by less than the friction, and how belt or mass jump.
-fn on_belt(speed: &str, more: &str) -> ModelSimulator {
+pub fn on_belt(speed: &str, more: &str) -> ModelSimulator {
     of_text(
         &format!(
             r#"
@@ -69,7 +69,7 @@ fn ways() -> Vec<(&'static str, ModelSimulator, bool)> {
 }
 
 /// Position and speed at some time after the start.
-fn exact([friction, pull, jump, begins]: [f64; 4], is_kicked: bool, time: f64) -> [f64; 2] {
+pub fn exact([friction, pull, jump, begins]: [f64; 4], is_kicked: bool, time: f64) -> [f64; 2] {
     if time < begins {
         return [0.0, 0.0];
     }

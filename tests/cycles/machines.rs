@@ -8,7 +8,7 @@ use machinist::periodic::{Bifurcation, BranchSettings, CycleSettings, Stability,
 use machinist_codegen::mechanics::reduce::Keep;
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 
-use super::specs::{JEFFCOTT, STOPPED};
+use super::specs::{JEFFCOTT, STOPPED, rotor};
 use super::{crest, near, of_period};
 use crate::own_scene::of_text;
 
@@ -76,7 +76,7 @@ fn sums(radius: f64, speed: f64) -> [f64; 4] {
 
 #[test]
 fn a_rotor_in_play_whirls_with_the_radius_and_multipliers_of_its_closed_form() {
-    let scene = of_text(JEFFCOTT, Keep::Needed);
+    let scene = of_text(&rotor(JEFFCOTT), Keep::Needed);
     let mut touches = 0;
     for speed in [0.3, 0.6, 0.95, 1.1, 1.25, 3.0] {
         let run = Simulation::new(scene.single());
@@ -119,7 +119,7 @@ fn a_rotor_in_play_leaves_its_stop_at_the_fold_of_its_closed_form() {
         speed(0.5 * (a + b))
     };
     let wanted = turning(1);
-    let scene = of_text(JEFFCOTT, Keep::Needed);
+    let scene = of_text(&rotor(JEFFCOTT), Keep::Needed);
     let settings = BranchSettings {
         cycle: CycleSettings { points: 101, ..of_period("disc.speed", 400.0) },
         parameter: "disc.speed".to_owned(),
@@ -373,23 +373,6 @@ const FOLDS: [f64; 16] = [
 
 /// Rotor with unbalance, damping of the bearings and of the shaft itself, which turns with it.
 const DAMPED_WITHIN: &str = r#"
-    [scene]
-    name = "damped_within"
-    [units.disc]
-    unit = "disc"
-    [initial]
-    "disc.x" = 0.1
-    [outputs]
-    way = { expression = "sqrt(disc.x^2 + disc.y^2)", unit = "m" }
-    [run]
-    until = 400.0
-    points = 2
-    rtol = 1e-11
-    method = "dop853"
-    [define.disc.coordinates.x]
-    unit = "m"
-    [define.disc.coordinates.y]
-    unit = "m"
     [define.disc.parameters]
     speed = { value = 1.3, unit = "rad/s" }
     outer = { value = 0.1, unit = "N s/m" }
@@ -453,7 +436,7 @@ fn largest_exponent(speed: f64, hardening: f64) -> f64 {
 /// of multipliers leaves the unit circle.
 #[test]
 fn damping_within_a_shaft_drives_a_second_frequency_above_the_speed_of_its_closed_form() {
-    let scene = of_text(DAMPED_WITHIN, Keep::Needed);
+    let scene = of_text(&rotor(DAMPED_WITHIN), Keep::Needed);
     for hardening in [0.0, 0.05] {
         let run = Simulation::new(scene.single());
         let run = run.parameter("disc.hardening", hardening).expect("a parameter");

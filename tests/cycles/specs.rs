@@ -74,25 +74,34 @@ pub const BY_SIGN: &str = r#"
     expression = "-friction*sign(v)"
 "#;
 
+/// A disc on a shaft, with own parameters, energies and forces.
+pub fn rotor(own: &str) -> String {
+    format!(
+        r#"
+        [scene]
+        name = "rotor"
+        [units.disc]
+        unit = "disc"
+        [initial]
+        "disc.x" = 0.1
+        [outputs]
+        way = {{ expression = "sqrt(disc.x^2 + disc.y^2)", unit = "m" }}
+        [run]
+        until = 400.0
+        points = 2
+        rtol = 1e-11
+        method = "dop853"
+        [define.disc.coordinates.x]
+        unit = "m"
+        [define.disc.coordinates.y]
+        unit = "m"
+        {own}
+        "#
+    )
+}
+
 /// Jeffcott rotor with unbalance in a bearing with play: an annular stop of radius `PLAY`.
 pub const JEFFCOTT: &str = r#"
-    [scene]
-    name = "jeffcott"
-    [units.disc]
-    unit = "disc"
-    [initial]
-    "disc.x" = 0.1
-    [outputs]
-    way = { expression = "sqrt(disc.x^2 + disc.y^2)", unit = "m" }
-    [run]
-    until = 400.0
-    points = 2
-    rtol = 1e-11
-    method = "dop853"
-    [define.disc.coordinates.x]
-    unit = "m"
-    [define.disc.coordinates.y]
-    unit = "m"
     [define.disc.parameters]
     speed = { value = 0.5, unit = "rad/s" }
     [define.disc.helpers.depth]

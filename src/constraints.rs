@@ -414,6 +414,31 @@ impl<'a> Constraints<'a> {
         residual.iter().zip(sizes).map(off).collect()
     }
 
+    /// Returns the modes of frictions that stick although their speeds differ from zero by more than
+    /// velocities are `allowed` to be off, by their entries in the state.
+    pub(crate) fn frictions_off(
+        &self,
+        time: f64,
+        state: &[f64],
+        allowed: impl Fn(usize) -> f64,
+    ) -> Vec<usize> {
+        let mode = |row: usize| self.simulator.constraint(row).friction;
+        if !(0..self.count).any(|row| mode(row).is_some()) {
+            return Vec::new();
+        }
+        let positions = self.simulator.shape().positions;
+        let residual = self.residual(Level::Velocities, time, state);
+        let matrix = self.matrix(time, state);
+        let is_off = |row: &usize| {
+            let slopes = matrix.row(*row);
+            let of_entries = slopes.iter().enumerate();
+            let zero: f64 = of_entries.map(|(k, slope)| slope.abs() * allowed(positions + k)).sum();
+            residual[*row].abs() > zero
+        };
+        let off = (0..self.count).filter(is_off);
+        off.filter_map(|row| mode(row).map(|mode| mode as usize)).collect()
+    }
+
     /// Returns whether some constraints hold only in modes.
     pub(crate) fn holds_in_modes(&self) -> bool {
         (0..self.count).any(|index| self.simulator.constraint(index).in_modes)

@@ -429,8 +429,9 @@ pub enum StopCause {
     /// prescribed speed that jumps.
     #[error(
         "a prescribed speed jumps, and constraint `{constraint}`, which is active in some modes \
-         only, for example in sticking friction, would need an infinite force to follow. Hint: let \
-         the speed change within a short time, such as by `min(max((t - t0)/1e-3, 0), 1)`"
+         only, would need an infinite force to follow. Hint: write dry friction as `[friction]`, \
+         which then slides, or let the speed change within a short time, such as by `min(max((t - \
+         t0)/1e-3, 0), 1)`"
     )]
     Jerked {
         /// Name of the constraint.

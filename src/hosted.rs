@@ -51,6 +51,8 @@ pub struct Standing {
     atol: Vec<f64>,
     /// True if the host steps the run.
     is_stepped: bool,
+    /// Parameters to which the state has been settled.
+    parameters: Vec<f64>,
     memory: Memory,
 }
 
@@ -207,6 +209,7 @@ impl<'a> Hosted<'a> {
             rtol,
             atol: scales.iter().map(|scale| rtol * scale).collect(),
             is_stepped,
+            parameters: parameters.to_vec(),
             memory: Memory::default(),
         };
         self.pass_jumps(&mut standing);
@@ -280,15 +283,18 @@ impl<'a> Hosted<'a> {
         let system = System::new(self.simulator, self.parameters, false);
         let time = next.within(next.time);
         let mut state = next.state.clone();
-        system.constrain(time, &mut state)?;
-        let times = (time.next_down(), just_behind(time, next.span.1));
+        let is_jump = (time - next.ends.0).abs() <= at_once(time);
         let problem = self.problem(&system, &next, next.span.1);
-        system.take_up(times, &problem.tolerance, &mut state)?;
+        if is_jump || next.parameters != self.parameters {
+            let times = (time.next_down(), just_behind(time, next.span.1));
+            system.take_up(times, &problem.tolerance, &mut state)?;
+            next.parameters.copy_from_slice(self.parameters);
+        }
+        system.constrain(time, &mut state)?;
         let mut memory = next.memory.clone();
         let mut names = Vec::new();
         if let Some(watch) = Watch::resume(&problem, &memory) {
             let switches = if next.is_stepped {
-                let is_jump = (time - next.ends.0).abs() <= at_once(time);
                 watch.happen(&mut memory, (time, is_jump), &mut state)?;
                 watch.into_switches()
             } else {

@@ -22,6 +22,7 @@ use machinist_contract::fixed_step::StepMethod;
 use machinist_model::evaluate::{Evaluator, Inputs};
 use machinist_model::{Model, ModelSimulator, Tape};
 
+use crate::belts;
 use crate::fixed_steps::{adaptive, difference, steps_in_rust};
 use crate::own_scene::{model_of_specs, scenes_to_try, whole_model_of_specs};
 use crate::wasm::{assert_same, expected};
@@ -182,22 +183,38 @@ fn steps_of_emitted_c_give_the_bits_of_steps_in_rust() {
         ("saw_gin_shaft", 100),
     ] {
         let model = whole_model_of_specs(name, Keep::Needed);
-        let step = (model.run.until - model.run.from) / steps as f64;
-        for method in StepMethod::ALL {
-            let options = C99Options { method, ..options(Real::Double, &model) };
-            let start = options.start.clone().unwrap_or_else(|| {
-                let simulator = ModelSimulator::interpreted(model.clone());
-                let p: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
-                let mut state = vec![0.0; model.states.len()];
-                simulator.initial_state(&p, &mut state);
-                state
-            });
-            let program = compiled(&compiler, &model, &options);
-            let of_c = program.run(step, steps, model.states.len());
-            let (of_rust, _) = steps_in_rust(&model, method, (&start, step, steps));
-            for (index, ((_, found, _), wanted)) in of_c.iter().zip(&of_rust).enumerate() {
-                assert_same(&format!("{name} by {method:?}: step {index}"), found, wanted);
-            }
+        assert_steps_alike(&compiler, &model, steps);
+    }
+}
+
+#[test]
+fn friction_begins_anew_in_emitted_c_where_its_belt_jumps() {
+    let Some(compiler) = Compiler::found().map(Compiler::plain) else { return };
+    for steps in [100, 313] {
+        assert_steps_alike(&compiler, belts::scene(belts::IN_TIME).model(), steps);
+    }
+    let at_places = belts::scene(belts::AT_PLACES);
+    let error = emit(at_places.model(), &C99Options::default()).expect_err("a place").to_string();
+    assert!(error.starts_with("constraint `block.guide_grip`"), "{error}");
+}
+
+/// Compares steps of emitted C with those in Rust, bit by bit.
+fn assert_steps_alike(compiler: &Compiler, model: &Model, steps: usize) {
+    let step = (model.run.until - model.run.from) / steps as f64;
+    for method in StepMethod::ALL {
+        let options = C99Options { method, ..options(Real::Double, model) };
+        let start = options.start.clone().unwrap_or_else(|| {
+            let simulator = ModelSimulator::interpreted(model.clone());
+            let p: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+            let mut state = vec![0.0; model.states.len()];
+            simulator.initial_state(&p, &mut state);
+            state
+        });
+        let program = compiled(compiler, model, &options);
+        let of_c = program.run(step, steps, model.states.len());
+        let (of_rust, _) = steps_in_rust(model, method, (&start, step, steps));
+        for (index, ((_, found, _), wanted)) in of_c.iter().zip(&of_rust).enumerate() {
+            assert_same(&format!("{} by {method:?}: step {index}", model.name), found, wanted);
         }
     }
 }

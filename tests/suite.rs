@@ -8,6 +8,7 @@ mod own_scene;
 
 mod algebras;
 mod bells;
+mod belts;
 mod bench_scenes;
 mod bends;
 mod between_switches;

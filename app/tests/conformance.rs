@@ -322,6 +322,28 @@ fn a_motion_leaves_surfaces_that_jump_in_a_page_as_by_the_engine() {
     assert_all_alike(&cases, 1e-6);
 }
 
+/// A block with declared friction on a belt.
+fn rubs_on_belt(speed: &str) -> Case {
+    Case::of_text(&format!(
+        "[scene]\nname = \"belt\"\n[units.u]\nunit = \"u\"\n[initial]\n\"u.v\" = 1\n\
+         [run]\nuntil = 3\npoints = 61\n\
+         [define.u.coordinates.x]\nunit = \"m\"\nvelocity = \"v\"\n\
+         [define.u.energy]\nkinetic = \"1 [kg]*v^2\"\n\
+         [define.u.friction.guide]\nspeed = \"v - ({speed})\"\nsliding = \"3 [N]\"\nunit = \"N\"\n"
+    ))
+}
+
+#[test]
+fn friction_begins_anew_where_belts_jump_in_a_page_as_by_the_engine() {
+    let cases = [
+        rubs_on_belt("1 [m/s]*(1 + step(t, 0.5 [s]))"),
+        rubs_on_belt("1 [m/s]*(1 + step(t, 0.5 [s]) - 2.5*step(t, 0.77 [s]))"),
+        rubs_on_belt("1 [m/s]*(1 + floor(t/(0.8 [s])))"),
+        rubs_on_belt("piecewise(x < 0.5 [m], 1 [m/s], x < 1.5 [m], 2 [m/s], 0.5 [m/s])"),
+    ];
+    assert_all_alike(&cases, 1e-6);
+}
+
 #[test]
 fn an_encoder_of_many_lines_is_counted_in_a_page_as_by_the_engine() {
     let case = Case::of_text(ENCODER);

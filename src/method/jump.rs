@@ -8,11 +8,13 @@
 //!
 //! It is the limit of ever shorter ramps of a prescribed velocity, and its work is supplied. At a
 //! corner, which the machine passes by itself, the impulse takes energy, which is reported.
-//! Constraints that hold in some modes only, such as friction that sticks, have no finite impulse,
-//! and stop the run.
+//!
+//! Dry friction that sticks has a finite force, so it sends no impulse and begins anew from the
+//! speed behind the jump. Other constraints that hold in some modes only stop the run.
 
-use machinist_contract::Shape;
+use machinist_contract::{Constraint, Shape};
 
+use super::watch::is_beyond;
 use super::{StepTolerance, Stopped, System};
 use crate::constraints::Level;
 use crate::error::StopCause;
@@ -31,9 +33,14 @@ pub(crate) fn just_behind(time: f64, until: f64) -> f64 {
     (time + ROUNDINGS * f64::EPSILON * size).min(until)
 }
 
+/// Returns whether two values of a mode are the same.
+fn is_same(a: f64, b: f64) -> bool {
+    (a - b).abs() < 0.5
+}
+
 impl System<'_> {
     /// Projects a state onto the constraints at a time just `behind` a jump, which do not hold at
-    /// one in `front` of it. Returns whether it moved.
+    /// one in `front` of it. Returns whether it moved, or let friction go.
     ///
     /// # Errors
     /// [`StopCause::Jerked`] if a constraint that holds in some modes only would have to pull
@@ -61,11 +68,61 @@ impl System<'_> {
         self.take_up_as((time, time), Some(!is_of_time), allowed, state)
     }
 
+    /// Lets friction that sticks begin anew. Returns whether it does: a contact that cannot slide
+    /// this way sticks on.
+    pub(super) fn reopen(&self, mode: usize, time: f64, state: &mut [f64]) -> bool {
+        let simulator = self.simulator();
+        let stuck = std::mem::replace(&mut state[mode], Constraint::OPEN);
+        let parameters = self.held().all();
+        let events = 0..simulator.events();
+        let counts: Vec<usize> =
+            events.clone().map(|event| simulator.event(event).sets.len()).collect();
+        let mut guards = vec![0.0; counts.len()];
+        let mut values = vec![0.0; counts.iter().sum()];
+        simulator.guards(time, state, &parameters, &mut guards);
+        simulator.resets(time, state, &parameters, &mut values);
+        let mut values = &values[..];
+        for (event, count) in events.zip(counts) {
+            let (own, rest) = values.split_at(count);
+            values = rest;
+            let event_of = simulator.event(event);
+            let place = event_of.sets.iter().position(|entry| *entry as usize == mode);
+            let is_armed = event_of.when.iter().any(|(entry, _)| *entry as usize == mode)
+                && event_of
+                    .when
+                    .iter()
+                    .all(|(entry, value)| is_same(state[*entry as usize], *value));
+            if let Some(place) = place
+                && is_armed
+                && is_beyond(event_of.direction, guards[event])
+                && is_same(own[place], stuck)
+            {
+                state[mode] = stuck;
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Lets the friction of a constraint begin anew from the speed to which the others move it.
+    fn begins_anew(&self, row: usize, behind: f64, state: &mut [f64]) -> bool {
+        let friction = self.simulator().constraint(row).friction;
+        let Some((constraints, mode)) = self.constraints().zip(friction) else { return false };
+        let mode = mode as usize;
+        let mut there = state[..self.states()].to_vec();
+        there[mode] = Constraint::OPEN;
+        constraints.follow(&constraints.led(behind, &there), behind, &mut there);
+        there[mode] = state[mode];
+        let begins = self.reopen(mode, behind, &mut there);
+        state[mode] = there[mode];
+        begins
+    }
+
     fn take_up_as(
         &self,
         (front, behind): (f64, f64),
         is_corner: Option<bool>,
-        StepTolerance { rtol, atol, .. }: &StepTolerance,
+        allowed: &StepTolerance,
         state: &mut [f64],
     ) -> Result<bool, Stopped> {
         let Some(constraints) = self.constraints() else { return Ok(false) };
@@ -73,6 +130,7 @@ impl System<'_> {
         let led = constraints.led(behind, &state[..states]);
         let mut after = state[..states].to_vec();
         constraints.follow(&led, behind, &mut after);
+        let StepTolerance { rtol, atol, .. } = allowed;
         let moved = |index: usize| (after[index] - state[index]).abs();
         let is_noticed =
             |index: usize| moved(index) > NOTICED * (atol[index] + rtol * state[index].abs());
@@ -94,6 +152,10 @@ impl System<'_> {
         let shares = constraints.shares_of_impulse(behind, &after, &moved);
         let is_jerked = |row: &usize| simulator.constraint(*row).in_modes && shares[*row] > PULLS;
         if let Some(row) = (0..shares.len()).find(is_jerked) {
+            if self.begins_anew(row, behind, state) {
+                self.take_up_as((front, behind), is_corner, allowed, state)?;
+                return Ok(true);
+            }
             let constraint = constraints.name(row).to_owned();
             return Err(Stopped { time: front.next_up(), cause: StopCause::Jerked { constraint } });
         }

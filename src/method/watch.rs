@@ -46,6 +46,7 @@ pub(crate) use hosted::Memory;
 use led::Turn;
 use passing::{Guard, Outcome, Parts, Step, Zero};
 use relations::{Change, Relations};
+pub(super) use settle::is_beyond;
 use watched::{Sources, Watched};
 
 /// Maximum number of events within [`NO_TIME`] before a run is declared Zeno. The limit is higher

@@ -193,6 +193,8 @@ struct Relation {
 struct Constraint {
     name: String,
     in_modes: bool,
+    /// The mode of dry friction, as an entry of the state.
+    friction: Option<u32>,
 }
 
 #[derive(Serialize)]
@@ -438,6 +440,7 @@ impl Known {
         let constraint = |known: &machinist_model::Constraint| Constraint {
             name: known.name.path.clone(),
             in_modes: known.in_modes,
+            friction: known.friction,
         };
         let outputs = model.wanted.iter().map(|output| output.name.path.clone());
         let states: Vec<State> = model.states.iter().map(state).collect();

@@ -21,6 +21,7 @@ mod stack;
 mod step;
 mod unit;
 
+use machinist_contract::Jumps;
 use machinist_contract::fixed_step::StepMethod;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Model, StateKind};
@@ -186,6 +187,15 @@ struct Scene<'a> {
 
 impl<'a> Scene<'a> {
     fn new(model: &'a Model, options: &'a C99Options) -> Result<Self, EmitError> {
+        if let Some(of) = model.constraints.iter().find(|it| it.jumps == Jumps::AtPlaces) {
+            let message = format!(
+                "constraint `{}` is of friction whose speed jumps at a place, which fixed steps do \
+                 not find in time. Hint: let the speed change over a short distance, such as by \
+                 `min(max((x - x0)/1e-3, 0), 1)`",
+                of.name.path
+            );
+            return Err(EmitError::Unsupported { message });
+        }
         let idents = model.states.iter().map(|state| state.quantity.name.ident.as_str());
         let state_members = Namer::members(idents);
         let parameter_members =

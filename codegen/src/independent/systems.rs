@@ -310,7 +310,7 @@ impl Recipe {
             is_of_positions: *is_of_positions,
             when: mode.iter().map(|mode| (FirstOrderId(0), i32::from(*mode))).collect(),
             is_dropped: false,
-            is_friction: false,
+            friction: None,
         }
     }
 

@@ -9,7 +9,6 @@ use machinist_model::{
 use crate::lower::checks::checks;
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::state::Motion;
-use crate::scene::system::LagrangianSystem;
 
 /// Returns the description of a model, without its tapes.
 pub fn describe(equations: &EquationsOfMotion) -> Model {
@@ -98,12 +97,15 @@ fn states(equations: &EquationsOfMotion) -> Vec<State> {
     states.collect()
 }
 
+/// Returns the entry of the state that a symbol has.
+fn entry(equations: &EquationsOfMotion, symbol: Symbol) -> u32 {
+    let place = equations.layout.symbols().position(|known| known == symbol);
+    place.expect("what events watch and set is in the state") as u32
+}
+
 /// Returns the events, with entries of the state in place of symbols.
 pub fn events(equations: &EquationsOfMotion) -> Vec<Event> {
-    let entry = |symbol: Symbol| {
-        let place = equations.layout.symbols().position(|known| known == symbol);
-        place.expect("what events watch and set is in the state") as u32
-    };
+    let entry = |symbol: Symbol| entry(equations, symbol);
     let shapes = equations.events.iter().map(|event| Event {
         name: event.name.clone(),
         doc: event.doc.clone(),
@@ -119,13 +121,15 @@ pub fn events(equations: &EquationsOfMotion) -> Vec<Event> {
 }
 
 /// Returns the descriptions of the constraints.
-pub fn constraints(system: &LagrangianSystem) -> Vec<Constraint> {
-    let shapes = system.constraints.iter().map(|constraint| Constraint {
+pub fn constraints(equations: &EquationsOfMotion) -> Vec<Constraint> {
+    let shapes = equations.system.constraints.iter().map(|constraint| Constraint {
         name: constraint.name.clone(),
         doc: constraint.doc.clone(),
         unit: constraint.unit.clone(),
         is_of_positions: constraint.is_of_positions,
         in_modes: !constraint.holds_always(),
+        friction: constraint.friction_mode().map(|mode| entry(equations, Symbol::FirstOrder(mode))),
+        jumps: constraint.friction.unwrap_or_default().jumps,
     });
     shapes.collect()
 }

@@ -73,7 +73,7 @@ pub fn lower(linearization: &Linearization) -> Model {
         constraint_values: graph.tape(&constraint_values),
         constraint_rates: graph.tape(&constraint_rates),
         constraint_matrix: build.constraint_matrix_tape(),
-        constraints: constraints(system),
+        constraints: constraints(&linearization.equations),
         relations,
         ..describe(&linearization.equations)
     };

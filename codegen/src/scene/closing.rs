@@ -108,7 +108,7 @@ impl Resolver<'_> {
             is_of_positions: true,
             when: Vec::new(),
             is_dropped: false,
-            is_friction: false,
+            friction: None,
         });
         Ok(closed.collect())
     }

@@ -9,6 +9,7 @@ use machinist_algebra::cas::arithmetic;
 use machinist_algebra::expr::{
     CoordinateId, Expr, FirstOrderId, Function, HandedId, ParameterId, Symbol,
 };
+use machinist_contract::Jumps;
 use machinist_model::{
     Bound, Direction, ElementKind, Freeze, Name, Place, Quantity, Requirement, RunDefaults, Table,
 };
@@ -82,6 +83,13 @@ pub struct Event {
     pub set: Vec<(Symbol, Expr)>,
 }
 
+/// Declared dry friction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Friction {
+    /// Where its speed may jump.
+    pub jumps: Jumps,
+}
+
 /// A constraint: g(q, t) = 0, or a(q, t) q' + b(q, t) = 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constraint {
@@ -99,8 +107,8 @@ pub struct Constraint {
     pub when: Vec<(FirstOrderId, i32)>,
     /// True if the constraint is redundant and never holds. Others carry its force.
     pub is_dropped: bool,
-    /// True if declared friction holds it, with a limited force.
-    pub is_friction: bool,
+    /// The declared friction that holds it, with a limited force.
+    pub friction: Option<Friction>,
 }
 
 impl Constraint {
@@ -108,6 +116,12 @@ impl Constraint {
     #[must_use]
     pub fn holds_always(&self) -> bool {
         self.when.is_empty() && !self.is_dropped
+    }
+
+    /// Returns the mode of the friction that holds the constraint.
+    #[must_use]
+    pub fn friction_mode(&self) -> Option<FirstOrderId> {
+        self.friction.and_then(|_| self.when.first()).map(|(mode, _)| *mode)
     }
 
     /// Returns 1 while the constraint holds, else 0.

@@ -25,7 +25,7 @@ const STUCK: i32 = 0;
 /// Mode: slides forwards.
 const FORTH: i32 = 1;
 /// Mode: no friction, or not yet determined.
-pub const OPEN: i32 = 2;
+pub const OPEN: i32 = machinist_contract::Constraint::OPEN as i32;
 
 /// Reciprocal of the default speed below which friction sticks initially, in SI units.
 const SLOW: i64 = 1_000_000_000;

@@ -164,31 +164,90 @@ pub struct Constraint<'a> {
     pub is_of_positions: bool,
     /// True if the constraint holds in some modes only. In the others its row of G is zero.
     pub in_modes: bool,
+    /// The mode of the dry friction that sticks by this constraint, as an entry of the state. It is
+    /// [`Constraint::OPEN`] while it is not determined.
+    pub friction: Option<u32>,
+    /// Where the speed of its friction may jump.
+    pub jumps: Jumps,
+}
+
+/// Where the speed of dry friction may jump, so that it begins anew: its force is finite.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Jumps {
+    /// Nowhere.
+    #[default]
+    Nowhere,
+    /// In time, at discontinuities of the rate.
+    InTime,
+    /// At places, and perhaps in time.
+    AtPlaces,
 }
 
 impl<'a> Constraint<'a> {
+    /// Value of the mode of dry friction that is open, or not yet determined: its events determine
+    /// it from the speed at once.
+    pub const OPEN: f64 = 2.0;
+
+    const fn of(
+        name: &'a str,
+        unit: &'a str,
+        doc: &'a str,
+        [is_of_positions, in_modes]: [bool; 2],
+    ) -> Self {
+        Self { name, unit, doc, is_of_positions, in_modes, friction: None, jumps: Jumps::Nowhere }
+    }
+
     /// Returns the constraint g(q, t) = 0.
     #[must_use]
     pub const fn of_positions(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
-        Self { name, unit, doc, is_of_positions: true, in_modes: false }
+        Self::of(name, unit, doc, [true, false])
     }
 
     /// Returns the constraint a(q, t) q' + b(q, t) = 0.
     #[must_use]
     pub const fn of_velocities(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
-        Self { name, unit, doc, is_of_positions: false, in_modes: false }
+        Self::of(name, unit, doc, [false, false])
     }
 
     /// Returns the constraint g(q, t) = 0 that holds in some modes only.
     #[must_use]
     pub const fn of_positions_in_modes(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
-        Self { name, unit, doc, is_of_positions: true, in_modes: true }
+        Self::of(name, unit, doc, [true, true])
     }
 
     /// Returns the constraint a(q, t) q' + b(q, t) = 0 that holds in some modes only.
     #[must_use]
     pub const fn of_velocities_in_modes(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
-        Self { name, unit, doc, is_of_positions: false, in_modes: true }
+        Self::of(name, unit, doc, [false, true])
+    }
+
+    /// Returns the constraint by which dry friction sticks in a value of the mode at an entry of the
+    /// state.
+    #[must_use]
+    pub const fn of_friction(mode: u32, name: &'a str, unit: &'a str, doc: &'a str) -> Self {
+        Self { friction: Some(mode), ..Self::of(name, unit, doc, [false, true]) }
+    }
+
+    /// Returns the same for friction whose speed may jump in time.
+    #[must_use]
+    pub const fn of_friction_in_time(
+        mode: u32,
+        name: &'a str,
+        unit: &'a str,
+        doc: &'a str,
+    ) -> Self {
+        Self { jumps: Jumps::InTime, ..Self::of_friction(mode, name, unit, doc) }
+    }
+
+    /// Returns the same for friction whose speed may jump at places.
+    #[must_use]
+    pub const fn of_friction_at_places(
+        mode: u32,
+        name: &'a str,
+        unit: &'a str,
+        doc: &'a str,
+    ) -> Self {
+        Self { jumps: Jumps::AtPlaces, ..Self::of_friction(mode, name, unit, doc) }
     }
 }
 

@@ -340,15 +340,16 @@ macro_rules! events {
 /// "spec.name": of_positions, "unit", "meaning";
 /// ```
 ///
-/// where `of_positions` may be `of_velocities`.
+/// where `of_positions` may be `of_velocities`, both with `_in_modes`, `of_friction(mode)`,
+/// `of_friction_in_time(mode)` or `of_friction_at_places(mode)`.
 #[macro_export]
 macro_rules! constraints {
-    ($($path:literal: $kind:ident, $unit:literal, $doc:literal;)*) => {
+    ($($path:literal: $kind:ident $(($mode:literal))?, $unit:literal, $doc:literal;)*) => {
         /// Number of constraints.
         pub const CONSTRAINTS: usize = CONSTRAINT_SHAPES.len();
         /// Description of the constraints.
         pub const CONSTRAINT_SHAPES: &[$crate::Constraint<'static>] =
-            &[$($crate::Constraint::$kind($path, $unit, $doc)),*];
+            &[$($crate::Constraint::$kind($($mode,)? $path, $unit, $doc)),*];
     };
 }
 

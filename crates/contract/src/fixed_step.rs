@@ -25,7 +25,7 @@ mod follow;
 mod projection;
 
 use crate::elimination::Elimination;
-use crate::{Real, Simulator};
+use crate::{Constraint, Jumps, Real, Simulator};
 pub use ekf::{Correction, ExtendedKalmanFilter, FilterMemory, FilterSizes};
 use follow::{Follow, Nobody};
 use projection::Projection;
@@ -330,6 +330,14 @@ impl<R: StepNumber> FixedSteps<'_, R> {
             now = jump;
         }
         stepped
+    }
+
+    /// Returns the friction whose speed jumps at places, if there is any: fixed steps evaluate
+    /// relations as they are, so they find such a place only after the speed has jumped.
+    #[must_use]
+    pub fn unsuitable(simulator: &dyn Simulator<R>) -> Option<Constraint<'_>> {
+        let mut all = (0..simulator.constraints()).map(|index| simulator.constraint(index));
+        all.find(|constraint| constraint.jumps == Jumps::AtPlaces)
     }
 
     /// Returns a sufficient number of parts for steps with each event once and one discontinuity

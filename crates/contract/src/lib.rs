@@ -49,7 +49,7 @@ mod table;
 pub mod taylor;
 
 pub use contract::{
-    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, Reader, Refusal,
+    Constraint, Describe, Direction, Energy, Event, Jumps, PowerBalance, Quantity, Reader, Refusal,
     Relation, RelationKind, RunDefaults, Shape, SideBySide, Simulator, SparsityPattern, StateKind,
     jacobians_apart,
 };

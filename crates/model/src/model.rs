@@ -1,6 +1,6 @@
 //! A machine ready to run: one tape for each function.
 
-use machinist_contract as contract;
+use machinist_contract::{self as contract, Jumps};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -110,6 +110,14 @@ mod readers_of_file {
     }
 }
 
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Jumps")]
+enum JumpsOfFile {
+    Nowhere,
+    InTime,
+    AtPlaces,
+}
+
 /// A constraint as a simulator describes it; its functions are on tapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Constraint {
@@ -123,6 +131,12 @@ pub struct Constraint {
     pub is_of_positions: bool,
     /// True if the constraint holds in some modes only.
     pub in_modes: bool,
+    /// The mode of the dry friction that sticks by this constraint, as an entry of the state.
+    #[serde(default)]
+    pub friction: Option<u32>,
+    /// Where the speed of its friction may jump.
+    #[serde(default, with = "JumpsOfFile")]
+    pub jumps: Jumps,
 }
 
 /// A generalized coordinate with its velocity, in the state or not.

@@ -448,6 +448,8 @@ impl Describe for ModelSimulator {
             doc: &constraint.doc,
             is_of_positions: constraint.is_of_positions,
             in_modes: constraint.in_modes,
+            friction: constraint.friction,
+            jumps: constraint.jumps,
         }
     }
     fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {

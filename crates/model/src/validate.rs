@@ -260,6 +260,11 @@ impl Model {
                 return broken(&event.name.path, format!("mentions state {entry}"));
             }
         }
+        for constraint in &self.constraints {
+            if let Some(mode) = constraint.friction.filter(|it| *it as usize >= self.states.len()) {
+                return broken(&constraint.name.path, format!("mentions state {mode}"));
+            }
+        }
         Ok(())
     }
 

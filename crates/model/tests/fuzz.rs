@@ -11,6 +11,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use fastrand::Rng;
+use machinist_contract::Jumps;
 use machinist_contract::field::HANDED;
 use machinist_model::file::{Stamped, read, write};
 use machinist_model::{
@@ -70,6 +71,8 @@ fn constrained() -> Model {
         unit: "m".to_owned(),
         is_of_positions: true,
         in_modes: false,
+        friction: None,
+        jumps: Jumps::Nowhere,
     }];
     machine.constraint_values = random(13, 1, 3);
     machine.constraint_rates = random(14, 1, 3);

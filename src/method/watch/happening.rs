@@ -269,8 +269,7 @@ impl Watch<'_> {
         let lengths: Vec<usize> =
             (0..simulator.events()).map(|event| simulator.event(event).sets.len()).collect();
         let mut values = vec![0.0; lengths.iter().sum()];
-        // New values use live relations, whatever is held.
-        simulator.resets(time, state, self.system.parameters(), &mut values);
+        simulator.resets(time, state, &self.system.held().all(), &mut values);
         let first: usize = lengths[..index].iter().sum();
         let event = simulator.event(index);
         for (entry, value) in event.sets.iter().zip(&values[first..]) {

@@ -208,7 +208,9 @@ impl<'a> Watch<'a> {
         time: f64,
         state: &mut [f64],
     ) -> Result<Vec<Switch>, Stopped> {
-        self.inner.borrow_mut().happening = memory.happening.take();
+        let left = || self.is_undetermined(time, state).then(|| (time, Vec::new()));
+        let happening = memory.happening.take().or_else(left);
+        self.inner.borrow_mut().happening = happening;
         if self.switch(state)?.is_some() {
             self.system.constrain(time, state)?;
         }
@@ -245,7 +247,7 @@ impl<'a> Watch<'a> {
             if found.is_empty() {
                 found = self.passed(memory, time, state);
             }
-            if found.is_empty() {
+            if found.is_empty() && !self.is_undetermined(time, state) {
                 memory.sides.clone_from(&self.inner.borrow().sides);
                 memory.zeros.clone_from(&self.inner.borrow().zeros);
                 memory.latest.clone_from(&self.inner.borrow().latest);

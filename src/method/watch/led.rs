@@ -238,7 +238,7 @@ impl Watch<'_> {
     }
 
     /// Lets parts come to rest or start to move with their drive, in a state from which steps
-    /// start. Returns whether any does.
+    /// start, and modes that were left undetermined be determined. Returns whether any does.
     pub(in crate::method) fn turns(&self, stretch: &Stretch<'_>, time: f64, state: &[f64]) -> bool {
         let is_led = self.constraints().is_some_and(Constraints::holds_in_modes);
         if !is_led || time >= stretch.until {
@@ -247,7 +247,7 @@ impl Watch<'_> {
         let led = self.inner.borrow().parts.led.clone();
         let begins = self.begin_to_rest(time, state);
         let ends = !led.is_empty() && self.goes_otherwise(&led, time, state, 0.0).is_some();
-        if begins.is_empty() && !ends {
+        if begins.is_empty() && !ends && !self.is_undetermined(time, state) {
             return false;
         }
         self.inner.borrow_mut().happening = Some((time, begins));

@@ -86,7 +86,10 @@ impl Watch<'_> {
         let mut happened = 0;
         let is_asked = |index: usize| asked[index];
         self.let_go(time, state, |index| passed[index] = Passed::Left)?;
-        self.hold(time, state);
+        // Relations alone begin no sticking, and may let prescribed speeds jump.
+        if passed.iter().take(simulator.events()).any(|passed| *passed != Passed::No) {
+            self.hold(time, state);
+        }
         while let Some((index, trial)) = self.contradiction(time, state, is_asked, false)? {
             if happened == self.most() {
                 let event = self.system.simulator().event(index).name.to_owned();
@@ -120,6 +123,18 @@ impl Watch<'_> {
         }
     }
 
+    /// Returns whether a jump has left modes undetermined, so that events determine them at once.
+    pub(super) fn is_undetermined(&self, time: f64, state: &[f64]) -> bool {
+        let sides = self.inner.borrow().sides.clone();
+        let guards = self.guards(time, state);
+        (0..self.system.simulator().events()).any(|index| {
+            sides[index] == Side::Idle
+                && self.sets_its_mode(index)
+                && self.is_armed(index, state)
+                && is_beyond(self.direction(index), guards[index])
+        })
+    }
+
     /// Returns whether some constraint holds in some modes only.
     fn holds_in_modes(&self) -> bool {
         self.system.constraints().is_some_and(Constraints::holds_in_modes)
@@ -127,13 +142,16 @@ impl Watch<'_> {
 
     /// Projects velocities onto the constraints of the state's modes. A part that has just begun to
     /// stick is at rest, except for the error of its time, which a guard of its sliding must not
-    /// see.
+    /// see. Friction whose speed has jumped does not stick: its force is finite.
     fn hold(&self, time: f64, state: &mut [f64]) {
         if !self.holds_in_modes() {
             return;
         }
         if let Some(constraints) = self.system.constraints() {
             let state = &mut state[..self.system.states()];
+            for mode in constraints.frictions_off(time, state, |entry| self.allowed(entry, state)) {
+                self.system.reopen(mode, time, state);
+            }
             let mut held = state.to_vec();
             // A failure of the projection is reported once all events have happened.
             if constraints.put_back(Level::Velocities, time, &mut held).is_ok() {
@@ -233,7 +251,7 @@ impl Watch<'_> {
 }
 
 /// Returns whether a guard is on the far side of zero, on which its event has happened.
-pub(super) fn is_beyond(direction: Direction, guard: f64) -> bool {
+pub(in crate::method) fn is_beyond(direction: Direction, guard: f64) -> bool {
     match direction {
         Direction::Rising => guard > 0.0,
         Direction::Falling => guard < 0.0,

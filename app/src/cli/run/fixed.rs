@@ -107,6 +107,16 @@ impl Fixed {
             let message = format!("the run ends at {until} s, which is not after {from} s");
             return Err(Failure::input(message, "`--until` and `--from` set both"));
         }
+        if let Some(friction) = FixedSteps::unsuitable(simulator) {
+            let message = format!(
+                "--fixed: constraint `{}` is of friction whose speed jumps at a place, which fixed \
+                 steps do not find in time",
+                friction.name
+            );
+            let hint = "let the speed change over a short distance, such as by \
+                        `min(max((x - x0)/1e-3, 0), 1)`";
+            return Err(Failure::input(message, hint));
+        }
         let wanted = (until - from) / self.step;
         if wanted > MOST_STEPS {
             let message = format!("--fixed {}: the run would take {wanted:.0} steps", self.step);

@@ -44,6 +44,11 @@ class Constraints {
     }
   }
 
+  // The entry of the mode of the dry friction that sticks by a constraint.
+  friction(row) {
+    return this.machine.known.constraints[row].friction;
+  }
+
   name(row) {
     return this.machine.known.constraints[row].name;
   }

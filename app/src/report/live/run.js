@@ -102,6 +102,10 @@ class Run {
     }
     const before = state.slice();
     if (watch && from > this.from) this.requireSame(from, this.inertia(from - near, state), this.inertia(from + near, state));
+    if (watch && from > this.from) {
+      watch.reopenFrictions(from, state);
+      watch.settle(from, state, range(watch.events.length).filter((index) => !watch.sides[index]), false);
+    }
     system.project(system.within(from), state);
     let [time, step, method, isStiff, last, isRejected] = [from, 0, null, null, null, false];
     const restart = (next) => {

@@ -295,6 +295,7 @@ class Watch {
       (this.isArmed(index, state) ? passed : left).push(index);
       if (!isApproached(index)) turned.push(index);
     }
+    this.reopenFrictions(time, state);
     // The events moved guards that are beyond zero only now.
     const isAsked = (index) => !this.sides[index]
       || (!this.isBeyond(index, before[index]) && !passed.includes(index) && !left.includes(index));
@@ -353,6 +354,23 @@ class Watch {
       happened.push(index);
       this.system.constraints?.rest(time, state);
     }
+  }
+
+  // Lets frictions that stick begin anew if the motion of the rest leaves them behind, as where a
+  // prescribed speed jumps: their forces are finite.
+  reopenFrictions(time, state) {
+    const [STUCK, OPEN] = [0, 2];
+    const { constraints, rtol } = this.system;
+    const rows = range(constraints?.m ?? 0).filter((row) => state[constraints.friction(row)] === STUCK);
+    if (!rows.length) return;
+    const [there, speeds] = [state.slice(), constraints.levels[1]];
+    rows.forEach((row) => { there[constraints.friction(row)] = OPEN; });
+    constraints.project(time, there, [speeds]);
+    rows.forEach((row) => {
+      there[constraints.friction(row)] = STUCK;
+      if (constraints.off(speeds, time, there).off[row] > rtol) state[constraints.friction(row)] = OPEN;
+      there[constraints.friction(row)] = OPEN;
+    });
   }
 
   // Tells if an event would leave its mode.

@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use machinist_model::Direction;
+use machinist_contract::{Constraint, Jumps};
+use machinist_model::{Direction, Model};
 
 use super::Scene;
 use super::expression::literal;
@@ -39,6 +40,13 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
         "Gives the new values of an event to a state, computed from the state before it.",
     ]));
     let _ = writeln!(text, "{};", apply_head(scene));
+    if has_jumping_friction(model) {
+        text.push('\n');
+        text.push_str(&comment([
+            "Lets dry friction begin anew where its speed may jump in time: its force is finite.",
+        ]));
+        let _ = writeln!(text, "{};", reopen_head(scene));
+    }
     text
 }
 
@@ -63,7 +71,8 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
     if scene.model.events.is_empty() {
         return Ok(String::new());
     }
-    Ok(format!("{}\n{}", watched(scene)?, apply(scene)))
+    let reopen = if has_jumping_friction(scene.model) { reopen(scene) } else { String::new() };
+    Ok(format!("{}\n{}{reopen}", watched(scene)?, apply(scene)))
 }
 
 fn watched(scene: &Scene<'_>) -> Result<String, EmitError> {
@@ -86,6 +95,31 @@ fn watched(scene: &Scene<'_>) -> Result<String, EmitError> {
     }
     text.push_str("    default:\n        return 0;\n    }\n}\n");
     Ok(text)
+}
+
+/// Returns whether there is dry friction whose speed jumps in time.
+pub(super) fn has_jumping_friction(model: &Model) -> bool {
+    !model.discontinuities.results.is_empty() && jumping_frictions(model).next().is_some()
+}
+
+/// Returns the modes of dry friction whose speed may jump in time.
+pub(super) fn jumping_frictions(model: &Model) -> impl Iterator<Item = u32> {
+    let jumping = model.constraints.iter().filter(|it| it.jumps == Jumps::InTime);
+    jumping.filter_map(|constraint| constraint.friction)
+}
+
+fn reopen_head(scene: &Scene<'_>) -> String {
+    format!("void {}({} *state)", scene.public("reopen_frictions"), scene.public("state_t"))
+}
+
+fn reopen(scene: &Scene<'_>) -> String {
+    let mut text = format!("\n{}\n{{\n", reopen_head(scene));
+    let open = scene.options.real.literal(Constraint::OPEN).expect("a small integer");
+    for mode in jumping_frictions(scene.model) {
+        let _ = writeln!(text, "    state->{} = {open};", scene.state_members[mode as usize]);
+    }
+    text.push_str("}\n");
+    text
 }
 
 fn apply(scene: &Scene<'_>) -> String {

@@ -6,6 +6,7 @@ use machinist_contract::fixed_step::StepMethod;
 use machinist_model::{Direction, State, StateKind};
 
 use super::description::needs_start;
+use super::events::has_jumping_friction;
 use super::functions::broken_head;
 use super::layout::{comment, statement};
 use super::{Real, Scene, cost, estimator, implicit};
@@ -418,9 +419,15 @@ fn events(scene: &Scene<'_>) -> String {
     } else {
         ("", "", "        int found;\n")
     };
+    let reopening = if has_jumping_friction(scene.model) {
+        "                scene_reopen_frictions(&machine->state);\n"
+    } else {
+        ""
+    };
+    let at = at.replace("REOPEN\n", reopening);
     let text = text
         .replace("        int found;\nNEXT_JUMP\n", &format!("{declared}{next}"))
-        .replace("AT_JUMP\n", at);
+        .replace("AT_JUMP\n", &at);
     let text = estimator::hooked(scene, &text);
     let text = scene.filled(&with_library_names(&text, scene.options.real));
     let list = statement(&directions, 4);

@@ -10,7 +10,7 @@ use machinist_contract::RelationKind;
 use machinist_model::Model;
 
 use super::layout::{comment, remark};
-use super::{C99File, C99Options, Real, Scene, description, emit};
+use super::{C99File, C99Options, Real, Scene, description, emit, events};
 use crate::emit::EmitError;
 
 const HEADER: &str = include_str!("unit/unit.h");
@@ -225,6 +225,7 @@ impl Sources<'_> {
             "SCENE_EVENTS" => !model.events.is_empty(),
             "SCENE_KINKS" => !model.kink_guards.results.is_empty(),
             "SCENE_DISCONTINUITIES" => !model.discontinuities.results.is_empty(),
+            "FRICTION_JUMPS" => events::has_jumping_friction(model),
             "SCENE_CONSTRAINTS" => !model.constraints.is_empty(),
             "SCENE_OUTPUTS" => !model.wanted.is_empty(),
             "SOME_INDICATORS" => indicators > 0,

@@ -12,6 +12,7 @@ use super::series::Series;
 use crate::emit::EmitError;
 use crate::emit::literal::literal_text;
 use crate::emit::text::{markdown, markdown_line};
+use machinist_contract::Jumps;
 use machinist_model::{Direction, Quantity, SparsityPattern, StateKind};
 
 /// Returns everything except the functions.
@@ -210,11 +211,19 @@ fn constraints(scene: &Scene<'_>) -> String {
         return String::new();
     }
     let rows = constraints.iter().map(|constraint| {
-        let kind = match (constraint.is_of_positions, constraint.in_modes) {
-            (true, false) => "of_positions",
-            (false, false) => "of_velocities",
-            (true, true) => "of_positions_in_modes",
-            (false, true) => "of_velocities_in_modes",
+        let kind = match (constraint.is_of_positions, constraint.in_modes, constraint.friction) {
+            (_, _, Some(mode)) => {
+                let suffix = match constraint.jumps {
+                    Jumps::Nowhere => "",
+                    Jumps::InTime => "_in_time",
+                    Jumps::AtPlaces => "_at_places",
+                };
+                format!("of_friction{suffix}({mode})")
+            }
+            (true, false, _) => "of_positions".to_owned(),
+            (false, false, _) => "of_velocities".to_owned(),
+            (true, true, _) => "of_positions_in_modes".to_owned(),
+            (false, true, _) => "of_velocities_in_modes".to_owned(),
         };
         let [name, unit, doc] =
             [&constraint.name.path, &constraint.unit, &constraint.doc].map(|text| string(text));

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::scene::assemble::Assembler;
 use crate::scene::layout::Scope;
 use crate::scene::names::{Flat, name};
-use crate::scene::system::Constraint;
+use crate::scene::system::{Constraint, Friction};
 use crate::scene::typed::Typed;
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Dimension;
@@ -49,7 +49,7 @@ impl Assembler<'_> {
                 is_of_positions,
                 when,
                 is_dropped: false,
-                is_friction: constraint.friction.is_some(),
+                friction: constraint.friction.is_some().then(Friction::default),
             });
         }
         for cut in &self.layout.cuts {

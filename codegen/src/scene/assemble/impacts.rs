@@ -5,6 +5,9 @@
 //! parts that it moves begins anew, from its speed after the impact: its mode becomes undetermined,
 //! and its own event determines the mode at the same instant. An event that sets the mode of a
 //! friction itself is left as it is.
+//!
+//! The same holds where prescribed speeds jump, in time or at places, which the constraint of the
+//! friction notes.
 
 use std::collections::BTreeSet;
 
@@ -12,17 +15,20 @@ use crate::scene::joints::{join, root};
 use crate::scene::system::{Constraint, Event, LagrangianSystem};
 use crate::scene::typed::integer;
 use crate::spec::friction::OPEN;
-use machinist_algebra::expr::{Expr, FirstOrderId, Symbol};
+use machinist_algebra::expr::{Expr, FirstOrderId, Function, Shared, Symbol};
+use machinist_contract::Jumps;
 
 /// Lets frictions begin anew after events through which velocities may jump.
 pub(super) fn reopen_frictions(system: &mut LagrangianSystem) {
-    let grips = system.constraints.iter().filter(|constraint| constraint.is_friction);
-    let frictions: Vec<(FirstOrderId, BTreeSet<usize>)> =
-        grips.map(|grip| (grip.when[0].0, coordinates(&grip.expr))).collect();
-    if frictions.is_empty() {
+    if system.constraints.iter().all(|constraint| constraint.friction.is_none()) {
         return;
     }
     let together = moved_together(system);
+    where_speeds_jump(system, &together);
+    let frictions = system.constraints.iter().filter_map(|constraint| {
+        Some((constraint.friction_mode()?, coordinates(&constraint.expr)))
+    });
+    let frictions: Vec<(FirstOrderId, BTreeSet<usize>)> = frictions.collect();
     let mut events = std::mem::take(&mut system.events);
     for event in &mut events {
         let jumping: BTreeSet<usize> =
@@ -38,6 +44,53 @@ pub(super) fn reopen_frictions(system: &mut LagrangianSystem) {
     system.events = events;
 }
 
+/// Notes where prescribed speeds jump that frictions follow while they stick.
+fn where_speeds_jump(system: &mut LagrangianSystem, together: &[usize]) {
+    let moves = |of: &Constraint| -> BTreeSet<usize> {
+        coordinates(&of.expr).into_iter().map(|one| together[one]).collect()
+    };
+    let all = system.constraints.iter();
+    let all: Vec<_> = all.map(|one| (moves(one), jumps(one), one.friction.is_some())).collect();
+    for (index, constraint) in system.constraints.iter_mut().enumerate() {
+        let Some(friction) = &mut constraint.friction else { continue };
+        let followed = all.iter().enumerate().filter(|(other, (moves, _, is_friction))| {
+            *other == index || !is_friction && !moves.is_disjoint(&all[index].0)
+        });
+        friction.jumps = followed.map(|(_, (_, jumps, _))| *jumps).max().unwrap_or_default();
+    }
+}
+
+/// Returns where the speed that a constraint prescribes may jump.
+fn jumps(constraint: &Constraint) -> Jumps {
+    let mut jumps = Jumps::Nowhere;
+    let mut find = |expr: &Expr| {
+        expr.visit(&mut |part| {
+            let found = match part {
+                Expr::Call(Function::SelectLess, of) => match &of[..] {
+                    [Expr::Symbol(Symbol::Time), ..] => Jumps::InTime,
+                    // min, max: the speed of q jumps there, and not that of q'.
+                    [a, b, then, otherwise]
+                        if [(a, b), (b, a)].contains(&(then, otherwise))
+                            && !constraint.is_of_positions =>
+                    {
+                        Jumps::Nowhere
+                    }
+                    _ => Jumps::AtPlaces,
+                },
+                Expr::Call(Function::Floor, _) => Jumps::AtPlaces,
+                Expr::Call(Function::Abs, _) if constraint.is_of_positions => Jumps::AtPlaces,
+                _ => Jumps::Nowhere,
+            };
+            jumps = jumps.max(found);
+        });
+    };
+    find(&constraint.expr);
+    for part in Shared::within(&constraint.expr, |_| false) {
+        find(part.definition());
+    }
+    jumps
+}
+
 /// Returns the coordinates through which an event may send an impulse: those whose velocities it
 /// sets, those of constraints that may begin to hold, and all if it may change the inertia.
 fn jumping(event: &Event, system: &LagrangianSystem) -> BTreeSet<usize> {
@@ -50,7 +103,7 @@ fn jumping(event: &Event, system: &LagrangianSystem) -> BTreeSet<usize> {
                     jumping.extend(0..system.coordinates.len());
                 }
                 let begins = |one: &&Constraint| {
-                    !one.is_friction && one.when.iter().any(|(other, _)| other == mode)
+                    one.friction.is_none() && one.when.iter().any(|(other, _)| other == mode)
                 };
                 let begin = system.constraints.iter().filter(begins);
                 jumping.extend(begin.flat_map(|constraint| coordinates(&constraint.expr)));

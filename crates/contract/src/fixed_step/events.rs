@@ -1,7 +1,7 @@
 //! Events within a fixed step.
 
 use super::{FixedSteps, Follow, Nobody, Rest, Room, Scratch, StepNumber, Stepped, before_jump};
-use crate::Direction;
+use crate::{Constraint, Direction, Jumps};
 
 /// Values and rates of the guards, at the start or the end of a part of a step.
 struct Guards<'w, R> {
@@ -277,6 +277,16 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         happened
     }
 
+    /// Lets frictions begin anew whose speeds may jump in time: their forces are finite.
+    fn reopen_frictions(&self, state: &mut [R]) {
+        for constraint in 0..self.simulator.constraints() {
+            let constraint = self.simulator.constraint(constraint);
+            if let Some(mode) = constraint.friction.filter(|_| constraint.jumps == Jumps::InTime) {
+                state[mode as usize] = R::literal(Constraint::OPEN);
+            }
+        }
+    }
+
     /// Marks guards that cross zero up to the end of a part of a step, and reports whether there
     /// are any. A guard that started at zero, and whose event ends a mode in which it is active,
     /// has crossed when it is beyond zero: no state of that mode is there.
@@ -356,6 +366,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
                 let Some(jump) = jump else { break };
                 left = left - (jump - now);
                 now = jump;
+                self.reopen_frictions(state);
                 self.simulator.guards(now, state, self.parameters, watch.end.values);
                 if self.pass(state, &mut watch) {
                     let room = (&mut watch, &mut scratch);

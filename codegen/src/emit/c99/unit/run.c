@@ -46,13 +46,24 @@ int scene_unit_update(scene_unit_t *unit, int *has_moved, double *next)
     double guards[SCENE_EVENTS];
     double now;
 #endif
+#ifdef FRICTION_JUMPS
+    double jumped;
+#endif
 
     if (status != SCENE_OK) {
         return status;
     }
     prepare(unit);
+#ifdef FRICTION_JUMPS
+    jumped = unit->jumps[0];
+#endif
 #ifdef SCENE_DISCONTINUITIES
     find_jumps(unit);
+#endif
+#ifdef FRICTION_JUMPS
+    if (jumped < unit->jumps[0]) {
+        scene_reopen_frictions(&unit->machine.state);
+    }
 #endif
 #ifdef SCENE_CONSTRAINTS
     scene_project(&unit->machine);

@@ -18,6 +18,7 @@
 //! If that is negative, the energy does not suffice to reach the other side, and the motion is
 //! thrown back with g'(v+) = -g'(v-). A guard that reads velocities has no such limit.
 
+use machinist_contract::Constraint;
 use nalgebra::DVector;
 
 use super::{Stopped, System, Watch};
@@ -296,6 +297,12 @@ impl System<'_> {
         if self.tangents().is_some() {
             return Err(Stopped { time: behind.time, cause: StopCause::InertiaJumps });
         }
+        let [front, behind] = [front, behind].map(|moment| {
+            let mut moment = moment.clone();
+            self.open_frictions(&mut moment.state);
+            moment
+        });
+        let (front, behind) = (&front, &behind);
         let start = &front.state[self.velocities()];
         let all = vec![true; start.len()];
         let free = if let Cause::Events(free) = cause { free } else { &all[..] };
@@ -323,12 +330,23 @@ impl System<'_> {
         Ok(Some(Passage { velocities, is_thrown_back: true }))
     }
 
+    /// Opens dry frictions, whose finite forces send no impulse: they begin anew behind it.
+    fn open_frictions(&self, state: &mut [f64]) {
+        let simulator = self.simulator();
+        for row in 0..simulator.constraints() {
+            if let Some(mode) = simulator.constraint(row).friction {
+                state[mode as usize] = Constraint::OPEN;
+            }
+        }
+    }
+
     /// Gives a state the velocities of a passage, and returns the kinetic energy gained.
     fn take(&self, passage: &Passage, (front, to): (&Moment, &Moment), state: &mut [f64]) -> f64 {
         let velocities = self.velocities();
         let gained = self.kinetic(to, &passage.velocities)
             - self.kinetic(front, &front.state[velocities.clone()]);
         state[velocities].copy_from_slice(&passage.velocities);
+        self.open_frictions(state);
         gained
     }
 

@@ -146,7 +146,8 @@ fn require_exact(
                 assert!(off < 100.0 * rtol, "{what}: {x}, {v}, not {exact:?}");
             }
             let balance = run.energy_balance.as_ref().expect("asked for");
-            assert!(balance.max_residual_relative() < 100.0 * rtol, "{method}, {values:?}");
+            let off = balance.max_residual_relative();
+            assert!(off < 100.0 * rtol, "{method}, {rtol:e}, {values:?}: {off:e}");
         }
     }
 }
@@ -235,10 +236,11 @@ fn sensitivities_go_through_jumps_of_belts() {
 }
 
 /// A block that sticks to its belt and becomes heavier or lighter at a place, which keeps its
-/// energy, or at a time, which keeps its momentum.
+/// energy, or at a time, which keeps its momentum. No row is at the jump, on one side of which it
+/// would have to be.
 #[test]
 fn a_block_slides_after_its_mass_jumps() {
-    for (condition, power) in [("x < near", 0.5), ("t < begins", 1.0)] {
+    for (condition, power) in [("t < begins", 1.0), ("x < near", 0.5)] {
         let machine = of_text(
             &format!(
                 r#"
@@ -250,7 +252,7 @@ fn a_block_slides_after_its_mass_jumps() {
                 "block.v" = "block.belt"
                 [run]
                 until = {UNTIL}
-                points = 81
+                points = 80
                 [define.block.coordinates.x]
                 unit = "m"
                 velocity = "v"
@@ -276,7 +278,7 @@ fn a_block_slides_after_its_mass_jumps() {
                 ("block.other", other),
                 ("block.coulomb", coulomb),
                 ("block.belt", belt),
-                ("block.near", belt * 0.5),
+                if power < 1.0 { ("block.near", belt * 0.5) } else { ("block.begins", 0.5) },
             ];
             let after = Belt { speeds: [belt; 3], slows: coulomb / other, jumps: [0.5, 9.0] };
             let slows = belt * f64::powf(2.0 / other, power);

@@ -41,6 +41,12 @@ const TARGETS: [Target; 3] = [
 
 const LEVELS: [&str; 3] = ["-O0", "-O2", "-O3"];
 
+/// Returns the levels of optimisation to try. The last takes as long as the others together.
+fn levels() -> &'static [&'static str] {
+    let is_all = std::env::var("MACHINIST_C99").is_ok_and(|which| which == "all");
+    if is_all { &LEVELS } else { &LEVELS[..2] }
+}
+
 /// A motor, friction with events, constraints, a brake that is a constraint.
 const SCENES: [&str; 4] = ["saw_gin", "stick_slip", "four_bar", "drives/winch"];
 
@@ -120,7 +126,11 @@ fn compare(said: &str, (name, files): (&str, &[C99File]), targets: &[&Target]) {
     }
     let bounds = StackBounds::of(&files[0].text, &files[1].text);
     for target in targets {
-        let stacks = LEVELS.map(|level| (level, target.stacks((name, folder.path()), level)));
+        let stacks = levels().iter().map(|level| {
+            let stacks = target.stacks((name, folder.path()), level);
+            (*level, stacks)
+        });
+        let stacks: Vec<_> = stacks.collect();
         for function in ["step", "estimator_predict", "estimator_correct"] {
             let Some(bound) = bounds.function(&format!("{name}_{function}")) else { continue };
             assert!(files[0].text.replace("\n * ", " ").contains(&format!("holds {bound}.")));

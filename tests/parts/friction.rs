@@ -682,5 +682,5 @@ fn a_constraint_in_a_mode_is_emitted_as_one() {
     emit_scenes(folder.path(), &[model], Mode::Write).expect("emitted");
     let file = folder.path().join("rotational_brake.rs");
     let text = std::fs::read_to_string(file).expect("a file");
-    assert!(text.contains("of_velocities_in_modes"), "{text}");
+    assert!(text.contains("of_friction("), "{text}");
 }

@@ -289,7 +289,7 @@ fn intervals_of_elementary_effects_hold_the_exact_mean() {
 }
 
 #[test]
-#[ignore = "takes half an hour"]
+#[ignore = "takes 20 minutes"]
 fn study_of_all_intervals() {
     for sampler in Sampler::ALL {
         for samples in [1024, 4096] {

@@ -29,6 +29,7 @@ mod follow;
 mod guess;
 mod locate;
 mod newton;
+mod section;
 mod shot;
 
 use std::f64::consts::TAU;
@@ -43,9 +44,10 @@ use equations::{Guess, Period as Span, Problem};
 use newton::Solution;
 
 pub use branch::{Bifurcation, Branch, BranchPoint, BranchSettings, MAX_POINTS, branch};
-pub use doubled::doubled;
+pub use doubled::{doubled, doublings};
 pub use error::CycleError;
 pub use floquet::{Crossing, Multiplier, Stability};
+pub use section::{Section, repeats};
 
 /// Maximum number of segments of a period.
 pub const MAX_SEGMENTS: usize = 200;

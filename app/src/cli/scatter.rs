@@ -289,7 +289,7 @@ impl ScatterCommand {
             let of = ("scatter", self.scene.scene.as_str(), scene);
             parquet::write_table(file, &columns, of, self.told(inputs, results))
         } else {
-            write_file(file, |out| runs::write_csv(&columns, out))
+            write_file(file, |out| parquet::write_csv(&columns, out))
         }
     }
 

@@ -29,6 +29,7 @@ mod follow;
 mod guess;
 mod locate;
 mod newton;
+mod section;
 mod shot;
 
 use std::f64::consts::TAU;
@@ -39,13 +40,14 @@ use serde::Serialize;
 use crate::error::did_you_mean;
 use crate::simulate::Simulation;
 use crate::trajectory::{ColumnKind, Trajectory};
-use equations::{Period as Span, Problem};
+use equations::{Guess, Period as Span, Problem};
 use newton::Solution;
 
 pub use branch::{Bifurcation, Branch, BranchPoint, BranchSettings, MAX_POINTS, branch};
-pub use doubled::doubled;
+pub use doubled::{doubled, doublings};
 pub use error::CycleError;
 pub use floquet::{Crossing, Multiplier, Stability};
+pub use section::{Section, repeats};
 
 /// Maximum number of segments of a period.
 pub const MAX_SEGMENTS: usize = 200;
@@ -166,9 +168,40 @@ impl Cycle {
 /// ```
 pub fn cycle(run: &Simulation<'_>, settings: &CycleSettings) -> Result<Cycle, CycleError> {
     let problem = problem(run, settings)?;
-    let guess = guess::settled(&problem, settings)?;
-    let solution = newton::solve(&problem, guess, settings.max_iterations)?;
+    let solution = first(&problem, settings)?;
     finished(&problem, &solution, settings.points)
+}
+
+/// Finds the motion that the machine settles to.
+fn first(problem: &Problem<'_>, settings: &CycleSettings) -> Result<Solution, CycleError> {
+    let guess = guess::settled(problem, settings)?;
+    let solution = newton::solve(problem, guess, settings.max_iterations)?;
+    if problem.period != Span::Unknown {
+        require_repetition(problem, &solution.guess)?;
+    }
+    Ok(solution)
+}
+
+/// Requires that the motion solves the equations a period later too. It does not if the excitation
+/// has another period.
+fn require_repetition(problem: &Problem<'_>, guess: &Guess) -> Result<(), CycleError> {
+    let mut later = guess.clone();
+    later.skipped += 1.0;
+    for node in &mut later.nodes {
+        node.iter_mut().zip(&problem.advance).for_each(|(state, advance)| *state += advance);
+    }
+    let (share, state, difference) = problem.largest_gap(&problem.shots(&later)?);
+    // Half of the digits: near a grazing event, differences grow as square roots.
+    if share <= problem.tolerance().sqrt() {
+        return Ok(());
+    }
+    let simulator = problem.run.simulator();
+    Err(CycleError::OtherExcitation {
+        scene: simulator.name().to_owned(),
+        period: problem.span_of(guess).1,
+        state: simulator.state(state).name.to_owned(),
+        difference,
+    })
 }
 
 /// Checks the settings and states the problem.

@@ -27,6 +27,7 @@ mod distribution;
 mod evaluate;
 mod hash;
 mod indices;
+mod jackknife;
 mod linear;
 mod normal;
 mod points;

@@ -92,6 +92,27 @@ pub struct VariantRun {
     pub steps: u64,
 }
 
+impl VariantRun {
+    /// Returns the values of a place over the output times: of an output, or of a state, whose
+    /// indices are beyond those of the outputs.
+    pub fn values_of(&self, place: usize) -> impl DoubleEndedIterator<Item = f64> + '_ {
+        let outputs = self.outputs.first().map_or(0, Vec::len);
+        let (rows, column) = if place < outputs {
+            (&self.outputs, place)
+        } else {
+            (&self.states, place - outputs)
+        };
+        rows.iter().map(move |row| row[column])
+    }
+
+    /// Returns the last values of places, place after place.
+    #[must_use]
+    pub fn last(&self, places: &[usize], count: usize) -> Vec<Vec<f64>> {
+        let skipped = self.times.len().saturating_sub(count);
+        places.iter().map(|place| self.values_of(*place).skip(skipped).collect()).collect()
+    }
+}
+
 /// Selection of results that are kept for each variant.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wanted {
@@ -106,22 +127,13 @@ impl Wanted {
     /// Returns the selected values, one for each place, or two with `extremes`.
     #[must_use]
     pub fn values(&self, run: &VariantRun) -> Vec<f64> {
-        let outputs = run.outputs.first().map_or(0, Vec::len);
-        let of = |place: usize| {
-            let (rows, column) = if place < outputs {
-                (&run.outputs, place)
-            } else {
-                (&run.states, place - outputs)
-            };
-            rows.iter().map(move |row| row[column])
-        };
         let values = self.places.iter().flat_map(|place| {
             if self.extremes {
-                let least = of(*place).fold(f64::INFINITY, f64::min);
-                let greatest = of(*place).fold(f64::NEG_INFINITY, f64::max);
+                let least = run.values_of(*place).fold(f64::INFINITY, f64::min);
+                let greatest = run.values_of(*place).fold(f64::NEG_INFINITY, f64::max);
                 vec![least, greatest]
             } else {
-                of(*place).next_back().into_iter().collect()
+                run.values_of(*place).next_back().into_iter().collect()
             }
         });
         values.collect()

@@ -2,6 +2,8 @@
 //! with two values (Meissner), backlash against shooting from corner to corner
 //! (`tests/gears/references.py`).
 
+mod describing;
+
 use std::f64::consts::TAU;
 
 use machinist::Simulation;
@@ -196,45 +198,55 @@ const WAY: &str = r#"
     unit = "m"
     [define.pair.parameters]
     tooth = { value = 1.2, unit = "rad/s" }
+    damping = { value = 0.1, unit = "N s/m" }
+    load = { value = 0.1, unit = "N" }
+    error = { value = 0.05, unit = "m" }
     [define.pair.helpers.compression]
     expression = "max(x - 1 [m], 0) + min(x + 1 [m], 0)"
     unit = "m"
     [define.pair.energy]
     kinetic = "1 [kg]*x_dot^2/2"
     potential = "1 [N/m]*compression^2/2"
-    dissipation = "0.1 [N s/m]*x_dot^2/2"
+    dissipation = "damping*x_dot^2/2"
     [[define.pair.forces]]
     coordinate = "x"
-    expression = "0.1 [N] + 0.05 [kg m]*tooth^2*cos(tooth*t)"
+    expression = "load + 1 [kg]*error*tooth^2*cos(tooth*t)"
 "#;
 
-/// Follows the branch over a parameter and compares its folds.
+/// Follows the branch over a parameter and returns its two folds, in the order of the branch.
+fn folds(
+    run: &Simulation<'_>,
+    (parameter, from, to): (&str, f64, f64),
+    cycle: &CycleSettings,
+    most: usize,
+) -> [f64; 2] {
+    let settings = BranchSettings {
+        cycle: cycle.clone(),
+        parameter: parameter.to_owned(),
+        from,
+        to,
+        longest_step: 0.05,
+        max_points: most,
+    };
+    let found = branch(run, &settings).expect("a branch");
+    assert!(found.is_complete, "{}", found.end);
+    let all: Vec<(Bifurcation, f64)> =
+        found.bifurcations().map(|(kind, point)| (kind, point.value)).collect();
+    match all[..] {
+        [(Bifurcation::Fold, first), (Bifurcation::Fold, second)] => [first, second],
+        _ => panic!("{all:?}"),
+    }
+}
+
 fn assert_folds(
-    (scene, folds): (&ModelSimulator, [f64; 2]),
+    (scene, [low, high]): (&ModelSimulator, [f64; 2]),
     parameter: &str,
     cycle: &CycleSettings,
     most: usize,
 ) {
-    for (from, to, folds) in [(1.2, 0.6, folds), (0.6, 1.2, [folds[1], folds[0]])] {
-        let settings = BranchSettings {
-            cycle: cycle.clone(),
-            parameter: parameter.to_owned(),
-            from,
-            to,
-            longest_step: 0.05,
-            max_points: most,
-        };
-        let found = branch(&Simulation::new(scene), &settings).expect("a branch");
-        assert!(found.is_complete, "{}", found.end);
-        let found: Vec<f64> = found
-            .bifurcations()
-            .map(|(kind, point)| {
-                assert_eq!(kind, Bifurcation::Fold);
-                point.value
-            })
-            .collect();
-        assert_eq!(found.len(), 2, "{found:?}");
-        for (fold, wanted) in found.iter().zip(folds) {
+    for (from, to, wanted) in [(1.2, 0.6, [low, high]), (0.6, 1.2, [high, low])] {
+        let found = folds(&Simulation::new(scene), (parameter, from, to), cycle, most);
+        for (fold, wanted) in found.iter().zip(wanted) {
             assert!((fold - wanted).abs() < 1e-8, "{fold} for {wanted}");
         }
     }

@@ -117,7 +117,8 @@ fn scrambled_sobol_points_converge_much_faster_than_random_ones() {
 
 #[test]
 fn latin_hypercubes_have_one_value_in_each_interval() {
-    let design = Design { sampler: Sampler::Latin, dimensions: 5, samples: 16 * 50, seed: 3 };
+    let design =
+        Design { sampler: Sampler::Latin, dimensions: 5, samples: REPLICATES * 50, seed: 3 };
     let points = design.points().expect("points");
     for replicate in 0..REPLICATES {
         for dimension in 0..5 {
@@ -329,7 +330,7 @@ fn indices_of_the_g_function_are_those_of_its_closed_form() {
     let g =
         |u: &[f64]| u.iter().zip(a).map(|(u, a)| ((4.0 * u - 2.0).abs() + a) / (1.0 + a)).product();
     let found = indices_of(Sampler::Sobol, (6, 4096), g);
-    compare(&found, &first, &total, 0.01);
+    compare(&found, &first, &total, 0.02);
     assert!((found.variance / variance - 1.0).abs() < 0.02);
 }
 

@@ -5,6 +5,7 @@
 //! `machinist.run` and so on, and the units of columns are under `machinist.units`.
 
 use std::collections::BTreeSet;
+use std::io;
 use std::path::Path;
 
 use machinist::Trajectory;
@@ -60,6 +61,37 @@ impl Column {
         let (name, unit) = (name.into(), Some(unit.to_owned()));
         Self { name, unit, values: Values::Numbers(values) }
     }
+}
+
+impl Values {
+    fn len(&self) -> usize {
+        match self {
+            Self::Numbers(values) => values.len(),
+            Self::Some(values) => values.len(),
+            Self::Counts(values) => values.len(),
+            Self::Texts(values) => values.len(),
+        }
+    }
+
+    /// Returns a value as text, empty if it is missing.
+    fn cell(&self, row: usize) -> String {
+        match self {
+            Self::Numbers(values) => values[row].to_string(),
+            Self::Some(values) => values[row].map_or_else(String::new, |value| value.to_string()),
+            Self::Counts(values) => values[row].to_string(),
+            Self::Texts(values) => values[row].clone().unwrap_or_default(),
+        }
+    }
+}
+
+/// Writes columns of equal length as a CSV table.
+pub fn write_csv(columns: &[Column], out: &mut dyn io::Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(columns.iter().map(Column::head))?;
+    for row in 0..columns.first().map_or(0, |column| column.values.len()) {
+        writer.write_record(columns.iter().map(|column| column.values.cell(row)))?;
+    }
+    writer.flush()
 }
 
 /// Returns whether a file is to be a Parquet file, by its extension.

@@ -29,7 +29,7 @@ from .errors import (
 )
 
 if TYPE_CHECKING:
-    from ._cycle import Branch, BranchPoint, Cycle, Multiplier, branch, cycle
+    from ._cycle import Branch, BranchPoint, Cycle, Multiplier, Sections, branch, cycle, sections
     from ._designs import Design, design
     from ._fit import Fit
     from ._linear import Mode, Modes, Response
@@ -56,6 +56,7 @@ _LATER = {
     "Regulator": "_state_space",
     "Response": "_linear",
     "Run": "_run",
+    "Sections": "_cycle",
     "Scatter": "_scatter",
     "Sensitivities": "_sensitivities",
     "StateSpace": "_state_space",
@@ -65,6 +66,7 @@ _LATER = {
     "design": "_designs",
     "load": "_model",
     "scatter": "_scatter",
+    "sections": "_cycle",
     "sweep": "_sweep",
 }
 

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _machinist
 from ._run import Run
 from ._tables import html, text
+from .errors import ShapeError
 
 if TYPE_CHECKING:
     from ._model import Model, Parameters
@@ -118,8 +119,16 @@ class BranchPoint:
 class Branch(Sequence[BranchPoint]):
     """Periodic motions over a parameter, in the order of the branch."""
 
-    def __init__(self, machine: str, states: Sequence[str], told: dict[str, Any]) -> None:
+    def __init__(
+        self,
+        machine: str,
+        states: Sequence[str],
+        told: dict[str, Any],
+        doubled: Sequence[Branch] = (),
+    ) -> None:
         self._machine = machine
+        #: Branches of twice the period that begin at flips, and those that begin at their flips.
+        self.doubled: tuple[Branch, ...] = tuple(doubled)
         #: Parameter that was followed.
         self.parameter: str = told["parameter"]
         #: Its unit.
@@ -161,6 +170,46 @@ class Branch(Sequence[BranchPoint]):
         head = f"{self._machine}: {len(self)} motions over {self.parameter} [{self.unit}]"
         rows = [[str(p.bifurcation), f"{p.value:.9g}"] for p in self.bifurcations]
         return "\n".join([head, f"ends at {self.end}", *text(("bifurcation", "at"), rows)])
+
+
+class Sections:
+    """Values of columns once in a period of the excitation, over a parameter."""
+
+    def __init__(
+        self,
+        machine: str,
+        over: tuple[str, Array],
+        columns: Sequence[str],
+        told: tuple[list[Array | None], list[str | None], list[int | None]],
+    ) -> None:
+        tables, reasons, repeats = told
+        self._machine = machine
+        #: Parameter that was varied, and its values.
+        self.parameter, self.values = over
+        #: Names of the columns.
+        self.columns: tuple[str, ...] = tuple(columns)
+        #: Reason why a run stopped, for each value; None if it did not.
+        self.reasons: list[str | None] = reasons
+        #: Number of periods after which the motion repeats, for each value; None if it does not
+        #: within half of the returns.
+        self.repeats: list[int | None] = repeats
+        found = next((table for table in tables if table is not None), None)
+        shape = (len(self.columns), 0) if found is None else found.shape
+        missing = np.full(shape, np.nan)
+        self._table = np.array([missing if table is None else table for table in tables])
+
+    def __getitem__(self, name: str) -> Array:
+        """Values of a column: a row for each value of the parameter, NaN if its run stopped."""
+        if name not in self.columns:
+            raise KeyError(name)
+        values: Array = self._table[:, self.columns.index(name), :]
+        return values
+
+    def __repr__(self) -> str:
+        return (
+            f"{self._machine}: {', '.join(self.columns)} once in a period over {self.parameter}, "
+            f"{len(self.values)} values of {self._table.shape[2]} periods"
+        )
 
 
 def cycle(
@@ -212,6 +261,7 @@ def branch(
     points: int = 401,
     longest_step: float = 0.05,
     max_points: int = 1000,
+    doublings: int = 0,
     parameters: Parameters | None = None,
     initial: Mapping[str, float] | ArrayLike | None = None,
     **settings: Any,
@@ -221,14 +271,60 @@ def branch(
     :param over: parameter, from `start_value` until the branch leaves the range to `end_value`.
     :param longest_step: longest step as a share of the range.
     :param max_points: maximum number of motions.
+    :param doublings: follow branches of twice the period that begin at flips, and those that begin
+        at their flips, up to this number of doublings; see :attr:`Branch.doubled`.
     :param period: as all others, see :func:`cycle`.
     """
     given = _settings(parameters, initial, settings)
     counts = (multiple, segments, points)
     search = (period, guess, list((turns or {}).items()), settle, counts)
     ends = (over, float(start_value), float(end_value))
-    told = _machinist.branch(model._machine, given, search, ends, (longest_step, max_points))
-    return Branch(model.name, tuple(model.states), told)
+    steps = (longest_step, max_points, doublings)
+    first, *others = _machinist.branches(model._machine, given, search, ends, steps)
+    states = tuple(model.states)
+    return Branch(
+        model.name, states, first, [Branch(model.name, states, other) for other in others]
+    )
+
+
+def sections(
+    model: Model,
+    over: str,
+    values: ArrayLike,
+    *,
+    period: str | float,
+    returns: int = 64,
+    columns: Sequence[str] | None = None,
+    settle: float | None = None,
+    threads: int = 0,
+    parameters: Parameters | None = None,
+    initial: Mapping[str, float] | ArrayLike | None = None,
+    **settings: Any,
+) -> Sections:
+    """Run a machine at values of a parameter and keep columns once in a period (Poincare section).
+
+    :param over: parameter that takes the `values`.
+    :param period: period of the excitation [s], or the parameter that determines it.
+    :param returns: number of periods after the time to settle that are kept.
+    :param columns: outputs and states; default: all outputs, or all states if there are none.
+    :param settle: time for which the machine runs first [s]; default: the length of the run.
+    :param threads: number of threads; default: the number of cores.
+    :param settings: settings of the runs, as for :meth:`Model.simulate`.
+    """
+    given = _settings(parameters, initial, settings)
+    places = np.atleast_1d(np.asarray(values, dtype=float))
+    if places.ndim != 1:
+        raise ShapeError("the values of a parameter are a list")
+    names = tuple(model.outputs or model.states) if columns is None else tuple(columns)
+    told = _machinist.sections(
+        model._machine,
+        given,
+        (period, None, [], settle, (1, 1, 2)),
+        (over, places.tolist()),
+        names,
+        (returns, threads),
+    )
+    return Sections(model.name, (over, places), names, told)
 
 
 def _settings(

@@ -98,13 +98,21 @@ def pieces_along(
     times: ArrayLike,
 ) -> list[dict[str, Any]]: ...
 def cycle(machine: Machine, settings: dict[str, Any], search: Search) -> dict[str, Any]: ...
-def branch(
+def branches(
     machine: Machine,
     settings: dict[str, Any],
     search: Search,
     over: tuple[str, float, float],
-    steps: tuple[float, int],
-) -> dict[str, Any]: ...
+    steps: tuple[float, int, int],
+) -> list[dict[str, Any]]: ...
+def sections(
+    machine: Machine,
+    settings: dict[str, Any],
+    search: Search,
+    over: tuple[str, list[float]],
+    columns: Sequence[str],
+    counts: tuple[int, int],
+) -> tuple[list[Array | None], list[str | None], list[int | None]]: ...
 def fit(
     machine: Machine,
     settings: dict[str, Any],

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _derive, _machinist
-from ._cycle import Branch, Cycle, branch, cycle
+from ._cycle import Branch, Cycle, Sections, branch, cycle, sections
 from ._fit import Fit, measured_runs
 from ._linear import Modes, Response
 from ._run import Run
@@ -402,6 +402,10 @@ class Model:
     def branch(self, over: str, start_value: float, end_value: float, **options: Any) -> Branch:
         """Follow a periodic motion over a parameter, see :func:`machinist.branch`."""
         return branch(self, over, start_value, end_value, **options)
+
+    def sections(self, over: str, values: ArrayLike, **options: Any) -> Sections:
+        """Keep values once in a period over a parameter, see :func:`machinist.sections`."""
+        return sections(self, over, values, **options)
 
     def sensitivities(
         self,

@@ -185,7 +185,7 @@ def scatter(
         computed.
     :param vary: distributions by parameter, such as `normal(5 %)` or `10 +- 0.5 [mm]`. They take
         precedence over those of the spec, which are read from its file.
-    :param samples: number of samples; Sobol points are rounded up to 16 times a power of two.
+    :param samples: number of samples; Sobol points are rounded up to 32 times a power of two.
     :param sampler: `sobol`, `latin` or `random`.
     :param indices: compute Sobol indices; takes `samples` times the number of parameters plus 2
         runs.

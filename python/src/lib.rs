@@ -35,9 +35,11 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _machinist {
     #[pymodule_export]
-    use crate::cycle::branch;
+    use crate::cycle::branches;
     #[pymodule_export]
     use crate::cycle::cycle;
+    #[pymodule_export]
+    use crate::cycle::sections;
     #[pymodule_export]
     use crate::derive::derive;
     #[pymodule_export]

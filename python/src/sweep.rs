@@ -176,22 +176,26 @@ pub fn all_runs(
     variants: &[Vec<f64>],
     threads: usize,
 ) -> Result<Vec<Result<VariantRun, SimulateError>>, Failure> {
+    all_runs_of(machine, settings, variants, threads, |run| run)
+}
+
+/// Like [`all_runs`], with settings that depend on the parameters of a variant.
+pub fn all_runs_of(
+    machine: &Machine,
+    settings: &Settings,
+    variants: &[Vec<f64>],
+    threads: usize,
+    of_variant: impl for<'s> Fn(Simulation<'s>) -> Simulation<'s> + Sync,
+) -> Result<Vec<Result<VariantRun, SimulateError>>, Failure> {
     let Some(shared) = machine.source.shared() else {
         let run = |simulator: &FieldSimulator<'_, f64>, variant: &[f64]| {
-            alone(simulator.single(), settings, variant)
+            let run = settings.apply(Simulation::new(simulator.single()))?.parameters(variant);
+            one(&of_variant(run))
         };
         return each_on_its_own(variants, threads, || machine.source.cut(), run);
     };
     let sweep = Sweep::new(&shared).variants(variants.to_vec()).threads(threads);
     // Names have been found before.
-    Ok(sweep.each(|run| settings.apply(run.clone()).unwrap_or(run)).run())
-}
-
-/// Runs a single variant within the time limit.
-fn alone(
-    simulator: &dyn Simulator<f64>,
-    settings: &Settings,
-    variant: &[f64],
-) -> Result<VariantRun, SimulateError> {
-    one(&settings.apply(Simulation::new(simulator))?.parameters(variant))
+    let sweep = sweep.each(|run| settings.apply(run.clone()).unwrap_or(run));
+    Ok(sweep.of_variant(of_variant).run())
 }

@@ -95,6 +95,63 @@ def test_a_bouncing_mass_doubles_its_period_where_the_closed_form_says(bouncing)
     assert "flip" in repr(branch)
 
 
+def test_branches_of_twice_the_period_begin_at_flips(bouncing):
+    branch = bouncing.branch(
+        "amplitude", 1.7e-3, 3.05e-3, period="frequency", settle=2, points=101, doublings=2
+    )
+    # docs/book/src/cycles.md; tests/cycles.rs has the flips of the impact map.
+    flips = [
+        [point.value for point in one if point.bifurcation == "flip"]
+        for one in (branch, *branch.doubled)
+    ]
+    assert [len(one) for one in flips] == [1, 2, 1]
+    first, second, _ = flips
+    assert second[0] == first[0] == pytest.approx(2.66092371e-3, rel=1e-8)
+    assert second[1] == pytest.approx(3.03600e-3, rel=1e-5)
+    doubled = branch.doubled[0]
+    assert doubled[-1].cycle.period == pytest.approx(2 * branch[0].cycle.period, rel=1e-12)
+    assert branch.doubled[1].values[0] == second[1] and not doubled.doubled
+
+
+def test_sections_repeat_as_often_as_the_period_has_doubled(bouncing):
+    values = [2.5e-3, 2.6e-3, 2.8e-3, 2.9e-3, 3.05e-3]
+    found = bouncing.sections(
+        "amplitude", values, period="frequency", settle=60, returns=32, columns=["height"]
+    )
+    # The flips are at 2.66092371 and 3.03600 mm.
+    assert found.repeats == [1, 1, 2, 2, 4] and found.reasons == [None] * 5
+    heights = found["height"]
+    assert heights.shape == (5, 32)
+    cycle = bouncing.cycle(
+        "frequency", settle=20, points=4001, parameters={"amplitude": 2.5e-3}
+    )
+    # The cycle begins away from impacts, the sections at multiples of the period.
+    begun = np.ceil(cycle.start / cycle.period) * cycle.period
+    height = np.interp(begun, cycle.motion.t, cycle["height"])
+    np.testing.assert_allclose(heights[0], height, rtol=1e-5)
+    np.testing.assert_allclose(heights[2][2:], heights[2][:-2], rtol=1e-6)
+    assert abs(heights[2][1] - heights[2][0]) > 1e-5
+    assert "32 periods" in repr(found)
+    with pytest.raises(KeyError):
+        found["heigth"]
+
+
+def test_sections_that_cannot_be_are_errors(bouncing):
+    with pytest.raises(machinist.InputError, match="at least 2"):
+        bouncing.sections("amplitude", [2e-3], period="frequency", returns=1)
+    with pytest.raises(machinist.UnknownNameError):
+        bouncing.sections("amplitude", [2e-3], period="frequenzy")
+    with pytest.raises(machinist.UnknownNameError):
+        bouncing.sections("amplitude", [2e-3], period="frequency", columns=["heigth"])
+    with pytest.raises(machinist.UnknownNameError):
+        bouncing.sections("amplitud", [2e-3], period="frequency")
+    stopped = bouncing.sections(
+        "amplitude", [2e-3], period="frequency", settle=2, max_steps=3, returns=4
+    )
+    assert stopped.repeats == [None] and "steps" in stopped.reasons[0]
+    assert stopped["height"].shape[0] == 1
+
+
 def test_multipliers_have_the_product_of_the_impacts(bouncing):
     cycle = bouncing.cycle("frequency", settle=2, parameters={"amplitude": 1.8e-3})
     assert cycle.is_forced and cycle.stability == "stable"

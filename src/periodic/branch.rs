@@ -13,8 +13,8 @@ use serde::Serialize;
 use super::equations::{Guess, Problem};
 use super::error::CycleError;
 use super::locate::Watched;
-use super::newton::{Side, Solution, shortest, solve, solve_beside};
-use super::{Cycle, CycleSettings, finished, guess, problem};
+use super::newton::{Side, Solution, shortest, solve_beside};
+use super::{Cycle, CycleSettings, finished, first, problem};
 use crate::simulate::Simulation;
 
 /// Maximum number of points of a branch.
@@ -211,9 +211,7 @@ pub fn branch(run: &Simulation<'_>, settings: &BranchSettings) -> Result<Branch,
     let run = run.clone().parameter_at(index, from);
     let mut problem = problem(&run, &settings.cycle)?;
     problem.varied = Some(index);
-    let most = settings.cycle.max_iterations;
-    let first = guess::settled(&problem, &settings.cycle)?;
-    let solution = solve(&problem, first, most)?;
+    let solution = first(&problem, &settings.cycle)?;
     let mut walk = Walk::new(problem, settings);
     let start = walk.start(solution, (to - from).signum())?;
     Ok(walk.follow(start, settings, Branch::empty(&run, index)))

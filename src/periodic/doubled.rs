@@ -10,7 +10,7 @@
 use nalgebra::DVector;
 
 use super::branch::{
-    Bifurcation, Branch, BranchPoint, BranchSettings, Place, Tangent, Walk, check,
+    Bifurcation, Branch, BranchPoint, BranchSettings, Place, Tangent, Walk, branch, check,
 };
 use super::equations::{Guess, Period};
 use super::error::CycleError;
@@ -68,6 +68,38 @@ pub fn doubled(
     let first = walk.first_doubled(&corner, settings.longest_step)?;
     let found = Branch { points: vec![flip.clone()], ..Branch::empty(&run, index) };
     Ok(walk.follow(first, &settings, found))
+}
+
+/// Follows a branch, then the branches of twice the period that begin at its flips, and so on,
+/// `count` times. Branches of twice the period come in the order of their flips. A flip at which none
+/// is found has a branch of itself alone, whose end tells why.
+///
+/// # Errors
+/// As for [`branch`].
+pub fn doublings(
+    run: &Simulation<'_>,
+    settings: &BranchSettings,
+    count: u32,
+) -> Result<Vec<Branch>, CycleError> {
+    let mut found = vec![branch(run, settings)?];
+    let (mut settings, mut first) = (settings.clone(), 0);
+    for _ in 0..count {
+        let flips = found[first..].iter().flat_map(|branch| branch.points.iter().skip(1));
+        let flips = flips.filter(|point| point.bifurcation == Some(Bifurcation::Flip));
+        let of_flip = |flip: &BranchPoint| {
+            doubled(run, &settings, flip).unwrap_or_else(|error| Branch {
+                points: vec![flip.clone()],
+                end: error.to_string(),
+                is_complete: false,
+                ..found[0].clone()
+            })
+        };
+        let more: Vec<_> = flips.map(of_flip).collect();
+        first = found.len();
+        found.extend(more);
+        settings = settings.doubled();
+    }
+    Ok(found)
 }
 
 /// Returns the multiplier that is nearest to -1, if the point is a flip.

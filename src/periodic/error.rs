@@ -90,6 +90,22 @@ pub enum CycleError {
         /// Period reached \[s\].
         period: f64,
     },
+    /// The excitation does not repeat with the period.
+    #[error(
+        "scene `{scene}`: the excitation does not repeat after {period} s: a period later, `{state}` \
+         differs by {difference:.3e}. Hint: give the common period of all excitations, or let the \
+         machine settle until they repeat"
+    )]
+    OtherExcitation {
+        /// Name of the scene.
+        scene: String,
+        /// Period \[s\].
+        period: f64,
+        /// State that differs most.
+        state: String,
+        /// Its difference, in its unit.
+        difference: f64,
+    },
     /// The continuous states return, but a mode does not.
     #[error(
         "scene `{scene}`: after a period of {period} s the motion returns in another mode: \

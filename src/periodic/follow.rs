@@ -15,14 +15,13 @@ const GROWTH: f64 = 1.5;
 const FEW: usize = 4;
 const MANY: usize = 7;
 /// Share of the longest step below which the continuation gives up.
-const SHORTEST: f64 = 1e-5;
-/// Number of lengths tried for a first step; half of the last one is about the shortest step.
-const FIRST_LENGTHS: i32 = 14;
+pub(super) const SHORTEST: f64 = 1e-5;
 
 /// Returns the lengths to try for the first step from a place that branches leave, each half of the
-/// one before.
+/// one before, down to the shortest step.
 pub(super) fn first_lengths(longest: f64) -> impl Iterator<Item = f64> {
-    (0..FIRST_LENGTHS).map(move |halvings| FIRST * longest * 0.5_f64.powi(halvings))
+    let lengths = std::iter::successors(Some(FIRST), |share| Some(0.5 * share));
+    lengths.take_while(|share| *share >= SHORTEST).map(move |share| share * longest)
 }
 
 impl Walk<'_> {
@@ -99,7 +98,8 @@ impl Walk<'_> {
     /// do along a branch, would end it. Nothing if the start is away from them. `length` is that of
     /// the last step.
     fn moved_from_events(&self, place: &Place, length: f64) -> Option<Place> {
-        /// Share of the last step, back along the tangent to a motion that gives the direction.
+        /// Share of the last step, back along the tangent to a motion that gives the direction. The
+        /// error of the direction is of this order, and it only orients the tangent.
         const BACK: f64 = 0.1;
         let back = BACK * length;
         let share = guess::share_without_events(&self.problem, &place.guess).ok()?;

@@ -4,7 +4,8 @@ use super::equations::{Guess, Period as Span, Problem};
 use super::error::CycleError;
 use super::{CycleSettings, Period, rows};
 
-/// Number of times at which a run is searched for a return.
+/// Number of times at which a run is searched for a return. A wave has a sample within `NEAR` of its
+/// return if it has at least pi/(2 NEAR) = 79 in a period, so in runs of up to 250 periods.
 const SAMPLES: usize = 20_001;
 /// Distance from the end, relative to the range of each state, that a motion must leave before it
 /// can return.

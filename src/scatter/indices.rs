@@ -5,9 +5,9 @@
 //! ```
 
 use super::ScatterError;
-use super::hash::{below, hash};
+use super::jackknife::Jackknife;
 use super::points::{Design, Groups, Points};
-use super::summary::{Estimate, student};
+use super::summary::Estimate;
 
 /// Saltelli's design: for each row, two independent points A and B, and the points A with one
 /// coordinate taken from B.
@@ -69,28 +69,27 @@ impl Saltelli {
 pub struct Index {
     /// First order, by the estimator of Janon and Monod with a control variate.
     pub first: Estimate,
-    /// Total order, by the estimator of Jansen.
+    /// Total order, by the estimator of Jansen with a control variate.
     pub total: Estimate,
 }
 
 /// Indices of all parameters.
 ///
 /// ```text
-/// S_i  = (mean(f_B f_i) - m_i^2 - (1 - S_Ti) c)/(mean((f_B^2 + f_i^2)/2) - m_i^2)
-/// S_Ti = mean((f_A - f_i)^2)/(2 V)
+/// S_i  = S - (1 - T) (1 - S^2) c/V_i    S = (mean(f_B f_i) - m_i^2)/V_i
+/// S_Ti = T + S T c/V                    T = mean((f_A - f_i)^2)/(2 V)
 /// c    = mean(f_A f_B) - m^2
 /// ```
 ///
-/// where f_i is the value at A with coordinate i of B, m_i the mean of all f_B and f_i, and m and V
-/// mean and variance of all f_A and f_B. A and B are independent, so c is zero in the mean and does
-/// not change that of S_i. Its error is that of f_B f_i as far as f_i agrees with f_A, by their
-/// correlation 1 - S_Ti. Without c, small indices have errors as large as those of large ones.
-/// Sources: A. Janon et al.: Asymptotic
-/// normality and efficiency of two Sobol index estimators, ESAIM Probab. Stat. 18 (2014); M. J. W.
-/// Jansen: Analysis of variance designs for model output, Comput. Phys. Commun. 117 (1999).
+/// where f_i is the value at A with coordinate i of B, m_i and V_i mean and variance of all f_B and
+/// f_i, and m and V those of all f_A and f_B. A and B are independent, so c is zero in the mean. Its
+/// coefficients give the least variance if f_A, f_B and f_i are jointly normal. Without c, S has the
+/// same error for small indices as for large ones, and T a large error if f_i is nearly f_B.
+/// Sources: A. Janon et al.: Asymptotic normality and efficiency of two Sobol index estimators, ESAIM
+/// Probab. Stat. 18 (2014); M. J. W. Jansen: Analysis of variance designs for model output, Comput.
+/// Phys. Commun. 117 (1999).
 ///
-/// Intervals of independent rows are percentiles of a bootstrap over rows; those of replicates are
-/// t intervals of a jackknife that leaves out one replicate at a time.
+/// Intervals are t intervals of a jackknife over independent rows or replicates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SobolIndices {
     /// Number of rows that all have values.
@@ -100,9 +99,6 @@ pub struct SobolIndices {
     /// Indices in the order of the dimensions.
     pub indices: Vec<Index>,
 }
-
-/// Number of resamplings of the bootstrap.
-const RESAMPLINGS: usize = 1000;
 
 /// Sums over rows from which the indices of one parameter follow.
 #[derive(Debug, Clone, Copy, Default)]
@@ -154,13 +150,17 @@ impl Sums {
 
     /// Returns the first-order and the total index.
     fn indices(&self) -> [f64; 2] {
-        let total = self.difference / (2.0 * self.count * self.variance());
-        let of_both = self.both / (2.0 * self.count);
-        let control = self.apart / self.count - of_both * of_both;
-        let mean = self.shared / (2.0 * self.count);
-        let above = self.product / self.count - mean * mean - (1.0 - total) * control;
-        let below = self.shared_squared / (2.0 * self.count) - mean * mean;
-        [above / below, total]
+        let count = self.count;
+        let mean = self.shared / (2.0 * count);
+        let below = self.shared_squared / (2.0 * count) - mean * mean;
+        let first = (self.product / count - mean * mean) / below;
+        let total = self.difference / (2.0 * count * self.variance());
+        let of_both = self.both / (2.0 * count);
+        let apart = self.apart / count - of_both * of_both;
+        [
+            first - (1.0 - total) * (1.0 - first * first) * apart / below,
+            total + first * total * apart / self.variance(),
+        ]
     }
 }
 
@@ -188,81 +188,52 @@ impl SobolIndices {
         // Indices do not depend on the origin, and this one loses the fewest digits.
         let centre =
             rows.iter().map(|(_, row)| row[0] + row[1]).sum::<f64>() / (2.0 * rows.len() as f64);
-        let sums = |i: usize| -> Vec<(usize, Sums)> {
+        let parts = |i: usize| {
             let row = |(number, row): &(usize, &Vec<f64>)| {
                 let [a, b, mixed] = [row[0], row[1], row[2 + i]].map(|value| value - centre);
                 (*number, Sums::of_row(a, b, mixed))
             };
-            rows.iter().map(row).collect()
+            independent(rows.iter().map(row), *groups)
         };
-        let variance = total(&sums(0)).variance();
+        let variance = total(&parts(0)).variance();
         if variance <= 0.0 {
             return refuse("the values do not vary, so they have no sensitivity indices");
         }
-        let indices = (0..length - 2).map(|i| index(&sums(i), groups, confidence));
+        let indices = (0..length - 2).map(|i| index(&parts(i), confidence));
         Ok(Self { rows: rows.len(), variance, indices: indices.collect() })
     }
 }
 
-fn total(rows: &[(usize, Sums)]) -> Sums {
+/// Returns the sums over each replicate, or of each row if rows are independent.
+fn independent(rows: impl Iterator<Item = (usize, Sums)>, groups: Groups) -> Vec<Sums> {
+    let Groups::Replicates(count) = groups else { return rows.map(|(_, row)| row).collect() };
+    let mut replicates = vec![Sums::default(); count];
+    rows.for_each(|(number, row)| replicates[number % count].add(&row, 1.0));
+    replicates.retain(|sums| sums.count > 0.0);
+    replicates
+}
+
+fn total(parts: &[Sums]) -> Sums {
     let mut total = Sums::default();
-    for (_, row) in rows {
-        total.add(row, 1.0);
+    for part in parts {
+        total.add(part, 1.0);
     }
     total
 }
 
-fn index(rows: &[(usize, Sums)], groups: &Groups, confidence: f64) -> Index {
-    let whole = total(rows);
-    let [first, total] = whole.indices();
-    let intervals = match groups {
-        Groups::Independent => bootstrap(rows, confidence),
-        Groups::Replicates(count) => jackknife(rows, &whole, *count, confidence),
-    };
-    let [first, total] = [(first, intervals[0]), (total, intervals[1])]
-        .map(|(value, [low, high])| Estimate { value, low, high });
-    Index { first, total }
-}
-
-/// Returns percentile intervals of both indices.
-fn bootstrap(rows: &[(usize, Sums)], confidence: f64) -> [[f64; 2]; 2] {
-    let mut found = [Vec::with_capacity(RESAMPLINGS), Vec::with_capacity(RESAMPLINGS)];
-    for number in 0..RESAMPLINGS {
-        let mut sums = Sums::default();
-        for draw in 0..rows.len() {
-            let row = below(hash(&[number as u64, draw as u64]), rows.len() as u64);
-            sums.add(&rows[row as usize].1, 1.0);
-        }
-        let values = sums.indices();
-        found.iter_mut().zip(values).for_each(|(all, value)| all.push(value));
-    }
-    let tail = 0.5 * (1.0 - confidence);
-    found.map(|mut all| {
-        all.sort_unstable_by(f64::total_cmp);
-        [tail, 1.0 - tail].map(|p| all[(p * (RESAMPLINGS - 1) as f64).round() as usize])
-    })
-}
-
-/// Returns t intervals of both indices from leaving out one replicate at a time.
-fn jackknife(rows: &[(usize, Sums)], whole: &Sums, count: usize, confidence: f64) -> [[f64; 2]; 2] {
-    let mut replicates = vec![Sums::default(); count];
-    for (number, row) in rows {
-        replicates[number % count].add(row, 1.0);
-    }
-    replicates.retain(|sums| sums.count > 0.0);
-    let count = replicates.len() as f64;
-    let without = replicates.iter().map(|sums| {
-        let mut rest = *whole;
-        rest.add(sums, -1.0);
+fn index(parts: &[Sums], confidence: f64) -> Index {
+    let whole = total(parts);
+    let without = parts.iter().map(|part| {
+        let mut rest = whole;
+        rest.add(part, -1.0);
         rest.indices()
     });
     let without: Vec<[f64; 2]> = without.collect();
-    let t = student(0.5 * (1.0 + confidence), replicates.len().saturating_sub(1));
     let values = whole.indices();
-    [0, 1].map(|k| {
-        let mean = without.iter().map(|both| both[k]).sum::<f64>() / count;
-        let squares: f64 = without.iter().map(|both| (both[k] - mean).powi(2)).sum();
-        let half = t * (squares * (count - 1.0) / count).sqrt();
-        [values[k] - half, values[k] + half]
-    })
+    let [first, total] = [0, 1].map(|k| {
+        let one = without.iter().map(|both| both[k]);
+        let [low, high] = Jackknife::of(values[k], one).interval(confidence);
+        Estimate { value: values[k], low, high }
+    });
+    Index { first, total }
 }

@@ -6,7 +6,7 @@ use super::sobol::{ScrambledSobol, Sobol};
 
 /// Number of independent replicates of Sobol points and Latin hypercubes. Their spread gives the
 /// confidence of estimates.
-pub const REPLICATES: usize = 16;
+pub const REPLICATES: usize = 32;
 
 /// Maximum number of samples.
 const MAX_SAMPLES: usize = 1 << 28;

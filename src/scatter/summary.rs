@@ -3,6 +3,7 @@
 use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, StudentsT};
 
 use super::ScatterError;
+use super::jackknife::Jackknife;
 use super::normal::normal_quantile;
 use super::points::Groups;
 
@@ -24,12 +25,13 @@ pub struct Summary {
     pub count: usize,
     /// Mean.
     ///
-    /// The interval is mean +- t s/sqrt(n): of independent values, or of the means of replicates.
+    /// The interval is mean +- t s/sqrt(n), of independent values or of the means of replicates.
     pub mean: Estimate,
     /// Standard deviation.
     ///
-    /// The interval is that of the mean of (y - mean)^2, of independent values or of replicates, in
-    /// square roots.
+    /// The interval is that of a jackknife of its logarithm over values or replicates, corrected for
+    /// skewness (Hall: On the removal of skewness by transformation, J. R. Stat. Soc. B 54, 1992) and
+    /// kurtosis (O'Neill: Some useful moment results in sampling problems, Am. Stat. 68, 2014).
     pub deviation: Estimate,
     /// Least value.
     pub least: f64,
@@ -60,31 +62,33 @@ impl Summary {
         }
         let mut replicates = grouped(values, *groups);
         let mean = mean(&sorted);
-        let squares = |values: &[f64]| -> Vec<f64> {
-            values.iter().map(|y| (y - mean) * (y - mean)).collect()
-        };
-        let (half, half_of_square) = if replicates.is_empty() {
-            (half_width(&sorted, confidence), half_width(&squares(&sorted), confidence))
+        let parts: Vec<Moments> = if replicates.is_empty() {
+            sorted.iter().map(|value| Moments::of(&[*value], mean)).collect()
         } else {
-            let means: Vec<f64> = replicates.iter().map(|values| self::mean(values)).collect();
-            let of_squares = replicates.iter().map(|values| self::mean(&squares(values)));
-            let of_squares: Vec<f64> = of_squares.collect();
-            (half_width(&means, confidence), half_width(&of_squares, confidence))
+            replicates.iter().map(|values| Moments::of(values, mean)).collect()
+        };
+        let mut whole = Moments::default();
+        for part in &parts {
+            whole.add(part, 1.0);
+        }
+        let jackknife = |value: fn(&Moments) -> f64| {
+            Jackknife::of(value(&whole), parts.iter().map(|part| value(&whole.without(part))))
+        };
+        let [low, high] = jackknife(Moments::mean).interval(confidence).map(|offset| mean + offset);
+        let deviation = whole.variance().sqrt();
+        let of_deviation = if deviation > 0.0 {
+            let logarithm = jackknife(|sums| 0.5 * sums.variance().ln());
+            logarithm.corrected_interval(confidence).map(f64::exp)
+        } else {
+            [deviation; 2]
         };
         for values in &mut replicates {
             values.sort_unstable_by(f64::total_cmp);
         }
-        // Two squares are always equal and tell nothing of their spread.
-        let half_of_square = if count < 3 { f64::INFINITY } else { half_of_square };
-        let variance = squares(&sorted).iter().sum::<f64>() / (count - 1) as f64;
         Ok(Self {
             count,
-            mean: Estimate { value: mean, low: mean - half, high: mean + half },
-            deviation: Estimate {
-                value: variance.sqrt(),
-                low: (variance - half_of_square).max(0.0).sqrt(),
-                high: (variance + half_of_square).sqrt(),
-            },
+            mean: Estimate { value: mean, low, high },
+            deviation: Estimate { value: deviation, low: of_deviation[0], high: of_deviation[1] },
             least: sorted[0],
             greatest: sorted[count - 1],
             sorted,
@@ -104,39 +108,106 @@ impl Summary {
     /// The interval of independent values is that between the order statistics whose ranks are
     /// quantiles of the binomial distribution. Of replicates, it is where the mean of their
     /// distribution functions differs from p by less than its t interval (Woodruff: Confidence
-    /// intervals for medians and other position measures, J. Am. Stat. Assoc. 47, 1952), rounded
-    /// outwards to the next values.
+    /// intervals for medians and other position measures, J. Am. Stat. Assoc. 47, 1952).
     #[must_use]
     pub fn quantile(&self, p: f64) -> Estimate {
         let p = p.clamp(0.0, 1.0);
         let last = self.count - 1;
-        let place = p * last as f64;
-        let below = place.floor() as usize;
-        let above = (below + 1).min(last);
-        let share = place - below as f64;
-        let value = self.sorted[below] * (1.0 - share) + self.sorted[above] * share;
-        // Ranks of the ends, from 1; 0 and count + 1 are beyond the values.
+        let at = |p: f64| {
+            let place = p * last as f64;
+            let below = place.floor() as usize;
+            let share = place - below as f64;
+            self.sorted[below] * (1.0 - share) + self.sorted[(below + 1).min(last)] * share
+        };
+        let value = at(p);
         let (low, high) = if self.replicates.is_empty() {
-            let tail = 0.5 * (1.0 - self.confidence);
-            match Binomial::new(p, self.count as u64) {
-                Ok(ranks) if p > 0.0 && p < 1.0 => {
-                    (ranks.inverse_cdf(tail) as f64, ranks.inverse_cdf(1.0 - tail) as f64 + 1.0)
-                }
-                _ => (0.0, self.count as f64 + 1.0),
-            }
+            self.between_ranks(p)
         } else {
             let shares = self
                 .replicates
                 .iter()
                 .map(|values| values.partition_point(|y| *y <= value) as f64 / values.len() as f64);
             let half = half_width(&shares.collect::<Vec<_>>(), self.confidence);
-            let count = self.count as f64;
-            (((p - half) * count).floor(), ((p + half) * count).ceil() + 1.0)
+            (
+                if p >= half { at(p - half) } else { f64::NEG_INFINITY },
+                if p + half <= 1.0 { at(p + half) } else { f64::INFINITY },
+            )
         };
-        let low = if low >= 1.0 { self.sorted[low as usize - 1] } else { f64::NEG_INFINITY };
-        let is_bounded = high <= self.count as f64;
-        let high = if is_bounded { self.sorted[high as usize - 1] } else { f64::INFINITY };
         Estimate { value, low, high }
+    }
+
+    /// Returns the order statistics whose ranks are quantiles of the binomial distribution.
+    fn between_ranks(&self, p: f64) -> (f64, f64) {
+        let tail = 0.5 * (1.0 - self.confidence);
+        let Ok(ranks) = Binomial::new(p, self.count as u64) else {
+            return (f64::NEG_INFINITY, f64::INFINITY);
+        };
+        // Ranks from 1; 0 and count + 1 are beyond the values.
+        let (low, high) =
+            (ranks.inverse_cdf(tail) as usize, ranks.inverse_cdf(1.0 - tail) as usize);
+        let low = low.checked_sub(1).map_or(f64::NEG_INFINITY, |index| self.sorted[index]);
+        (low, self.sorted.get(high).copied().unwrap_or(f64::INFINITY))
+    }
+}
+
+/// Sums over independent parts of the samples, about an origin near the mean.
+#[derive(Debug, Clone, Copy, Default)]
+struct Moments {
+    parts: f64,
+    count: f64,
+    sum: f64,
+    squares: f64,
+    /// Sums over parts of n_r^2, n_r s_r and s_r^2, with the number n_r and the sum s_r of the
+    /// values of a part.
+    count_squared: f64,
+    count_sum: f64,
+    sum_squared: f64,
+}
+
+impl Moments {
+    fn of(values: &[f64], origin: f64) -> Self {
+        let count = values.len() as f64;
+        let sum: f64 = values.iter().map(|value| value - origin).sum();
+        Self {
+            parts: 1.0,
+            count,
+            sum,
+            squares: values.iter().map(|value| (value - origin).powi(2)).sum(),
+            count_squared: count * count,
+            count_sum: count * sum,
+            sum_squared: sum * sum,
+        }
+    }
+
+    fn add(&mut self, other: &Self, factor: f64) {
+        self.parts += factor * other.parts;
+        self.count += factor * other.count;
+        self.sum += factor * other.sum;
+        self.squares += factor * other.squares;
+        self.count_squared += factor * other.count_squared;
+        self.count_sum += factor * other.count_sum;
+        self.sum_squared += factor * other.sum_squared;
+    }
+
+    fn without(&self, part: &Self) -> Self {
+        let mut rest = *self;
+        rest.add(part, -1.0);
+        rest
+    }
+
+    fn mean(&self) -> f64 {
+        self.sum / self.count
+    }
+
+    /// Returns the variance, without bias for parts of equal size: mean((y - m)^2) + V(m), where
+    /// V(m) is the variance of the mean m over the parts. Independent values are parts of one value,
+    /// and this is s^2.
+    fn variance(&self) -> f64 {
+        let mean = self.mean();
+        let between =
+            self.sum_squared - 2.0 * mean * self.count_sum + mean * mean * self.count_squared;
+        let of_mean = between * self.parts / ((self.parts - 1.0) * self.count * self.count);
+        self.squares / self.count - mean * mean + of_mean
     }
 }
 
@@ -179,7 +250,7 @@ impl Tally {
         let means: Vec<f64> = grouped(&numbers, *groups).iter().map(|hits| mean(hits)).collect();
         let variance = variance_of_mean(&means);
         let effective = if variance > 0.0 {
-            let t = student(0.5 * (1.0 + confidence), means.len() - 1);
+            let t = student(0.5 * (1.0 + confidence), means.len() as f64 - 1.0);
             p * (1.0 - p) / variance * (z / t).powi(2)
         } else {
             count as f64
@@ -232,16 +303,16 @@ fn variance_of_mean(values: &[f64]) -> f64 {
 
 /// Returns half the width of the t interval of a mean.
 pub(super) fn half_width(values: &[f64], confidence: f64) -> f64 {
-    let t = student(0.5 * (1.0 + confidence), values.len().saturating_sub(1));
+    let t = student(0.5 * (1.0 + confidence), values.len() as f64 - 1.0);
     t * variance_of_mean(values).sqrt()
 }
 
 /// Returns the quantile of Student's t distribution; normal for many degrees of freedom.
-pub(super) fn student(p: f64, freedom: usize) -> f64 {
+pub(super) fn student(p: f64, freedom: f64) -> f64 {
     /// Degrees of freedom at which t differs from z by less than 1e-6 of it: (z^2 + 1)/(4 n).
-    const MANY: usize = 2_000_000;
+    const MANY: f64 = 2e6;
     if freedom >= MANY {
         return normal_quantile(p);
     }
-    StudentsT::new(0.0, 1.0, freedom as f64).map_or(f64::INFINITY, |t| t.inverse_cdf(p))
+    StudentsT::new(0.0, 1.0, freedom).map_or(f64::INFINITY, |t| t.inverse_cdf(p))
 }

@@ -7,12 +7,13 @@ x'' + 2 zeta x' + (1 + 2 eps cos(W t)) g(x) = F + E W^2 cos(W t), with g the pla
 integrated from corner to corner of g by SciPy; periodic motions by shooting with the variational
 equations, folds where the determinant of (monodromy - 1) vanishes. Without eps this is the pair of
 Kahraman and Singh (J. Sound Vib. 142, 1990) with their zeta, F and E; without E, the pair of
-Blankenship and Kahraman (J. Sound Vib. 185, 1995).
+Blankenship and Kahraman (J. Sound Vib. 185, 1995). Harmonic balance is their method; its folds
+with one term are those of the describing functions, and with more terms tend to those of shooting.
 """
 
 import numpy as np
 from scipy.integrate import solve_ivp
-from scipy.optimize import fsolve
+from scipy.optimize import brentq, fsolve
 
 ZETA, MEAN = 0.05, 0.1
 ERROR, EPS = 0.05, 0.0
@@ -22,9 +23,9 @@ def zone(x):
     return 1 if x > 1 else -1 if x < -1 else 0
 
 
-def period(start, frequency, cycles=1):
+def period(start, frequency, cycles=1, end=None):
     """State and monodromy after a number of periods, and the least and greatest x."""
-    end, t = cycles * 2 * np.pi / frequency, 0.0
+    end, t = cycles * 2 * np.pi / frequency if end is None else end, 0.0
     y = np.concatenate([start, np.eye(2).ravel()])
     side = zone(y[0] + 1e-12 * np.sign(y[1])) if abs(abs(y[0]) - 1) < 1e-12 else zone(y[0])
     extremes = []
@@ -78,6 +79,60 @@ def show(state, frequency):
     print(f"{frequency:.2f}: amplitude {(greatest - least) / 2:.12f}, modulus {modulus:.12f}")
 
 
+def harmonics(terms, angles):
+    """Rows 1, cos, sin, cos 2, sin 2, .. at the angles."""
+    rows = [np.ones_like(angles)]
+    for k in range(1, terms + 1):
+        rows += [np.cos(k * angles), np.sin(k * angles)]
+    return np.array(rows)
+
+
+def quadrature(motion):
+    """Angles and weights of Gauss's rule between the corners of the play that a motion passes."""
+    grid = np.linspace(0, 2 * np.pi, 2049)
+    off = np.abs(motion(grid)) - 1
+    corners = [brentq(lambda t: abs(motion(t)) - 1, grid[k], grid[k + 1], xtol=1e-15)
+               for k in range(2048) if off[k] * off[k + 1] < 0]
+    ends = np.unique(np.concatenate([np.linspace(0, 2 * np.pi, 9), corners]))
+    x, w = np.polynomial.legendre.leggauss(32)
+    half, middle = np.diff(ends) / 2, (ends[1:] + ends[:-1]) / 2
+    return (middle[:, None] + half[:, None] * x).ravel(), (half[:, None] * w).ravel()
+
+
+def balanced_fold(state, frequency, terms):
+    """Fold of harmonic balance with a number of terms, from a motion near it."""
+    orders = np.repeat(np.arange(terms + 1), 2)[1:]
+    norms = np.where(orders == 0, 2 * np.pi, np.pi)
+    turned = np.zeros((2 * terms + 1, 2 * terms + 1))
+    for k in range(1, terms + 1):
+        turned[2 * k - 1, 2 * k], turned[2 * k, 2 * k - 1] = k, -k
+
+    def residual(z, frequency):
+        angles, weights = quadrature(lambda t: z @ harmonics(terms, np.asarray(t)))
+        basis = harmonics(terms, angles)
+        weights = basis * weights / norms[:, None] * (1 + 2 * EPS * np.cos(angles))
+        x = z @ basis
+        force = weights @ (np.maximum(x - 1, 0) + np.minimum(x + 1, 0))
+        rest = force - frequency**2 * orders**2 * z + 2 * ZETA * frequency * (turned @ z)
+        rest[:2] -= MEAN, ERROR * frequency**2
+        slopes = (weights * (np.abs(x) > 1)) @ basis.T
+        return rest, slopes - np.diag(frequency**2 * orders**2) + 2 * ZETA * frequency * turned
+
+    def equations(w):
+        n = 2 * terms + 1
+        rest, slopes = residual(w[:n], w[-1])
+        return [*rest, *(slopes @ w[n:-1]), w[n:-1] @ w[n:-1] - 1]
+
+    angles = np.arange(64) * 2 * np.pi / 64
+    run = [period(state, frequency, end=t / frequency)[0][0] if t > 0 else state[0] for t in angles]
+    basis = harmonics(terms, angles)
+    z = (basis / (basis**2).sum(1, keepdims=True)) @ run
+    slopes = residual(z, frequency)[1]
+    null = np.linalg.svd(slopes)[2][-1]
+    w, info, ok, text = fsolve(equations, [*z, *null, frequency], xtol=1e-12, full_output=True)
+    return w[-1], np.linalg.norm(info["fvec"])
+
+
 if __name__ == "__main__":
     steady = lambda state, frequency: motion(period(state, frequency, 60)[0], frequency)[0]
     for ERROR, EPS in [(0.05, 0.0), (0.0, 0.15)]:
@@ -105,3 +160,6 @@ if __name__ == "__main__":
         for name, start, guess in [("lower", above, lowest), ("upper", below, frequency)]:
             (x, v, place), off, range_ = fold(start, guess)
             print(f"{name} fold at {place:.13f}, amplitude {range_ / 2:.13f}, residual {off:.0e}")
+            for terms in (1, 2, 4, 8, 16):
+                balanced, off = balanced_fold(np.array([x, v]), place, terms)
+                print(f"    of {terms} harmonics at {balanced:.9f}, residual {off:.0e}")

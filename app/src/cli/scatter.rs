@@ -47,7 +47,7 @@ pub struct ScatterCommand {
     /// computed; repeatable
     #[arg(long, value_name = "EXPRESSION<EXPRESSION", allow_hyphen_values = true)]
     limit: Vec<String>,
-    /// Number of samples. Sobol points are rounded up to 16 times a power of two
+    /// Number of samples. Sobol points are rounded up to 32 times a power of two
     #[arg(long, value_name = "NUMBER", default_value_t = SAMPLES)]
     samples: usize,
     /// Sampler: sobol, random or latin
@@ -289,7 +289,7 @@ impl ScatterCommand {
             let of = ("scatter", self.scene.scene.as_str(), scene);
             parquet::write_table(file, &columns, of, self.told(inputs, results))
         } else {
-            write_file(file, |out| runs::write_csv(&columns, out))
+            write_file(file, |out| parquet::write_csv(&columns, out))
         }
     }
 

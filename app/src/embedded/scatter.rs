@@ -81,29 +81,26 @@ pub fn scatter_design(
     with_indices: bool,
     run: &Simulation<'_>,
 ) -> Result<ScatterDesign, String> {
-    let made = || -> Result<ScatterDesign, Failure> {
-        let inputs = spread.inputs(run)?;
-        if with_indices {
-            inputs.require_independent("indices")?;
-        }
-        let design = Design { dimensions: inputs.names.len(), ..design };
-        let plan = Plan::new(design, with_indices, &inputs)?;
-        let mut values = Vec::with_capacity(plan.len());
-        while values.len() < plan.len() {
-            values.extend(plan.batch(values.len()).iter().map(|point| inputs.values(point)));
-        }
-        Ok(ScatterDesign {
-            values,
-            row_length: plan.row_length(),
-            groups: plan.groups(),
-            is_correlated: !inputs.correlation.is_none(),
-            names: inputs.names,
-            units: inputs.units,
-            distributions: inputs.distributions,
-            left_out: inputs.left_out,
-        })
-    };
-    made().map_err(|failure| told(&failure))
+    let inputs = spread.inputs(run)?;
+    if with_indices {
+        inputs.require_independent("indices")?;
+    }
+    let design = Design { dimensions: inputs.names.len(), ..design };
+    let plan = Plan::new(design, with_indices, &inputs)?;
+    let mut values = Vec::with_capacity(plan.len());
+    while values.len() < plan.len() {
+        values.extend(plan.batch(values.len()).iter().map(|point| inputs.values(point)));
+    }
+    Ok(ScatterDesign {
+        values,
+        row_length: plan.row_length(),
+        groups: plan.groups(),
+        is_correlated: !inputs.correlation.is_none(),
+        names: inputs.names,
+        units: inputs.units,
+        distributions: inputs.distributions,
+        left_out: inputs.left_out,
+    })
 }
 
 /// Returns the values of the parameters on the paths of Morris' design, path after path.
@@ -116,14 +113,11 @@ pub fn scatter_paths(
     design: &Morris,
     run: &Simulation<'_>,
 ) -> Result<Vec<Vec<f64>>, String> {
-    let made = || -> Result<Vec<Vec<f64>>, Failure> {
-        let inputs = spread.inputs(run)?;
-        inputs.require_independent("morris")?;
-        let design = Morris { dimensions: inputs.names.len(), ..*design };
-        let points = (0..design.paths).flat_map(|path| design.path(path));
-        Ok(points.map(|point| inputs.values(&point)).collect())
-    };
-    made().map_err(|failure| told(&failure))
+    let inputs = spread.inputs(run)?;
+    inputs.require_independent("morris")?;
+    let design = Morris { dimensions: inputs.names.len(), ..*design };
+    let points = (0..design.paths).flat_map(|path| design.path(path));
+    Ok(points.map(|point| inputs.values(&point)).collect())
 }
 
 /// Propagates the standard deviations of the parameters to expressions, by the sensitivities of one
@@ -136,12 +130,10 @@ pub fn scatter_linear(
     of: &[String],
     run: &Simulation<'_>,
 ) -> Result<Vec<Linearized>, String> {
-    let made = || -> Result<Vec<Linearized>, Failure> {
-        let inputs = spread.inputs(run)?;
-        let results = Results::new(of, &[], run.simulator())?;
-        results.of.iter().map(|one| propagated(run, &inputs, one)).collect()
-    };
-    made().map_err(|failure| told(&failure))
+    let inputs = spread.inputs(run)?;
+    let results = Results::new(of, &[], run.simulator())?;
+    let all = results.of.iter().map(|one| propagated(run, &inputs, one));
+    Ok(all.collect::<Result<_, Failure>>()?)
 }
 
 /// Reads expressions over a run, such as `max(force)`, and requirements, such as
@@ -154,7 +146,7 @@ pub fn scatter_results(
     limits: &[String],
     simulator: &dyn Simulator<f64>,
 ) -> Result<ScatterResults, String> {
-    let results = Results::new(of, limits, simulator).map_err(|failure| told(&failure))?;
+    let results = Results::new(of, limits, simulator)?;
     let expressions: Vec<Expression> = results.expressions().into_iter().cloned().collect();
     Ok(ScatterResults {
         names: results.names(),
@@ -177,10 +169,13 @@ fn of_spec(spec: Option<&Spec>) -> Result<Scatter, Failure> {
     Ok(distributions(&source.read()?)?)
 }
 
-fn told(failure: &Failure) -> String {
-    let one = |trouble: crate::failure::Trouble| match trouble.help.as_str() {
-        "" => trouble.message,
-        help => format!("{}. Hint: {help}", trouble.message),
-    };
-    failure.troubles().into_iter().map(one).collect::<Vec<_>>().join("; ")
+/// Messages with their hints, as the Python package raises them.
+impl From<Failure> for String {
+    fn from(failure: Failure) -> Self {
+        let one = |trouble: crate::failure::Trouble| match trouble.help.as_str() {
+            "" => trouble.message,
+            help => format!("{}. Hint: {help}", trouble.message),
+        };
+        failure.troubles().into_iter().map(one).collect::<Vec<_>>().join("; ")
+    }
 }

@@ -1,12 +1,10 @@
 //! `machinist cycle --over`: periodic motions over a parameter.
 
-use std::io;
 use std::path::Path;
 
 use machinist::Simulation;
 use machinist::periodic::{
-    Bifurcation, Branch, BranchPoint, BranchSettings, CycleError, CycleSettings, Stability, branch,
-    doubled,
+    Bifurcation, Branch, BranchPoint, BranchSettings, CycleSettings, Stability, doublings,
 };
 use machinist::trajectory::{Column, ColumnKind};
 use serde_json::json;
@@ -51,20 +49,21 @@ impl CycleCommand {
             longest_step: self.longest_step,
             max_points: self.max_points,
         };
-        let found = during("following a periodic motion", || self.branches(run, &settings))?;
+        let found =
+            during("following a periodic motion", || doublings(run, &settings, self.doublings))?;
         let ranges: Vec<_> = found.iter().map(|branch| self.ranges(branch)).collect();
         if let Some(file) = &self.plot {
             draw_file(file, |path| plot(&ranges, scene.simulator().title(), path))?;
         }
         let columns = || as_columns(&ranges, self.doublings > 0);
         match &self.out {
-            Some(_) if to_standard_output => print_with(|out| table(&columns(), out))?,
+            Some(_) if to_standard_output => print_with(|out| parquet::write_csv(&columns(), out))?,
             Some(file) if parquet::is_named(file) => {
                 let of = ("cycle", self.scene.scene.as_str(), scene);
                 let more = json!({ "end": found[0].end });
                 parquet::write_table(file, &columns(), of, more)?;
             }
-            Some(file) => write_file(file, |out| table(&columns(), out))?,
+            Some(file) => write_file(file, |out| parquet::write_csv(&columns(), out))?,
             None => {}
         }
         if self.json && !to_standard_output {
@@ -80,34 +79,6 @@ impl CycleCommand {
         let Some(early) = found.iter().find(|branch| !branch.is_complete) else { return Ok(()) };
         let message = format!("the branch ends early: {}", early.end);
         Err(Failure::unsuccessful(message, "try a shorter `--longest-step`, or more segments"))
-    }
-
-    /// Returns the branch and those of the doublings asked for, each after the one with its flip.
-    fn branches(
-        &self,
-        run: &Simulation<'_>,
-        settings: &BranchSettings,
-    ) -> Result<Vec<Branch>, CycleError> {
-        let mut found = vec![branch(run, settings)?];
-        let (mut settings, mut first) = (settings.clone(), 0);
-        for _ in 0..self.doublings {
-            let flips = found[first..].iter().flat_map(|branch| branch.points.iter().skip(1));
-            let flips = flips.filter(|point| point.bifurcation == Some(Bifurcation::Flip));
-            let of_flip = |flip: &BranchPoint| {
-                // A flip without a branch does not lose the others.
-                doubled(run, &settings, flip).unwrap_or_else(|error| Branch {
-                    points: vec![flip.clone()],
-                    end: error.to_string(),
-                    is_complete: false,
-                    ..found[0].clone()
-                })
-            };
-            let more: Vec<_> = flips.map(of_flip).collect();
-            first = found.len();
-            found.extend(more);
-            settings = settings.doubled();
-        }
-        Ok(found)
     }
 
     fn ranges<'b>(&self, branch: &'b Branch) -> Ranges<'b> {
@@ -353,23 +324,4 @@ fn as_columns(all: &[Ranges<'_>], with_numbers: bool) -> Vec<parquet::Column> {
         joined.insert(0, parquet::Column::numbers("branch", "1", numbers));
     }
     joined
-}
-
-/// Writes parameter, period, largest modulus, ranges, stability and bifurcation of each point.
-pub(super) fn table(all: &[parquet::Column], out: &mut dyn io::Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(all.iter().map(parquet::Column::head))?;
-    let cell = |column: &parquet::Column, row: usize| match &column.values {
-        Values::Numbers(values) => values[row].to_string(),
-        Values::Texts(values) => values[row].clone().unwrap_or_default(),
-        _ => String::new(),
-    };
-    let rows = match all.first().map(|column| &column.values) {
-        Some(Values::Numbers(values)) => values.len(),
-        _ => 0,
-    };
-    for row in 0..rows {
-        writer.write_record(all.iter().map(|column| cell(column, row)))?;
-    }
-    writer.flush()
 }

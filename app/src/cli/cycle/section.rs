@@ -1,6 +1,8 @@
 //! `machinist cycle --sections`: states once in a period at many values of a parameter.
 
-use machinist::periodic::CycleSettings;
+use std::sync::atomic::AtomicBool;
+
+use machinist::periodic::{CycleSettings, Section, repeats};
 use machinist::sweep::VariantRun;
 use machinist::trajectory::{Column, ColumnKind};
 use machinist::{SimulateError, Simulation};
@@ -8,7 +10,6 @@ use machinist_contract::Simulator;
 use serde_json::json;
 
 use super::CycleCommand;
-use super::branch::table;
 use crate::cli::output::{columns, draw_file, print, print_with, write_file};
 use crate::cli::range::Range;
 use crate::cli::scene::Scene;
@@ -20,10 +21,6 @@ use crate::parquet;
 use crate::plot::plot_branch;
 use crate::progress::during;
 
-/// Difference after some periods, over the range of a column in the diagram, that counts as a
-/// return.
-const SAME: f64 = 1e-6;
-
 /// Column of the sections: its place among outputs and then states, name and unit.
 struct Watched {
     place: usize,
@@ -31,8 +28,8 @@ struct Watched {
     unit: String,
 }
 
-/// Values of all columns in the periods after the time to settle, or the reason why there are none.
-type Section = Result<Vec<Vec<f64>>, String>;
+/// Section at a value of the parameter, or the reason why there is none.
+type Found = Result<Section, String>;
 
 impl CycleCommand {
     /// Runs the machine at all values of the parameter, and writes, draws and prints its sections.
@@ -44,14 +41,13 @@ impl CycleCommand {
         to_standard_output: bool,
     ) -> Result<(), Failure> {
         let (Some(over), Some(count)) = (&self.over, self.sections) else { return Ok(()) };
-        if count < 2 || self.returns < 2 {
-            let message = "--sections and --returns must be at least 2";
-            return Err(Failure::input(message, ""));
+        if count < 2 {
+            return Err(Failure::input("--sections must be at least 2", ""));
         }
         over.check(run)?;
         let values: Vec<f64> = (0..count).map(|at| over.value(at, count)).collect();
         for value in [over.from, over.to] {
-            settings.period_of(&run.clone().parameter(&over.name, value)?)?;
+            let _ = settings.sectioned(run.clone().parameter(&over.name, value)?, self.returns)?;
         }
         let watched = self.watched(scene.simulator());
         let sections = during("simulating", || {
@@ -67,13 +63,13 @@ impl CycleCommand {
         }
         match &self.out {
             Some(_) if to_standard_output => {
-                return print_with(|out| table(&as_columns(&written), out));
+                return print_with(|out| parquet::write_csv(&as_columns(&written), out));
             }
             Some(file) if parquet::is_named(file) => {
                 let of = ("cycle", self.scene.scene.as_str(), scene);
                 parquet::write_table(file, &as_columns(&written), of, json!({}))?;
             }
-            Some(file) => write_file(file, |out| table(&as_columns(&written), out))?,
+            Some(file) => write_file(file, |out| parquet::write_csv(&as_columns(&written), out))?,
             None => {}
         }
         print(&self.told_sections((scene, over, unit), &values, &sections))
@@ -105,47 +101,27 @@ impl CycleCommand {
         settings: &CycleSettings,
         (name, values): (&str, &[f64]),
         watched: &[Watched],
-    ) -> Result<Vec<Section>, Failure> {
+    ) -> Result<Vec<Found>, Failure> {
         let flag = interrupt::flag();
-        let (from, returns) = (run.start_time(), self.returns);
-        let settled = |run: &Simulation<'_>| {
-            let period = settings.period_of(run).ok().flatten().unwrap_or(f64::NAN);
-            let before = (settings.settle / period).ceil();
-            (before, period)
-        };
+        let returns = self.returns;
         let of = |value: &f64| Ok(run.clone().parameter(name, *value)?.parameter_values().to_vec());
         let variants = values.iter().map(of).collect::<Result<Vec<_>, Failure>>()?;
-        let section = |found: VariantRun| {
-            let outputs = found.outputs.first().map_or(0, Vec::len);
-            let first = found.times.len() - returns.min(found.times.len());
-            let of = |one: &Watched| {
-                let at = one.place;
-                let (rows, at) =
-                    if at < outputs { (&found.outputs, at) } else { (&found.states, at - outputs) };
-                rows[first..].iter().map(|row| row[at]).collect()
-            };
-            watched.iter().map(of).collect()
-        };
-        let runs = Variants {
-            scene: &self.scene,
-            run: &self.run,
-            points: None,
-            threads: None,
-            flag: Some(&flag),
-        };
+        let places: Vec<usize> = watched.iter().map(|one| one.place).collect();
+        let runs = self.variants(Some(&flag));
         let take = |_: &Simulation<'_>, found: Result<VariantRun, SimulateError>| {
-            found.map(section).map_err(|error| error.to_string())
+            found.map(|run| run.last(&places, returns)).map_err(|error| error.to_string())
         };
         runs.runs_of(
             scene,
             &variants,
-            |run| {
-                let (before, period) = settled(&run);
-                let periods = before + (returns - 1) as f64;
-                run.from(from).until(from + periods * period).points(periods as usize + 1)
-            },
+            // A variant without a period of its own stops as it is.
+            |run| settings.sectioned(run.clone(), returns).unwrap_or(run),
             take,
         )
+    }
+
+    fn variants<'a>(&'a self, flag: Option<&'a AtomicBool>) -> Variants<'a> {
+        Variants { scene: &self.scene, run: &self.run, points: None, threads: None, flag }
     }
 
     /// Returns parameter, period and columns, one row for each period.
@@ -154,7 +130,7 @@ impl CycleCommand {
         (over, unit): (&Range, &str),
         values: &[f64],
         watched: &[Watched],
-        sections: &[Section],
+        sections: &[Found],
     ) -> Vec<Column> {
         let column = |name: &str, unit: &str, values: Vec<f64>| Column {
             name: name.to_owned(),
@@ -168,7 +144,7 @@ impl CycleCommand {
         let periods = found().flat_map(|_| (0..self.returns).map(|at| at as f64)).collect();
         let mut all = vec![column(&over.name, unit, places), column("return", "1", periods)];
         for (at, one) in watched.iter().enumerate() {
-            let of = |(_, section): (&f64, &Section)| {
+            let of = |(_, section): (&f64, &Found)| {
                 section.as_ref().map_or_else(|_| Vec::new(), |columns| columns[at].clone())
             };
             all.push(column(&one.name, &one.unit, found().flat_map(of).collect()));
@@ -180,7 +156,7 @@ impl CycleCommand {
         &self,
         (scene, over, unit): (&Scene, &Range, &str),
         values: &[f64],
-        sections: &[Section],
+        sections: &[Found],
     ) -> String {
         let simulator = scene.simulator();
         let mut text = format!(
@@ -192,13 +168,17 @@ impl CycleCommand {
             values.len(),
             self.returns,
         );
-        let ranges = ranges(sections);
+        // Half of the digits of the runs: what is left of the transients is not told from their errors.
+        let rtol = self.variants(None).adjust(Simulation::new(simulator));
+        let same = rtol.relative_tolerance().sqrt();
+        let found: Vec<_> = sections.iter().map(|section| section.as_ref().ok()).collect();
         let repeats: Vec<String> = sections
             .iter()
-            .map(|section| match section {
-                Err(reason) => reason.clone(),
-                Ok(section) => repeat(section, &ranges)
-                    .map_or_else(|| "not".to_owned(), |period| period.to_string()),
+            .zip(repeats(&found, same))
+            .map(|(section, period)| match (section, period) {
+                (Err(reason), _) => reason.clone(),
+                (Ok(_), None) => "not".to_owned(),
+                (Ok(_), Some(period)) => period.to_string(),
             })
             .collect();
         let mut rows = vec![["from", "to", "repeats after"].map(str::to_owned)];
@@ -215,31 +195,6 @@ impl CycleCommand {
         }
         text.trim_end().to_owned() + "\n"
     }
-}
-
-/// Returns the range of each column over all sections.
-fn ranges(sections: &[Section]) -> Vec<f64> {
-    let found = || sections.iter().flatten();
-    let count = found().next().map_or(0, Vec::len);
-    let of = |at: usize| {
-        let values = found().flat_map(move |section| section[at].iter().copied());
-        let (least, greatest) = values
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), value| (a.min(value), b.max(value)));
-        greatest - least
-    };
-    (0..count).map(of).collect()
-}
-
-/// Returns the number of periods after which a section repeats, up to half of those reported.
-fn repeat(section: &[Vec<f64>], ranges: &[f64]) -> Option<usize> {
-    let returns = section.first().map_or(0, Vec::len);
-    let is_same = |values: &[f64], period: usize, range: f64| {
-        let pairs = values.iter().zip(&values[period..]);
-        pairs.into_iter().all(|(a, b)| (a - b).abs() <= SAME * range)
-    };
-    (1..=returns / 2).find(|period| {
-        section.iter().zip(ranges).all(|(values, range)| is_same(values, *period, *range))
-    })
 }
 
 fn as_columns(table: &[Column]) -> Vec<parquet::Column> {

@@ -1,6 +1,5 @@
 //! Runs of all samples, in lanes and on threads, and the tables made of them.
 
-use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
@@ -501,23 +500,4 @@ pub fn outcomes_of(
         })
     };
     (0..count).map(outcome).collect()
-}
-
-/// Writes columns as CSV.
-pub fn write_csv(columns: &[Column], out: &mut dyn io::Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(columns.iter().map(Column::head))?;
-    let rows = columns.first().map_or(0, |column| match &column.values {
-        Values::Counts(values) => values.len(),
-        _ => 0,
-    });
-    for row in 0..rows {
-        writer.write_record(columns.iter().map(|column| match &column.values {
-            Values::Numbers(values) => values[row].to_string(),
-            Values::Some(values) => values[row].map_or_else(String::new, |value| value.to_string()),
-            Values::Counts(values) => values[row].to_string(),
-            Values::Texts(values) => values[row].clone().unwrap_or_default(),
-        }))?;
-    }
-    writer.flush()
 }

@@ -21,22 +21,26 @@ use super::vector::{
 
 /// A force and its torque about the origin of a joint.
 #[derive(Debug, Clone)]
-struct Wrench {
-    force: Vector,
-    torque: Vector,
+pub(super) struct Wrench {
+    pub(super) force: Vector,
+    pub(super) torque: Vector,
 }
 
 impl Wrench {
-    fn none() -> Self {
+    pub(super) fn none() -> Self {
         Wrench { force: zero(), torque: zero() }
     }
 
-    fn plus(&self, other: &Self) -> Self {
+    pub(super) fn times(&self, s: &Expr) -> Self {
+        Wrench { force: scaled(s, &self.force), torque: scaled(s, &self.torque) }
+    }
+
+    pub(super) fn plus(&self, other: &Self) -> Self {
         Wrench { force: plus(&self.force, &other.force), torque: plus(&self.torque, &other.torque) }
     }
 
     /// Returns the same wrench about the origin of the joint that carries this one, along its axes.
-    fn on_parent_of(&self, joint: &Joint) -> Self {
+    pub(super) fn on_parent_of(&self, joint: &Joint) -> Self {
         let back = transposed(&joint.orientation);
         let force = times(&back, &self.force);
         let torque = plus(&times(&back, &self.torque), &cross(&joint.displacement, &force));
@@ -130,7 +134,7 @@ impl Mechanism {
 
     /// Returns angular acceleration, and acceleration of the origin less gravity, of a joint from
     /// those of its parent and its own, the sum of n s''.
-    fn accelerated(&self, joint: &Joint, parent: &[Vector; 2], own: &Vector) -> [Vector; 2] {
+    pub(super) fn accelerated(&self, joint: &Joint, parent: &[Vector; 2], own: &Vector) -> [Vector; 2] {
         let [turning, moving] = parent;
         let omega = joint.parent.map_or_else(zero, |p| self.joints[p].motion.omega.clone());
         let r = &joint.displacement;
@@ -200,7 +204,7 @@ impl Mechanism {
 
 /// Returns the wrench that accelerates bodies: force m a + omega' x h + omega x (omega x h), torque
 /// I omega' + omega x (I omega) + h x a.
-fn inertial(inertia: &Inertia, omega: &Vector, moved: &[Vector; 2]) -> Wrench {
+pub(super) fn inertial(inertia: &Inertia, omega: &Vector, moved: &[Vector; 2]) -> Wrench {
     let [turning, moving] = moved;
     let Inertia { mass, moment, tensor } = inertia;
     let force = total(&[

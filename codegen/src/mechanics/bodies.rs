@@ -23,12 +23,7 @@ pub(super) fn with_bodies(
     forcing: Vec<Expr>,
 ) -> Equations {
     if system.mechanisms.is_empty() {
-        return Equations {
-            mass_matrix,
-            forcing,
-            at_accelerations: None,
-            accelerations: None,
-        };
+        return Equations { mass_matrix, forcing, at_accelerations: None, accelerations: None };
     }
     let accelerations = accelerations(system, &mass_matrix, &forcing);
     let mut entries: BTreeMap<(CoordinateId, CoordinateId), Vec<Expr>> = BTreeMap::new();

@@ -132,10 +132,8 @@ impl Mechanism {
             let carried = [turning, moving].map(|a| times(&joint.orientation, &a));
             let mut moved = [plus(&carried[0], &bias[0]), plus(&carried[1], &bias[1])];
             for motion in motions.iter().rev() {
-                let taken = sum([
-                    dot(&motion.unit.torque, &moved[0]),
-                    dot(&motion.unit.force, &moved[1]),
-                ]);
+                let taken =
+                    sum([dot(&motion.unit.torque, &moved[0]), dot(&motion.unit.force, &moved[1])]);
                 let left = sum([motion.force.clone(), negative(&taken)]).shared();
                 let acceleration = product([motion.inverse.clone(), left]).shared();
                 let own = scaled(&acceleration, &motion.axis);

@@ -134,7 +134,12 @@ impl Mechanism {
 
     /// Returns angular acceleration, and acceleration of the origin less gravity, of a joint from
     /// those of its parent and its own, the sum of n s''.
-    pub(super) fn accelerated(&self, joint: &Joint, parent: &[Vector; 2], own: &Vector) -> [Vector; 2] {
+    pub(super) fn accelerated(
+        &self,
+        joint: &Joint,
+        parent: &[Vector; 2],
+        own: &Vector,
+    ) -> [Vector; 2] {
         let [turning, moving] = parent;
         let omega = joint.parent.map_or_else(zero, |p| self.joints[p].motion.omega.clone());
         let r = &joint.displacement;

@@ -6,7 +6,7 @@
 //!     cargo bench -p machinist-tests --features measure --bench robots
 //! ```
 //!
-//! The second measures Pinocchio (`pip install pin`) in the same run, compiled by g++ with `-O3
+//! `-- derive` and `-- speed` after the command select a part. The second command measures Pinocchio (`pip install pin`) in the same run, compiled by g++ with `-O3
 //! -march=native`, as emitted code is for the processor that it runs on. Rates and Jacobians of all
 //! are compared.
 
@@ -24,9 +24,16 @@ mod table;
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    derive::print()?;
-    if std::env::args().any(|argument| argument == "derive") {
-        return Ok(());
+    let is_asked = |part: &str| {
+        let mut parts = std::env::args().skip(1).filter(|argument| !argument.starts_with('-'));
+        let first = parts.next();
+        first.is_none_or(|first| first == part || parts.any(|other| other == part))
+    };
+    if is_asked("derive") {
+        derive::print()?;
     }
-    speed::print()
+    if is_asked("speed") {
+        speed::print()?;
+    }
+    Ok(())
 }

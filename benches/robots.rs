@@ -6,12 +6,15 @@
 //!     cargo bench -p machinist-tests --features measure --bench robots
 //! ```
 //!
-//! `-- derive` and `-- speed` after the command select a part. The second command measures Pinocchio (`pip install pin`) in the same run, compiled by g++ with `-O3
+//! `-- derive`, `-- speed` and `-- fall` after the command select a part. The second command measures Pinocchio (`pip install pin`) in the same run, compiled by g++ with `-O3
 //! -march=native`, as emitted code is for the processor that it runs on. Rates and Jacobians of all
-//! are compared.
+//! are compared. Runs of Pinocchio with scipy and of MuJoCo are measured if `MACHINIST_PYTHON` names an
+//! interpreter with them.
 
 #[path = "robots/derive.rs"]
 mod derive;
+#[path = "robots/fall.rs"]
+mod fall;
 #[path = "robots/measure.rs"]
 mod measure;
 #[path = "../tests/spatial/robots.rs"]
@@ -34,6 +37,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     if is_asked("speed") {
         speed::print()?;
+    }
+    if is_asked("fall") {
+        fall::print()?;
     }
     Ok(())
 }

@@ -81,11 +81,14 @@ fn ours() -> Result<Vec<Run>, Box<dyn Error>> {
 /// Runs the script of the others, if an interpreter with them is named.
 fn others() -> Result<Vec<Run>, Box<dyn Error>> {
     let Some(python) = std::env::var_os("MACHINIST_PYTHON") else {
-        println!("\nMACHINIST_PYTHON names no Python with pin, mujoco and scipy: they are left out");
+        println!(
+            "\nMACHINIST_PYTHON names no Python with pin, mujoco and scipy: they are left out"
+        );
         return Ok(Vec::new());
     };
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let paths = ["benches/robots/fall.py", "app/tests/urdf/ur5.urdf", "tests/spatial/ur5_free_fall.csv"];
+    let paths =
+        ["benches/robots/fall.py", "app/tests/urdf/ur5.urdf", "tests/spatial/ur5_free_fall.csv"];
     let output = Command::new(python).args(paths.map(|path| root.join(path))).output()?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into());

@@ -4,6 +4,7 @@
 //! Pinocchio 4.1 (`pinocchio.crba`, `rnea`, `aba`, `computeABADerivatives`) from the robot
 //! descriptions of the Python package example-robot-data 6.0.0.
 
+mod long_trees;
 mod robots;
 
 use std::fmt::Write as _;

@@ -4,122 +4,23 @@
 //! Pinocchio 4.1 (`pinocchio.crba`, `rnea`, `aba`, `computeABADerivatives`) from the robot
 //! descriptions of the Python package example-robot-data 6.0.0.
 
+mod long_trees;
+mod robots;
+
 use std::fmt::Write as _;
 
 use machinist::complex_step::dense;
 use machinist::{Simulation, Trajectory};
 use machinist_codegen::independent::Comparison;
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_contract::{Describe, Simulator};
+use machinist_contract::{Describe, Real as _, Simulator};
+use machinist_model::Model;
+use machinist_model::evaluate::{Evaluator, Inputs};
 use machinist_studies::double_double::DoubleDouble;
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
-use serde_json::Value;
+use nalgebra::{DMatrix, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::own_scene::{of_text, refusal, system_of};
-
-fn robots() -> Value {
-    serde_json::from_str(include_str!("spatial/robots.json")).expect("it is JSON")
-}
-
-fn numbers(value: &Value) -> Vec<f64> {
-    value.as_array().expect("a list").iter().map(|v| v.as_f64().expect("a number")).collect()
-}
-
-fn rows(value: &Value) -> Vec<Vec<f64>> {
-    value.as_array().expect("a list").iter().map(numbers).collect()
-}
-
-/// Returns the quaternion of a rotation matrix that turns by less than half a turn.
-fn quaternion(r: &[Vec<f64>]) -> [f64; 4] {
-    let trace = r[0][0] + r[1][1] + r[2][2];
-    let largest = (0..3).max_by(|a, b| r[*a][*a].total_cmp(&r[*b][*b])).expect("three");
-    if trace > r[largest][largest] {
-        let w = (1.0 + trace).sqrt() / 2.0;
-        let part = |i: usize, j: usize| (r[i][j] - r[j][i]) / (4.0 * w);
-        return [w, part(2, 1), part(0, 2), part(1, 0)];
-    }
-    let (i, j, k) = (largest, (largest + 1) % 3, (largest + 2) % 3);
-    let part = (1.0 + r[i][i] - r[j][j] - r[k][k]).sqrt() / 2.0;
-    let mut q = [0.0; 4];
-    q[0] = (r[k][j] - r[j][k]) / (4.0 * part);
-    q[1 + i] = part;
-    q[1 + j] = (r[j][i] + r[i][j]) / (4.0 * part);
-    q[1 + k] = (r[k][i] + r[i][k]) / (4.0 * part);
-    q
-}
-
-/// Returns a scene of a robot, with a force on each coordinate as parameter.
-fn scene_of(robot: &Value) -> String {
-    let mut text = format!(
-        "[scene]\nname = \"robot\"\n[units]\nr = {{ unit = \"robot\" }}\n[run]\nuntil = 1\n\
-         [define.robot]\ngravity = {}\n",
-        robot["gravity"]
-    );
-    for (index, joint) in robot["joints"].as_array().expect("joints").iter().enumerate() {
-        let (n, kind) = (index + 1, joint["type"].as_str().expect("a type"));
-        if kind == "JointModelFreeFlyer" {
-            text += FREE;
-            text += &body_of(n, joint);
-            continue;
-        }
-        let is_prismatic = kind.starts_with("JointModelP");
-        let unit = if is_prismatic { ["m", "N"] } else { ["rad", "N m"] };
-        let axis = match kind.chars().last() {
-            Some('X') => "[1, 0, 0]".to_owned(),
-            Some('Y') => "[0, 1, 0]".to_owned(),
-            Some('Z') => "[0, 0, 1]".to_owned(),
-            _ => joint["axis"].to_string(),
-        };
-        let by = if is_prismatic { ["prismatic", "displacement"] } else { ["revolute", "angle"] };
-        let parent = match joint["parent"].as_u64() {
-            Some(0) | None => "world".to_owned(),
-            Some(parent) => format!("f{parent}"),
-        };
-        let turned = quaternion(&rows(&joint["R"]));
-        write!(
-            text,
-            "[define.robot.coordinates.q{n}]\nunit = \"{0}\"\n\
-             [define.robot.parameters.tau{n}]\nvalue = 0\nunit = \"{1}\"\n\
-             [[define.robot.forces]]\ncoordinate = \"q{n}\"\nexpression = \"tau{n}\"\n\
-             [define.robot.frames.f{n}]\nparent = \"{parent}\"\ndisplacement = {2}\n\
-             rotation = {{ quaternion = {turned:?} }}\n{3} = {{ axis = {axis}, {4} = \"q{n}\" }}\n",
-            unit[0], unit[1], joint["p"], by[0], by[1],
-        )
-        .expect("text");
-        text += &body_of(n, joint);
-    }
-    text
-}
-
-/// A base that moves freely.
-const FREE: &str = r#"
-[define.robot.coordinates]
-x = { unit = "m" }
-y = { unit = "m" }
-z = { unit = "m" }
-yaw = { unit = "rad" }
-pitch = { unit = "rad" }
-roll = { unit = "rad" }
-[define.robot.frames.f1]
-displacement = ["x", "y", "z"]
-rotation = { sequence = "zyx", angles = ["yaw", "pitch", "roll"] }
-"#;
-
-fn body_of(n: usize, joint: &Value) -> String {
-    let inertia = rows(&joint["inertia_at_com"]);
-    format!(
-        "[define.robot.bodies.b{n}]\nframe = \"f{n}\"\nmass = {0}\ncentre = {1}\n\
-         inertia = {{ xx = {2}, yy = {3}, zz = {4}, xy = {5}, xz = {6}, yz = {7} }}\n",
-        joint["mass"],
-        joint["com"],
-        inertia[0][0],
-        inertia[1][1],
-        inertia[2][2],
-        inertia[0][1],
-        inertia[0][2],
-        inertia[1][2],
-    )
-}
+use robots::{numbers, robots, rows, scene_of};
 
 /// Returns the largest difference of two matrices, relative to the largest entry.
 fn off(found: impl Fn(usize, usize) -> f64, wanted: &[Vec<f64>]) -> f64 {
@@ -572,4 +473,56 @@ fn mistakes_in_frames_and_bodies_are_reported_where_they_are() {
         let said = with(before, after);
         assert!(said.contains(wanted), "{wanted}: {said}");
     }
+}
+
+/// The disc of a gyroscope is symmetric, so no rate depends on its angle. It turns at 300 rad/s, so
+/// rates are sums of large terms that cancel. The reference are central differences in 31 digits.
+#[test]
+fn a_fast_gyroscope_has_exact_derivatives() {
+    let text = include_str!("../docs/book/src/space.md");
+    let (_, text) = text.split_once("```toml,file=gyroscope.toml\n").expect("the gyroscope");
+    let (text, _) = text.split_once("```").expect("its end");
+    let scene = of_text(text, Keep::Needed);
+    let p: Vec<f64> = (0..scene.shape().parameters).map(|k| scene.parameter_default(k)).collect();
+    let run = Simulation::new(&scene).run().expect("it runs");
+    let count = scene.shape().states();
+    for row in [0, 100, 342, 400] {
+        let y: Vec<f64> = (0..count).map(|k| column(&run, scene.state(k).name)[row]).collect();
+        let mut entries = vec![0.0; scene.rate_jacobian_pattern().entries.len()];
+        scene.rate_jacobian(run.times[row], &y, &p, &mut entries);
+        let found = dense(scene.rate_jacobian_pattern(), &entries);
+        let exact = differences(scene.model(), &y, &p);
+        let error = (&found - &exact).component_div(&exact.map(|e| e.abs().max(1.0))).amax();
+        assert!(error <= 1e-13, "row {row}: {error:e}");
+    }
+}
+
+/// Returns dy'/dy by central differences in 31 digits, good to 16.
+fn differences(model: &Model, y: &[f64], p: &[f64]) -> DMatrix<f64> {
+    const STEP: f64 = 1e-9;
+    let rate = Evaluator::new(&model.rate);
+    let at = |k: usize, step: f64| {
+        let mut state: Vec<DoubleDouble> = y.iter().map(|y| DoubleDouble::literal(*y)).collect();
+        state[k] = state[k] + DoubleDouble::literal(step);
+        let parameters: Vec<DoubleDouble> = p.iter().map(|p| DoubleDouble::literal(*p)).collect();
+        let zero = DoubleDouble::literal(0.0);
+        let inputs = Inputs {
+            time: zero,
+            state: &state,
+            parameters: &parameters,
+            handed: &[],
+            constants: &[],
+            motion: &[],
+            tables: &[],
+        };
+        let mut found = vec![zero; y.len()];
+        rate.evaluate_in(&mut vec![zero; rate.room()], &inputs, &mut found);
+        found
+    };
+    let columns = (0..y.len()).flat_map(|k| {
+        let pairs = at(k, STEP).into_iter().zip(at(k, -STEP));
+        let slope = |(a, b): (DoubleDouble, DoubleDouble)| (a - b).to_f64() / (2.0 * STEP);
+        pairs.map(slope).collect::<Vec<_>>()
+    });
+    DMatrix::from_iterator(y.len(), y.len(), columns)
 }

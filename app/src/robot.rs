@@ -1,4 +1,4 @@
-//! Descriptions of robots in URDF and MJCF and as tables of Denavit and Hartenberg, as read and as a
+//! Descriptions of robots in URDF, MJCF and SDF and as tables of Denavit and Hartenberg, as read and as a
 //! spec.
 //!
 //! Excluded: meshes, transmissions, drives, sensors, contact and the extensions of simulators. Those
@@ -6,6 +6,7 @@
 
 mod dh;
 mod mjcf;
+mod sdf;
 mod shapes;
 mod spec;
 mod tree;
@@ -16,7 +17,7 @@ pub use dh::Convention;
 pub use spec::Spec;
 pub use tree::{Motion, Robot, RobotError};
 
-/// Reads a robot from XML: MJCF if its root is `<mujoco>`, else URDF.
+/// Reads a robot from XML: MJCF if its root is `<mujoco>`, SDF if it is `<sdf>`, else URDF.
 ///
 /// # Errors
 /// The first mistake, with its line.
@@ -24,6 +25,7 @@ pub fn of_xml(text: &str) -> Result<Robot, RobotError> {
     let document = xml::parsed(text)?;
     match document.root_element().tag_name().name() {
         "mujoco" => mjcf::read(&document),
+        "sdf" => sdf::read(&document),
         _ => urdf::read(&document),
     }
 }

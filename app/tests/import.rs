@@ -1,10 +1,11 @@
-//! `machinist import`: robots from URDF.
+//! `machinist import`: robots from URDF and SDF.
 
 use std::fmt::Write as _;
 
 use crate::process::{answer, assert_refused, machinist};
 
 const UR5: &str = include_str!("urdf/ur5.urdf");
+const SDF: &str = include_str!("urdf/ur5.sdf");
 const JOINTS: [&str; 6] = [
     "shoulder_pan_joint",
     "shoulder_lift_joint",
@@ -47,9 +48,16 @@ const END: [f64; 12] = [
 
 #[test]
 fn an_arm_falls_as_its_description_says() {
+    for (file, text) in [("ur5.urdf", UR5), ("ur5.sdf", SDF)] {
+        falls(file, text);
+    }
+}
+
+/// Imports an arm and compares its fall with the reference.
+fn falls(file: &str, text: &str) {
     let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("ur5.urdf"), UR5).expect("written");
-    let said = answer(machinist(&folder, &["import", "ur5.urdf", "--out", "ur5.toml"]));
+    std::fs::write(folder.path().join(file), text).expect("written");
+    let said = answer(machinist(&folder, &["import", file, "--out", "ur5.toml"]));
     assert!(said.contains("6 joints that move"), "{said}");
     let path = folder.path().join("ur5.toml");
     let mut text = std::fs::read_to_string(&path).expect("a scene");
@@ -163,4 +171,130 @@ fn bad_robots_are_refused_and_nothing_is_written() {
         assert_refused(machinist(&folder, &call), &[wanted]);
         assert!(!folder.path().join("bad.toml").exists(), "{after} wrote a scene");
     }
+}
+
+#[test]
+fn shapes_are_drawn_and_meshes_are_named() {
+    let mesh = "<visual><geometry><mesh filename=\"package://arm/hand.stl\"/></geometry></visual>";
+    let shapes = "<visual><origin xyz=\"0 0 0.5\" rpy=\"0 0.3 0\"/><geometry><box size=\"0.1 0.2 1\"/>\
+                  </geometry></visual><visual><geometry><sphere radius=\"0.2\"/></geometry></visual>\
+                  <visual><geometry><cylinder radius=\"0.1\" length=\"0.6\"/></geometry></visual>";
+    let text = ALL
+        .replace("<link name=\"arm.1\">", &format!("<link name=\"arm.1\">{shapes}"))
+        .replace("<link name=\"tool\"/>", &format!("<link name=\"tool\">{mesh}</link>"));
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("all.urdf"), &text).expect("written");
+    answer(machinist(&folder, &["import", "all.urdf", "--out", "all.toml"]));
+    let scene = std::fs::read_to_string(folder.path().join("all.toml")).expect("a scene");
+    for part in [
+        "shapes.arm_1]\nframe = \"arm_1\"\ncentre = [0.0, 0.0, 0.5]\n\
+         rotation = { roll_pitch_yaw = [0.0, 0.3, 0.0] }\nbox = [0.1, 0.2, 1.0]",
+        "shapes.arm_1_2]\nframe = \"arm_1\"\nsphere = 0.4",
+        "shapes.arm_1_3]\nframe = \"arm_1\"\ncylinder = { length = 0.6, diameter = 0.2 }",
+        "shapes.base_link_to_arm_1]\nframe = \"base_link\"\nrod = \"arm_1\"",
+        "# Mesh of `tool`, which is not drawn: \"package://arm/hand.stl\"",
+    ] {
+        assert!(scene.contains(part), "{part} is missing: {scene}");
+    }
+    answer(machinist(&folder, &["report", "all.toml", "--out", "all.html"]));
+    for (before, after, wanted) in [
+        ("size=\"0.1 0.2 1\"", "size=\"0.1 0 1\"", "not positive"),
+        ("size=\"0.1 0.2 1\"", "size=\"0.1 0.2\"", "three numbers"),
+        ("size=\"0.1 0.2 1\"", "", "lacks the attribute `size`"),
+        ("radius=\"0.2\"", "radius=\"inf\"", "no robot has"),
+        (" length=\"0.6\"", "", "lacks the attribute `length`"),
+    ] {
+        std::fs::write(folder.path().join("bad.urdf"), text.replace(before, after))
+            .expect("written");
+        let call = ["import", "bad.urdf", "--out", "bad.toml"];
+        assert_refused(machinist(&folder, &call), &[wanted]);
+    }
+}
+
+#[test]
+fn bad_models_of_gazebo_are_refused_and_nothing_is_written() {
+    let forearm = "<link name=\"forearm_link\">";
+    for (before, after, wanted) in [
+        ("<model name=\"ur5\">", "<include/><model name=\"ur5\"><include/>", "<include> within"),
+        ("<model name=\"ur5\">", "<model/><model name=\"ur5\">", "has 2 models"),
+        ("<model name=\"ur5\">", "<model name=\"ur5\"><static>true</static>", "is static"),
+        ("relative_to=\"bench\"", "relative_to=\"bank\"", "the frame `bank` is missing"),
+        (
+            "<frame name=\"bench\">",
+            "<frame name=\"bench\" attached_to=\"shoulder_link\">",
+            "itself",
+        ),
+        (
+            "rotation_format=\"quat_xyzw\"",
+            "rotation_format=\"quat\"",
+            "`rotation_format` is `quat`",
+        ),
+        ("rotation_format=\"quat_xyzw\"", "", "has 6 numbers, not 7"),
+        ("<mass>3.7</mass>", "<mass>nan</mass>", "which no robot has"),
+        ("<mass>3.7</mass>", "<mass>-3.7</mass>", "is negative"),
+        ("<mass>3.7</mass>", "<mass>3.7 kg</mass>", "not a number"),
+        ("<mass>3.7</mass>", "", "lacks <mass>"),
+        ("<ixx>0.010267495893</ixx>", "<ixx>-1</ixx>", "below 0"),
+        ("<ixx>0.010267495893</ixx>", "", "lacks <ixx>"),
+        ("<inertial>", "<inertial auto=\"true\">", "inertias of collisions"),
+        (forearm, &format!("<link name=\"bare\"/>{forearm}"), "`bare` has no <inertial>"),
+        (forearm, &format!("{forearm}<gravity>false</gravity>"), "has no weight"),
+        ("type=\"revolute\"", "type=\"universal\"", "is of type `universal`"),
+        ("<axis>", "<axis><use_parent_model_frame>1</use_parent_model_frame>", "is not read"),
+        ("<axis>", "<axis><dynamics><damping>-1</damping></dynamics>", "must not be negative"),
+        ("<axis>", "<axis><mimic joint=\"none\"/>", "which is missing"),
+        ("<axis>", "<axis><xyz>0 0 0</xyz>", "is zero"),
+        ("<parent>base_link</parent>", "", "lacks <parent>"),
+        ("<parent>base_link</parent>", "<parent>wrist_1_link</parent>", "loop"),
+        ("<radius>0.06</radius>", "<radius>0</radius>", "not positive"),
+        ("<sdf version=\"1.10\">", "<!DOCTYPE a><sdf>", "DTD"),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        assert!(SDF.contains(before), "{before}");
+        let text = SDF.replacen(before, after, 1);
+        std::fs::write(folder.path().join("bad.sdf"), text).expect("written");
+        let call = ["import", "bad.sdf", "--out", "bad.toml"];
+        assert_refused(machinist(&folder, &call), &[wanted]);
+        assert!(!folder.path().join("bad.toml").exists(), "{after} wrote a scene");
+    }
+}
+
+/// A pendulum whose base nothing joins to the world falls with it, turned as the model is placed.
+#[test]
+fn a_model_of_gazebo_that_nothing_holds_is_free_and_its_losses_act() {
+    let text = r#"<sdf version="1.8"><model name="pair"><pose>1 2 3 0.5 0 0</pose>
+      <link name="base"><inertial><mass>2</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz>
+        </inertia></inertial><sensor name="s"/><collision name="c"/></link>
+      <link name="arm"><pose relative_to="base">0 0 0.5 0 0 0</pose><inertial><mass>1</mass><inertia>
+        <ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial></link>
+      <link name="copy"><inertial><mass>1</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz>
+        </inertia></inertial></link>
+      <joint name="turn" type="revolute"><parent>base</parent><child>arm</child><axis><xyz>0 1 0</xyz>
+        <dynamics><damping>0.3</damping><friction>0.2</friction><spring_stiffness>4</spring_stiffness>
+        <spring_reference>0.1</spring_reference></dynamics>
+        <limit><lower>-1e16</lower><upper>inf</upper></limit></axis></joint>
+      <joint name="follow" type="continuous"><parent>base</parent><child>copy</child><axis>
+        <xyz>1 0 0</xyz><mimic joint="turn" axis="axis"><multiplier>2</multiplier><offset>0.5</offset>
+        <reference>0.1</reference></mimic></axis></joint>
+      </model></sdf>"#;
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("pair.sdf"), text).expect("written");
+    let output = machinist(&folder, &["import", "pair.sdf", "--out", "pair.toml"]).output();
+    let said = String::from_utf8_lossy(&output.expect("it starts").stderr).into_owned();
+    for part in ["<collision> of pair.sdf is left out", "<sensor> of pair.sdf is left out"] {
+        assert!(said.contains(part), "{said}");
+    }
+    let scene = std::fs::read_to_string(folder.path().join("pair.toml")).expect("a scene");
+    for part in [
+        "displacement = [1.0, 2.0, 3.0]\nrotation = { roll_pitch_yaw = [0.5, 0.0, 0.0] }",
+        "angle = \"2.0*turn + 0.3 [rad]\"",
+        "4.0 [N m/rad]*(turn - 0.1 [rad])^2/2",
+        "0.3 [N m s/rad]*turn_dot^2/2",
+        "sliding = \"0.2 [N m]\"",
+        "displacement = [0.0, 0.0, 0.5]\nrevolute",
+    ] {
+        assert!(scene.contains(part), "{part} is missing: {scene}");
+    }
+    assert!(!scene.contains("# Limits"), "{scene}");
+    answer(machinist(&folder, &["run", "pair.toml", "--no-error"]));
 }

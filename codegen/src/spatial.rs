@@ -4,6 +4,7 @@
 //! algebra. All quantities of the recursions are shared parts of expressions, so their number is
 //! linear in the number of joints, and nothing is expanded.
 
+pub mod articulated;
 pub mod mechanism;
 pub mod orientation;
 pub mod recursion;

@@ -12,7 +12,7 @@ use crate::robot::{self, Convention, Motion, Spec};
 
 #[derive(Debug, Args)]
 pub struct Import {
-    /// Robot in URDF or MJCF, ending in .urdf or .xml, or a Denavit-Hartenberg table, ending in .csv
+    /// Robot in URDF, MJCF or SDF, ending in .urdf, .xml or .sdf, or a Denavit-Hartenberg table, ending in .csv
     robot: PathBuf,
     /// Scene to write, ending in .toml
     #[arg(short, long, value_name = "FILE")]
@@ -27,7 +27,7 @@ pub struct Import {
 
 impl Import {
     pub fn execute(&self) -> Result<(), Failure> {
-        require_ending(&self.robot, &["urdf", "xml", "csv"], "the robot")?;
+        require_ending(&self.robot, &["urdf", "xml", "sdf", "csv"], "the robot")?;
         require_ending(&self.out, &["toml"], "--out")?;
         let text = self.read()?;
         let file = self.robot.file_name().unwrap_or_default().to_string_lossy().into_owned();

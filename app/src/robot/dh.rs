@@ -76,7 +76,7 @@ pub fn read(name: &str, text: &str, convention: Convention) -> Result<Robot, Rob
             return Err(RobotError::new(1, message, ""));
         }
     }
-    let world = Link { name: WORLD.to_owned(), line: 0, inertial: None };
+    let world = Link { name: WORLD.to_owned(), ..Link::default() };
     let mut robot = Robot { name: name.to_owned(), links: vec![world], ..Robot::default() };
     let mut last = WORLD.to_owned();
     for (index, record) in reader.records().enumerate() {
@@ -153,7 +153,7 @@ impl Row {
         let Row { number, line, joint, motion, distances: [a, d], angles, inertial, .. } = self;
         let [alpha, theta] = angles;
         let mut link = |name: String, inertial: Option<Inertial>| {
-            robot.links.push(Link { name: name.clone(), line, inertial });
+            robot.links.push(Link { name: name.clone(), line, inertial, ..Link::default() });
             name
         };
         let arm = Pose { xyz: [a, 0.0, 0.0], rpy: [alpha, 0.0, 0.0] };

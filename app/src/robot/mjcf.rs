@@ -66,7 +66,7 @@ impl<'a, 'input> Model<'a, 'input> {
     fn new(reader: Reader<'a, 'input>, root: Node<'a, 'input>) -> Read<Self> {
         let compiler = child(root, "compiler");
         let of = |key: &str| compiler.and_then(|node| node.attribute(key)).unwrap_or_default();
-        let world = Link { name: WORLD.to_owned(), line: 0, inertial: None };
+        let world = Link { name: WORLD.to_owned(), ..Link::default() };
         let mut model = Model {
             reader,
             angle: if of("angle") == "radian" { 1.0 } else { std::f64::consts::PI / 180.0 },
@@ -258,12 +258,12 @@ impl<'a, 'input> Model<'a, 'input> {
             at *= isometry(&anchor);
             let joint = Joint { parent: last, child: moved.clone(), origin: pose(&at), ..joint };
             self.robot.joints.push(joint);
-            self.robot.links.push(Link { name: moved.clone(), line, inertial: None });
+            self.robot.links.push(Link { name: moved.clone(), line, ..Link::default() });
             last = moved;
             at = isometry(&anchor).inverse();
         }
         let inertial = self.inertial(node, class)?;
-        self.robot.links.push(Link { name: name.clone(), line, inertial });
+        self.robot.links.push(Link { name: name.clone(), line, inertial, ..Link::default() });
         let fixed = format!("{name} fixed");
         let mut rest = Joint::plain(&fixed, line, Motion::Fixed, [&last, &name]);
         rest.origin = pose(&at);

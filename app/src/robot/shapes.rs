@@ -22,6 +22,16 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// Reports whether all dimensions are positive.
+    pub fn is_solid(self) -> bool {
+        match self {
+            Self::Sphere(r) => r > 0.0,
+            Self::Box(half) | Self::Ellipsoid(half) => half.iter().all(|edge| *edge > 0.0),
+            Self::Cylinder(r, h) => r > 0.0 && h > 0.0,
+            Self::Capsule(r, h) => r > 0.0 && h >= 0.0,
+        }
+    }
+
     /// Returns the volume \[m^3\].
     pub fn volume(self) -> f64 {
         match self {

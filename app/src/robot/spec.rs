@@ -1,5 +1,7 @@
 //! A robot as the text of a scene.
 
+mod drawn;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write as _;
@@ -55,6 +57,7 @@ impl<'a> Spec<'a> {
             self.body(&mut text, link);
         }
         self.losses(&mut text);
+        self.shapes(&mut text);
         text
     }
 

@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::shapes::Shape;
+
 /// Maximum magnitude of a number, in SI units: no robot comes near it.
 pub const LARGEST: f64 = 1e9;
 
@@ -39,7 +41,7 @@ pub struct Robot {
 }
 
 /// A rigid link. Its frame is that of the joint that carries it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Link {
     /// Its name.
     pub name: String,
@@ -47,6 +49,19 @@ pub struct Link {
     pub line: usize,
     /// Its inertia, if it has one.
     pub inertial: Option<Inertial>,
+    /// Shapes by which it is drawn.
+    pub visuals: Vec<Visual>,
+    /// Files of meshes by which it would be drawn.
+    pub meshes: Vec<String>,
+}
+
+/// A shape of a drawing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Visual {
+    /// Pose of its middle and axes in the link's frame.
+    pub origin: Pose,
+    /// The shape.
+    pub shape: Shape,
 }
 
 /// Inertia of a link.
@@ -252,7 +267,7 @@ impl Robot {
             let message = "the robot has a link `world`, to which its base is connected";
             return Err(RobotError::new(0, message, "make that joint floating instead"));
         }
-        self.links.insert(0, Link { name: WORLD.to_owned(), line: 0, inertial: None });
+        self.links.insert(0, Link { name: WORLD.to_owned(), ..Link::default() });
         let ends = [WORLD, &*base];
         self.joints.push(Joint::plain("base", 0, Motion::Floats, ends));
         self.check()

@@ -2,8 +2,8 @@
 
 use roxmltree::{Document, Node};
 
-use super::shapes::negative_principal;
-use super::tree::{Inertial, Joint, Limits, Link, Mimic, Motion, Pose, Robot, RobotError};
+use super::shapes::{Shape, negative_principal};
+use super::tree::{Inertial, Joint, Limits, Link, Mimic, Motion, Pose, Robot, RobotError, Visual};
 use super::xml::{Read, Reader, child};
 
 /// Reads a robot description, and checks it.
@@ -15,8 +15,9 @@ pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
     let reader = Reader { document };
     if root.tag_name().name() != "robot" {
         let found = root.tag_name().name().escape_debug().to_string();
-        let message =
-            format!("this is no robot description: the root is <{found}>, not <robot> or <mujoco>");
+        let message = format!(
+            "this is no robot description: the root is <{found}>, not <robot>, <mujoco> or <sdf>"
+        );
         return Err(reader.error(root, message, ""));
     }
     let mut robot = Robot { name: reader.name(root)?, ..Robot::default() };
@@ -47,7 +48,38 @@ impl Reader<'_, '_> {
         let name = self.name(node)?;
         let inertial =
             child(node, "inertial").map(|inertial| self.inertial(inertial)).transpose()?;
-        Ok(Link { name, line: self.line(node), inertial })
+        let mut link = Link { name, line: self.line(node), inertial, ..Link::default() };
+        for visual in node.children().filter(|node| node.has_tag_name("visual")) {
+            let Some(geometry) = child(visual, "geometry") else { continue };
+            let origin = self.pose(visual)?;
+            let shape = self.shape(geometry)?;
+            link.visuals.extend(shape.map(|shape| Visual { origin, shape }));
+            if let Some(mesh) = child(geometry, "mesh") {
+                link.meshes.push(self.attribute(mesh, "filename")?.to_owned());
+            }
+        }
+        Ok(link)
+    }
+
+    /// Reads the shape of a drawing; `None` for a mesh.
+    fn shape(&self, geometry: Node<'_, '_>) -> Read<Option<Shape>> {
+        let Some(node) = geometry.children().find(Node::is_element) else { return Ok(None) };
+        let shape = match node.tag_name().name() {
+            "box" => {
+                self.attribute(node, "size")?;
+                Shape::Box(self.vector(Some(node), "size", [0.0; 3])?.map(|edge| edge / 2.0))
+            }
+            "cylinder" => {
+                let half = self.number(node, "length")? / 2.0;
+                Shape::Cylinder(self.number(node, "radius")?, half)
+            }
+            "sphere" => Shape::Sphere(self.number(node, "radius")?),
+            _ => return Ok(None),
+        };
+        if !shape.is_solid() {
+            return Err(self.error(node, "a dimension of this shape is not positive", ""));
+        }
+        Ok(Some(shape))
     }
 
     fn inertial(&self, node: Node<'_, '_>) -> Read<Inertial> {

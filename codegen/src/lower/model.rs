@@ -9,7 +9,7 @@ use machinist_algebra::expr::abbreviate::Abbreviations;
 use machinist_algebra::expr::{Expr, Graph};
 use machinist_model::evaluate::{Evaluator, Inputs};
 use machinist_model::{
-    Drawing, Element, MatrixTape, Model, NodeId, SparsityPattern, Tape, reachable,
+    Drawing, Element, MatrixTape, Model, NodeId, SparsityPattern, Tape, operations, reachable,
 };
 
 use crate::lower::angles::expand;
@@ -176,7 +176,16 @@ impl<'a> Build<'a> {
         let is_singular = equations.is_singular();
         let substitution = Substitution::new(&mut graph, matrix.clone(), coordinates, is_singular);
         let mut forcing: Vec<NodeId> = right_side.iter().map(|f| graph.lower(&short(f))).collect();
-        let solution = substitution.solve(&mut graph, &forcing);
+        let mut solution = substitution.solve(&mut graph, &forcing);
+        if let Some(accelerations) = &equations.accelerations {
+            let nodes = accelerations.iter().map(|entry| graph.lower(&short(entry)));
+            let nodes: Vec<NodeId> = nodes.collect();
+            let [factored, recursive] =
+                [&solution, &nodes].map(|nodes| operations(&graph.tape(nodes)));
+            if recursive < factored {
+                solution = nodes;
+            }
+        }
         forcing.truncate(equations.forcing.len());
         let (accelerations, negative) = solution.split_at(forcing.len());
         for (coordinate, node) in system.coordinates.iter().zip(accelerations) {

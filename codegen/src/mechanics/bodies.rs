@@ -12,6 +12,7 @@ pub(super) struct Equations {
     pub(super) mass_matrix: Matrix,
     pub(super) forcing: Vec<Expr>,
     pub(super) at_accelerations: Option<(Matrix, Vec<Expr>)>,
+    pub(super) accelerations: Option<Vec<Expr>>,
 }
 
 /// Adds the rigid bodies of a system to the equations M q'' = f of its Lagrangian.
@@ -22,8 +23,9 @@ pub(super) fn with_bodies(
     forcing: Vec<Expr>,
 ) -> Equations {
     if system.mechanisms.is_empty() {
-        return Equations { mass_matrix, forcing, at_accelerations: None };
+        return Equations { mass_matrix, forcing, at_accelerations: None, accelerations: None };
     }
+    let accelerations = accelerations(system, &mass_matrix, &forcing);
     let mut entries: BTreeMap<(CoordinateId, CoordinateId), Vec<Expr>> = BTreeMap::new();
     let (mut at_rest, mut at_given) = (forcing.clone(), forcing);
     for mechanism in &system.mechanisms {
@@ -45,7 +47,32 @@ pub(super) fn with_bodies(
         mass_matrix: whole,
         forcing: at_rest,
         at_accelerations: Some((mass_matrix, at_given)),
+        accelerations,
     }
+}
+
+/// Returns q'' by recursion along the trees, if they are all that moves: M and f of the Lagrangian
+/// are then inertias and forces of their coordinates.
+fn accelerations(
+    system: &LagrangianSystem,
+    mass_matrix: &Matrix,
+    forcing: &[Expr],
+) -> Option<Vec<Expr>> {
+    let rows: Vec<_> = mass_matrix.rows().collect();
+    let is_diagonal = rows.iter().enumerate().all(|(i, row)| row.iter().all(|(j, _)| i == *j));
+    if !is_diagonal || !system.constraints.is_empty() {
+        return None;
+    }
+    let mut found = BTreeMap::new();
+    for mechanism in &system.mechanisms {
+        let force = |CoordinateId(id)| forcing[id as usize].clone();
+        let inertia = |CoordinateId(id)| {
+            let (_, entry) = rows[id as usize].first()?;
+            (!entry.is_zero()).then(|| entry.clone())
+        };
+        found.extend(mechanism.forward_dynamics(force, inertia)?);
+    }
+    (0..forcing.len() as u32).map(|id| found.remove(&CoordinateId(id))).collect()
 }
 
 /// Returns M with more entries, given by their lower triangle.

@@ -40,6 +40,9 @@ pub struct EquationsOfMotion {
     /// `None` without bodies. Their derivatives at fixed q'' are those of M q'' = f, and the
     /// recursion that computes forces from accelerations has fewer operations than the one of M.
     pub at_accelerations: Option<(Matrix, Vec<Expr>)>,
+    /// q'' by recursion along trees of bodies, if there is nothing else. It has fewer operations than
+    /// factors of M where trees are long.
+    pub accelerations: Option<Vec<Expr>>,
     /// h, m long.
     pub rates: Vec<Expr>,
     /// T, V and the energy of first-order states, in the form used for the derivation.
@@ -95,12 +98,13 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
         dissipation: &dissipation,
     };
     let power = power(cas, system, energies, &constraints.supplied_power());
-    let bodies::Equations { mass_matrix, forcing, at_accelerations } =
+    let bodies::Equations { mass_matrix, forcing, at_accelerations, accelerations } =
         bodies::with_bodies(cas, system, own_mass_matrix, own_forcing);
     EquationsOfMotion {
         mass_matrix,
         forcing,
         at_accelerations,
+        accelerations,
         rates: normal_forms(cas, system.first_order.iter().map(|z| &z.rate)),
         energy: [&all_kinetic, &all_potential, &system.stored_energy].map(|energy| {
             let form = cas.form(energy);

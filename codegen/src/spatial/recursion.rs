@@ -10,8 +10,9 @@
 
 use std::collections::BTreeMap;
 
-use machinist_algebra::cas::arithmetic::{product, sum};
+use machinist_algebra::cas::arithmetic::{negative, product, sum};
 use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
+use num_rational::BigRational;
 
 use super::mechanism::{Frame, Freedom, Inertia, Joint, Kind, Mechanism};
 use super::vector::{
@@ -21,22 +22,26 @@ use super::vector::{
 
 /// A force and its torque about the origin of a joint.
 #[derive(Debug, Clone)]
-struct Wrench {
-    force: Vector,
-    torque: Vector,
+pub(super) struct Wrench {
+    pub(super) force: Vector,
+    pub(super) torque: Vector,
 }
 
 impl Wrench {
-    fn none() -> Self {
+    pub(super) fn none() -> Self {
         Wrench { force: zero(), torque: zero() }
     }
 
-    fn plus(&self, other: &Self) -> Self {
+    pub(super) fn times(&self, s: &Expr) -> Self {
+        Wrench { force: scaled(s, &self.force), torque: scaled(s, &self.torque) }
+    }
+
+    pub(super) fn plus(&self, other: &Self) -> Self {
         Wrench { force: plus(&self.force, &other.force), torque: plus(&self.torque, &other.torque) }
     }
 
     /// Returns the same wrench about the origin of the joint that carries this one, along its axes.
-    fn on_parent_of(&self, joint: &Joint) -> Self {
+    pub(super) fn on_parent_of(&self, joint: &Joint) -> Self {
         let back = transposed(&joint.orientation);
         let force = times(&back, &self.force);
         let torque = plus(&times(&back, &self.torque), &cross(&joint.displacement, &force));
@@ -130,12 +135,16 @@ impl Mechanism {
 
     /// Returns angular acceleration, and acceleration of the origin less gravity, of a joint from
     /// those of its parent and its own, the sum of n s''.
-    fn accelerated(&self, joint: &Joint, parent: &[Vector; 2], own: &Vector) -> [Vector; 2] {
+    pub(super) fn accelerated(
+        &self,
+        joint: &Joint,
+        parent: &[Vector; 2],
+        own: &Vector,
+    ) -> [Vector; 2] {
         let [turning, moving] = parent;
         let omega = joint.parent.map_or_else(zero, |p| self.joints[p].motion.omega.clone());
-        let r = &joint.displacement;
-        let inward = cross(&omega, &cross(&omega, r));
-        let origin = total(&[moving, &cross(turning, r), &inward]);
+        let inward = times(&gradient(&omega, turning), &joint.displacement);
+        let origin = plus(moving, &inward);
         let [turning, moving] = [turning, &origin].map(|a| times(&joint.orientation, a));
         let carried = times(&joint.orientation, &omega);
         let coriolis = cross(&carried, &joint.relative);
@@ -198,22 +207,63 @@ impl Mechanism {
     }
 }
 
-/// Returns the wrench that accelerates bodies: force m a + omega' x h + omega x (omega x h), torque
-/// I omega' + omega x (I omega) + h x a.
-fn inertial(inertia: &Inertia, omega: &Vector, moved: &[Vector; 2]) -> Wrench {
+/// Returns A = \[omega'\]x + \[omega\]x \[omega\]x, the gradient of accelerations in a body: a point at r
+/// from a point with the acceleration a has a + A r.
+fn gradient(omega: &Vector, turning: &Vector) -> Matrix3 {
+    let squares = omega.each_ref().map(|w| product([w.clone(), w.clone()]).shared());
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            if i == j {
+                let [j, k] = [1, 2].map(|next| squares[(i + next) % 3].clone());
+                return negative(&sum([j, k]).shared());
+            }
+            let k = 3 - i - j;
+            let both = product([omega[i.min(j)].clone(), omega[i.max(j)].clone()]).shared();
+            let own = if j == (i + 1) % 3 { negative(&turning[k]) } else { turning[k].clone() };
+            sum([both, own]).shared()
+        })
+    })
+}
+
+/// Returns the wrench that accelerates bodies: force m a + A h, torque I omega' + omega x (I omega)
+/// + h x a.
+pub(super) fn inertial(inertia: &Inertia, omega: &Vector, moved: &[Vector; 2]) -> Wrench {
     let [turning, moving] = moved;
     let Inertia { mass, moment, tensor } = inertia;
-    let force = total(&[
-        &scaled(mass, moving),
-        &cross(turning, moment),
-        &cross(omega, &cross(omega, moment)),
-    ]);
-    let torque = total(&[
-        &times(tensor, turning),
-        &cross(omega, &times(tensor, omega)),
-        &cross(moment, moving),
-    ]);
+    let gradient = gradient(omega, turning);
+    let force = plus(&scaled(mass, moving), &times(&gradient, moment));
+    let is_diagonal = (0..3).all(|i| (0..i).all(|j| tensor[i][j].is_zero()));
+    let about_origin = if is_diagonal {
+        plus(&times(tensor, turning), &cross(omega, &times(tensor, omega)))
+    } else {
+        moment_of(&gradient, tensor)
+    };
+    let torque = plus(&about_origin, &cross(moment, moving));
     Wrench { force, torque }
+}
+
+/// Returns the sum of r x A r dm over a body, of which the inertia is known: the same as I omega' +
+/// omega x (I omega), with fewer operations unless I is diagonal. With S = (tr I/2) 1 - I, the sum of
+/// r r^T dm, its component i is (A S)_kj - (A S)_jk.
+fn moment_of(gradient: &Matrix3, tensor: &Matrix3) -> Vector {
+    let half = Expr::Number(BigRational::new(1.into(), 2.into()));
+    let second: Matrix3 = std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            if i != j {
+                return negative(&tensor[i][j]);
+            }
+            let [j, k] = [(i + 1) % 3, (i + 2) % 3];
+            let others = [tensor[j][j].clone(), tensor[k][k].clone(), negative(&tensor[i][i])];
+            product([half.clone(), sum(others)]).shared()
+        })
+    });
+    std::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let ahead = (0..3).map(|l| product([gradient[k][l].clone(), second[l][j].clone()]));
+        let behind =
+            (0..3).map(|l| negative(&product([gradient[j][l].clone(), second[l][k].clone()])));
+        sum(ahead.chain(behind)).shared()
+    })
 }
 
 /// Returns the wrench that gives a composite body the acceleration s'' = 1 about or along an axis.

@@ -64,6 +64,15 @@ pub fn cross(a: &Vector, b: &Vector) -> Vector {
     })
 }
 
+/// Returns \[a\]x, whose product with b is a x b.
+#[must_use]
+pub fn skew(a: &Vector) -> Matrix3 {
+    let [x, y, z] = a.clone();
+    let [back_x, back_y, back_z] = minus(a);
+    let none = || Expr::integer(0);
+    [[none(), back_z, y], [z, none(), back_x], [back_y, x, none()]]
+}
+
 /// Returns A a.
 #[must_use]
 pub fn times(matrix: &Matrix3, a: &Vector) -> Vector {

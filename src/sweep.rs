@@ -97,11 +97,8 @@ impl VariantRun {
     /// indices are beyond those of the outputs.
     pub fn values_of(&self, place: usize) -> impl DoubleEndedIterator<Item = f64> + '_ {
         let outputs = self.outputs.first().map_or(0, Vec::len);
-        let (rows, column) = if place < outputs {
-            (&self.outputs, place)
-        } else {
-            (&self.states, place - outputs)
-        };
+        let (rows, column) =
+            if place < outputs { (&self.outputs, place) } else { (&self.states, place - outputs) };
         rows.iter().map(move |row| row[column])
     }
 

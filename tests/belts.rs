@@ -16,8 +16,8 @@ const METHODS: [Method; 6] =
 
 const UNTIL: f64 = 4.0;
 
-/// A block on a belt of some speed.
-pub fn scene(speed: &str) -> ModelSimulator {
+/// A block of some kinetic energy on a belt of some speed.
+fn block(kinetic: &str, speed: &str, points: usize) -> ModelSimulator {
     let text = format!(
         r#"
         [scene]
@@ -28,12 +28,13 @@ pub fn scene(speed: &str) -> ModelSimulator {
         "block.v" = "block.first"
         [run]
         until = {UNTIL}
-        points = 81
+        points = {points}
         [define.block.coordinates.x]
         unit = "m"
         velocity = "v"
         [define.block.parameters]
         mass = {{ value = 2.0, unit = "kg" }}
+        other = {{ value = 3.0, unit = "kg" }}
         coulomb = {{ value = 3.0, unit = "N" }}
         first = {{ value = 1.0, unit = "m/s" }}
         second = {{ value = 2.0, unit = "m/s" }}
@@ -43,7 +44,7 @@ pub fn scene(speed: &str) -> ModelSimulator {
         near = {{ value = 0.5, unit = "m" }}
         far = {{ value = 3.0, unit = "m" }}
         [define.block.energy]
-        kinetic = "mass*v^2/2"
+        kinetic = "{kinetic}"
         [define.block.friction.guide]
         speed = "v - ({speed})"
         sliding = "coulomb"
@@ -51,6 +52,11 @@ pub fn scene(speed: &str) -> ModelSimulator {
         "#
     );
     of_text(&text, Keep::Needed)
+}
+
+/// A block on a belt of some speed.
+pub fn scene(speed: &str) -> ModelSimulator {
+    block("mass*v^2/2", speed, 81)
 }
 
 pub const IN_TIME: &str =
@@ -241,43 +247,13 @@ fn sensitivities_go_through_jumps_of_belts() {
 #[test]
 fn a_block_slides_after_its_mass_jumps() {
     for (condition, power) in [("t < begins", 1.0), ("x < near", 0.5)] {
-        let machine = of_text(
-            &format!(
-                r#"
-                [scene]
-                name = "belt"
-                [units.block]
-                unit = "block"
-                [initial]
-                "block.v" = "block.belt"
-                [run]
-                until = {UNTIL}
-                points = 80
-                [define.block.coordinates.x]
-                unit = "m"
-                velocity = "v"
-                [define.block.parameters]
-                mass = {{ value = 2.0, unit = "kg" }}
-                other = {{ value = 3.0, unit = "kg" }}
-                coulomb = {{ value = 3.0, unit = "N" }}
-                belt = {{ value = 1.0, unit = "m/s" }}
-                begins = {{ value = 0.5, unit = "s" }}
-                near = {{ value = 0.5, unit = "m" }}
-                [define.block.energy]
-                kinetic = "piecewise({condition}, mass, other)*v^2/2"
-                [define.block.friction.guide]
-                speed = "v - belt"
-                sliding = "coulomb"
-                unit = "N"
-                "#
-            ),
-            Keep::Needed,
-        );
+        let kinetic = format!("piecewise({condition}, mass, other)*v^2/2");
+        let machine = block(&kinetic, "first", 80);
         for (other, coulomb, belt) in [(3.0, 3.0, 1.0), (0.5, 0.1, 1.0), (40.0, 7.0, 2.0)] {
             let values = [
                 ("block.other", other),
                 ("block.coulomb", coulomb),
-                ("block.belt", belt),
+                ("block.first", belt),
                 if power < 1.0 { ("block.near", belt * 0.5) } else { ("block.begins", 0.5) },
             ];
             let after = Belt { speeds: [belt; 3], slows: coulomb / other, jumps: [0.5, 9.0] };

@@ -33,11 +33,6 @@ pub(crate) fn just_behind(time: f64, until: f64) -> f64 {
     (time + ROUNDINGS * f64::EPSILON * size).min(until)
 }
 
-/// Returns whether two values of a mode are the same.
-fn is_same(a: f64, b: f64) -> bool {
-    (a - b).abs() < 0.5
-}
-
 impl System<'_> {
     /// Projects a state onto the constraints at a time just `behind` a jump, which do not hold at
     /// one in `front` of it. Returns whether it moved, or let friction go.
@@ -73,35 +68,24 @@ impl System<'_> {
     pub(super) fn reopen(&self, mode: usize, time: f64, state: &mut [f64]) -> bool {
         let simulator = self.simulator();
         let stuck = std::mem::replace(&mut state[mode], Constraint::OPEN);
-        let parameters = self.held().all();
-        let events = 0..simulator.events();
-        let counts: Vec<usize> =
-            events.clone().map(|event| simulator.event(event).sets.len()).collect();
-        let mut guards = vec![0.0; counts.len()];
-        let mut values = vec![0.0; counts.iter().sum()];
-        simulator.guards(time, state, &parameters, &mut guards);
-        simulator.resets(time, state, &parameters, &mut values);
-        let mut values = &values[..];
-        for (event, count) in events.zip(counts) {
-            let (own, rest) = values.split_at(count);
-            values = rest;
-            let event_of = simulator.event(event);
-            let place = event_of.sets.iter().position(|entry| *entry as usize == mode);
-            let is_armed = event_of.when.iter().any(|(entry, _)| *entry as usize == mode)
-                && event_of
-                    .when
-                    .iter()
-                    .all(|(entry, value)| is_same(state[*entry as usize], *value));
-            if let Some(place) = place
-                && is_armed
-                && is_beyond(event_of.direction, guards[event])
-                && is_same(own[place], stuck)
-            {
-                state[mode] = stuck;
-                return false;
-            }
+        let events = simulator.events();
+        let mut guards = vec![0.0; events];
+        simulator.guards(time, state, &self.held().all(), &mut guards);
+        let sticks_again = |event: usize| {
+            let of = simulator.event(event);
+            of.when.iter().any(|(entry, _)| *entry as usize == mode)
+                && self.is_armed(event, state)
+                && is_beyond(of.direction, guards[event])
+                && self.new_values(event, time, state).into_iter().any(|(entry, value)| {
+                    // Modes are integers, but for rounding.
+                    entry == mode && (value - stuck).abs() < 0.5
+                })
+        };
+        let begins = !(0..events).any(sticks_again);
+        if !begins {
+            state[mode] = stuck;
         }
-        true
+        begins
     }
 
     /// Lets the friction of a constraint begin anew from the speed to which the others move it.

@@ -190,6 +190,23 @@ impl<'a> System<'a> {
         &self.held
     }
 
+    /// Returns whether an event is armed: all its modes have their values.
+    pub(crate) fn is_armed(&self, event: usize, state: &[f64]) -> bool {
+        let when = self.simulator.event(event).when;
+        // Modes are integers, but for rounding.
+        when.iter().all(|(entry, value)| (state[*entry as usize] - value).abs() < 0.5)
+    }
+
+    /// Returns the entries of the state that an event sets, and their new values.
+    pub(crate) fn new_values(&self, event: usize, time: f64, state: &[f64]) -> Vec<(usize, f64)> {
+        let count = |event: usize| self.simulator.event(event).sets.len();
+        let mut values = vec![0.0; (0..self.simulator.events()).map(count).sum()];
+        self.simulator.resets(time, state, &self.held.all(), &mut values);
+        let first: usize = (0..event).map(count).sum();
+        let entries = self.simulator.event(event).sets.iter().map(|entry| *entry as usize);
+        entries.zip(values[first..].iter().copied()).collect()
+    }
+
     /// Returns the parameters.
     #[must_use]
     pub fn parameters(&self) -> &'a [f64] {

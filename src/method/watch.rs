@@ -492,12 +492,7 @@ impl<'a> Watch<'a> {
 
     /// Returns whether an event is armed in the modes of a state.
     fn is_armed(&self, index: usize, state: &[f64]) -> bool {
-        if self.is_kink(index) {
-            return true;
-        }
-        let when = self.system.simulator().event(index).when;
-        // Modes are integers, but for rounding.
-        when.iter().all(|(entry, value)| (state[*entry as usize] - value).abs() < 0.5)
+        self.is_kink(index) || self.system.is_armed(index, state)
     }
 }
 

@@ -26,7 +26,7 @@ const LEFT_OUT: [&str; 9] = [
 ];
 /// Elements without which the motion would be another.
 const UNKNOWN: [&str; 3] = ["include", "axis2", "thread_pitch"];
-/// Limits beyond this are none \[rad or m\].
+/// Limits beyond this are none \[rad or m\]: the format writes 1e16.
 const UNLIMITED: f64 = 1e12;
 
 /// Reads a robot description, and checks it.

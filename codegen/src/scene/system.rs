@@ -86,7 +86,7 @@ pub struct Event {
 /// Declared dry friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Friction {
-    /// Where its speed may jump.
+    /// Jumps of its speed.
     pub jumps: Jumps,
 }
 

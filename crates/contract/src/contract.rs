@@ -167,11 +167,11 @@ pub struct Constraint<'a> {
     /// The mode of the dry friction that sticks by this constraint, as an entry of the state. It is
     /// [`Constraint::OPEN`] while it is not determined.
     pub friction: Option<u32>,
-    /// Where the speed of its friction may jump.
+    /// Jumps of the speed of its friction.
     pub jumps: Jumps,
 }
 
-/// Where the speed of dry friction may jump, so that it begins anew: its force is finite.
+/// Jumps of the speed of dry friction, after which it begins anew: its force is finite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub enum Jumps {
     /// Nowhere.

@@ -134,7 +134,7 @@ pub struct Constraint {
     /// The mode of the dry friction that sticks by this constraint, as an entry of the state.
     #[serde(default)]
     pub friction: Option<u32>,
-    /// Where the speed of its friction may jump.
+    /// Jumps of the speed of its friction.
     #[serde(default, with = "JumpsOfFile")]
     pub jumps: Jumps,
 }

@@ -266,23 +266,16 @@ impl Watch<'_> {
     /// Applies the new values of an event.
     pub(super) fn apply(&self, index: usize, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
         let simulator = self.system.simulator();
-        let lengths: Vec<usize> =
-            (0..simulator.events()).map(|event| simulator.event(event).sets.len()).collect();
-        let mut values = vec![0.0; lengths.iter().sum()];
-        simulator.resets(time, state, &self.system.held().all(), &mut values);
-        let first: usize = lengths[..index].iter().sum();
-        let event = simulator.event(index);
-        for (entry, value) in event.sets.iter().zip(&values[first..]) {
-            let entry = *entry as usize;
+        for (entry, value) in self.system.new_values(index, time, state) {
             if !value.is_finite() {
                 let what = format!(
                     "the new value of `{}` at event `{}`",
                     self.system.name(entry),
-                    event.name
+                    simulator.event(index).name
                 );
                 return Err(Stopped { time, cause: StopCause::not_finite(what) });
             }
-            state[entry] = if simulator.is_mode(entry) { value.round() } else { *value };
+            state[entry] = if simulator.is_mode(entry) { value.round() } else { value };
         }
         Ok(())
     }

@@ -125,14 +125,20 @@ impl Watch<'_> {
 
     /// Returns whether a jump has left modes undetermined, so that events determine them at once.
     pub(super) fn is_undetermined(&self, time: f64, state: &[f64]) -> bool {
-        let sides = self.inner.borrow().sides.clone();
+        let armed: Vec<usize> = {
+            let sides = &self.inner.borrow().sides;
+            let is_new = |index: &usize| {
+                sides[*index] == Side::Idle
+                    && self.sets_its_mode(*index)
+                    && self.is_armed(*index, state)
+            };
+            (0..self.system.simulator().events()).filter(is_new).collect()
+        };
+        if armed.is_empty() {
+            return false;
+        }
         let guards = self.guards(time, state);
-        (0..self.system.simulator().events()).any(|index| {
-            sides[index] == Side::Idle
-                && self.sets_its_mode(index)
-                && self.is_armed(index, state)
-                && is_beyond(self.direction(index), guards[index])
-        })
+        armed.into_iter().any(|index| is_beyond(self.direction(index), guards[index]))
     }
 
     /// Returns whether some constraint holds in some modes only.

@@ -17,8 +17,8 @@ const ASKED: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 /// Number of loosest tolerances; all others are compared with a multiple of the tolerance.
 const ANY_CASE: usize = 3;
 
-/// Scene with a hundred thousand steps at 1e-11, of which a tenth of its run is enough.
-const LONG: &str = "classics/ring_modulator";
+/// Scenes with ten thousands of steps at 1e-11, of which a tenth of the run is enough.
+const LONG: [&str; 2] = ["classics/ring_modulator", "reed_beat_up_one_sided"];
 
 fn by_auto(simulator: &dyn Simulator<f64>, rtol: f64) -> Simulation<'_> {
     Simulation::new(simulator).rtol(rtol).method(Method::Auto)
@@ -50,7 +50,9 @@ struct Found {
 fn errors(name: &str, simulator: &dyn Simulator<f64>) -> [Found; ASKED.len()] {
     let simulation = |rtol| {
         let run = by_auto(simulator, rtol);
-        if name == LONG { run.until(1e-4) } else { run }
+        let defaults = simulator.run_defaults();
+        let tenth = defaults.from + 0.1 * (defaults.until - defaults.from);
+        if LONG.contains(&name) { run.until(tenth) } else { run }
     };
     let run = |rtol| {
         let run = simulation(rtol).run();

@@ -4,6 +4,8 @@
 //! Excluded: its target and its losses, which follow from its speed; [`crate::scene`] derives
 //! them.
 
+use std::collections::BTreeMap;
+
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::{Dimension, Unit};
 use crate::spec::event;
@@ -43,8 +45,23 @@ pub struct Lists<'a> {
 /// Reads `[friction]` of a unit or a scene.
 pub fn all(fields: &mut Fields<'_>, mut lists: Lists<'_>) -> Vec<FrictionSpec> {
     let entries = fields.named("friction").iter();
-    let written = entries.filter_map(|entry| Written::read(entry, fields.found()));
-    written.map(|written| written.write_out(&mut lists)).collect()
+    let written: Vec<_> =
+        entries.filter_map(|entry| Written::read(entry, fields.found())).collect();
+    let mut frictions = Vec::with_capacity(written.len());
+    let mut owners = BTreeMap::new();
+    for written in written {
+        let name = written.name.clone();
+        if let Some(owner) = owners.insert(written.prefix.clone(), name.value.clone()) {
+            let message =
+                format!("frictions {} and {} share a prefix", quoted(&owner), quoted(&name.value));
+            let mistake = Mistake::new(name.span, message, "its parts would have the same names");
+            let help = "give each a `prefix` of its own, or leave it out: the name is the prefix";
+            fields.found().mistakes.push(mistake.help(help));
+            continue;
+        }
+        frictions.push(written.write_out(&mut lists));
+    }
+    frictions
 }
 
 /// Friction as written.

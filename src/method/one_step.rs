@@ -4,6 +4,7 @@
 mod change_point;
 mod control;
 mod ending;
+mod finite;
 mod kept;
 
 use machinist_contract::Real;
@@ -15,6 +16,9 @@ use change_point::{Past, past};
 use control::Control;
 pub(crate) use control::Pace;
 use ending::{Ending, end_at};
+pub(super) use finite::first_not_finite;
+#[cfg(feature = "implicit")]
+pub(super) use finite::{finite_jacobian, require_finite};
 use kept::{Kept, put_back_between};
 
 /// A method that needs only the state at the start of a step.
@@ -37,6 +41,14 @@ pub(crate) trait OneStep {
 
     /// Computes the state at `time` within the current step.
     fn interpolate(&mut self, time: f64, state: &mut [f64]);
+
+    /// Computes the states at several times within the current step, one after another.
+    fn interpolate_each(&mut self, times: &[f64], states: &mut [f64]) {
+        let size = states.len() / times.len().max(1);
+        for (time, state) in times.iter().zip(states.chunks_exact_mut(size)) {
+            self.interpolate(*time, state);
+        }
+    }
 
     /// Computes how far each state may be from its start anywhere within the current step.
     ///
@@ -562,47 +574,6 @@ pub(super) fn sum_of_squares(errors: &[f64], scales: &[f64]) -> f64 {
     }
     let rest: f64 = rest.iter().zip(rest_scales).map(square).sum();
     sums.iter().sum::<f64>() + rest
-}
-
-/// Evaluates df/dy at a state, in pattern order.
-///
-/// # Errors
-/// [`Trial::NotFinite`] if an entry is not finite.
-#[cfg(feature = "implicit")]
-pub(super) fn finite_jacobian(
-    stretch: &Stretch<'_>,
-    time: f64,
-    state: &[f64],
-    jacobian: &mut [f64],
-) -> Result<(), Trial> {
-    stretch.jacobian(time, state, jacobian);
-    match first_not_finite(jacobian) {
-        None => Ok(()),
-        Some(entry) => {
-            let (row, _) = stretch.system.jacobian_pattern().entries[entry];
-            let what = "the Jacobian of the rate of";
-            Err(Trial::NotFinite { what, index: row as usize })
-        }
-    }
-}
-
-/// Refuses values that are not finite.
-///
-/// # Errors
-/// [`Trial::NotFinite`] with the first of them.
-#[cfg(feature = "implicit")]
-pub(super) fn require_finite(what: &'static str, values: &[f64]) -> Result<(), Trial> {
-    match first_not_finite(values) {
-        None => Ok(()),
-        Some(index) => Err(Trial::NotFinite { what, index }),
-    }
-}
-
-/// Returns the index of the first value that is not finite. It is searched for only if there is
-/// one, which can be determined for all values at once.
-pub(super) fn first_not_finite(values: &[f64]) -> Option<usize> {
-    let is_wrong = values.iter().fold(false, |wrong, value| wrong | !value.is_finite());
-    if is_wrong { values.iter().position(|value| !value.is_finite()) } else { None }
 }
 
 #[cfg(test)]

@@ -212,7 +212,7 @@ impl<'a> TaylorSteps<'a> {
         }
         let mut between = vec![0.0; self.states];
         for (time, weight) in gauss.points(self.time, until) {
-            series_value(self.used(), time - self.time, &mut between);
+            step::value(self.used(), time - self.time, &mut between);
             let rates = self.stretch.flow_rates(time, &between);
             for (total, rate) in total.iter_mut().zip(rates) {
                 *total += weight * rate;
@@ -276,9 +276,23 @@ impl OneStep for TaylorSteps<'_> {
     }
 
     fn interpolate(&mut self, time: f64, state: &mut [f64]) {
-        series_value(self.used(), time - self.time, &mut state[..self.states]);
+        step::value(self.used(), time - self.time, &mut state[..self.states]);
         if self.flows.is_some() {
             state[self.states..].copy_from_slice(&self.flows_until(time));
+        }
+    }
+
+    fn interpolate_each(&mut self, times: &[f64], states: &mut [f64]) {
+        if self.flows.is_some() {
+            let size = self.start.len();
+            for (time, state) in times.iter().zip(states.chunks_exact_mut(size)) {
+                self.interpolate(*time, state);
+            }
+            return;
+        }
+        let all = times.chunks(step::ABREAST).zip(states.chunks_mut(step::ABREAST * self.states));
+        for (times, states) in all {
+            step::values(self.used(), times.iter().map(|time| time - self.time), states);
         }
     }
 

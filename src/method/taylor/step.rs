@@ -244,6 +244,64 @@ pub(super) fn all_finite(values: &[f64]) -> bool {
     zeros.iter().chain(rest).all(|value| value.is_finite())
 }
 
+/// Computes the polynomial at a time after the start of the step, with the roundings of
+/// `machinist_contract::taylor::value`. States are summed side by side.
+pub(super) fn value(coefficients: &[f64], time: f64, value: &mut [f64]) {
+    fn block<const N: usize>(
+        coefficients: &[f64],
+        states: usize,
+        first: usize,
+        t: f64,
+    ) -> [f64; N] {
+        let mut orders = coefficients.chunks_exact(states).rev();
+        let of = |terms: &[f64]| std::array::from_fn(|index| terms[first + index]);
+        let highest: [f64; N] = orders.next().map_or([0.0; N], of);
+        orders.fold(highest, |sums, terms| {
+            let terms = &terms[first..first + N];
+            std::array::from_fn(|index| Real::mul_add(sums[index], t, terms[index]))
+        })
+    }
+    let states = value.len();
+    let mut first = 0;
+    while first < states {
+        let into = &mut value[first..];
+        match states - first {
+            1 => into.copy_from_slice(&block::<1>(coefficients, states, first, time)),
+            2 => into.copy_from_slice(&block::<2>(coefficients, states, first, time)),
+            3 => into.copy_from_slice(&block::<3>(coefficients, states, first, time)),
+            _ => into[..4].copy_from_slice(&block::<4>(coefficients, states, first, time)),
+        }
+        first += 4;
+    }
+}
+
+/// Number of times at which polynomials are computed side by side.
+pub(super) const ABREAST: usize = 8;
+
+/// Computes the polynomial at up to [`ABREAST`] times after the start of the step, one state after
+/// another, with the roundings of `machinist_contract::taylor::value`.
+pub(super) fn values(
+    coefficients: &[f64],
+    times: impl ExactSizeIterator<Item = f64>,
+    values: &mut [f64],
+) {
+    let states = values.len() / times.len().max(1);
+    let mut after = [0.0; ABREAST];
+    after.iter_mut().zip(times).for_each(|(after, time)| *after = time);
+    for state in 0..states {
+        let mut terms = coefficients.iter().skip(state).step_by(states).rev();
+        let mut sums = [*terms.next().unwrap_or(&0.0); ABREAST];
+        for term in terms {
+            for (sum, after) in sums.iter_mut().zip(after) {
+                *sum = Real::mul_add(*sum, after, *term);
+            }
+        }
+        for (value, sum) in values.iter_mut().skip(state).step_by(states).zip(sums) {
+            *value = sum;
+        }
+    }
+}
+
 /// Computes the polynomial and its derivative at `time` after the start of the step.
 pub(super) fn value_and_slope<R: Real>(
     coefficients: &[R],
@@ -378,6 +436,23 @@ mod tests {
                     assert!((values[state] - value).abs() < 1e-14 * value.abs());
                     assert!((slopes[state] - slope).abs() < 1e-14 * slope.abs());
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn values_at_several_times_are_those_at_each() {
+        for (states, count) in (1..6).flat_map(|states| (1..=ABREAST).map(move |n| (states, n))) {
+            let term = |index: usize| (1.0 + index as f64).sin();
+            let coefficients: Vec<f64> = (0..9 * states).map(term).collect();
+            let times = (0..count).map(|index| 0.1 + 0.07 * index as f64);
+            let (mut found, mut one) = (vec![0.0; count * states], vec![0.0; states]);
+            values(&coefficients, times.clone(), &mut found);
+            for (time, found) in times.zip(found.chunks(states)) {
+                machinist_contract::taylor::value(&coefficients, time, &mut one);
+                assert_eq!(found, one);
+                value(&coefficients, time, &mut one);
+                assert_eq!(found, one);
             }
         }
     }

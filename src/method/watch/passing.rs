@@ -12,6 +12,7 @@
 
 mod bounds;
 mod roots;
+mod samples;
 
 use machinist_contract::Direction;
 use serde::{Deserialize, Serialize};
@@ -22,6 +23,7 @@ use super::super::stretch::within;
 use super::noise::Noise;
 use super::watched::{Sources, Watched};
 use super::{ROUNDINGS, Side};
+use samples::Samples;
 
 /// Relative change of a guard, at its current rate, below which it is at rest.
 pub(super) const AT_REST: f64 = 1e-9;
@@ -56,8 +58,9 @@ pub(super) struct Parts {
     /// Start of the previous step, if that was within the same segment.
     before: Look,
     has_before: bool,
-    /// Samples on the dense output of the step.
-    samples: Vec<(f64, Vec<f64>)>,
+    samples: Samples,
+    /// States at the times that are sampled together.
+    states: Vec<f64>,
     /// Mean rate of change of the rate of each guard over the step.
     bends: Vec<f64>,
     /// Largest value of each guard so far.
@@ -162,7 +165,8 @@ impl Parts {
             end: Look { time: f64::NAN, ..Look::default() },
             before: Look::default(),
             has_before: false,
-            samples: Vec::new(),
+            samples: Samples::new(count),
+            states: Vec::new(),
             bends: zeros(),
             sizes: zeros(),
             turns: vec![Turns::default(); count],
@@ -361,7 +365,7 @@ impl Parts {
                 return look.values[index];
             }
         }
-        if let Some((_, values)) = self.samples.iter().find(|it| it.0.to_bits() == time.to_bits()) {
+        if let Some(values) = self.samples.at(time) {
             return values[index];
         }
         if let Some(value) = self.known(step, time, index) {
@@ -369,16 +373,47 @@ impl Parts {
             return value;
         }
         step.method.interpolate(time, &mut self.state);
-        self.follow(step.system, time);
-        self.sources.take(step.system, within(time, self.ends), &self.state);
-        let value = |watched: &Watched| self.sources.value(step.system, *watched);
-        let values: Vec<f64> = self.watched.iter().map(value).collect();
-        for (other, value) in values.iter().enumerate() {
-            self.note_size(other, value.abs());
+        self.sample_state(step.system, time)[index]
+    }
+
+    /// Samples all guards at times within the step, unless they are known without the state.
+    fn sample_all(
+        &mut self,
+        step: &mut Step<'_, '_>,
+        times: impl Iterator<Item = f64>,
+        index: usize,
+    ) {
+        let is_end = |time: f64| {
+            [&self.start, &self.end].map(|it| it.time.to_bits()).contains(&time.to_bits())
+        };
+        let is_missing = |time: &f64| !is_end(*time) && self.samples.at(*time).is_none();
+        let missing: Vec<f64> = times.filter(is_missing).collect();
+        let Some(first) = missing.first() else { return };
+        if self.known(step, *first, index).is_some() {
+            return;
         }
-        let found = values[index];
-        self.samples.push((time, values));
-        found
+        let mut states = std::mem::take(&mut self.states);
+        let size = self.state.len();
+        states.resize(missing.len() * size, 0.0);
+        step.method.interpolate_each(&missing, &mut states);
+        for (time, state) in missing.iter().zip(states.chunks_exact(size)) {
+            self.state.copy_from_slice(state);
+            self.sample_state(step.system, *time);
+        }
+        self.states = states;
+    }
+
+    /// Samples all guards at the present state.
+    fn sample_state(&mut self, system: &System<'_>, time: f64) -> &[f64] {
+        self.follow(system, time);
+        let Self { sources, watched, state, samples, sizes, .. } = self;
+        sources.take(system, within(time, self.ends), state);
+        samples.push(time, watched.iter().map(|watched| sources.value(system, *watched)));
+        let values = samples.last();
+        for (size, value) in sizes.iter_mut().zip(values) {
+            *size = size.max(value.abs());
+        }
+        values
     }
 
     /// Returns a zero of a guard on the dense output of the step.

@@ -5,7 +5,9 @@ use machinist_contract::Direction;
 use super::super::Side;
 use super::super::polynomial::{NODES, SHARES};
 use super::super::watched::Watched;
-use super::{AT_REST, GROWTH, Guard, Look, Outcome, PIECES, Parts, Step, Zero, is_wanted, middle};
+use super::{
+    AT_REST, GROWTH, Guard, Look, Outcome, PIECES, Parts, Samples, Step, Zero, is_wanted, middle,
+};
 
 impl Parts {
     /// Returns how a guard that is on `side` at the start of the step begins.
@@ -161,7 +163,7 @@ impl Parts {
         let kept = (
             std::mem::replace(&mut self.start, begin),
             std::mem::replace(&mut self.end, end),
-            std::mem::take(&mut self.samples),
+            std::mem::replace(&mut self.samples, Samples::new(self.watched.len())),
         );
         let is_beyond = side * self.start.values[index] <= 0.0;
         let of = (index, side, None);
@@ -229,14 +231,12 @@ impl Parts {
         [low, high]: [f64; 2],
         pieces: &mut usize,
     ) -> Option<f64> {
-        let samples: [f64; NODES] = std::array::from_fn(|node| {
-            let time = match node {
-                0 => low,
-                _ if node == NODES - 1 => high,
-                _ => low + (high - low) * SHARES[node],
-            };
-            self.deflated(step, of, time)
+        let times: [f64; NODES] = std::array::from_fn(|node| match node {
+            0 => low,
+            _ if node == NODES - 1 => high,
+            _ => low + (high - low) * SHARES[node],
         });
+        let samples = self.deflated_each(step, of, times);
         let rounding = self.rounding(of.0);
         // At its start the quotient is a rate, and just behind it is the least accurate.
         let since = |time: f64| of.2.map_or(1.0, |zero| (time - zero.time).max(0.0));
@@ -286,6 +286,18 @@ impl Parts {
         }
     }
 
+    /// Returns [`Parts::deflated`] at each of these times.
+    fn deflated_each(
+        &mut self,
+        step: &mut Step<'_, '_>,
+        of: (usize, f64, Option<Zero>),
+        times: [f64; NODES],
+    ) -> [f64; NODES] {
+        let is_behind = |time: &f64| of.2.is_none_or(|zero| *time > zero.time);
+        self.sample_all(step, times.into_iter().filter(is_behind), of.0);
+        times.map(|time| self.deflated(step, of, time))
+    }
+
     /// Returns the time at which a guard leaves a side, between two times at which it is on it and
     /// not, by false position with halving (Illinois). The result is never early.
     fn root(
@@ -329,7 +341,7 @@ impl Parts {
         of: (usize, f64, Option<Zero>),
         time: f64,
     ) -> f64 {
-        let count = self.samples.len();
+        let count = self.samples.count();
         let found = self.deflated(step, of, time);
         self.samples.truncate(count);
         found
@@ -384,10 +396,8 @@ impl Parts {
             if at.rate.abs() * span > rests {
                 return Some((at.rate.signum(), true));
             }
-            let samples: [f64; NODES] = std::array::from_fn(|node| {
-                let time = at.time + span * SHARES[node];
-                self.deflated(step, (index, 1.0, Some(at)), time)
-            });
+            let times = SHARES.map(|share| at.time + span * share);
+            let samples = self.deflated_each(step, (index, 1.0, Some(at)), times);
             let noise = self.rounding(index) / (span * SHARES[1]);
             let span_of = [at.time, until];
             let enclosure = self.enclosure(step, (index, Some(at)), (&samples, noise), span_of);

@@ -5,6 +5,8 @@
 //! the machine evaluates the event indicators and executes events. Events, starts and constraints
 //! are treated as in [a run](crate::Simulation).
 
+mod branches;
+
 use std::cell::RefCell;
 
 use machinist_contract::Simulator;
@@ -19,6 +21,8 @@ use crate::method::{
 };
 use crate::scales::scales;
 use crate::simulate::{MAX_STEPS, Simulation, require_admitted};
+
+pub use branches::{branches, margins};
 
 /// Jumps nearer than this many roundings of a time coincide with it.
 const AT_ONCE: f64 = 512.0;
@@ -36,7 +40,7 @@ pub struct Hosted<'a> {
 }
 
 /// Status of a hosted run. Together with the parameters it determines all that follows, to the last
-/// bit.
+/// bit. Serialize it in a format with infinite numbers, which JSON does not have.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Standing {
     /// Time \[s\].

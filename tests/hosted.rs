@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use machinist::hosted::{Beginning, Hosted, Reached, Standing};
+use machinist::hosted::{Beginning, Hosted, Reached, Standing, branches, margins};
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::{Describe, Simulator};
@@ -149,6 +149,47 @@ fn a_piece_ends_where_who_looks_on_says() {
     for (found, exact) in state.iter().zip(last_state(simulator, time)) {
         assert!((found - exact).abs() < 1e-6 * exact.abs().max(1.0), "{found}, {exact}");
     }
+}
+
+/// A host that holds branches over steps of its own meets the switches of a run.
+#[test]
+fn rates_are_live_unless_branches_are_held() {
+    let text = r#"
+        [scene]
+        name = "held"
+        [units.u]
+        unit = "u"
+        [run]
+        until = 1
+        points = 2
+        rtol = 1e-12
+        [define.u.states.y]
+        unit = "1"
+        rate = "(1 + floor(2*y) + abs(y - 0.7))/(1 [s])"
+    "#;
+    let machine = crate::own_scene::of_text(text, Keep::Needed);
+    let rate = |y: f64, branches: &[f64]| {
+        let mut rate = [0.0];
+        machine.rate(0.0, &[y], branches, &mut rate);
+        (2.0 * rate[0]) as i32
+    };
+    assert_eq!([rate(0.2, &[]), rate(1.2, &[])], [3, 7], "halves");
+    let held = branches(&machine, &[], (0.0, &[0.2]));
+    let mut sorted: Vec<f64> = held.iter().map(|slot| slot.abs()).collect();
+    sorted.sort_by(f64::total_cmp);
+    assert_eq!(sorted, [0.0, f64::INFINITY]);
+    assert_eq!(rate(1.2, &held), 1, "the branches at 0.2");
+    let margin =
+        |y: f64| margins(&machine, (&[], &held), (0.0, &[y])).into_iter().fold(9.0, f64::min);
+    assert!((margin(0.2) - 0.4).abs() < 1e-15 && (margin(0.6) + 0.2).abs() < 1e-15);
+    assert!(
+        margins(&machine, (&[], &[0.0, f64::INFINITY]), (0.0, &[0.2])).contains(&f64::INFINITY)
+    );
+    // From 0 with y' = 1.7 - y, from 1/2 with y' = 2.7 - y, from 0.7 with y' = 1.3 + y.
+    let [first, second] = [(1.7_f64 / 1.2).ln(), (2.2_f64 / 2.0).ln()];
+    let run = Simulation::new(&machine).until(first + second + 0.1).run().expect("a run");
+    let last = run.last("u.y").expect("a state");
+    assert!((last - (2.0 * 0.1_f64.exp() - 1.3)).abs() < 1e-9, "{last}");
 }
 
 /// Returns the parameters of a mass of 2 kg on a belt, which 0.4 N drag along.

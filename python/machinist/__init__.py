@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from ._cycle import Branch, BranchPoint, Cycle, Multiplier, Sections, branch, cycle, sections
     from ._designs import Design, design
     from ._fit import Fit
+    from ._held import Held
     from ._linear import Mode, Modes, Response
     from ._model import Model, load
     from ._run import Run
@@ -48,6 +49,7 @@ _LATER = {
     "Design": "_designs",
     "Estimator": "_state_space",
     "Fit": "_fit",
+    "Held": "_held",
     "LinearPiece": "_state_space",
     "Mode": "_linear",
     "Model": "_model",
@@ -78,6 +80,7 @@ __all__ = [
     "Design",
     "Estimator",
     "Fit",
+    "Held",
     "InputError",
     "LinearPiece",
     "MachinistError",

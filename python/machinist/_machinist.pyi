@@ -35,13 +35,27 @@ class Machine:
     def defaults(self) -> Array: ...
     def describe(self) -> dict[str, Any]: ...
     def rate(
-        self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
+        self,
+        t: float,
+        y: ArrayLike,
+        p: ArrayLike | None = None,
+        out: Array | None = None,
+        held: ArrayLike | None = None,
+    ) -> Array: ...
+    def branches(self, t: float, y: ArrayLike, p: ArrayLike | None = None) -> Array: ...
+    def margins(
+        self, t: float, y: ArrayLike, held: ArrayLike, p: ArrayLike | None = None
     ) -> Array: ...
     def outputs(
         self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
     ) -> Array: ...
     def jacobian(
-        self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
+        self,
+        t: float,
+        y: ArrayLike,
+        p: ArrayLike | None = None,
+        out: Array | None = None,
+        held: ArrayLike | None = None,
     ) -> Array: ...
     def jacobian_pattern(self) -> tuple[list[int], list[int]]: ...
     def initial_state(self, p: ArrayLike | None = None) -> Array: ...

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _derive, _machinist
 from ._cycle import Branch, Cycle, Sections, branch, cycle, sections
 from ._fit import Fit, measured_runs
+from ._held import Held
 from ._linear import Modes, Response
 from ._run import Run
 from ._scatter import Scatter, scatter
@@ -204,7 +205,8 @@ class Model:
     ) -> Array:
         """Rate y' = f(t, y, p), with the signature of SciPy's `solve_ivp`.
 
-        It does not handle events: modes keep their values in `y`. Constraints hold at acceleration
+        Comparisons of the spec are evaluated at every call; :meth:`held` holds them instead. It
+        does not handle events: modes keep their values in `y`. Constraints hold at acceleration
         level only, so positions drift.
 
         :param p: all parameters in order, see :meth:`p`; default: the scene's values.
@@ -217,6 +219,23 @@ class Model:
     ) -> Array:
         """Exact dense Jacobian dy'/dy; for its pattern see :attr:`jacobian_sparsity`."""
         return self._machine.jacobian(t, y, p, out)
+
+    def branches(self, t: float, y: ArrayLike, p: ArrayLike | None = None) -> Array:
+        """Branch of each comparison and integer of the spec at a state, for :meth:`held`.
+
+        It is -inf where a comparison's guard is below zero and inf elsewhere, or an integer.
+        """
+        return self._machine.branches(t, y, p)
+
+    def held(self, branches: ArrayLike) -> Held:
+        """The machine on these :meth:`branches`, with a smooth rate for solvers that find the ends
+        of branches as events.
+
+        :raises ShapeError: the number of branches is another.
+        """
+        held = Held(self._machine, np.array(branches, dtype=float))
+        held.margins(0.0, np.zeros(self._machine.states))
+        return held
 
     def outputs_at(
         self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None

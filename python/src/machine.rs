@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use machinist::field::Discretisation;
+use machinist::hosted::{branches, margins};
 use machinist::{SimulateError, Simulation};
 use machinist_model::{file, fingerprint};
 use numpy::PyUntypedArrayMethods;
@@ -58,6 +59,19 @@ impl Machine {
             None => Ok(Parameters::Defaults(&self.defaults)),
             Some(given) => Ok(Parameters::Given(numbers("p", given, Some(self.defaults.len()))?)),
         }
+    }
+}
+
+impl Machine {
+    /// Returns the parameters, with held branches after them if any are given.
+    fn holding(
+        &self,
+        parameters: &[f64],
+        held: Option<&Bound<'_, PyAny>>,
+    ) -> Result<Vec<f64>, Failure> {
+        let relations = self.source.with(|simulator| simulator.relations())?;
+        let held = held.map(|held| numbers("branches", held, Some(relations))).transpose()?;
+        Ok([parameters, held.as_ref().map_or(&[], |held| held.as_slice())].concat())
     }
 }
 
@@ -125,8 +139,8 @@ impl Machine {
         self.source.with(|simulator| describe(py, simulator, self.source.running()))?
     }
 
-    /// Rate y' = f(t, y, p), written to `out` if given.
-    #[pyo3(signature = (t, y, p=None, out=None))]
+    /// Rate y' = f(t, y, p), written to `out` if given, with `held` branches if given.
+    #[pyo3(signature = (t, y, p=None, out=None, held=None))]
     fn rate<'py>(
         &self,
         py: Python<'py>,
@@ -134,12 +148,45 @@ impl Machine {
         y: &Bound<'py, PyAny>,
         p: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
+        held: Option<&Bound<'py, PyAny>>,
     ) -> Result<Bound<'py, PyAny>, Failure> {
-        let (y, p) = (numbers("y", y, Some(self.states))?, self.parameters(p)?);
+        let y = numbers("y", y, Some(self.states))?;
+        let p = self.holding(self.parameters(p)?.as_slice(), held)?;
         let fill = |values: &mut [f64]| {
-            self.source.with(|simulator| simulator.rate(t, y.as_slice(), p.as_slice(), values))
+            self.source.with(|simulator| simulator.rate(t, y.as_slice(), &p, values))
         };
         into_array(py, self.states, out, fill)
+    }
+
+    /// Branches of all relations at a state.
+    #[pyo3(signature = (t, y, p=None))]
+    fn branches<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        y: &Bound<'py, PyAny>,
+        p: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyArray1<f64>>, Failure> {
+        let (y, p) = (numbers("y", y, Some(self.states))?, self.parameters(p)?);
+        let at = (t, y.as_slice());
+        Ok(array(py, self.source.with(|it| branches(it, p.as_slice(), at))?))
+    }
+
+    /// Distances of guards from the ends of held branches.
+    #[pyo3(signature = (t, y, held, p=None))]
+    fn margins<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        y: &Bound<'py, PyAny>,
+        held: &Bound<'py, PyAny>,
+        p: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyArray1<f64>>, Failure> {
+        let y = numbers("y", y, Some(self.states))?;
+        let all = self.holding(self.parameters(p)?.as_slice(), Some(held))?;
+        let as_held = all.split_at(self.defaults.len());
+        let at = (t, y.as_slice());
+        Ok(array(py, self.source.with(|it| margins(it, as_held, at))?))
     }
 
     /// Outputs o(t, y, p).
@@ -159,8 +206,8 @@ impl Machine {
         into_array(py, self.outputs, out, fill)
     }
 
-    /// Dense Jacobian dy'/dy, `states` by `states`.
-    #[pyo3(signature = (t, y, p=None, out=None))]
+    /// Dense Jacobian dy'/dy, `states` by `states`, with `held` branches if given.
+    #[pyo3(signature = (t, y, p=None, out=None, held=None))]
     fn jacobian<'py>(
         &self,
         py: Python<'py>,
@@ -168,11 +215,12 @@ impl Machine {
         y: &Bound<'py, PyAny>,
         p: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
+        held: Option<&Bound<'py, PyAny>>,
     ) -> Result<Bound<'py, PyAny>, Failure> {
-        let (y, p) = (numbers("y", y, Some(self.states))?, self.parameters(p)?);
+        let y = numbers("y", y, Some(self.states))?;
+        let p = self.holding(self.parameters(p)?.as_slice(), held)?;
         let mut values = vec![0.0; self.pattern.len()];
-        let (state, parameters) = (y.as_slice(), p.as_slice());
-        self.source.with(|it| it.rate_jacobian(t, state, parameters, &mut values))?;
+        self.source.with(|it| it.rate_jacobian(t, y.as_slice(), &p, &mut values))?;
         let wanted = [self.states; 2];
         let matrix = match out {
             None => PyArray2::<f64>::zeros(py, wanted, false).into_any(),

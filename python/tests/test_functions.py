@@ -96,3 +96,51 @@ def test_an_array_is_not_written_while_it_is_read(gin):
     fixed.flags.writeable = False
     with pytest.raises(machinist.InputError, match="writable"):
         gin.rate(0.0, y, out=fixed)
+
+
+#: From 0 with y' = 1.7 - y, from 0.5 with y' = 2.7 - y, from 0.7 with y' = 1.3 + y.
+SWITCHES = """
+[scene]
+name = "switches"
+[units.u]
+unit = "u"
+[run]
+until = 0.5
+points = 2
+[define.u.states.y]
+unit = "1"
+rate = "(1 + floor(2*y) + abs(y - 0.7))/(1 [s])"
+"""
+
+
+def test_a_solver_that_holds_branches_passes_switches_exactly(tmp_path):
+    integrate = pytest.importorskip("scipy.integrate")
+    file = tmp_path / "switches.toml"
+    file.write_text(SWITCHES)
+    model = machinist.load(file)
+    assert model.rate(0.0, [0.2]) == 1.5 and model.rate(0.0, [1.2]) == 3.5
+    held = model.held(model.branches(0.0, [0.2]))
+    assert sorted(abs(held.branches)) == [0.0, np.inf]
+    assert held.rate(0.0, [1.2]) == 0.5 and held.jacobian(0.0, [1.2]) == -1.0
+
+    t, y, switches = 0.0, np.zeros(1), []
+    while t < 0.5:
+        held = model.held(model.branches(t, y + 1e-12))
+
+        def ends(t: float, y: np.ndarray, held: machinist.Held = held) -> float:
+            return held.margins(t, y).min()
+
+        ends.terminal, ends.direction = True, -1
+        run = integrate.solve_ivp(held.rate, (t, 0.5), y, events=ends, rtol=1e-11, atol=1e-13)
+        t, y = run.t[-1], run.y[:, -1]
+        switches += run.t_events[0].tolist()
+    exact = np.cumsum([np.log(1.7 / 1.2), np.log(2.2 / 2.0)])
+    np.testing.assert_allclose(switches, exact, rtol=1e-9)
+    np.testing.assert_allclose(y, 2.0 * np.exp(0.5 - exact[1]) - 1.3, rtol=1e-9)
+    np.testing.assert_allclose(y, model.simulate(rtol=1e-11).y[:, -1], rtol=1e-9)
+
+
+def test_branches_of_another_machine_are_refused(gin):
+    assert gin.branches(0.0, np.zeros(len(gin.states))).size == 0
+    with pytest.raises(machinist.ShapeError, match="branches"):
+        gin.held([1.0])

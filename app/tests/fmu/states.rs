@@ -75,6 +75,109 @@ fn a_state_of_model_exchange_is_continued_bit_for_bit() {
     }
 }
 
+/// A mass on a spring that is shaken, held at times by `friction` with a limit of 1 N.
+fn held_at_times(name: &str, friction: &str) -> String {
+    format!(
+        r#"
+        [scene]
+        name = "{name}"
+        [units.u]
+        unit = "u"
+        [initial]
+        "u.x" = 0.3
+        [run]
+        until = 6
+        rtol = 1e-4
+        [define.u.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.u.parameters]
+        limit = {{ value = 1, unit = "N" }}
+        [define.u.energy]
+        kinetic = "1 [kg]*v^2/2"
+        potential = "25 [N/m]*x^2/2"
+        [[define.u.forces]]
+        coordinate = "x"
+        expression = "1.4 [N]*cos(1.7 [rad/s]*t)"
+        {friction}
+        [outputs]
+        place = "u.x"
+        speed = "u.v"
+        "#
+    )
+}
+
+/// Friction that sticks by a constraint, that slides along v = 0, along the speed of a belt, and
+/// along x = y, where only the second derivative of the guard jumps.
+#[test]
+fn states_in_the_middle_of_sticking_and_sliding_are_continued_bit_for_bit() {
+    let force = |expression: &str| {
+        format!("[[define.u.forces]]\ncoordinate = \"x\"\nexpression = \"{expression}\"")
+    };
+    let guide = "[define.u.friction.guide]\nspeed = \"v\"\nsliding = \"limit\"\nunit = \"N\"";
+    let belt = "0.05 [m/s]*sin(2 [rad/s]*t)";
+    let specs = [
+        held_at_times("sticks", guide),
+        held_at_times("slides", &force("-limit*sign(v)")),
+        held_at_times("on_a_belt", &force(&format!("-limit*sign(v - {belt})"))),
+        held_at_times("at_a_place", &force("-limit*sign(x) - 30 [N s/m]*v")),
+    ];
+    let folder = tempfile::tempdir().expect("a folder");
+    for (number, spec) in specs.iter().enumerate() {
+        let file = folder.path().join("scene.toml");
+        std::fs::write(&file, spec).expect("written");
+        let archive = Archive::of(file.to_str().expect("a plain path"), &[]);
+        let [place, speed] = ["place", "speed"].map(|name| archive.reference(name));
+        // The distance from rest on the surface.
+        let off = |unit: &Unit, time: f64| {
+            let [x, v] = unit.get(&[place, speed])[..] else { panic!("two values") };
+            match number {
+                2 => v - 0.05 * (2.0 * time).sin(),
+                3 => x.abs() + v.abs(),
+                _ => v,
+            }
+        };
+        let mut held = [0; 2];
+        for cut in [0.7, 1.3, 2.1, 3.0, 3.6, 5.0] {
+            let size = 0.1;
+            let steps = |from: f64, until: f64| {
+                let count = ((until - from) / size).round() as u32;
+                (0..count).map(move |index| from + f64::from(index) * size)
+            };
+            let unit = archive.simulation();
+            unit.begin(6.0);
+            steps(0.0, cut).for_each(|time| {
+                unit.step(time, size);
+            });
+            held[0] += u32::from(off(&unit, cut).abs() < 1e-9);
+            let written = unit.written();
+            let other = archive.simulation();
+            other.read(&written);
+            for time in steps(cut, 6.0) {
+                unit.step(time, size);
+                other.step(time, size);
+                let same = all(&archive, &unit) == all(&archive, &other);
+                assert!(same, "spec {number}, cut at {cut}: differs after {time}");
+            }
+            let unit = archive.exchange();
+            unit.begin(6.0);
+            let mut stepper = Stepper::new(&unit);
+            stepper.go(cut, 1e-2);
+            held[1] += u32::from(off(&unit, cut).abs() < 1e-6);
+            let (written, time) = (unit.written(), stepper.time);
+            stepper.go(6.0, 1e-2);
+            let later = all(&archive, &unit);
+            unit.read(&written);
+            stepper.time = time;
+            stepper.go(6.0, 1e-2);
+            assert_eq!(all(&archive, &unit), later, "spec {number}, cut at {cut}, exchange");
+        }
+        // Pieces of a run hold the mass at the place once excursions are within the tolerances.
+        let is_at_times = |held: &u32| (1..6).contains(held);
+        assert!(number == 3 || held.iter().all(is_at_times), "spec {number}: {held:?} of 6 held");
+    }
+}
+
 #[test]
 fn handles_of_states_are_looked_up() {
     let archive = Archive::of("bouncing_mass", &[]);

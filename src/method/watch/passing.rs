@@ -416,13 +416,15 @@ impl Parts {
         values
     }
 
-    /// Returns a zero of a guard on the dense output of the step.
+    /// Returns a zero of a guard on the dense output of the step. Its rate is the slope there, which
+    /// may differ from the rate along the motion, even in sign, within the error of the step.
     fn zero_at(&mut self, step: &mut Step<'_, '_>, time: f64, index: usize) -> Zero {
-        step.method.interpolate(time, &mut self.state);
-        self.follow(step.system, time);
-        let there = self.state.clone();
-        let (residual, rate) = self.at(step.system, time, &there, index);
-        Zero { time, residual, rate }
+        let count = self.samples.count();
+        let by = f64::EPSILON.cbrt() * (self.end.time - self.start.time);
+        let (low, high) = ((time - by).max(self.start.time), (time + by).min(self.end.time));
+        let [before, residual, behind] = [low, time, high].map(|at| self.sample(step, at, index));
+        self.samples.truncate(count);
+        Zero { time, residual, rate: (behind - before) / (high - low) }
     }
 
     /// Returns the rounding error of a guard, as that of the values it compares.

@@ -27,6 +27,7 @@ use crate::fixed_steps::{adaptive, difference, steps_in_rust};
 use crate::own_scene::{model_of_specs, scenes_to_try, whole_model_of_specs};
 use crate::wasm::{assert_same, expected};
 use compiler::{Compiler, Program};
+pub use counted::filter_of;
 
 /// A motor, events and modes, branches, tables, constraints, constraints in modes, a prescribed
 /// motion that solves for the Jacobian, fields, and standard parts.

@@ -9,6 +9,7 @@ mod compiler;
 mod counted;
 mod driver;
 mod filter;
+mod identities;
 mod stack;
 
 use machinist::Simulation;

@@ -124,7 +124,9 @@ impl Board {
         let code = code.and_then(|code| code.parse().ok()).expect("bytes of text");
         let listing = run(Command::new("arm-none-eabi-objdump").args(["-d", "board.elf"]), path);
         let deepest = frames::deepest(&listing, "reset");
-        self.answer(path, real, steps as u64, [code, deepest])
+        let ran = self.answer(path, real, steps as u64, [code, deepest]);
+        assert!(ran.stack <= deepest, "{name}: {} bytes of stack of {deepest}", ran.stack);
+        ran
     }
 
     fn answer(&self, path: &Path, real: Real, steps: u64, [code, deepest]: [u64; 2]) -> Ran {

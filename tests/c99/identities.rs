@@ -17,14 +17,16 @@ const STEPS: [usize; 2] = [2000, 400];
 
 /// Shift of a state for a difference of rates, relative to its scale.
 const SHIFT: f64 = 1e-6;
-/// Shift for a difference of energies, which are nearly quadratic, and small beside their terms for oil.
-const ENERGY_SHIFT: f64 = 1e-4;
+/// Shift for a difference of energies where the other leaves rounding, as for oil, whose energies
+/// are small beside their terms. Contacts need the other. The better of both counts.
+const LONG_SHIFT: f64 = 1e-4;
 
 /// Errors allowed, relative to the sum of the sizes of all terms. Rounding alone is left of a
 /// balance; constraints fulfilled by one step of Newton's method leave more.
 const BALANCE: [f64; 2] = [1e-10, 1e-6];
-/// Errors of differences of rates and of energies: rounding over the shift.
-const DIFFERENCES: [f64; 2] = [1e-7, 1e-6];
+/// Errors of differences of rates and of energies: rounding over the shift, and contacts that begin
+/// within it.
+const DIFFERENCES: [f64; 2] = [1e-7, 1e-5];
 /// Change of a slope within a shift that only a switching surface causes; a curve's is of the size
 /// of the shift.
 const SURFACE: f64 = 100.0 * SHIFT;
@@ -61,6 +63,22 @@ impl Machine<'_> {
         let [(upper, above), (lower, below)] = ends;
         ([above, below], upper - lower)
     }
+
+    /// Returns dE/dt by the chain rule over differences of the energy, and the sum of the sizes of
+    /// its terms. Energies may depend on time, as that of a spring with a moving foot.
+    fn energy_rate(&mut self, at: (f64, &[f64]), here: &Values, shift: f64) -> (f64, f64) {
+        let model = self.model;
+        let span = SHIFT * (model.run.until - model.run.from);
+        let [later, earlier] = [span, -span].map(|by| total(&self.at(at.0 + by, at.1)));
+        let mut terms = vec![(later - earlier) / (2.0 * span)];
+        for (entry, state) in model.states.iter().enumerate() {
+            if state.kind != StateKind::Mode {
+                let ([above, below], length) = self.around(at, entry, shift);
+                terms.push((total(&above) - total(&below)) / length * here["rate"][entry]);
+            }
+        }
+        (terms.iter().sum(), terms.iter().map(|term| term.abs()).sum())
+    }
 }
 
 fn total(values: &Values) -> f64 {
@@ -80,33 +98,38 @@ struct Errors {
 
 impl Errors {
     fn add(&mut self, machine: &mut Machine<'_>, at: (f64, &[f64])) {
-        let model = machine.model;
         let here = machine.at(at.0, at.1);
-        let rate = &here["rate"];
-        let pattern = &model.rate_jacobian.pattern.entries;
-        let scale = |entry: u32| model.states[entry as usize].scale;
-        let mut sizes: Vec<f64> = rate.iter().map(|rate| rate.abs()).collect();
-        for (&(row, column), value) in
-            pattern.iter().zip(here.get("rate_jacobian").into_iter().flatten())
-        {
-            sizes[row as usize] += (value * scale(column)).abs();
+        self.compare_jacobian(machine, at, &here);
+        let [stored_rate, supplied, dissipated] = here["power_balance"][..] else {
+            panic!("three powers")
+        };
+        let sums = [SHIFT, LONG_SHIFT].map(|shift| machine.energy_rate(at, &here, shift));
+        let size = sums[0].1 + supplied.abs() + dissipated.abs();
+        let size = size.max(f64::MIN_POSITIVE);
+        self.balance = self.balance.max((stored_rate - supplied + dissipated).abs() / size);
+        let off =
+            sums.iter().fold(f64::INFINITY, |off, (sum, _)| off.min((stored_rate - sum).abs()));
+        self.stored_rate = self.stored_rate.max(off / size);
+    }
+
+    fn compare_jacobian(&mut self, machine: &mut Machine<'_>, at: (f64, &[f64]), here: &Values) {
+        let model = machine.model;
+        let values = here.get("rate_jacobian").into_iter().flatten();
+        let entries = model.rate_jacobian.pattern.entries.iter().zip(values);
+        let entries: Vec<(usize, usize, f64)> = entries
+            .map(|(&(row, column), &value)| (row as usize, column as usize, value))
+            .collect();
+        let mut sizes: Vec<f64> = here["rate"].iter().map(|rate| rate.abs()).collect();
+        for &(row, column, value) in &entries {
+            sizes[row] += (value * model.states[column].scale).abs();
         }
-        let (mut sum, mut size) = (0.0, 0.0);
         for (entry, state) in model.states.iter().enumerate() {
             if state.kind == StateKind::Mode {
                 continue;
             }
-            let ([above, below], length) = machine.around(at, entry, ENERGY_SHIFT);
-            let term = (total(&above) - total(&below)) / length * rate[entry];
-            sum += term;
-            size += term.abs();
             let ([above, below], length) = machine.around(at, entry, SHIFT);
-            for (&(row, _), value) in
-                (pattern.iter().zip(here.get("rate_jacobian").into_iter().flatten()))
-                    .filter(|((_, column), _)| *column as usize == entry)
-            {
-                let row = row as usize;
-                let [upper, middle, lower] = [&above, &here, &below].map(|at| at["rate"][row]);
+            for &(row, _, value) in entries.iter().filter(|(_, column, _)| *column == entry) {
+                let [upper, middle, lower] = [&above, here, &below].map(|at| at["rate"][row]);
                 let share = state.scale / length;
                 self.entries += 1;
                 if (upper - middle - (middle - lower)).abs() * share > SURFACE * sizes[row] {
@@ -117,18 +140,6 @@ impl Errors {
                 self.jacobian = self.jacobian.max(error / sizes[row].max(f64::MIN_POSITIVE));
             }
         }
-        let [stored_rate, supplied, dissipated] = here["power_balance"][..] else {
-            panic!("three powers")
-        };
-        // Energies may depend on time, as that of a spring with a moving foot.
-        let shift = 1e-6 * (model.run.until - model.run.from);
-        let [later, earlier] = [shift, -shift].map(|by| total(&machine.at(at.0 + by, at.1)));
-        let term = (later - earlier) / (2.0 * shift);
-        sum += term;
-        size += term.abs() + supplied.abs() + dissipated.abs();
-        let size = size.max(f64::MIN_POSITIVE);
-        self.balance = self.balance.max((stored_rate - supplied + dissipated).abs() / size);
-        self.stored_rate = self.stored_rate.max((stored_rate - sum).abs() / size);
     }
 }
 

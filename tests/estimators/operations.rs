@@ -2,7 +2,8 @@
 //! call, tallied call by call on the tapes. The operations between the calls are those of filters in
 //! C, which give the same digits and whose operations are counted one by one (`c99::counted`).
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use machinist::estimator::{Estimator, EstimatorIndices};
@@ -138,6 +139,8 @@ struct Machine<'a> {
     model: &'a Model,
     hoisted: Hoisted,
     simulator: ModelSimulator,
+    /// Operations of tapes, by their addresses.
+    known: RefCell<BTreeMap<(*const Tape, bool), usize>>,
 }
 
 impl Machine<'_> {
@@ -145,10 +148,18 @@ impl Machine<'_> {
         self.simulator.single()
     }
 
+    fn tape<const ON_DUALS: bool>(&self, tape: &Tape) {
+        let key = (std::ptr::from_ref(tape), ON_DUALS);
+        let count = self.known.borrow().get(&key).copied();
+        let count = count.unwrap_or_else(|| operations::<ON_DUALS>(self.model, tape));
+        self.known.borrow_mut().insert(key, count);
+        tally(count);
+    }
+
     fn called<const ON_DUALS: bool>(&self, id: FunctionId, own: &Tape, motion: &Tape) {
-        tally(operations::<ON_DUALS>(self.model, own));
+        self.tape::<ON_DUALS>(own);
         if self.model.reads_motion(id) {
-            tally(operations::<ON_DUALS>(self.model, motion));
+            self.tape::<ON_DUALS>(motion);
         }
         assert!(self.model.solve(id).is_none(), "{}: a solve is not tallied", self.model.name);
     }
@@ -284,7 +295,7 @@ impl Simulator<f64> for Machine<'_> {
         self.inner().constants()
     }
     fn prepare(&self, p: &[f64], constants: &mut [f64]) {
-        tally(operations::<false>(self.model, &self.hoisted.constants));
+        self.tape::<false>(&self.hoisted.constants);
         self.inner().prepare(p, constants);
     }
     fn derivatives(&self) -> Option<&dyn Derivatives> {
@@ -333,7 +344,8 @@ fn filters_in_rust_take_no_more_operations_than_are_stated() {
     for (name, count) in SCENES {
         let model = whole_model_of_specs(name, Keep::Needed);
         let simulator = ModelSimulator::interpreted(model.clone());
-        let machine = Machine { model: &model, hoisted: Hoisted::new(&model), simulator };
+        let (hoisted, known) = (Hoisted::new(&model), RefCell::default());
+        let machine = Machine { model: &model, hoisted, simulator, known };
         let list = Elimination::new(model.states.len(), &model.rate_jacobian.pattern.entries);
         let options = filter_of(&model);
         for method in StepMethod::ALL {

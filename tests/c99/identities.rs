@@ -1,19 +1,20 @@
-//! Identities of emitted C in the numbers of C alone, along its own runs: the power balance, and
+//! Identities of emitted C in the numbers of C alone, at states of runs: the power balance, and
 //! derivatives compared with differences.
 
 use std::collections::BTreeMap;
 
-use machinist_codegen::emit::c99::{C99Options, Real};
+use machinist::Simulation;
+use machinist::trajectory::ColumnKind;
+use machinist_codegen::emit::c99::Real;
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_contract::fixed_step::StepMethod;
-use machinist_model::{Model, StateKind};
+use machinist_model::{Model, ModelSimulator, StateKind};
 
 use super::compiler::{Compiler, Program};
 use super::{SCENES, compiled, driver, options};
 use crate::own_scene::{scenes_to_try, whole_model_of_specs};
 
-/// Steps of a run, and steps between two states that are tested.
-const STEPS: [usize; 2] = [2000, 400];
+/// Number of states of a run that are tested.
+const STATES: usize = 6;
 
 /// Shift of a state for a difference of rates, relative to its scale.
 const SHIFT: f64 = 1e-6;
@@ -83,8 +84,9 @@ fn total(values: &Values) -> f64 {
     values["energy"].iter().sum()
 }
 
-/// Largest errors at a state: of the power balance, of `dE/dt` by differences of the energy, and of
-/// the Jacobian by differences of the rate. Entries at a switching surface are left out.
+/// Largest errors along a run: of the power balance, of `dE/dt` by differences of the energy, and of
+/// the Jacobian by differences of the rate, over the largest sizes of their terms along the run.
+/// Entries at a switching surface are left out.
 #[derive(Default)]
 struct Errors {
     balance: f64,
@@ -92,11 +94,31 @@ struct Errors {
     /// Largest sum of the sizes of powers.
     size: f64,
     jacobian: f64,
+    /// Largest sum of the sizes of the terms of each rate.
+    rates: Vec<f64>,
     entries: usize,
     left_out: usize,
 }
 
+/// Returns rows, columns and values of the Jacobian.
+fn entries(model: &Model, here: &Values) -> Vec<(usize, usize, f64)> {
+    let values = here.get("rate_jacobian").into_iter().flatten();
+    let entries = model.rate_jacobian.pattern.entries.iter().zip(values);
+    entries.map(|(&(row, column), &value)| (row as usize, column as usize, value)).collect()
+}
+
 impl Errors {
+    /// Raises the sizes of rates to those at a state.
+    fn look(&mut self, machine: &mut Machine<'_>, at: (f64, &[f64])) {
+        let here = machine.at(at.0, at.1);
+        let mut sizes: Vec<f64> = here["rate"].iter().map(|rate| rate.abs()).collect();
+        for (row, column, value) in entries(machine.model, &here) {
+            sizes[row] += (value * machine.model.states[column].scale).abs();
+        }
+        self.rates.resize(sizes.len(), f64::MIN_POSITIVE);
+        self.rates.iter_mut().zip(sizes).for_each(|(most, size)| *most = most.max(size));
+    }
+
     fn add(&mut self, machine: &mut Machine<'_>, at: (f64, &[f64])) {
         let here = machine.at(at.0, at.1);
         self.compare_jacobian(machine, at, &here);
@@ -113,15 +135,7 @@ impl Errors {
 
     fn compare_jacobian(&mut self, machine: &mut Machine<'_>, at: (f64, &[f64]), here: &Values) {
         let model = machine.model;
-        let values = here.get("rate_jacobian").into_iter().flatten();
-        let entries = model.rate_jacobian.pattern.entries.iter().zip(values);
-        let entries: Vec<(usize, usize, f64)> = entries
-            .map(|(&(row, column), &value)| (row as usize, column as usize, value))
-            .collect();
-        let mut sizes: Vec<f64> = here["rate"].iter().map(|rate| rate.abs()).collect();
-        for &(row, column, value) in &entries {
-            sizes[row] += (value * model.states[column].scale).abs();
-        }
+        let entries = entries(model, here);
         for (entry, state) in model.states.iter().enumerate() {
             if state.kind == StateKind::Mode {
                 continue;
@@ -131,15 +145,25 @@ impl Errors {
                 let [upper, middle, lower] = [&above, here, &below].map(|at| at["rate"][row]);
                 let share = state.scale / length;
                 self.entries += 1;
-                if (upper - middle - (middle - lower)).abs() * share > SURFACE * sizes[row] {
+                if (upper - middle - (middle - lower)).abs() * share > SURFACE * self.rates[row] {
                     self.left_out += 1;
                     continue;
                 }
                 let error = ((upper - lower) / length - value).abs() * state.scale;
-                self.jacobian = self.jacobian.max(error / sizes[row].max(f64::MIN_POSITIVE));
+                self.jacobian = self.jacobian.max(error / self.rates[row]);
             }
         }
     }
+}
+
+/// Returns times and states of the spec's run.
+fn states(model: &Model) -> Vec<(f64, Vec<f64>)> {
+    let simulator = ModelSimulator::new(model.clone());
+    let run = Simulation::new(&simulator).run().expect("a run");
+    let columns: Vec<_> = run.of_kind(ColumnKind::State).collect();
+    let last = run.times.len() - 1;
+    let places = (0..STATES).map(|index| index * last / (STATES - 1));
+    places.map(|at| (run.times[at], columns.iter().map(|of| of.values[at]).collect())).collect()
 }
 
 #[test]
@@ -147,16 +171,15 @@ fn emitted_c_balances_power_and_differentiates_its_own_functions() {
     let Some(compiler) = Compiler::found().map(Compiler::plain) else { return };
     for name in scenes_to_try("MACHINIST_C99", &SCENES) {
         let model = whole_model_of_specs(&name, Keep::Needed);
-        let method = StepMethod::Rosenbrock2;
-        let options = C99Options { method, ..options(Real::Double, &model) };
-        let program = compiled(&compiler, &model, &options);
-        let [steps, between] = STEPS;
-        let step = (model.run.until - model.run.from) / steps as f64;
-        let rows = program.run(step, steps, model.states.len());
+        let states = states(&model);
+        let program = compiled(&compiler, &model, &options(Real::Double, &model));
         let parameters = model.parameters.iter().map(|p| p.value).collect();
         let mut machine = Machine { model: &model, program, parameters };
         let mut errors = Errors::default();
-        for (time, state, _) in rows.iter().step_by(between) {
+        for (time, state) in &states {
+            errors.look(&mut machine, (*time, state));
+        }
+        for (time, state) in &states {
             errors.add(&mut machine, (*time, state));
         }
         let Errors { jacobian, entries, left_out, .. } = errors;

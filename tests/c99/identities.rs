@@ -145,11 +145,13 @@ impl Errors {
                 let [upper, middle, lower] = [&above, here, &below].map(|at| at["rate"][row]);
                 let share = state.scale / length;
                 self.entries += 1;
-                if (upper - middle - (middle - lower)).abs() * share > SURFACE * self.rates[row] {
+                let bend = (upper - middle - (middle - lower)).abs() * share;
+                if bend > SURFACE * self.rates[row] {
                     self.left_out += 1;
                     continue;
                 }
-                let error = ((upper - lower) / length - value).abs() * state.scale;
+                // A surface within the shift that bends less is off by no more than that.
+                let error = ((upper - lower) / length - value).abs() * state.scale - bend;
                 self.jacobian = self.jacobian.max(error / self.rates[row]);
             }
         }

@@ -115,8 +115,12 @@ impl Errors {
         for (row, column, value) in entries(machine.model, &here) {
             sizes[row] += (value * machine.model.states[column].scale).abs();
         }
-        self.rates.resize(sizes.len(), f64::MIN_POSITIVE);
-        self.rates.iter_mut().zip(sizes).for_each(|(most, size)| *most = most.max(size));
+        self.rates.resize(sizes.len(), 0.0);
+        let (states, run) = (&machine.model.states, &machine.model.run);
+        for ((most, size), state) in self.rates.iter_mut().zip(sizes).zip(states) {
+            // What constraints hold has rates of rounding.
+            *most = most.max(size).max(state.scale / (run.until - run.from));
+        }
     }
 
     fn add(&mut self, machine: &mut Machine<'_>, at: (f64, &[f64])) {
@@ -136,25 +140,17 @@ impl Errors {
     fn compare_jacobian(&mut self, machine: &mut Machine<'_>, at: (f64, &[f64]), here: &Values) {
         let model = machine.model;
         let entries = entries(model, here);
-        let has_jumps = !model.kink_guards.results.is_empty();
         for (entry, state) in model.states.iter().enumerate() {
             if state.kind == StateKind::Mode {
                 continue;
             }
             let ([above, below], length) = machine.around(at, entry, SHIFT);
-            let far = has_jumps.then(|| machine.around(at, entry, LONG_SHIFT).0);
             for &(row, _, value) in entries.iter().filter(|(_, column, _)| *column == entry) {
                 let [upper, middle, lower] = [&above, here, &below].map(|at| at["rate"][row]);
                 let share = state.scale / length;
                 self.entries += 1;
                 let bend = (upper - middle - (middle - lower)).abs() * share;
-                // A jump in the middle, as of a sign at rest, is that over any shift.
-                let jump = far.as_ref().map_or(0.0, |[above, below]| {
-                    let jump = upper - lower;
-                    let change = above["rate"][row] - below["rate"][row] - jump;
-                    if change.abs() < 0.5 * jump.abs() { jump.abs() * share } else { 0.0 }
-                });
-                if bend.max(jump) > SURFACE * self.rates[row] {
+                if bend > SURFACE * self.rates[row] {
                     self.left_out += 1;
                     continue;
                 }

@@ -25,7 +25,7 @@ const LONG_SHIFT: f64 = 1e-4;
 /// Error of a balance, relative to the largest sum of the sizes of its terms: rounding.
 const BALANCE: f64 = 1e-10;
 /// Error of a difference: rounding over the shift.
-const DIFFERENCE: f64 = 1e-7;
+const DIFFERENCE: f64 = 1e-6;
 /// Change of a slope within a shift that only a switching surface causes; a curve's is of the size
 /// of the shift.
 const SURFACE: f64 = 100.0 * SHIFT;

@@ -11,7 +11,7 @@ use machinist_model::{Model, ModelSimulator, StateKind};
 
 use super::compiler::{Compiler, Program};
 use super::{SCENES, compiled, driver, options};
-use crate::own_scene::{scenes_to_try, whole_model_of_specs};
+use crate::own_scene::whole_model_of_specs;
 
 /// Number of states of a run that are tested.
 const STATES: usize = 6;
@@ -175,8 +175,8 @@ fn states(model: &Model) -> Vec<(f64, Vec<f64>)> {
 #[test]
 fn emitted_c_balances_power_and_differentiates_its_own_functions() {
     let Some(compiler) = Compiler::found().map(Compiler::plain) else { return };
-    for name in scenes_to_try("MACHINIST_C99", &SCENES) {
-        let model = whole_model_of_specs(&name, Keep::Needed);
+    for name in SCENES {
+        let model = whole_model_of_specs(name, Keep::Needed);
         let states = states(&model);
         let program = compiled(&compiler, &model, &options(Real::Double, &model));
         let parameters = model.parameters.iter().map(|p| p.value).collect();

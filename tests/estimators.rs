@@ -7,6 +7,8 @@ mod emitted {
     pub mod saw_gin_ekf;
 }
 
+mod operations;
+
 use std::path::Path;
 
 use machinist::Simulation;

@@ -1,5 +1,7 @@
 //! Emitted C on microcontrollers in QEMU: bits compared with the host, and cost of a step.
 
+mod frames;
+
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -35,8 +37,10 @@ pub struct Ran {
     pub code: u64,
     /// Bytes of the struct that runs.
     pub ram: u64,
-    /// Bytes of stack.
+    /// Bytes of stack that were written.
     pub stack: u64,
+    /// Bytes of stack of the deepest chain of calls in the binary, with the C library.
+    pub deepest: u64,
     /// Instructions per step, mean and maximum.
     pub instructions: [u64; 2],
 }
@@ -118,10 +122,14 @@ impl Board {
         let size = run(Command::new("arm-none-eabi-size").arg(&object), path);
         let code = size.lines().nth(1).and_then(|line| line.split_whitespace().next());
         let code = code.and_then(|code| code.parse().ok()).expect("bytes of text");
-        self.answer(path, real, steps as u64, code)
+        let listing = run(Command::new("arm-none-eabi-objdump").args(["-d", "board.elf"]), path);
+        let deepest = frames::deepest(&listing, "reset");
+        let ran = self.answer(path, real, steps as u64, [code, deepest]);
+        assert!(ran.stack <= deepest, "{name}: {} bytes of stack of {deepest}", ran.stack);
+        ran
     }
 
-    fn answer(&self, path: &Path, real: Real, steps: u64, code: u64) -> Ran {
+    fn answer(&self, path: &Path, real: Real, steps: u64, [code, deepest]: [u64; 2]) -> Ran {
         let mut command = Command::new(QEMU);
         command.args(["-M", self.machine, "-nographic", "-icount", "shift=0"]);
         command.args(["-semihosting-config", "enable=on,target=native", "-kernel", "board.elf"]);
@@ -141,6 +149,7 @@ impl Board {
             code,
             ram: one("ram"),
             stack: one("stack"),
+            deepest,
             instructions: [one("ticks") / steps, one("most")].map(|n| n * INSTRUCTIONS_A_TICK),
         }
     }

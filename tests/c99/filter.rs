@@ -278,15 +278,13 @@ fn microcontrollers_estimate_with_the_digits_of_the_host() {
                 let scene = (&*model.name, &files[..], real);
                 let ran = board.run(scene, (case.step, steps), Some(&measure));
                 let what = format!("filter of {} by {method:?} on {}", case.scene, board.processor);
+                let states = model.states.len();
+                let error = difference(&model, &ran.state[..states], &host[..states]);
                 match real {
                     Real::Double => assert_same(&what, &ran.state, &host),
-                    Real::Float => {
-                        let state = &ran.state[..model.states.len()];
-                        let error = difference(&model, state, &host[..model.states.len()]);
-                        assert!(error < 1e-3, "{what}: off by {error:e}");
-                    }
+                    Real::Float => assert!(error < 1e-3, "{what}: off by {error:e}"),
                 }
-                print_run((case.scene, real), board, &ran);
+                print_run((case.scene, real), board, &ran, error);
             }
         }
     }

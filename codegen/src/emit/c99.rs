@@ -28,7 +28,7 @@ use machinist_model::{Model, StateKind};
 
 use super::EmitError;
 use body::{Scope, body};
-pub use cost::{FilterCost, StepCost, filter_cost, step_cost};
+pub use cost::{FilterCost, StepCost, filter_cost, rust_filter_cost, step_cost};
 pub use description::needs_start;
 pub use estimator::EstimatorOptions;
 use estimator::Tangents;

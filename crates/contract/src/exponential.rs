@@ -86,6 +86,14 @@ pub fn hyperbolic_tangent<R: Digits>(x: R) -> R {
     (e / (e + l(2.0))).with_sign_of(x)
 }
 
+/// Computes the hyperbolic tangent of one number, bitwise equal to [`hyperbolic_tangent`]. Where it
+/// is one, as for friction of machines that run, that is all.
+#[must_use]
+#[inline(always)]
+pub fn hyperbolic_tangent_alone(x: f64) -> f64 {
+    if SATURATED < x.abs() { 1.0.with_sign_of(x) } else { hyperbolic_tangent(x) }
+}
+
 /// Returns n, r and e^(r + tail) - 1 - r of a number.
 #[inline(always)]
 fn reduced<R: Digits>(x: R) -> (R, R, R) {
@@ -246,9 +254,12 @@ mod tests {
             let tangents = [hyperbolic_tangent(x), -hyperbolic_tangent(-x)];
             assert_eq!(tangents[0].to_bits(), tangents[1].to_bits(), "{x:e}");
             assert!(tangents[0].abs() <= 1.0, "{x:e}");
+            assert_eq!(hyperbolic_tangent_alone(x).to_bits(), tangents[0].to_bits(), "{x:e} alone");
         }
         assert_eq!(hyperbolic_tangent(f64::INFINITY).to_bits(), 1.0_f64.to_bits());
         assert_eq!(hyperbolic_tangent(-0.0).to_bits(), (-0.0_f64).to_bits());
-        assert!(hyperbolic_tangent(f64::NAN).is_nan());
+        assert!(
+            hyperbolic_tangent(f64::NAN).is_nan() && hyperbolic_tangent_alone(f64::NAN).is_nan()
+        );
     }
 }

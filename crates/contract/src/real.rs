@@ -4,9 +4,9 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::CubicTable;
-use crate::exponential::{NEAR, exponential, exponential_near, hyperbolic_tangent};
+use crate::exponential::{NEAR, exponential, exponential_near, hyperbolic_tangent_alone};
 use crate::side_by_side::{hyperbolic_tangents, sines_and_cosines};
-use crate::sine::{FARTHEST, sine_and_cosine};
+use crate::sine::{FARTHEST, cosine_near, sine_and_cosine, sine_near};
 
 /// A real number type for emitted code: `f64` and `f32` here, complex-step, lanes or
 /// double-double elsewhere.
@@ -154,11 +154,11 @@ acos = acos, atan = atan, sinh = sinh, cosh = cosh; pow; {
     }
     #[inline]
     fn sin(self) -> Self {
-        Real::sin_cos(self).0
+        if self.abs() <= FARTHEST { sine_near(self) } else { sine_and_cosine_far_away(self).0 }
     }
     #[inline]
     fn cos(self) -> Self {
-        Real::sin_cos(self).1
+        if self.abs() <= FARTHEST { cosine_near(self) } else { sine_and_cosine_far_away(self).1 }
     }
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
@@ -170,7 +170,7 @@ acos = acos, atan = atan, sinh = sinh, cosh = cosh; pow; {
     }
     #[inline]
     fn tanh(self) -> Self {
-        hyperbolic_tangent(self)
+        hyperbolic_tangent_alone(self)
     }
     #[inline]
     fn tanh_each<const N: usize>(arguments: [Self; N]) -> [Self; N] {

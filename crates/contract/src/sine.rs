@@ -47,15 +47,88 @@ const COSINE: [f64; 6] = [
 #[must_use]
 #[inline(always)]
 pub fn sine_and_cosine<R: Digits>(x: R) -> (R, R) {
-    let digits = x.mul_add(R::literal(core::f64::consts::FRAC_2_PI), R::literal(ROUNDING));
-    let n = digits - R::literal(ROUNDING);
-    let (r, minus_tail) = remainder(x, n);
-    let z = r * r;
-    let below_one = R::literal(0.5) * z;
-    let near = R::literal(1.0) - below_one;
-    let sine = sine(r, minus_tail * near, z);
-    let cosine = cosine(r * minus_tail, z, near, below_one);
-    R::turn(digits, sine, cosine)
+    let reduced = Reduced::of(x);
+    R::turn(reduced.digits, reduced.sine(), reduced.cosine())
+}
+
+/// Returns the sine of a number not farther from zero than [`FARTHEST`], by the polynomial that
+/// it needs: angles of motions seldom change their quadrant, so processors predict which.
+#[must_use]
+#[inline(always)]
+pub fn sine_near(x: f64) -> f64 {
+    sine_after_turns(x, 0)
+}
+
+/// Returns the cosine likewise.
+#[must_use]
+#[inline(always)]
+pub fn cosine_near(x: f64) -> f64 {
+    sine_after_turns(x, 1)
+}
+
+/// Returns sin(x + turns pi/2).
+#[inline(always)]
+fn sine_after_turns(x: f64, turns: u64) -> f64 {
+    let reduced = Reduced::of(x);
+    let turns = reduced.digits.to_bits().wrapping_add(turns);
+    let value = if turns & 1 == 0 { reduced.sine() } else { reduced.cosine() };
+    // Half a turn changes the sign.
+    f64::from_bits(value.to_bits() ^ ((turns & 2) << 62))
+}
+
+/// x = n pi/2 + r + tail.
+struct Reduced<R> {
+    /// Number whose last digits are n.
+    digits: R,
+    r: R,
+    /// -tail.
+    minus_tail: R,
+    /// r^2.
+    z: R,
+    /// r^2/2.
+    below_one: R,
+    /// 1 - r^2/2.
+    near: R,
+}
+
+// Literals are made one by one: the result of `array::map` is not always inlined and moves lanes
+// through memory, and a loop over them prevents vectorization elsewhere.
+
+impl<R: Real> Reduced<R> {
+    #[inline(always)]
+    fn of(x: R) -> Self {
+        let digits = x.mul_add(R::literal(core::f64::consts::FRAC_2_PI), R::literal(ROUNDING));
+        let (r, minus_tail) = remainder(x, digits - R::literal(ROUNDING));
+        let z = r * r;
+        let below_one = R::literal(0.5) * z;
+        Self { digits, r, minus_tail, z, below_one, near: R::literal(1.0) - below_one }
+    }
+
+    /// Returns sin(r + tail) = sin r + tail cos r.
+    #[inline(always)]
+    fn sine(&self) -> R {
+        let l = R::literal;
+        let (r, z) = (self.r, self.z);
+        let [s1, s2, s3, s4, s5, s6] = SINE;
+        let w = z * z;
+        let high = w.mul_add(l(s6).mul_add(z, l(s5)), l(s4).mul_add(z, l(s3)));
+        let p = w.mul_add(high, l(s2).mul_add(z, l(s1)));
+        // Subtracted, so zero keeps its sign.
+        r - (-(z * r)).mul_add(p, self.minus_tail * self.near)
+    }
+
+    /// Returns cos(r + tail) = cos r - tail sin r.
+    #[inline(always)]
+    fn cosine(&self) -> R {
+        let l = R::literal;
+        let (z, near) = (self.z, self.near);
+        let [c1, c2, c3, c4, c5, c6] = COSINE;
+        let w = z * z;
+        let high = w.mul_add(l(c6).mul_add(z, l(c5)), l(c4).mul_add(z, l(c3)));
+        let p = w.mul_add(high, l(c2).mul_add(z, l(c1)));
+        let lost = (l(1.0) - near) - self.below_one;
+        near + (w.mul_add(p, lost) + self.r * self.minus_tail)
+    }
 }
 
 /// Returns x - n pi/2 and its rounding error with the opposite sign.
@@ -66,33 +139,6 @@ fn remainder<R: Real>(x: R, n: R) -> (R, R) {
     let near = (-n).mul_add(l(first), x);
     let r = (-n).mul_add(l(second), near);
     (r, n.mul_add(l(rest), n.mul_add(l(second), r - near)))
-}
-
-// Literals are made one by one: the result of `array::map` is not always inlined and moves lanes
-// through memory, and a loop over them prevents vectorization elsewhere.
-
-/// Returns sin(r + tail) = sin r + tail cos r, given -tail cos r and r^2.
-#[inline(always)]
-fn sine<R: Real>(r: R, minus_rest: R, z: R) -> R {
-    let l = R::literal;
-    let [s1, s2, s3, s4, s5, s6] = SINE;
-    let w = z * z;
-    let high = w.mul_add(l(s6).mul_add(z, l(s5)), l(s4).mul_add(z, l(s3)));
-    let p = w.mul_add(high, l(s2).mul_add(z, l(s1)));
-    // Subtracted, so zero keeps its sign.
-    r - (-(z * r)).mul_add(p, minus_rest)
-}
-
-/// Returns cos(r + tail) = cos r - tail sin r, given -tail r, r^2, and 1 - r^2/2 with r^2/2.
-#[inline(always)]
-fn cosine<R: Real>(rest: R, z: R, near: R, below_one: R) -> R {
-    let l = R::literal;
-    let [c1, c2, c3, c4, c5, c6] = COSINE;
-    let w = z * z;
-    let high = w.mul_add(l(c6).mul_add(z, l(c5)), l(c4).mul_add(z, l(c3)));
-    let p = w.mul_add(high, l(c2).mul_add(z, l(c1)));
-    let lost = (R::literal(1.0) - near) - below_one;
-    near + (w.mul_add(p, lost) + rest)
 }
 
 #[cfg(all(test, feature = "std"))]
@@ -124,6 +170,8 @@ mod tests {
             let (sine, cosine) = sine_and_cosine(x);
             assert!(units(sine, f64::sin(x)) <= 1, "sin {x:e}: {sine:e} {:e}", f64::sin(x));
             assert!(units(cosine, f64::cos(x)) <= 1, "cos {x:e}: {cosine:e} {:e}", f64::cos(x));
+            let alone = [sine_near(x), cosine_near(x)].map(f64::to_bits);
+            assert_eq!(alone, [sine, cosine].map(f64::to_bits), "{x:e} alone");
         }
     }
 

@@ -4,8 +4,9 @@
 //
 // Extended Kalman filter: Saw gin: motor, coupling and saw cylinder
 //
-// A step of the machine alone, by the classical Runge-Kutta method of order 4, in C99:
-//   341 operations without events, at most 680 in 2 parts.
+// A prediction by the classical Runge-Kutta method of order 4:
+//   5897 operations without events, at most 4634 more for each further part, 10531 in 2 parts.
+// A correction: at most 1970 operations.
 // An estimate with its workspace: 5544 bytes.
 
 use machinist_contract::fixed_step::{

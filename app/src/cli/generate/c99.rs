@@ -9,7 +9,8 @@ use machinist::estimator::EstimatorIndices;
 use machinist::field::Discretisation;
 use machinist::linear_analysis::{Place, operating_point};
 use machinist_codegen::emit::c99::{
-    C99Options, EstimatorOptions, Real, filter_cost, needs_start, step_cost,
+    C99Options, EstimatorOptions, FilterCost, Real, filter_cost, needs_start, rust_filter_cost,
+    step_cost,
 };
 use machinist_codegen::write::{Mode, WriteError, emit_c99, emit_rust_estimator};
 use machinist_contract::Simulator;
@@ -90,11 +91,12 @@ impl Options {
             command.extend([" --step ", step.name()]);
         }
         command.push_str(&self.division());
+        let FilterCost { predict, correct } = rust_filter_cost(&model, method, &filter);
         let filter = (&filter, method, &start[..]);
         let summary = emit_rust_estimator(out, &model, filter, &command, mode);
-        let step = step_cost(&model, method, Real::Double);
         let text = describe(&fresh(summary)?, "");
-        print(&format!("{text}a step of the machine takes {step}\n"))
+        let correct = format!("a correction takes at most {correct} operations");
+        print(&format!("{text}a prediction takes {predict}\n{correct}\n"))
     }
 
     pub fn execute(

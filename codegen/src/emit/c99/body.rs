@@ -52,6 +52,8 @@ pub(super) struct Reads {
 pub(super) struct Body {
     pub(super) statements: Vec<String>,
     pub(super) results: Vec<String>,
+    /// Number of statements that each result needs.
+    pub(super) after: Vec<usize>,
     pub(super) reads: Reads,
 }
 
@@ -75,27 +77,39 @@ pub(super) fn body(
     };
     writer.name_from_spec();
     let mut statements = Vec::new();
+    // Number of statements behind each node.
+    let mut after = vec![0; tape.nodes.len()];
     for step in &steps {
+        // In the order of the tape, in which the first of a pair comes first.
+        let mut nodes: Vec<usize> = match step {
+            Step::Node(index) => vec![*index],
+            Step::Batch(batch) => batch.results().map(|id| id.0 as usize).collect(),
+        };
+        nodes.sort_unstable();
         match step {
-            Step::Node(index) => writer.statement(*index, pairs[*index], &mut statements)?,
             Step::Batch(batch) if is_wide(batch) => writer.batch(batch, &mut statements)?,
-            Step::Batch(batch) => {
-                // In the order of the tape, in which the first of a pair comes first.
-                let mut results: Vec<usize> = batch.results().map(|id| id.0 as usize).collect();
-                results.sort_unstable();
-                for index in results {
+            _ => {
+                for &index in &nodes {
                     writer.statement(index, pairs[index], &mut statements)?;
                 }
             }
         }
+        for index in nodes {
+            let operands = tape.nodes[index].op.operands();
+            after[index] = match writer.places[index] {
+                Place::Statement => statements.len(),
+                _ => operands.iter().map(|id| after[id.0 as usize]).max().unwrap_or(0),
+            };
+        }
     }
     let results = tape.results.iter().map(|&id| Ok(writer.operand(id)?.text));
     let results = results.collect::<Result<_, EmitError>>()?;
+    let after = tape.results.iter().map(|id| after[id.0 as usize]).collect();
     let reads = reads(tape, &writer.places, scope);
-    Ok(Body { statements, results, reads })
+    Ok(Body { statements, results, after, reads })
 }
 
-/// Number of arguments from which on one call computes their sines and cosines.
+/// Number of arguments whose sines and cosines one call computes.
 const WIDE: usize = 4;
 
 fn is_wide(batch: &Batch) -> bool {
@@ -243,7 +257,7 @@ impl Writer<'_> {
         Ok(())
     }
 
-    /// Adds the statements of one call for several sines and cosines.
+    /// Adds the statements of calls for several sines and cosines, four each.
     fn batch(&mut self, batch: &Batch, statements: &mut Vec<String>) -> Result<(), EmitError> {
         let arguments = batch.members.iter().map(|member| Ok(self.operand(member.argument)?.text));
         let arguments = arguments.collect::<Result<Vec<_>, EmitError>>()?;
@@ -253,7 +267,17 @@ impl Writer<'_> {
         statements
             .push(format!("const {real} {angles}[{count}] = {{ {} }};", arguments.join(", ")));
         statements.push(format!("{real} {sines}[{count}], {cosines}[{count}];"));
-        statements.push(format!("sines_and_cosines({count}u, {angles}, {sines}, {cosines});"));
+        for first in (0..count).step_by(WIDE) {
+            let rest = first..count.min(first + WIDE);
+            // The rest is computed one by one: processors without vectors take no more for it.
+            let (function, by, places) = match rest.len() {
+                WIDE => ("sines_and_cosines_of_four", "&", first..first + 1),
+                _ => ("sine_and_cosine", "", rest),
+            };
+            statements.extend(places.map(|k| {
+                format!("{function}({by}{angles}[{k}], &{sines}[{k}], &{cosines}[{k}]);")
+            }));
+        }
         for (place, member) in batch.members.iter().enumerate() {
             for (result, from) in member.results.iter().zip([&sines, &cosines]) {
                 let Some(id) = result else { continue };

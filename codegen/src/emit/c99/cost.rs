@@ -5,6 +5,7 @@
 //! an elementary function, an integer power or a table. Tests count the operations that emitted
 //! code executes.
 
+mod duals;
 mod filter;
 
 use machinist_contract::fixed_step::StepMethod;
@@ -16,26 +17,44 @@ use machinist_model::{Elimination, Model, StateKind, Tape, operations};
 use super::body::{steps_of, wide_batches};
 use super::estimator::Tangents;
 use super::{EstimatorOptions, Real};
-use filter::Filter;
+use filter::{Derivatives, Filter};
 
 /// Numbers of operations of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct StepCost {
     /// Maximum of a step without events and discontinuities.
     pub usual: usize,
-    /// Maximum of any step.
-    pub most: usize,
+    /// Maximum of each further part, which begins with events or a discontinuity.
+    pub each: usize,
     /// Maximum number of parts of a step.
     pub parts: usize,
 }
 
+impl StepCost {
+    /// Returns the maximum of any step.
+    #[must_use]
+    pub fn most(&self) -> usize {
+        self.usual + (self.parts - 1) * self.each
+    }
+
+    /// Returns the numbers with operations outside of parts.
+    fn with(self, around: usize) -> Self {
+        Self { usual: self.usual + around, ..self }
+    }
+}
+
 impl std::fmt::Display for StepCost {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { usual, most, parts } = self;
+        let Self { usual, each, parts } = self;
         if *parts == 1 {
-            return write!(f, "at most {most} operations");
+            return write!(f, "at most {usual} operations");
         }
-        write!(f, "{usual} operations without events, at most {most} in {parts} parts")
+        let most = self.most();
+        write!(
+            f,
+            "{usual} operations without events, at most {each} more for each further part, "
+        )?;
+        write!(f, "{most} in {parts} parts")
     }
 }
 
@@ -58,8 +77,7 @@ pub(super) fn parts(model: &Model) -> usize {
 #[must_use]
 pub fn step_cost(model: &Model, method: StepMethod, real: Real) -> StepCost {
     let model = &model.live();
-    let step = Step::new(model, method, real);
-    StepCost { usual: step.usual(None), most: step.most(None), parts: parts(model) }
+    Step::new(model, method, real).cost(None)
 }
 
 /// Returns the numbers of operations of a filter.
@@ -70,16 +88,26 @@ pub fn filter_cost(
     options: &EstimatorOptions,
 ) -> FilterCost {
     let model = &model.live();
-    let step = Step::new(model, method, real);
     let tangents = Tangents::of(model, method, options);
-    let of = Filter::new(&step, options, &tangents, true);
-    let around = of.around_a_step();
-    let predict = StepCost {
-        usual: step.usual(Some(&of)) + around,
-        most: step.most(Some(&of)) + around,
-        parts: parts(model),
-    };
-    FilterCost { predict, correct: Filter::new(&step, options, &tangents, false).correct() }
+    let step = Step::new(model, method, real);
+    cost_of(&step, options, Derivatives::Tapes(&tangents))
+}
+
+/// Returns the numbers of operations of a filter in Rust, which takes the same operations as in C
+/// except for derivatives on dual numbers.
+#[must_use]
+pub fn rust_filter_cost(
+    model: &Model,
+    method: StepMethod,
+    options: &EstimatorOptions,
+) -> FilterCost {
+    cost_of(&Step::new(model, method, Real::Double), options, Derivatives::Duals)
+}
+
+fn cost_of(step: &Step<'_>, options: &EstimatorOptions, by: Derivatives<'_>) -> FilterCost {
+    let of = Filter::new(step, options, by, true);
+    let predict = step.cost(Some(&of)).with(of.around_a_step());
+    FilterCost { predict, correct: Filter::new(step, options, by, false).correct() }
 }
 
 /// Sign of a number: two comparisons.
@@ -321,26 +349,30 @@ impl<'a> Step<'a> {
         SIGN * self.events + self.watched
     }
 
+    /// Returns the operations of a step.
+    fn cost(&self, filter: Option<&Filter<'_>>) -> StepCost {
+        let usual = self.usual(filter) + PASS_TIME;
+        StepCost { usual, each: self.further_part(filter), parts: parts(self.model) }
+    }
+
     /// Returns the maximum number of operations of a step without events and discontinuities.
     fn usual(&self, filter: Option<&Filter<'_>>) -> usize {
         let followed = filter.map_or(0, Filter::part);
         let own = if self.events > 0 {
             self.to_the_end() + self.accept()
         } else if self.jump() > 0 {
-            3 + self.jump() + self.try_step()
+            4 + self.jump() + self.try_step()
         } else {
             self.try_step()
         };
-        own + followed + PASS_TIME
+        own + followed
     }
 
-    /// Returns the maximum number of operations of a step.
-    fn most(&self, filter: Option<&Filter<'_>>) -> usize {
-        let parts = parts(self.model);
-        let followed = filter.map_or(0, Filter::part);
+    /// Returns the maximum number of operations by which a part that events or a discontinuity end
+    /// lengthens a step.
+    fn further_part(&self, filter: Option<&Filter<'_>>) -> usize {
         if self.events == 0 {
-            let part = if self.jump() > 0 { 4 + self.jump() } else { 0 };
-            return parts * (part + self.try_step() + followed) + PASS_TIME;
+            return self.usual(filter);
         }
         let located = self.at_once
             * (CUBIC + PASSING * self.digits + 2 + usize::from(filter.is_some()))
@@ -349,10 +381,8 @@ impl<'a> Step<'a> {
             + self.guards()
             + self.events * (1 + SIGN);
         let jumped = self.accept() + 2 + self.guards() + self.pass();
-        let before_the_last = if self.jump() > 0 { located.max(jumped) } else { located };
-        parts * (self.to_the_end() + followed)
-            + (parts - 1) * (before_the_last + self.happen(filter))
-            + self.accept()
-            + PASS_TIME
+        let ended = if self.jump() > 0 { located.max(jumped) } else { located };
+        let followed = filter.map_or(0, Filter::part);
+        self.to_the_end() + followed + ended + self.happen(filter)
     }
 }

@@ -103,20 +103,15 @@ fn prepare(scene: &Scene<'_>) -> Emitted {
 fn function(scene: &Scene<'_>, row: &FunctionRow) -> Result<Emitted, EmitError> {
     let tape = scene.hoisted.tape(scene.model, row.id);
     let solved = scene.model.solve(row.id);
-    let Body { statements: lines, results, reads } = body(tape, &scene.scope(row.name), false)?;
-    let reads_motion = reads.motion || solved.is_some();
-    let mut text = opening(scene, row, &reads, reads_motion);
-    text.push_str(&statements(&lines));
+    let body = body(tape, &scene.scope(row.name), false)?;
+    let reads_motion = body.reads.motion || solved.is_some();
+    let mut text = opening(scene, row, &body.reads, reads_motion);
     if let (Some(of), Some(matrix)) = (solved, row.matrix) {
-        text.push_str(&solve::call(scene, row.name, of, &matrix(scene.model).pattern, &results));
+        let pattern = &matrix(scene.model).pattern;
+        text.push_str(&statements(&body.statements));
+        text.push_str(&solve::call(scene, row.name, of, pattern, &body.results));
     } else {
-        for ((place, remark), result) in places(scene, row).into_iter().zip(&results) {
-            let mut line = statement(&format!("{place} = {result};"), 4);
-            if !remark.is_empty() && line.lines().count() == 1 && line.len() + remark.len() < 100 {
-                line = format!("{} {remark}\n", line.trim_end());
-            }
-            text.push_str(&line);
-        }
+        text.push_str(&computation(&places(scene, row), &body, row.matrix.is_some()));
     }
     let (name, out) = (scene.public(row.name), out(scene, row));
     let head = match row.reads {
@@ -127,6 +122,33 @@ fn function(scene: &Scene<'_>, row: &FunctionRow) -> Result<Emitted, EmitError> 
     };
     let doc = format!("{} {}", plain(row.doc), counted(operations(tape)));
     Ok(Emitted { doc, head: broken_head(&head), body: text, is_local: false })
+}
+
+/// Returns the statements of a body and of its results, those of a matrix as soon as they are
+/// computed: compilers keep fewer values, and compute them side by side.
+fn computation(places: &[(String, String)], body: &Body, is_matrix: bool) -> String {
+    let write = |((place, remark), result): (&(String, String), &String)| {
+        let line = statement(&format!("{place} = {result};"), 4);
+        let is_short = line.lines().count() == 1 && line.len() + remark.len() < 100;
+        if is_short && !remark.is_empty() {
+            format!("{} {remark}\n", line.trim_end())
+        } else {
+            line
+        }
+    };
+    let results = || places.iter().zip(&body.results);
+    let is_early = |after: usize| is_matrix && after > 0;
+    let mut text = String::new();
+    for (index, line) in body.statements.iter().enumerate() {
+        text.push_str(&statement(line, 4));
+        let ready = results()
+            .zip(&body.after)
+            .filter(|(_, after)| is_early(**after) && **after == index + 1);
+        text.extend(ready.map(|(result, _)| write(result)));
+    }
+    let rest = results().zip(&body.after).filter(|(_, after)| !is_early(**after));
+    text.extend(rest.map(|(result, _)| write(result)));
+    text
 }
 
 /// Returns variables for the entries of the state that are read, and marks unread arguments.

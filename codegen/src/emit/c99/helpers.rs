@@ -13,8 +13,10 @@ use super::expression::{function_name, power_name};
 use super::{Real, Scene};
 use crate::emit::EmitError;
 
+const ANGLE: &str = include_str!("snippets/angle.c");
 const SINE: &str = include_str!("snippets/sine.c");
 const SINES: &str = include_str!("snippets/sines.c");
+const ONE_SINE: &str = include_str!("snippets/one_sine.c");
 const SINE_ALONE: &str = include_str!("snippets/sine_alone.c");
 const COSINE_ALONE: &str = include_str!("snippets/cosine_alone.c");
 const REDUCED: &str = include_str!("snippets/reduced.c");
@@ -29,7 +31,7 @@ struct Needs {
     powers: BTreeSet<i32>,
     /// True if sine and cosine of the same argument are computed somewhere.
     pairs: bool,
-    /// True if sines and cosines of several arguments are computed by one call.
+    /// True if sines and cosines of four arguments are computed by one call.
     several: bool,
     /// True for sine and cosine, respectively, if computed alone.
     alone: [bool; 2],
@@ -92,9 +94,14 @@ pub(super) fn names(tapes: &[&Tape], real: Real) -> Vec<String> {
     let functions = needs.functions.iter().map(|function| function_name(*function, real));
     let powers = needs.powers.iter().map(|exponent| power_name(*exponent));
     let always = [
+        "reduced_angle",
+        "sine_of_rest",
+        "cosine_of_rest",
+        "signed_by_turns",
+        "sine_after_turns",
         "near_sine_and_cosine",
         "sine_and_cosine",
-        "sines_and_cosines",
+        "sines_and_cosines_of_four",
         "interpolate",
         "motion",
         "solve",
@@ -113,10 +120,16 @@ pub(super) fn helpers(scene: &Scene<'_>) -> Result<String, EmitError> {
     if scene.options.real == Real::Double {
         let [sine, cosine] = needs.alone;
         if needs.pairs || needs.several || sine || cosine {
+            parts.push(ANGLE.to_owned());
+        }
+        if needs.pairs || needs.several {
             parts.push(SINE.to_owned());
         }
         if needs.several {
             parts.push(SINES.to_owned());
+        }
+        if sine || cosine {
+            parts.push(ONE_SINE.to_owned());
         }
         if sine {
             parts.push(SINE_ALONE.to_owned());

@@ -23,7 +23,9 @@ pub(super) fn cmake(scene: &Scene<'_>) -> String {
          endif()\n\
          if(CMAKE_C_COMPILER_ID STREQUAL \"GNU\")\n  \
            # Orders long functions for few registers; faster, with the same results.\n  \
-           target_compile_options({name} PRIVATE -fschedule-insns -fsched-pressure)\n\
+           target_compile_options({name} PRIVATE -fschedule-insns -fsched-pressure)\n  \
+           # States the stack of every function in {name}.c.su, beside the object.\n  \
+           target_compile_options({name} PRIVATE -fstack-usage)\n\
          endif()\n\
          if(UNIX)\n  \
            target_link_libraries({name} PUBLIC m)\n\

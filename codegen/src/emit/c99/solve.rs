@@ -49,7 +49,7 @@ impl Motion {
 
 /// Returns the function that computes the motion.
 pub(super) fn function(scene: &Scene<'_>, motion: &Motion) -> Emitted {
-    let Motion { body: Body { statements: lines, results, reads }, members, .. } = motion;
+    let Motion { body: Body { statements: lines, results, reads, .. }, members, .. } = motion;
     let mut text = state_variables(scene, reads);
     text.push_str(&unread([
         ("time", !reads.time),

@@ -43,7 +43,7 @@ pub fn emit_estimator(
     }
     let is_implicit = method == StepMethod::Rosenbrock2;
     let sizes = of_machine.sizes();
-    let mut text = header::estimator_header(model, (method, bytes(&sizes)), options);
+    let mut text = header::estimator_header(model, (filter, method, bytes(&sizes)), options);
     if is_implicit {
         text.push_str("use machinist_contract::elimination::{Elimination, Pivot, Unknown};\n");
     }

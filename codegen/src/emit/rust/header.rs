@@ -3,7 +3,7 @@
 use super::functions::JACOBIANS;
 use super::layout::broken;
 use crate::emit::EmitOptions;
-use crate::emit::c99::{Real, step_cost};
+use crate::emit::c99::{EstimatorOptions, FilterCost, rust_filter_cost};
 use crate::emit::text::comment_lines;
 use machinist_contract::fixed_step::StepMethod;
 use machinist_model::hoist::Hoisted;
@@ -45,16 +45,17 @@ pub(super) fn index_header(options: &EmitOptions) -> String {
 /// Returns the header of the module of a filter.
 pub(super) fn estimator_header(
     model: &Model,
-    (method, bytes): (StepMethod, usize),
+    (filter, method, bytes): (&EstimatorOptions, StepMethod, usize),
     options: &EmitOptions,
 ) -> String {
     let mut lines = provenance(options);
     lines.push(String::new());
     lines.push(format!("Extended Kalman filter: {}", model.title));
-    let cost = step_cost(model, method, Real::Double);
+    let FilterCost { predict, correct } = rust_filter_cost(model, method, filter);
     lines.push(String::new());
-    lines.push(format!("A step of the machine alone, by {}, in C99:", method.meaning()));
-    lines.push(format!("  {cost}."));
+    lines.push(format!("A prediction by {}:", method.meaning()));
+    lines.push(format!("  {predict}."));
+    lines.push(format!("A correction: at most {correct} operations."));
     lines.push(format!("An estimate with its workspace: {bytes} bytes."));
     format!("{}\n", as_comment(&lines))
 }

@@ -4,15 +4,27 @@ use machinist_contract::fixed_step::StepMethod;
 use machinist_model::StateKind;
 use machinist_model::functions::FunctionId;
 
+use machinist_contract::Dual;
+
+use super::duals::on_duals;
 use super::{Step, executed};
 use crate::emit::c99::EstimatorOptions;
 use crate::emit::c99::estimator::{CarriedFunction, Tangents};
+
+/// Way in which a filter differentiates functions along its columns.
+#[derive(Clone, Copy)]
+pub(super) enum Derivatives<'a> {
+    /// By tapes, column by column, in C.
+    Tapes(&'a Tangents),
+    /// On dual numbers, several columns at a time, in Rust.
+    Duals,
+}
 
 /// Operations of the functions that carry columns of the root of a covariance.
 pub(super) struct Filter<'a> {
     step: &'a Step<'a>,
     options: &'a EstimatorOptions,
-    tangents: &'a Tangents,
+    derivatives: Derivatives<'a>,
     /// Number of columns that are carried.
     columns: usize,
     /// Operations of the deviations of parameters, over all columns.
@@ -25,7 +37,7 @@ impl<'a> Filter<'a> {
     pub(super) fn new(
         step: &'a Step<'a>,
         options: &'a EstimatorOptions,
-        tangents: &'a Tangents,
+        derivatives: Derivatives<'a>,
         of_a_step: bool,
     ) -> Self {
         let entries = step.states + options.estimated.len();
@@ -33,7 +45,7 @@ impl<'a> Filter<'a> {
         Self {
             step,
             options,
-            tangents,
+            derivatives,
             columns: if of_a_step { entries + added } else { entries },
             directions: if of_a_step { options.disturbed.len() } else { 0 },
             entries,
@@ -42,9 +54,17 @@ impl<'a> Filter<'a> {
 
     /// Returns the operations of a function's derivative along all columns.
     fn along(&self, function: CarriedFunction) -> usize {
-        self.directions
-            + self.columns
-                * self.tangents.tape(function).map_or(0, |tape| executed(tape, self.step.real))
+        let step = self.step;
+        let own = match self.derivatives {
+            Derivatives::Tapes(tangents) => {
+                let tape = tangents.tape(function);
+                self.columns * tape.map_or(0, |tape| executed(tape, step.real))
+            }
+            Derivatives::Duals => {
+                self.columns.div_ceil(Dual::DIRECTIONS) * on_duals(step.model, function)
+            }
+        };
+        self.directions + own
     }
 
     /// Returns the operations of the deviation of a rate, except those of `directions`.
@@ -67,8 +87,14 @@ impl<'a> Filter<'a> {
         let count = self.options.estimated.len() + self.options.disturbed.len();
         let reads_parameters = count > 0 && !model.parameter_jacobian.pattern.entries.is_empty();
         let by_parameters = usize::from(reads_parameters);
-        let jacobians = step.of(FunctionId::RateJacobian)
-            + by_parameters * step.of(FunctionId::ParameterJacobian);
+        let of_parameters = match self.derivatives {
+            // Emitted Rust computes it with the other Jacobian.
+            Derivatives::Duals if model.gives_jacobians_at_once() => {
+                executed(&step.hoisted.jacobians, step.real)
+            }
+            _ => step.of(FunctionId::ParameterJacobian),
+        };
+        let jacobians = step.of(FunctionId::RateJacobian) + by_parameters * of_parameters;
         let rate = step.of(FunctionId::Rate);
         let own = match step.method {
             StepMethod::RungeKutta4 => {

@@ -1,6 +1,4 @@
 static double cosine(double x)
 {
-    double s, c;
-    sine_and_cosine(x, &s, &c);
-    return c;
+    return (fabs(x) <= 1e6) ? sine_after_turns(x, 1u) : cos(x);
 }

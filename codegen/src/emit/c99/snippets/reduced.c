@@ -1,6 +1,6 @@
 /* e^x = 2^n (1 + p): n whole, p = e^(r + tail) - 1 with |r| <= ln(2)/2, by a polynomial of
  * degree 9 (Remez's exchange). Gives n, r and p - r. */
-static double reduced(double x, double *r, double *rest)
+static inline double reduced(double x, double *r, double *rest)
 {
     const double rounding = 6755399441055744.0;
     const double n = (x * 1.4426950408889634 + rounding) - rounding;
@@ -18,7 +18,7 @@ static double reduced(double x, double *r, double *rest)
 }
 
 /* 2^n for a whole number n from -1022 to 1023. */
-static double power_of_two(double n)
+static inline double power_of_two(double n)
 {
     double power = n + (6755399441055744.0 + 1023.0);
     uint64_t bits;

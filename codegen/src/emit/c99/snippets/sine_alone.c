@@ -1,6 +1,4 @@
 static double sine(double x)
 {
-    double s, c;
-    sine_and_cosine(x, &s, &c);
-    return s;
+    return (fabs(x) <= 1e6) ? sine_after_turns(x, 0u) : sin(x);
 }

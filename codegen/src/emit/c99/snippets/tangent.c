@@ -3,10 +3,12 @@
 static double hyperbolic_tangent(double x)
 {
     const double size = fabs(x);
-    const double near = (22.0 < size) ? 22.0 : size;
     double n, r, rest, power, low, part, high, e;
 
-    n = reduced(near + near, &r, &rest);
+    if (22.0 < size) {
+        return copysign(1.0, x);
+    }
+    n = reduced(size + size, &r, &rest);
     power = power_of_two(n);
     low = power - 1.0;
     part = power * r;

@@ -13,7 +13,7 @@ pub(crate) mod step;
 #[cfg(feature = "sweep")]
 pub(crate) mod variants;
 
-use machinist_contract::taylor::{Bends, TaylorSeries, value as series_value};
+use machinist_contract::taylor::{Bends, TaylorSeries};
 
 use super::one_step::{LOOKS, OneStep, Pace, Trial, drive_all, rests};
 use super::system::FLOWS;

@@ -268,11 +268,11 @@ impl Writer<'_> {
             .push(format!("const {real} {angles}[{count}] = {{ {} }};", arguments.join(", ")));
         statements.push(format!("{real} {sines}[{count}], {cosines}[{count}];"));
         for first in (0..count).step_by(WIDE) {
-            let rest = first..count.min(first + WIDE);
-            // The rest is computed one by one: processors without vectors take no more for it.
-            let (function, by, places) = match rest.len() {
+            let group = first..count.min(first + WIDE);
+            // Fewer are computed one by one: processors without vectors take no more for them.
+            let (function, by, places) = match group.len() {
                 WIDE => ("sines_and_cosines_of_four", "&", first..first + 1),
-                _ => ("sine_and_cosine", "", rest),
+                _ => ("sine_and_cosine", "", group),
             };
             statements.extend(places.map(|k| {
                 format!("{function}({by}{angles}[{k}], &{sines}[{k}], &{cosines}[{k}]);")

@@ -136,18 +136,18 @@ fn computation(places: &[(String, String)], body: &Body, is_matrix: bool) -> Str
             line
         }
     };
-    let results = || places.iter().zip(&body.results);
-    let is_early = |after: usize| is_matrix && after > 0;
-    let mut text = String::new();
-    for (index, line) in body.statements.iter().enumerate() {
-        text.push_str(&statement(line, 4));
-        let ready = results()
-            .zip(&body.after)
-            .filter(|(_, after)| is_early(**after) && **after == index + 1);
-        text.extend(ready.map(|(result, _)| write(result)));
+    let mut early = vec![String::new(); body.statements.len()];
+    let mut rest = String::new();
+    for (result, &after) in places.iter().zip(&body.results).zip(&body.after) {
+        let stored = if is_matrix && after > 0 { &mut early[after - 1] } else { &mut rest };
+        stored.push_str(&write(result));
     }
-    let rest = results().zip(&body.after).filter(|(_, after)| !is_early(**after));
-    text.extend(rest.map(|(result, _)| write(result)));
+    let mut text = String::new();
+    for (line, stored) in body.statements.iter().zip(&early) {
+        text.push_str(&statement(line, 4));
+        text.push_str(stored);
+    }
+    text.push_str(&rest);
     text
 }
 

@@ -1,10 +1,9 @@
 //! Operations of an extended Kalman filter.
 
+use machinist_contract::Dual;
 use machinist_contract::fixed_step::StepMethod;
 use machinist_model::StateKind;
 use machinist_model::functions::FunctionId;
-
-use machinist_contract::Dual;
 
 use super::duals::on_duals;
 use super::{Step, executed};

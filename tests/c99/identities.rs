@@ -11,15 +11,15 @@ use machinist_model::{Model, ModelSimulator, StateKind};
 
 use super::compiler::{Compiler, Program};
 use super::{SCENES, compiled, driver, options};
-use crate::own_scene::whole_model_of_specs;
+use crate::own_scene::{scenes_to_try, whole_model_of_specs};
 
 /// Number of states of a run that are tested.
 const STATES: usize = 6;
 
-/// Shift of a state for a difference of rates, relative to its scale.
+/// Shift of a state for a difference of rates, relative to its scale or value, the larger of both.
 const SHIFT: f64 = 1e-6;
-/// Shift for a difference of energies where the other leaves rounding, as for oil, whose energies
-/// are small beside their terms. Contacts need the other. The better of both counts.
+/// Shift for an extrapolated difference of energies where the other leaves rounding, as for oil,
+/// whose energies are small beside their terms. Contacts need the other. The better of both counts.
 const LONG_SHIFT: f64 = 1e-4;
 
 /// Error of a balance, relative to the largest sum of the sizes of its terms: rounding.
@@ -46,14 +46,14 @@ impl Machine<'_> {
         rows.map(|row| (row.name, self.program.receive((row.results)(self.model)))).collect()
     }
 
-    /// Returns the results at both ends of a shift along a state, relative to its scale, and its length.
+    /// Returns the results at both ends of a shift along a state, relative to its scale or value, and its length.
     fn around(
         &mut self,
         (time, state): (f64, &[f64]),
         entry: usize,
         shift: f64,
     ) -> ([Values; 2], f64) {
-        let shift = shift * self.model.states[entry].scale;
+        let shift = shift * self.model.states[entry].scale.max(state[entry].abs());
         let ends = [shift, -shift].map(|shift| {
             let mut state = state.to_vec();
             state[entry] += shift;
@@ -63,17 +63,27 @@ impl Machine<'_> {
         ([above, below], upper - lower)
     }
 
-    /// Returns dE/dt by the chain rule over differences of the energy, and the sum of the sizes of
+    /// Returns the central difference of the energy over a state.
+    fn energy_slope(&mut self, at: (f64, &[f64]), entry: usize, shift: f64) -> f64 {
+        let ([above, below], length) = self.around(at, entry, shift);
+        (total(&above) - total(&below)) / length
+    }
+
+    /// Returns dE/dt by the chain rule over the slopes of the energy, and the sum of the sizes of
     /// its terms. Energies may depend on time, as that of a spring with a moving foot.
-    fn energy_rate(&mut self, at: (f64, &[f64]), here: &Values, shift: f64) -> (f64, f64) {
+    fn energy_rate(
+        &mut self,
+        at: (f64, &[f64]),
+        here: &Values,
+        slope: impl Fn(&mut Self, usize) -> f64,
+    ) -> (f64, f64) {
         let model = self.model;
         let span = SHIFT * (model.run.until - model.run.from);
         let [later, earlier] = [span, -span].map(|by| total(&self.at(at.0 + by, at.1)));
         let mut terms = vec![(later - earlier) / (2.0 * span)];
         for (entry, state) in model.states.iter().enumerate() {
             if state.kind != StateKind::Mode {
-                let ([above, below], length) = self.around(at, entry, shift);
-                terms.push((total(&above) - total(&below)) / length * here["rate"][entry]);
+                terms.push(slope(self, entry) * here["rate"][entry]);
             }
         }
         (terms.iter().sum(), terms.iter().map(|term| term.abs()).sum())
@@ -129,12 +139,18 @@ impl Errors {
         let [stored_rate, supplied, dissipated] = here["power_balance"][..] else {
             panic!("three powers")
         };
-        let sums = [SHIFT, LONG_SHIFT].map(|shift| machine.energy_rate(at, &here, shift));
-        self.size = self.size.max(sums[0].1 + supplied.abs() + dissipated.abs());
+        let near = |machine: &mut Machine<'_>, entry| machine.energy_slope(at, entry, SHIFT);
+        let extrapolated = |machine: &mut Machine<'_>, entry| {
+            let [long, short] =
+                [LONG_SHIFT, LONG_SHIFT / 2.0].map(|shift| machine.energy_slope(at, entry, shift));
+            short + (short - long) / 3.0
+        };
+        let (by_near, size) = machine.energy_rate(at, &here, near);
+        let (by_extrapolated, _) = machine.energy_rate(at, &here, extrapolated);
+        self.size = self.size.max(size + supplied.abs() + dissipated.abs());
         self.balance = self.balance.max((stored_rate - supplied + dissipated).abs());
-        let off =
-            sums.iter().fold(f64::INFINITY, |off, (sum, _)| off.min((stored_rate - sum).abs()));
-        self.stored_rate = self.stored_rate.max(off);
+        let [near, extrapolated] = [by_near, by_extrapolated].map(|sum| (stored_rate - sum).abs());
+        self.stored_rate = self.stored_rate.max(near.min(extrapolated));
     }
 
     fn compare_jacobian(&mut self, machine: &mut Machine<'_>, at: (f64, &[f64]), here: &Values) {
@@ -175,8 +191,8 @@ fn states(model: &Model) -> Vec<(f64, Vec<f64>)> {
 #[test]
 fn emitted_c_balances_power_and_differentiates_its_own_functions() {
     let Some(compiler) = Compiler::found().map(Compiler::plain) else { return };
-    for name in SCENES {
-        let model = whole_model_of_specs(name, Keep::Needed);
+    for name in scenes_to_try("MACHINIST_C99", &SCENES) {
+        let model = whole_model_of_specs(&name, Keep::Needed);
         let states = states(&model);
         let program = compiled(&compiler, &model, &options(Real::Double, &model));
         let parameters = model.parameters.iter().map(|p| p.value).collect();

@@ -568,7 +568,8 @@ fn not_finite(what: &str, parameters: &[(String, f64)]) -> String {
     if parameters.is_empty() {
         return format!(
             "{what} is not a finite number. Hint: a division by zero, the root or logarithm of a \
-             negative number, a mass matrix that is singular, or a parameter out of its range"
+             negative number, a mass matrix that is singular, friction by a constraint force that \
+             jams, or a parameter out of its range"
         );
     }
     let causes: Vec<String> =

@@ -68,6 +68,7 @@ mod parts;
 mod place;
 mod prepared;
 mod profiles;
+mod reactions;
 mod refused_parameters;
 mod remainders;
 mod rolling;

@@ -13,6 +13,7 @@ mod kinks;
 mod model;
 mod needed;
 mod nonzeros;
+mod reactions;
 mod share;
 pub mod structure;
 pub mod substitute;

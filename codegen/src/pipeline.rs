@@ -11,6 +11,7 @@
 use std::path::Path;
 
 use machinist_algebra::cas::{Algebra, Cas, CasError, session};
+use machinist_algebra::expr::{ConstraintId, Symbol};
 use machinist_model::Model;
 use machinist_model::file::Stamped;
 use serde::{Deserialize, Serialize};
@@ -276,8 +277,27 @@ fn defined(cas: &mut Cas) -> Result<(), Diagnostics> {
     Err(Diagnostic::of_file("", message.to_owned(), help).into())
 }
 
+/// Rejects forces that depend on the force of a constraint that is dropped.
+fn carried(equations: &EquationsOfMotion) -> Result<(), Diagnostics> {
+    let dropped = equations.system.constraints.iter().enumerate().filter(|(_, one)| one.is_dropped);
+    for (index, constraint) in dropped {
+        let its = Symbol::Multiplier(ConstraintId(index as u32));
+        if equations.forcing.iter().any(|force| force.mentions(|symbol| symbol == its)) {
+            let message = format!(
+                "a force depends on the force of constraint `{}`, which is dropped because it \
+                 follows from others",
+                constraint.name.path
+            );
+            let help = "these carry its force: let the force depend on theirs, or leave them out";
+            return Err(Diagnostic::of_file("", message, help).into());
+        }
+    }
+    Ok(())
+}
+
 /// Rejects coordinates that neither an inertia nor a constraint determines.
 fn decided(equations: &EquationsOfMotion) -> Result<(), Diagnostics> {
+    carried(equations)?;
     let Some(undecided) = equations.undecided() else { return Ok(()) };
     let coordinates = &equations.system.coordinates;
     let names =

@@ -22,6 +22,7 @@ mod motion_laws;
 mod names;
 mod parameters;
 mod ports;
+mod reactions;
 mod resolve;
 pub mod scatter;
 mod spline;

@@ -461,6 +461,17 @@ pub struct FrictionSpec {
     pub limits: Vec<(String, Ast)>,
     /// Names of the helpers and events that follow from it.
     pub parts: Vec<String>,
+    /// Names of the events by which it sets in and ends as its magnitude changes.
+    pub openings: Openings,
+}
+
+/// Events of friction whose magnitude may vanish.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Openings {
+    /// Friction sets in.
+    pub closes: String,
+    /// Friction ends.
+    pub opens: Vec<String>,
 }
 
 /// Energies of a unit.

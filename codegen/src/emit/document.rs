@@ -352,7 +352,9 @@ fn symbol_name(system: &LagrangianSystem, symbol: Symbol, notation: Notation) ->
         (Symbol::FirstOrder(FirstOrderId(index)), _) => {
             name(&system.first_order[index as usize].quantity)
         }
-        (Symbol::Multiplier(ConstraintId(index)), notation) => {
+        // Only its sign is read, which is that of the multiplier.
+        (Symbol::Multiplier(id) | Symbol::Unloaded(id), notation) => {
+            let ConstraintId(index) = id;
             let name = &system.constraints[index as usize].name;
             match notation {
                 Notation::Text => name.path.clone(),

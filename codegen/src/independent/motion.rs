@@ -53,6 +53,26 @@ pub struct Motion<R> {
     pub rates: Vec<Rounded<R>>,
 }
 
+/// Constraint forces as forces read them.
+struct Reactions<R> {
+    multipliers: Vec<Rounded<R>>,
+    /// -1 or 1.
+    signs: Vec<Rounded<R>>,
+}
+
+impl<R: Real> Reactions<R> {
+    /// Returns multipliers of zero, or of one for a constraint, with signs, true for negative ones.
+    fn new(signs: &[bool], of: Option<usize>) -> Self {
+        let literal = |value: f64| Rounded::literal(value);
+        let unit = |k: usize| literal(if of == Some(k) { 1.0 } else { 0.0 });
+        let sign = |negative: &bool| literal(if *negative { -1.0 } else { 1.0 });
+        Reactions {
+            multipliers: (0..signs.len()).map(unit).collect(),
+            signs: signs.iter().map(sign).collect(),
+        }
+    }
+}
+
 /// A constraint of a machine.
 #[derive(Debug, Clone)]
 struct Held<R> {
@@ -75,6 +95,8 @@ pub struct Machine<R> {
     lagrangian: Formula<Rounded<R>>,
     dissipation: Formula<Rounded<R>>,
     forces: Vec<Formula<Rounded<R>>>,
+    /// True if forces depend on constraint forces.
+    reads_reactions: bool,
     rates: Vec<Formula<Rounded<R>>>,
     is_mode: Vec<bool>,
     constraints: Vec<Held<R>>,
@@ -120,6 +142,10 @@ impl<R: Real> Machine<R> {
             lagrangian,
             dissipation: Formula::new(&system.dissipation),
             forces: system.generalized_force.iter().map(|q| Formula::new(&q.total)).collect(),
+            reads_reactions: system
+                .generalized_force
+                .iter()
+                .any(|q| q.total.mentions(|symbol| matches!(symbol, Symbol::Multiplier(_)))),
             rates: system.first_order.iter().map(|z| Formula::new(&z.rate)).collect(),
             is_mode: system.first_order.iter().map(|z| z.is_mode).collect(),
             constraints: held.collect(),
@@ -129,6 +155,23 @@ impl<R: Real> Machine<R> {
 
     /// Returns q'', lambda and h; `None` if the equations do not determine them.
     pub fn motion(&self, place: &Place<R>) -> Option<Motion<R>> {
+        /// Bound of the number of times that signs of constraint forces are taken from a solution.
+        const TRIES: usize = 64;
+        let mut signs = vec![false; self.constraints.len()];
+        for _ in 0..TRIES {
+            let motion = self.motion_at_signs(place, &signs)?;
+            let found = motion.multipliers.iter().map(|force| (self.to_f64)(force.value) < 0.0);
+            let found: Vec<bool> = found.collect();
+            if !self.reads_reactions || found == signs {
+                return Some(motion);
+            }
+            signs = found;
+        }
+        None
+    }
+
+    /// Returns the motion with forces by given signs of constraint forces, true for negative ones.
+    fn motion_at_signs(&self, place: &Place<R>, signs: &[bool]) -> Option<Motion<R>> {
         let n = self.coordinates;
         let rates: Vec<Rounded<R>> =
             self.rates.iter().map(|rate| self.value(rate, place, None)).collect();
@@ -140,7 +183,8 @@ impl<R: Real> Machine<R> {
         for row in &mut matrix {
             row.resize(order, R::literal(0.0));
         }
-        let mut right: Vec<Rounded<R>> = (0..n).map(|i| self.force(i, place, &rates)).collect();
+        let mut right: Vec<Rounded<R>> =
+            (0..n).map(|i| self.force(i, place, &rates, &Reactions::new(signs, None))).collect();
         let mut border = |row: usize, normal: &[R]| {
             for (j, entry) in normal.iter().enumerate() {
                 (matrix[row][j], matrix[j][row]) = (*entry, -*entry);
@@ -153,6 +197,13 @@ impl<R: Real> Machine<R> {
         for (row, normal) in (n + holding.len()..).zip(&normals) {
             border(row, normal);
             right.push(Rounded::literal(0.0));
+        }
+        for (column, (k, _)) in (n..).zip(&holding).filter(|_| self.reads_reactions) {
+            let unit = Reactions::new(signs, Some(*k));
+            for (i, line) in matrix.iter_mut().enumerate().take(n) {
+                let slope = self.force(i, place, &rates, &unit).value - right[i].value;
+                line[column] = line[column] - slope;
+            }
         }
         let alone = self.sizes_alone(&matrix, &right);
         let inverse = inverse(matrix, self.to_f64)?;
@@ -268,7 +319,13 @@ impl<R: Real> Machine<R> {
     }
 
     /// Returns dL/dq_i - d/dt dL/dq_i' - dD/dq_i' + Q_i, without q''.
-    fn force(&self, i: usize, place: &Place<R>, h: &[Rounded<R>]) -> Rounded<R> {
+    fn force(
+        &self,
+        i: usize,
+        place: &Place<R>,
+        h: &[Rounded<R>],
+        reactions: &Reactions<R>,
+    ) -> Rounded<R> {
         let by = |symbol| [Direction::One(symbol), Direction::Nowhere];
         let slopes = self.each(&self.lagrangian, place, [Direction::Of(i), Direction::Nowhere]);
         let along = [Direction::One(velocity(i)), Direction::Motion(h)];
@@ -277,7 +334,16 @@ impl<R: Real> Machine<R> {
         let parts = slopes.map(|term| signed(term.a, 1.0));
         let parts = parts.chain(momentum.map(|term| signed(term.ab, -1.0)));
         let parts = parts.chain(losses.map(|term| signed(term.a, -1.0)));
-        let parts = parts.chain([self.value(&self.forces[i], place, None)]);
+        let at = |symbol| {
+            Hyper::constant(match symbol {
+                Symbol::Multiplier(ConstraintId(k)) => reactions.multipliers[k as usize],
+                Symbol::Unloaded(ConstraintId(k)) => reactions.signs[k as usize],
+                _ => get(symbol, place, None),
+            })
+        };
+        let terms = self.forces[i].terms.iter();
+        let given = terms.map(|term| term.value(&self.tables, &at).value);
+        let parts = parts.chain([sum(given)]);
         sum(parts.chain(self.gyroscopic(i, place)))
     }
 
@@ -470,7 +536,9 @@ fn get<R: Real>(symbol: Symbol, place: &Place<R>, motion: Option<&Motion<R>>) ->
         Symbol::FirstOrder(FirstOrderId(k)) => entry(&place.z, k),
         Symbol::Parameter(id) => entry(&place.parameters, id.0),
         Symbol::Acceleration(CoordinateId(i)) => solved(|motion| &motion.accelerations, i),
-        Symbol::Multiplier(ConstraintId(k)) => solved(|motion| &motion.multipliers, k),
+        Symbol::Multiplier(ConstraintId(k)) | Symbol::Unloaded(ConstraintId(k)) => {
+            solved(|motion| &motion.multipliers, k)
+        }
         Symbol::Handed(_) | Symbol::Helper(_) => None,
     };
     value.unwrap_or(Rounded::literal(f64::NAN))

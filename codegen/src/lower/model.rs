@@ -18,6 +18,7 @@ use crate::lower::excitation::excitation;
 use crate::lower::implicit::{Columns, Implicit, implicit};
 use crate::lower::kinks::{Given, Kinks, Places, kinks};
 use crate::lower::nonzeros::Nonzeros;
+use crate::lower::reactions::{Reactions, Unknowns, without_reactions};
 use crate::lower::share::{Parts, share};
 use crate::lower::substitute::{Step, Substitution};
 use crate::mechanics::lagrange::EquationsOfMotion;
@@ -145,6 +146,8 @@ struct Build<'a> {
     /// M, bordered by G below and G^T beside it.
     matrix: Nonzeros,
     substitution: Substitution,
+    /// Constraint forces that forces depend on.
+    reactions: Reactions,
     forcing: Vec<NodeId>,
     /// q'', then -lambda.
     solution: Vec<NodeId>,
@@ -175,8 +178,12 @@ impl<'a> Build<'a> {
         let coordinates = equations.forcing.len();
         let is_singular = equations.is_singular();
         let substitution = Substitution::new(&mut graph, matrix.clone(), coordinates, is_singular);
-        let mut forcing: Vec<NodeId> = right_side.iter().map(|f| graph.lower(&short(f))).collect();
-        let mut solution = substitution.solve(&mut graph, &forcing);
+        let lower = |graph: &mut Graph, expr: &Expr| graph.lower(&short(expr));
+        let side = right_side.iter().map(|side| lower(&mut graph, &without_reactions(side)));
+        let mut forcing: Vec<NodeId> = side.collect();
+        let unknowns = Unknowns { reactions: &linearization.reactions, coordinates };
+        let reactions = unknowns.reactions(&mut graph, &substitution, &forcing, lower);
+        let mut solution = reactions.solve(&mut graph, &substitution, forcing.clone());
         if let Some(accelerations) = &equations.accelerations {
             let nodes = accelerations.iter().map(|entry| graph.lower(&short(entry)));
             let nodes: Vec<NodeId> = nodes.collect();
@@ -196,6 +203,9 @@ impl<'a> Build<'a> {
             graph.name(*node, &constraint.name.ident);
         }
         graph.set_accelerations(accelerations.to_vec(), multipliers);
+        if !reactions.is_empty() {
+            forcing = equations.forcing.iter().map(|side| lower(&mut graph, side)).collect();
+        }
         let rates: Vec<NodeId> = equations.rates.iter().map(|h| graph.lower(&short(h))).collect();
         for (state, node) in system.first_order.iter().zip(&rates) {
             graph.name(*node, &format!("{}_dot", state.quantity.name.ident));
@@ -206,7 +216,17 @@ impl<'a> Build<'a> {
             Motion::FirstOrder(id) => rates[id.0 as usize],
         });
         let rate = rate.collect();
-        Build { linearization, abbreviations, graph, matrix, substitution, forcing, solution, rate }
+        Build {
+            linearization,
+            abbreviations,
+            graph,
+            matrix,
+            substitution,
+            reactions,
+            forcing,
+            solution,
+            rate,
+        }
     }
 
     fn lower(&mut self, expr: &Expr) -> NodeId {
@@ -221,7 +241,7 @@ impl<'a> Build<'a> {
     /// Returns dy'/dy and dy'/dp.
     fn jacobians(&mut self) -> Jacobians {
         let partials = [&self.linearization.state, &self.linearization.parameters];
-        if self.is_large() {
+        if self.reactions.is_empty() && self.is_large() {
             Jacobians::Implicit(partials.map(|partials| self.columns(partials)))
         } else {
             let entries = self.velocity_entries();
@@ -300,7 +320,7 @@ impl<'a> Build<'a> {
         entries: &BTreeMap<usize, usize>,
     ) -> BTreeMap<usize, NodeId> {
         let side = self.side(partials);
-        let accelerations = self.substitution.accelerations(&mut self.graph, side);
+        let accelerations = self.reactions.accelerations(&mut self.graph, &self.substitution, side);
         let mut column: BTreeMap<usize, NodeId> = accelerations
             .into_iter()
             .filter_map(|(coordinate, node)| Some((*entries.get(&coordinate)?, node)))

@@ -250,6 +250,12 @@ impl Substitution {
         }
     }
 
+    /// Returns the number of rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.matrix.len()
+    }
+
     /// Returns q'', then -lambda, for right sides `f` and `gamma`.
     pub fn solve(&self, graph: &mut Graph, right_side: &[NodeId]) -> Vec<NodeId> {
         let zero = graph.literal(0.0);

@@ -1,7 +1,7 @@
 //! Partial derivatives of the equations of motion with respect to state,
 //! parameters and time.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::state::Motion;
@@ -22,9 +22,20 @@ pub struct Linearization {
     pub parameters: Vec<Partials>,
     /// Derivatives by time.
     pub time: Partials,
+    /// Derivatives of f by the constraint forces that forces depend on.
+    pub reactions: Vec<Reaction>,
     /// Derivatives of the guards by the constraint forces, a row for each constraint. Empty if no
     /// guard depends on such a force.
     pub guards_by_forces: Vec<Vec<Expr>>,
+}
+
+/// df/dlambda of one constraint: f is linear in lambda for given signs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reaction {
+    /// The constraint.
+    pub constraint: ConstraintId,
+    /// (row, df/dlambda)
+    pub forcing: Vec<(usize, Expr)>,
 }
 
 /// Partial derivatives with respect to one symbol.
@@ -56,6 +67,7 @@ pub fn linearize(cas: &mut Cas, equations: &EquationsOfMotion) -> Linearization 
         state: equations.layout.symbols().map(|symbol| forms.partials(cas, symbol)).collect(),
         parameters: parameters.chain(handed).map(|symbol| forms.partials(cas, symbol)).collect(),
         time: forms.partials(cas, Symbol::Time),
+        reactions: forms.reactions(cas),
         guards_by_forces: forms.guards_by_forces(cas, equations),
         equations: equations.clone(),
     }
@@ -127,6 +139,22 @@ impl Forms {
             guards: equations.events.iter().map(|event| cas.form(&event.guard)).collect(),
             places,
         }
+    }
+
+    fn reactions(&self, cas: &mut Cas) -> Vec<Reaction> {
+        let read: BTreeSet<ConstraintId> = self
+            .places
+            .iter()
+            .filter_map(|(symbol, places)| match symbol {
+                Symbol::Multiplier(id) if !places.forcing.is_empty() => Some(*id),
+                _ => None,
+            })
+            .collect();
+        let reactions = read.into_iter().map(|constraint| Reaction {
+            constraint,
+            forcing: self.partials(cas, Symbol::Multiplier(constraint)).forcing,
+        });
+        reactions.collect()
     }
 
     fn guards_by_forces(&self, cas: &mut Cas, equations: &EquationsOfMotion) -> Vec<Vec<Expr>> {

@@ -86,7 +86,7 @@ impl Resolver<'_> {
                         "accelerations and slopes of fields may be used in outputs only"
                     }
                     "the force of a constraint" => {
-                        "forces of constraints may be used in outputs and guards of events only"
+                        "forces of constraints may be used in outputs, forces and guards of events only"
                     }
                     "a velocity" => "write it with coordinates, states, time and parameters",
                     _ => "write it with numbers and parameters",
@@ -331,12 +331,12 @@ impl Resolver<'_> {
         let unit = |instance: usize| &spec.units[spec.instances[instance].unit];
         match definition {
             Definition::Helper(Scope::Scene | Scope::Profile, index) => {
-                self.named(&spec.helpers[index], Scope::Scene, "helper", Uses::MOTION)
+                self.named(&spec.helpers[index], Scope::Scene, "helper", Uses::GUARD)
             }
             Definition::Helper(
                 scope @ (Scope::Instance(instance) | Scope::Density(instance, _)),
                 index,
-            ) => self.named(&unit(instance).helpers[index], scope, "helper", Uses::MOTION),
+            ) => self.named(&unit(instance).helpers[index], scope, "helper", Uses::GUARD),
             Definition::Output(instance, index) => {
                 let output = &unit(instance).outputs[index];
                 self.named(output, Scope::Instance(instance), "output", Uses::ANYTHING)
@@ -368,7 +368,7 @@ impl Resolver<'_> {
                     return Err(Box::new(unbound(input, instance)));
                 };
                 let what = format!("input {}", quoted(&input.name.value));
-                let wanted = Wanted::new(input.unit.unit.dimension, what);
+                let wanted = Wanted::new(input.unit.unit.dimension, what).of(Uses::GUARD);
                 let scope = Scope::within(instance.parent);
                 let typed = match formula {
                     Formula::Expression(ast) => self.nested(ast, scope, &wanted)?,

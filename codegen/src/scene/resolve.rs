@@ -1,17 +1,18 @@
 //! Translation of expressions of the spec to expressions of the scene: names become symbols,
 //! helpers are substituted, dimensions are checked term by term.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
-use machinist_algebra::expr::Expr;
 use machinist_algebra::expr::extent::derivatives;
 use machinist_algebra::expr::identity::{Identity, identity};
+use machinist_algebra::expr::{ConstraintId, Expr};
 use num_rational::BigRational;
 use num_traits::{One as _, Pow, Signed as _, ToPrimitive as _, Zero as _};
 
 use crate::scene::bodies;
 use crate::scene::layout::{Layout, Scope};
 use crate::scene::lookup::{Definition, State};
+use crate::scene::reactions::{in_proportion, signed};
 use crate::scene::spline::Course;
 use crate::scene::typed::{self, Typed, Uses, integer, product, sum};
 use crate::spec::diagnostic::{Mistake, Span};
@@ -27,6 +28,9 @@ const MAX_SCENE_TERMS: usize = 1_000_000;
 /// Maximum depth of a tree: each nesting of the text makes at most a sum, a product and the
 /// nested part.
 const MAX_LEVELS: usize = 3 * MAX_NESTING + 2;
+/// Maximum number of constraint forces that act by their sizes. Which sign each has takes as many
+/// solutions as there are subsets of them.
+const MAX_SIGNED: usize = 4;
 /// Maximum number of bits of exact numbers.
 const MAX_BITS: u64 = 1 << 18;
 /// Maximum number of bits of powers, some twenty thousand digits. Symbolica receives and returns
@@ -81,6 +85,8 @@ pub struct Resolver<'a> {
     pub(super) level: usize,
     pub(super) spent: usize,
     spent_in_all: usize,
+    /// Constraints whose forces act by their sizes.
+    pub(super) signed: BTreeSet<ConstraintId>,
 }
 
 impl<'a> Resolver<'a> {
@@ -99,6 +105,7 @@ impl<'a> Resolver<'a> {
             level: 0,
             spent: 0,
             spent_in_all: 0,
+            signed: BTreeSet::new(),
         }
     }
 
@@ -110,6 +117,36 @@ impl<'a> Resolver<'a> {
     pub fn expect(&mut self, ast: &Ast, scope: Scope, wanted: &Wanted) -> Resolved {
         (self.level, self.spent) = (0, 0);
         self.nested(ast, scope, wanted).and_then(|typed| derivable(typed, ast.span))
+    }
+
+    /// Resolves a force, which may contain constraint forces in proportion.
+    ///
+    /// # Errors
+    /// As [`Resolver::expect`].
+    pub fn expect_force(&mut self, ast: &Ast, scope: Scope, wanted: Wanted) -> Resolved {
+        let typed = self.expect(ast, scope, &wanted.of(Uses::GUARD))?;
+        if !typed.uses.reaction {
+            return Ok(typed);
+        }
+        let expr = in_proportion(typed.expr, ast.span)?;
+        self.signed.extend(signed(&expr));
+        if self.signed.len() > MAX_SIGNED {
+            let message = format!(
+                "the forces of {} constraints act by their sizes, more than {MAX_SIGNED}",
+                self.signed.len()
+            );
+            let help = "their signs are found by solving for each combination; where a constraint \
+                        force keeps its sign, leave out `abs`";
+            return Err(Box::new(Mistake::new(ast.span, message, "one more").help(help)));
+        }
+        let fields = self.spec.instances.iter().map(|instance| &self.spec.units[instance.unit]);
+        if fields.flat_map(|unit| &unit.fields).next().is_some() {
+            let message = "a force depends on the force of a constraint, and the scene has fields";
+            let help = "constraint forces are solved for without what fields add to the machine; use \
+                        lumped masses and springs instead";
+            return Err(Box::new(Mistake::new(ast.span, message, "not with fields").help(help)));
+        }
+        Ok(Typed { expr, ..typed })
     }
 
     /// Resolves a name.

@@ -31,6 +31,7 @@ impl Uses {
     };
     pub const PLACE: Uses = Uses { time: true, position: true, ..Uses::PARAMETERS };
     pub const MOTION: Uses = Uses { velocity: true, ..Uses::PLACE };
+    /// What guards and forces may depend on.
     pub const GUARD: Uses = Uses { reaction: true, ..Uses::MOTION };
     pub const ANYTHING: Uses = Uses { acceleration: true, ..Uses::GUARD };
 

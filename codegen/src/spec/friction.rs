@@ -14,7 +14,7 @@ use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::{self, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{
-    ConstraintSpec, Declared, DefinitionSpec, EventSpec, Formula, FrictionSpec, StateSpec,
+    ConstraintSpec, Declared, DefinitionSpec, EventSpec, Formula, FrictionSpec, Openings, StateSpec,
 };
 use machinist_model::Direction;
 use num_bigint::BigInt;
@@ -193,6 +193,11 @@ impl Written {
         let names = helpers.iter().map(|helper| &helper.name);
         let names = names.chain(events.iter().map(|event| &event.name));
         let parts = names.map(|name| name.value.clone()).collect();
+        let opens = self.called("opens_").value;
+        let opens =
+            events.iter().map(|event| &event.name.value).filter(|name| name.starts_with(&opens));
+        let openings =
+            Openings { closes: self.called("closes").value, opens: opens.cloned().collect() };
         lists.helpers.extend(helpers);
         lists.constraints.push(self.grip());
         lists.events.extend(events);
@@ -200,7 +205,7 @@ impl Written {
         let force = sum([slide.clone(), grip]);
         let force = self.definition(self.name.clone(), force, &self.doc);
         let limits = self.limits_as_written();
-        FrictionSpec { speed: self.speed, slide, force, limits, parts }
+        FrictionSpec { speed: self.speed, slide, force, limits, parts, openings }
     }
 
     fn limits_as_written(&self) -> Vec<(String, Ast)> {

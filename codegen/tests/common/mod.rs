@@ -133,7 +133,9 @@ fn symbol(symbol: Symbol, system: &LagrangianSystem) -> String {
         Symbol::Velocity(id) => coordinate(id).velocity.name.path.clone(),
         Symbol::Acceleration(id) => format!("{}''", coordinate(id).position.name.path),
         Symbol::FirstOrder(id) => system.first_order[id.0 as usize].quantity.name.path.clone(),
-        Symbol::Multiplier(id) => system.constraints[id.0 as usize].name.path.clone(),
+        Symbol::Multiplier(id) | Symbol::Unloaded(id) => {
+            system.constraints[id.0 as usize].name.path.clone()
+        }
         Symbol::Parameter(id) => system.parameter(id).quantity.name.path.clone(),
         Symbol::Handed(id) => system.handed[id.0 as usize].quantity.name.path.clone(),
     }

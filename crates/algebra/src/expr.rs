@@ -67,8 +67,11 @@ pub enum Symbol {
     Velocity(CoordinateId),
     /// Generalized acceleration q''; in outputs only.
     Acceleration(CoordinateId),
-    /// Multiplier lambda of a constraint; in outputs and power only.
+    /// Multiplier lambda of a constraint.
     Multiplier(ConstraintId),
+    /// The multiplier of a constraint if no force acted in proportion to its size. Both have the same
+    /// sign.
+    Unloaded(ConstraintId),
     /// First-order state z.
     FirstOrder(FirstOrderId),
     /// Parameter p.

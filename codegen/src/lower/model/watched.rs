@@ -42,7 +42,7 @@ impl Build<'_> {
                 sides[row] = self.graph.add(sides[row], part);
             }
         }
-        let solution = self.substitution.solve(&mut self.graph, &sides);
+        let solution = self.reactions.solve(&mut self.graph, &self.substitution, sides);
         let negative = &solution[self.coordinates()..];
         negative.iter().map(|node| self.graph.neg(*node)).collect()
     }

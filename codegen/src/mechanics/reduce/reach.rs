@@ -78,7 +78,9 @@ impl Kept {
                 self.coordinates[id.0 as usize].is_some()
             }
             Symbol::FirstOrder(id) => self.first_order[id.0 as usize].is_some(),
-            Symbol::Multiplier(id) => self.constraints[id.0 as usize].is_some(),
+            Symbol::Multiplier(id) | Symbol::Unloaded(id) => {
+                self.constraints[id.0 as usize].is_some()
+            }
             _ => true,
         }
     }
@@ -107,6 +109,9 @@ impl Kept {
             Symbol::Acceleration(id) => Some(moving(coordinate(id).map(Symbol::Acceleration))),
             Symbol::Multiplier(id) => {
                 Some(moving(self.constraints[id.0 as usize].map(Symbol::Multiplier)))
+            }
+            Symbol::Unloaded(id) => {
+                Some(moving(self.constraints[id.0 as usize].map(Symbol::Unloaded)))
             }
             Symbol::FirstOrder(id) => Some(match self.first_order[id.0 as usize] {
                 Some(new) => Expr::Symbol(Symbol::FirstOrder(new)),
@@ -236,7 +241,7 @@ fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
             Symbol::Coordinate(id) | Symbol::Acceleration(id) => {
                 found.push(Symbol::Velocity(id));
             }
-            Symbol::Multiplier(id) => {
+            Symbol::Multiplier(id) | Symbol::Unloaded(id) => {
                 let held = constraints.coordinates(id.0 as usize);
                 found.extend(held.map(|id| Symbol::Velocity(CoordinateId(id as u32))));
             }

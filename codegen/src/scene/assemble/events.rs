@@ -1,15 +1,17 @@
 //! Events: guards, the modes in which they are active, and their resets.
 
+use std::collections::HashMap;
+
 use crate::scene::assemble::Assembler;
 use crate::scene::assemble::initial::Target;
 use crate::scene::layout::{Local, Scope, find_inside, find_instance};
 use crate::scene::names::{Flat, name};
 use crate::scene::resolve::Wanted;
 use crate::scene::system::Event;
-use crate::scene::typed::{Uses, product, reciprocal};
+use crate::scene::typed::{Uses, integer, product, reciprocal};
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
-use crate::spec::{EventSpec, did_you_mean, quoted};
+use crate::spec::{EventSpec, FrictionSpec, Openings, did_you_mean, quoted};
 use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 
 impl Assembler<'_> {
@@ -23,17 +25,38 @@ impl Assembler<'_> {
             unit.events.iter().map(move |event| (Scope::Instance(index), whose, event))
         });
         let own = spec.events.iter().map(|event| (Scope::Scene, None, event));
+        let mut openings: HashMap<Scope, Vec<Openings>> = HashMap::new();
         for (scope, whose, event) in of_units.chain(own) {
+            let openings = openings.entry(scope).or_insert_with(|| self.constant_openings(scope));
+            if openings.iter().any(|openings| openings.opens.contains(&event.name.value)) {
+                continue;
+            }
             let name = name(whose, &event.name.value);
             if let Err(mistake) = names.take(&name, event.name.span) {
                 self.mistakes.push(*mistake);
             }
-            let guard = self.guard(event, scope);
+            let sets_in = openings.iter().any(|openings| openings.closes == event.name.value);
+            let guard = if sets_in { integer(1) } else { self.guard(event, scope) };
             let (when, set) = (self.modes(&event.when, scope), self.new_values(event, scope));
             let doc = event.doc.split_whitespace().collect::<Vec<_>>().join(" ");
             events.push(Event { name, doc, guard, direction: event.direction, when, set });
         }
         events
+    }
+
+    /// Returns the events of frictions whose magnitudes read constraint forces. These never open:
+    /// friction itself changes the force, which may pass zero only for an instant.
+    fn constant_openings(&mut self, scope: Scope) -> Vec<Openings> {
+        let spec = self.spec;
+        let frictions = match scope {
+            Scope::Instance(index) => &spec.units[spec.instances[index].unit].frictions,
+            _ => &spec.frictions,
+        };
+        let reads = |friction: &&FrictionSpec| {
+            let slide = self.resolver.expect_guard(&friction.slide, scope);
+            slide.is_ok_and(|slide| slide.uses.reaction)
+        };
+        frictions.iter().filter(reads).map(|friction| friction.openings.clone()).collect()
     }
 
     /// Resolves a guard of any dimension. It must be able to cross zero, or to decide by its sign

@@ -17,7 +17,7 @@ use crate::spec::body::{Components, LoadSpec};
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
-use crate::spec::{Acts, UnitSpec, quoted};
+use crate::spec::{Acts, Formula, UnitSpec, quoted};
 use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
 
 /// A force on a coordinate of the scene.
@@ -129,7 +129,13 @@ impl Assembler<'_> {
                 let wanted = Wanted::new(dimension, what);
                 let mut all = zero();
                 for (entry, formula) in all.iter_mut().zip(given) {
-                    *entry = normal_form(&self.resolver.formula(formula, scope, &wanted)?.expr);
+                    let force = match formula {
+                        Formula::Expression(ast) => {
+                            self.resolver.expect_force(ast, scope, wanted.clone())?
+                        }
+                        Formula::Number(_) => self.resolver.formula(formula, scope, &wanted)?,
+                    };
+                    *entry = normal_form(&force.expr);
                 }
                 let rotation = spatial.mechanism.placed(spatial.frame(axes)).rotation;
                 Ok::<_, Box<Mistake>>(times(&rotation, &all))
@@ -163,7 +169,7 @@ impl Assembler<'_> {
         let dimension = Dimension::ENERGY.over(along);
         let what = format!("the force on {}", quoted(&coordinate.name.value));
         let wanted = Wanted::new(dimension.unwrap_or(Dimension::ENERGY), what);
-        let force = self.resolver.expect(ast, scope, &wanted)?.expr;
+        let force = self.resolver.expect_force(ast, scope, wanted)?.expr;
         let link = self.layout.link_of(slot);
         Ok((link.id, product(vec![Layout::factor(link), force])))
     }
@@ -184,8 +190,8 @@ impl Assembler<'_> {
         }
         let dimension = way.dimension.and_then(|along| Dimension::ENERGY.over(along));
         let dimension = dimension.ok_or_else(|| beyond_reason(along.span))?;
-        let force =
-            self.resolver.expect(expression, scope, &Wanted::new(dimension, "the force"))?;
+        let wanted = Wanted::new(dimension, "the force");
+        let force = self.resolver.expect_force(expression, scope, wanted)?;
         let orientations = self.resolver.orientations();
         let moving = way.expr.symbols().into_iter().filter_map(|symbol| match symbol {
             Symbol::Coordinate(id) => Some(orientations.velocities(id)),

@@ -64,7 +64,7 @@ impl Assembler<'_> {
             return Err(Box::new(Mistake::new(unit.span, message, label).help(help)));
         }
         let wanted = Wanted::new(dimension, "the force of friction");
-        let force = self.resolver.expect(&friction.slide, scope, &wanted)?.expr;
+        let force = self.resolver.expect_force(&friction.slide, scope, wanted)?.expr;
         let slope = |of: Symbol| {
             let rate = |symbol| Some(integer(i64::from(symbol == of)));
             let slope = along::slope_by(&speed.expr, MAX_TERMS, &rate);

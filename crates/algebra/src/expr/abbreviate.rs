@@ -291,8 +291,9 @@ fn size(expr: &Expr) -> usize {
 fn mentions_acceleration(expr: &Expr) -> bool {
     match expr {
         Expr::Number(_) => false,
-        Expr::Symbol(_) | Expr::Shared(_) => expr
-            .mentions(|symbol| matches!(symbol, Symbol::Acceleration(_) | Symbol::Multiplier(_))),
+        Expr::Symbol(_) | Expr::Shared(_) => expr.mentions(|symbol| {
+            matches!(symbol, Symbol::Acceleration(_) | Symbol::Multiplier(_) | Symbol::Unloaded(_))
+        }),
         Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
             parts.iter().any(mentions_acceleration)
         }

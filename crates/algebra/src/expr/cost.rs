@@ -2,7 +2,7 @@
 
 use machinist_model::Op;
 
-use super::{Expr, Graph, Symbol};
+use super::{ConstraintId, Expr, Graph, Symbol};
 
 /// Returns the number of operations of the tape of one expression.
 #[must_use]
@@ -20,7 +20,7 @@ pub fn weigh(expr: &Expr) -> (usize, u32) {
     let (mut count, mut shared) = (0, Vec::new());
     expr.visit(&mut |part| match part {
         Expr::Symbol(Symbol::Acceleration(id)) => count = count.max(id.0 + 1),
-        Expr::Symbol(Symbol::Multiplier(id)) => count = count.max(id.0 + 1),
+        Expr::Symbol(Symbol::Multiplier(id) | Symbol::Unloaded(id)) => count = count.max(id.0 + 1),
         Expr::Shared(part) => shared.push(part.digest()),
         _ => {}
     });
@@ -30,6 +30,7 @@ pub fn weigh(expr: &Expr) -> (usize, u32) {
     graph.shared.extend(shared.into_iter().zip(solved[2 * count as usize..].iter().copied()));
     let (accelerations, multipliers) = solved[..2 * count as usize].split_at(count as usize);
     graph.set_accelerations(accelerations.to_vec(), multipliers.to_vec());
+    graph.set_unloaded((0..count).map(ConstraintId).zip(multipliers.iter().copied()));
     let root = graph.lower(expr);
     let ops = graph.tape(&[root]).nodes.into_iter().map(|node| node.op);
     let ops = ops.filter(Op::is_arithmetic);

@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 
 use super::fold;
 use super::held::Held;
-use super::{Expr, HelperId, Symbol};
+use super::{ConstraintId, Expr, HelperId, Symbol};
 
 /// Operations in order of creation, with equal ones shared; functions of the scene are parts of the
 /// graph.
@@ -19,6 +19,7 @@ pub struct Graph {
     entries: FxHashMap<Symbol, u32>,
     accelerations: Vec<NodeId>,
     multipliers: Vec<NodeId>,
+    unloaded: FxHashMap<ConstraintId, NodeId>,
     helpers: FxHashMap<HelperId, NodeId>,
     /// Nodes of shared parts, by their digests.
     pub(super) shared: FxHashMap<u128, NodeId>,
@@ -56,6 +57,11 @@ impl Graph {
         self.multipliers = multipliers;
     }
 
+    /// Sets the nodes of the multipliers without forces in proportion to their sizes.
+    pub fn set_unloaded(&mut self, nodes: impl IntoIterator<Item = (ConstraintId, NodeId)>) {
+        self.unloaded.extend(nodes);
+    }
+
     /// Sets the node of a helper.
     pub fn set_helper(&mut self, id: HelperId, node: NodeId) {
         self.helpers.insert(id, node);
@@ -82,6 +88,7 @@ impl Graph {
             Symbol::Handed(id) => self.push(Op::Handed(id.0)),
             Symbol::Acceleration(id) => self.accelerations[id.0 as usize],
             Symbol::Multiplier(id) => self.multipliers[id.0 as usize],
+            Symbol::Unloaded(id) => self.unloaded[&id],
             Symbol::Helper(id) => self.helpers[&id],
         }
     }

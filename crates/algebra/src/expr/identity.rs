@@ -210,6 +210,7 @@ impl Point {
             Symbol::Parameter(id) => (7, id.0),
             Symbol::Handed(id) => (8, id.0),
             Symbol::Helper(id) => (9, id.0),
+            Symbol::Unloaded(id) => (10, id.0),
         };
         self.random(&[kind, u64::from(id)])
     }

@@ -320,6 +320,7 @@ fn sample_of(symbol: Symbol, sample: i64) -> Option<(i64, i64)> {
         Symbol::Acceleration(id) => value(4, id.0),
         Symbol::FirstOrder(id) => value(5, id.0),
         Symbol::Multiplier(id) => value(6, id.0),
+        Symbol::Unloaded(id) => value(7, id.0),
         Symbol::Pi | Symbol::Parameter(_) | Symbol::Handed(_) | Symbol::Helper(_) => None,
     }
 }

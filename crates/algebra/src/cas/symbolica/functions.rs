@@ -54,6 +54,7 @@ impl Vocabulary {
             Symbol::Parameter(ParameterId(index)),
             Symbol::Handed(HandedId(index)),
             Symbol::Multiplier(ConstraintId(index)),
+            Symbol::Unloaded(ConstraintId(index)),
         ] {
             self.variable(symbol);
         }
@@ -76,6 +77,7 @@ impl Vocabulary {
             Symbol::Velocity(id) => format!("machinist::v{}", id.0),
             Symbol::Acceleration(id) => format!("machinist::a{}", id.0),
             Symbol::Multiplier(id) => format!("machinist::l{}", id.0),
+            Symbol::Unloaded(id) => format!("machinist::u{}", id.0),
             Symbol::FirstOrder(id) => format!("machinist::z{}", id.0),
             Symbol::Parameter(id) => format!("machinist::p{}", id.0),
             Symbol::Handed(id) => format!("machinist::h{}", id.0),

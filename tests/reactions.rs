@@ -543,3 +543,28 @@ fn a_point_in_a_rough_slot_slides_as_a_block_on_an_incline() {
         }
     }
 }
+
+/// Where a drive prescribes all motion, friction changes powers alone, and its direction must still
+/// follow the force in the slot, which reverses together with the travel.
+#[test]
+fn friction_in_a_driven_slot_loses_power_at_every_time() {
+    let simulator = ModelSimulator::new(model_of_specs("parts/planar/rough_slot", Keep::All));
+    for method in METHODS {
+        for rtol in [1e-6, 1e-8, 1e-9, 1e-10, 1e-11] {
+            let run = Simulation::new(&simulator).method(method).rtol(rtol);
+            let run = run.parameter("foot.place_x", 0.0).expect("a parameter");
+            let run = run.with_energy_balance(true).run().expect("it runs");
+            let dissipated = &run.energy_balance.as_ref().expect("an account").dissipated;
+            let least = dissipated.windows(2).map(|pair| pair[1] - pair[0]).fold(1.0, f64::min);
+            assert!(least > -1e-6, "{method}, {rtol}: {least}");
+            let loss = column(&run, "loss");
+            assert!(loss.iter().all(|loss| *loss >= 0.0), "{method}, {rtol}");
+            // The trapezoidal rule errs by less than a thousandth.
+            let steps = run.times.windows(2).zip(loss.windows(2));
+            let sum: f64 =
+                steps.map(|(time, loss)| 0.5 * (time[1] - time[0]) * (loss[0] + loss[1])).sum();
+            let last = dissipated.last().expect("a row");
+            assert!((sum - last).abs() < 1e-3 * last, "{method}, {rtol}: {sum} for {last}");
+        }
+    }
+}

@@ -62,13 +62,13 @@ struct Reactions<R> {
 
 impl<R: Real> Reactions<R> {
     /// Returns multipliers of zero, or of one for a constraint, with signs, true for negative ones.
-    fn new(signs: &[bool], of: Option<usize>) -> Self {
-        let literal = |value: f64| Rounded::literal(value);
-        let unit = |k: usize| literal(if of == Some(k) { 1.0 } else { 0.0 });
-        let sign = |negative: &bool| literal(if *negative { -1.0 } else { 1.0 });
+    fn new(count: usize, signs: Option<&[bool]>, of: Option<usize>) -> Self {
+        let unit = |k: usize| Rounded::literal(if of == Some(k) { 1.0 } else { 0.0 });
+        let is_negative = |k: usize| signs.is_some_and(|signs| signs[k]);
+        let sign = |k: usize| Rounded::literal(if is_negative(k) { -1.0 } else { 1.0 });
         Reactions {
-            multipliers: (0..signs.len()).map(unit).collect(),
-            signs: signs.iter().map(sign).collect(),
+            multipliers: (0..count).map(unit).collect(),
+            signs: (0..count).map(sign).collect(),
         }
     }
 }
@@ -157,12 +157,17 @@ impl<R: Real> Machine<R> {
     pub fn motion(&self, place: &Place<R>) -> Option<Motion<R>> {
         /// Bound of the number of times that signs of constraint forces are taken from a solution.
         const TRIES: usize = 64;
-        let mut signs = vec![false; self.constraints.len()];
+        // Where several combinations fulfil the equations, the motion is that which friction grows
+        // into from none.
+        let mut motion = self.motion_at_signs(place, None)?;
+        if !self.reads_reactions {
+            return Some(motion);
+        }
+        let mut signs = self.negative(&motion);
         for _ in 0..TRIES {
-            let motion = self.motion_at_signs(place, &signs)?;
-            let found = motion.multipliers.iter().map(|force| (self.to_f64)(force.value) < 0.0);
-            let found: Vec<bool> = found.collect();
-            if !self.reads_reactions || found == signs {
+            motion = self.motion_at_signs(place, Some(&signs))?;
+            let found = self.negative(&motion);
+            if found == signs {
                 return Some(motion);
             }
             signs = found;
@@ -170,8 +175,14 @@ impl<R: Real> Machine<R> {
         None
     }
 
-    /// Returns the motion with forces by given signs of constraint forces, true for negative ones.
-    fn motion_at_signs(&self, place: &Place<R>, signs: &[bool]) -> Option<Motion<R>> {
+    /// Returns the constraints whose forces are negative.
+    fn negative(&self, motion: &Motion<R>) -> Vec<bool> {
+        motion.multipliers.iter().map(|force| (self.to_f64)(force.value) < 0.0).collect()
+    }
+
+    /// Returns the motion with forces by given signs of constraint forces, true for negative ones, or
+    /// without those that depend on constraint forces.
+    fn motion_at_signs(&self, place: &Place<R>, signs: Option<&[bool]>) -> Option<Motion<R>> {
         let n = self.coordinates;
         let rates: Vec<Rounded<R>> =
             self.rates.iter().map(|rate| self.value(rate, place, None)).collect();
@@ -183,8 +194,10 @@ impl<R: Real> Machine<R> {
         for row in &mut matrix {
             row.resize(order, R::literal(0.0));
         }
+        let count = self.constraints.len();
+        let none = Reactions::new(count, signs, None);
         let mut right: Vec<Rounded<R>> =
-            (0..n).map(|i| self.force(i, place, &rates, &Reactions::new(signs, None))).collect();
+            (0..n).map(|i| self.force(i, place, &rates, &none)).collect();
         let mut border = |row: usize, normal: &[R]| {
             for (j, entry) in normal.iter().enumerate() {
                 (matrix[row][j], matrix[j][row]) = (*entry, -*entry);
@@ -198,8 +211,8 @@ impl<R: Real> Machine<R> {
             border(row, normal);
             right.push(Rounded::literal(0.0));
         }
-        for (column, (k, _)) in (n..).zip(&holding).filter(|_| self.reads_reactions) {
-            let unit = Reactions::new(signs, Some(*k));
+        for (column, (k, _)) in (n..).zip(&holding).filter(|_| signs.is_some()) {
+            let unit = Reactions::new(count, signs, Some(*k));
             for (i, line) in matrix.iter_mut().enumerate().take(n) {
                 let slope = self.force(i, place, &rates, &unit).value - right[i].value;
                 line[column] = line[column] - slope;

@@ -31,7 +31,7 @@ use machinist_model::{Function, NodeId, Op, Relation, Table};
 
 use super::along::{along, reached};
 use recurring::recurring;
-use relations::{clamps, readers};
+use relations::{clamps, readers, readers_of_power};
 
 /// Points at which a rate is not smooth.
 #[derive(Debug, Default)]
@@ -129,6 +129,13 @@ pub fn kinks(graph: &mut Graph, places: &Places<'_>, given: &Given<'_>) -> Kinks
     found.rates = along(graph, rate, &found.guards);
     readers(graph, places, &mut found);
     found
+}
+
+impl Kinks {
+    /// Lets relations that power reads end steps.
+    pub fn read_by_power(&mut self, graph: &mut Graph, power: &[NodeId]) {
+        readers_of_power(graph, power, self);
+    }
 }
 
 /// Returns whether an operation reads a value that a field provides.

@@ -38,12 +38,11 @@ pub fn lower(linearization: &Linearization) -> Model {
     let [constraint_values, constraint_rates] = build.constraints();
     let [guards, guard_rates, resets] = build.events();
     let holds = [&constraint_values[..], &constraint_rates, &build.mass_entries()].concat();
-    let Kinks { guards: kinks, rates: kink_rates, times, relations, slots, .. } =
-        build.kinks(&holds, &guards, &initial);
+    let mut found = build.kinks(&holds, &guards, &initial);
     let first_slot = (system.parameters.len() + system.handed.len()) as u32;
     let mut discontinuities: Vec<NodeId> =
         system.discontinuities.iter().map(|time| build.lower(time)).collect();
-    for time in times {
+    for time in std::mem::take(&mut found.times) {
         if !discontinuities.contains(&time) {
             discontinuities.push(time);
         }
@@ -51,6 +50,8 @@ pub fn lower(linearization: &Linearization) -> Model {
     let outputs = linearization.equations.outputs.iter().map(|o| build.lower(o)).collect();
     let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
     let power_balance = build.power_balance().to_vec();
+    found.read_by_power(&mut build.graph, &power_balance);
+    let Kinks { guards: kinks, rates: kink_rates, relations, slots, .. } = found;
     build.graph.hold(slots, first_slot);
     let motion = OfMotion { time_derivative, outputs, power_balance, guard_rates, kink_rates };
     let graph = &build.graph;

@@ -37,12 +37,23 @@ pub(super) fn clamps(graph: &mut Graph, nodes: &[NodeId]) -> HashSet<Compared> {
     found
 }
 
-/// Finds the readers of each relation.
+/// Finds the readers of each relation in the motion and the guards.
 pub(super) fn readers(graph: &mut Graph, places: &Places<'_>, found: &mut Kinks) {
     let mut open = vec![(Reader::Rate, [places.rate, places.holds].concat())];
     open.extend(
         (0..).zip(places.guards).map(|(event, guard)| (Reader::Event(event), vec![*guard])),
     );
+    read(graph, open, found);
+}
+
+/// Lets relations that power reads end steps too. Where motion is prescribed, a force may act on power
+/// alone.
+pub(super) fn readers_of_power(graph: &mut Graph, power: &[NodeId], found: &mut Kinks) {
+    read(graph, vec![(Reader::Rate, power.to_vec())], found);
+}
+
+/// Adds the readers of relations that nodes reach, and those of relations that these read.
+fn read(graph: &mut Graph, mut open: Vec<(Reader, Vec<NodeId>)>, found: &mut Kinks) {
     let guards = found.slots.iter().map(|(compared, slot)| {
         let operands = match *compared {
             Compared::Less(lhs, rhs) => vec![lhs, rhs],

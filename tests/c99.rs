@@ -29,8 +29,8 @@ use compiler::{Compiler, Program};
 pub use counted::filter_of;
 
 /// A motor, events and modes, branches, tables, constraints, constraints in modes, a prescribed
-/// motion that solves for the Jacobian, fields, and standard parts.
-const SCENES: [&str; 23] = [
+/// motion that solves for the Jacobian, fields, forces by constraint forces, and standard parts.
+const SCENES: [&str; 25] = [
     "saw_gin",
     "winder_full",
     "stick_slip",
@@ -47,11 +47,13 @@ const SCENES: [&str; 23] = [
     "parts/control/relay",
     "parts/electrical/pmsm",
     "parts/hydraulic/valve",
+    "parts/planar/rough_slot",
     "parts/planar/slot",
     "parts/rotational/clutch",
     "parts/rotational/dwell_cam",
     "parts/rotational/table_cam",
     "parts/rotational/one_way_clutch",
+    "parts/rotational/rigid_lossy_gear",
     "parts/translational/rope",
     "parts/translational/end_stops",
 ];

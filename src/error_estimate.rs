@@ -34,6 +34,11 @@ const ATTEMPTS: usize = 8;
 /// tolerances, and with this margin the attempt meets the accuracy at once.
 const AIM: f64 = 0.5;
 
+/// Number of attempts in a row that may reduce the error no further. Steps that end at events and
+/// jumps become shorter only at a much tighter tolerance, so each such attempt tightens it by a
+/// decade more.
+const IDLE_ATTEMPTS: i32 = 3;
+
 /// Fraction of the largest value in a unit that may be rounding in another column of that unit,
 /// after the sums of up to sixteen terms that outputs of a machine rarely exceed.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -146,7 +151,7 @@ impl Simulation<'_> {
     pub fn refined(&self) -> Self {
         // Where errors add up, `auto` keeps this tolerance even if a looser one is requested.
         let rtol = self.relative_tolerance().min(LOOSEST_KEPT);
-        self.clone().at_tolerance(rtol / REFINEMENT)
+        self.clone().at_tolerance(rtol / REFINEMENT).with_shortened_steps()
     }
 
     /// Estimates the error of a run by a second one. Both runs can be made on two threads by means
@@ -197,24 +202,25 @@ impl Simulation<'_> {
             return Err(SimulateError::BadAccuracy(accuracy).into());
         }
         let mut rtol = self.relative_tolerance();
-        let (mut before, mut attempts) = (f64::INFINITY, 0);
+        let (mut least, mut attempts, mut idle) = (f64::INFINITY, 0, 0);
         loop {
             attempts += 1;
             let (trajectory, error) = estimated(&self.clone().at_tolerance(rtol))?;
             let (name, part) = worst(&trajectory, &error);
-            let next = one_digit(rtol * AIM * accuracy / part);
+            idle = if part < least { 0 } else { idle + 1 };
+            let next = one_digit(rtol * AIM * accuracy / part * 0.1f64.powi(idle));
             let reason = if error.unknown.is_some() || part <= accuracy {
                 None
             } else if !part.is_finite() {
                 Some("it is not a number")
-            } else if part >= before {
+            } else if idle == IDLE_ATTEMPTS {
                 Some("a tighter tolerance does not reduce the error")
             } else if next < f64::EPSILON {
                 Some("the tolerance that this needs is below rounding")
             } else if attempts == ATTEMPTS {
                 Some("all attempts are used up")
             } else {
-                (rtol, before) = (next, part);
+                (rtol, least) = (next, part.min(least));
                 continue;
             };
             let shortfall = reason.map(|reason| {

@@ -19,6 +19,8 @@ pub struct Stretch<'a> {
     pub atol: &'a [f64],
     /// Largest number of steps of the whole run.
     pub max_steps: usize,
+    /// True if first steps are shortened; see [`StepTolerance::shortens`](super::StepTolerance).
+    pub(super) shortens: bool,
     /// Guards to be watched, if there are any.
     pub watch: Option<&'a Watch<'a>>,
 }
@@ -36,6 +38,7 @@ impl<'a> Stretch<'a> {
             rtol: problem.tolerance.rtol,
             atol: &problem.tolerance.atol,
             max_steps: problem.max_steps,
+            shortens: problem.tolerance.shortens,
             watch,
         }
     }
@@ -48,7 +51,8 @@ impl<'a> Stretch<'a> {
         until: f64,
         atol: &'a [f64],
     ) -> Self {
-        Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX, watch: None }
+        let (rtol, max_steps) = (1e-6, usize::MAX);
+        Self { system, from, until, rtol, atol, max_steps, shortens: false, watch: None }
     }
 
     /// Returns the time over which the run is observed \[s\]: the stretch, or the whole run of

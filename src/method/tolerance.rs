@@ -23,13 +23,17 @@ pub struct StepTolerance {
     pub atol: Vec<f64>,
     /// Why these are tighter than requested, if they are.
     pub reason: Option<&'static str>,
+    /// True if the first step of every segment is shortened. Lengths of first steps, limits of their
+    /// growth and ends of segments do not depend on the tolerance, so two runs could otherwise take the
+    /// same steps and have the same error.
+    pub shortens: bool,
 }
 
 impl StepTolerance {
     /// Returns the tolerances as requested.
     #[must_use]
     pub fn requested(rtol: f64, atol: Vec<f64>) -> Self {
-        Self { rtol, atol, reason: None }
+        Self { rtol, atol, reason: None, shortens: false }
     }
 
     /// Returns the tolerances for the steps of a method. Absolute tolerances change in proportion to
@@ -46,7 +50,7 @@ impl StepTolerance {
                 *atol *= rtol / requested;
             }
         }
-        Self { rtol, atol, reason }
+        Self { rtol, atol, reason, shortens: false }
     }
 }
 

@@ -26,7 +26,7 @@ use crate::error::{NotCompiledIn, SimulateError, StopCause, did_you_mean};
 use crate::method::patience::Patience;
 use crate::method::reverse::Log;
 use crate::method::sensitivity::{By, Start, Tangents, columns};
-use crate::method::{Method, Problem, Run, StepTolerance, Stopped, System};
+use crate::method::{Auto, Method, Problem, Run, StepTolerance, Stopped, System};
 use crate::trajectory::{Stop, Trajectory};
 
 pub(crate) use checked::require_admitted;
@@ -81,6 +81,7 @@ pub struct Simulation<'a> {
     /// True for the second run of an error estimate.
     is_refined: bool,
     method: Option<Method>,
+    auto: Auto,
     max_steps: usize,
     energy_balance: bool,
     sensitivities: Vec<By>,
@@ -124,6 +125,7 @@ impl<'a> Simulation<'a> {
             atol: None,
             is_refined: false,
             method: None,
+            auto: Auto::default(),
             max_steps: MAX_STEPS,
             energy_balance: false,
             sensitivities: Vec::new(),
@@ -291,6 +293,11 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// Returns the loosest relative tolerance that all machines keep by `auto`.
+    pub(crate) fn loosest_kept(&self) -> f64 {
+        self.auto.loosest.min(self.auto.loosest_kept)
+    }
+
     /// Makes this the second run of an error estimate.
     pub(crate) fn with_shortened_steps(mut self) -> Self {
         self.is_refined = true;
@@ -300,6 +307,13 @@ impl<'a> Simulation<'a> {
     /// Sets the method.
     pub fn method(mut self, method: Method) -> Self {
         self.method = Some(method);
+        self
+    }
+
+    /// Runs by `auto` with these choices.
+    #[cfg(feature = "implicit")]
+    pub fn auto(mut self, choices: Auto) -> Self {
+        (self.method, self.auto) = (Some(Method::Auto), choices);
         self
     }
 
@@ -448,7 +462,7 @@ impl<'a> Simulation<'a> {
         atol.resize(system.len(), energy_atol);
 
         let machine = (self.simulator, parameters);
-        let mut tolerance = StepTolerance::new(method, machine, (self.rtol, atol));
+        let mut tolerance = StepTolerance::new((method, self.auto), machine, (self.rtol, atol));
         tolerance.shortens = self.is_refined;
         let problem = Problem {
             system: &system,
@@ -458,6 +472,7 @@ impl<'a> Simulation<'a> {
             initial,
             jumps: self.checked_jumps()?,
             tolerance,
+            auto: self.auto,
             max_steps: self.max_steps,
         };
         let (run, stopped) = problem.integrate_kept(method);
@@ -554,6 +569,11 @@ impl<'a> Simulation<'a> {
 
     fn total_energy(&self, initial: &[f64]) -> f64 {
         self.simulator.energy(self.from, initial, &self.parameters).total()
+    }
+
+    /// Returns a typical energy of the machine at its start \[J\].
+    pub(crate) fn typical_energy(&self) -> Result<f64, SimulateError> {
+        self.checked_initial_state().map(|initial| self.energy_scale(&initial))
     }
 
     /// Returns a typical energy of the machine \[J\], for the absolute tolerance of the

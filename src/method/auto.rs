@@ -15,9 +15,9 @@ use super::explicit::ExplicitSteps;
 use super::one_step::{Left, OneStep, drive};
 use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
-use super::tableau::{DOP853, Pair, RODAS5P};
+use super::tableau::{DOP853, Pair, RODAS5P, TSIT5};
 use super::taylor::TaylorSteps;
-use super::{Integrator, Samples, Sealed, Stopped, Stretch};
+use super::{ExplicitMethod, ImplicitMethod, Integrator, Samples, Sealed, Stopped, Stretch};
 use ringing::{LENIENT, rings};
 use rival::Rival;
 use stiffness::{
@@ -51,11 +51,11 @@ const RIGID: f64 = 1e6;
 /// Solves linear machines without steps where that is accurate enough. Otherwise it starts with an
 /// explicit method, unless stability alone would require very many steps. It changes to an implicit
 /// method where steps are held by stability instead of accuracy, and back where they are not.
-pub(super) struct Auto;
+pub(super) struct Automatic;
 
-impl Sealed for Auto {}
+impl Sealed for Automatic {}
 
-impl Integrator for Auto {
+impl Integrator for Automatic {
     fn integrate(
         &self,
         stretch: &Stretch<'_>,
@@ -63,7 +63,8 @@ impl Integrator for Auto {
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
         let has_guards = stretch.watch.is_some() || stretch.system.constraints().is_some();
-        let from = if stretch.system.tangents().is_some() || has_guards {
+        let steps = has_guards || !stretch.auto.exact || stretch.system.tangents().is_some();
+        let from = if steps {
             // Steps cost less than closed forms from switch to switch, and carry sensitivities at
             // less cost.
             stretch.from
@@ -121,8 +122,14 @@ struct Choice<'a> {
 #[derive(Clone, Copy)]
 enum Explicit<'a> {
     Taylor(&'a dyn TaylorSeries<f64>),
-    Pair(&'static Pair),
+    Pair(Named),
 }
+
+/// A pair and its name.
+type Named = (&'static str, &'static Pair);
+
+const OF_ORDER_8: Named = ("dop853", &DOP853);
+const OF_ORDER_5: Named = ("tsit5", &TSIT5);
 
 impl<'a> Choice<'a> {
     fn new(stretch: &Stretch<'a>, state: &[f64]) -> Self {
@@ -130,26 +137,31 @@ impl<'a> Choice<'a> {
         let has_tangents = stretch.system.tangents().is_some();
         // Of the implicit methods only Radau's carry sensitivities.
         let has_many = stretch.system.states() >= MANY_STATES;
-        let by_radau = rtol <= TIGHT || has_many && rtol <= LOOSE || has_tangents;
+        let by_radau = has_tangents
+            || stretch.auto.implicit.map_or_else(
+                || rtol <= TIGHT || has_many && rtol <= LOOSE,
+                |method| method == ImplicitMethod::Radau,
+            );
         let implicit_name = if by_radau { "radau" } else { "rodas5p" };
-        let of_pair = |name, pair: &'static Pair| Self {
-            explicit: Explicit::Pair(pair),
+        let of_pair = |named: Named| Self {
+            explicit: Explicit::Pair(named),
             rival: None,
-            explicit_name: name,
-            limit: pair_limit(pair),
+            explicit_name: named.0,
+            limit: pair_limit(named.1),
             implicit_name,
             by_radau,
             is_stiff_from_the_start: false,
         };
-        let pair = of_pair("dop853", &DOP853);
+        let is_of_order_5 = stretch.auto.explicit == Some(ExplicitMethod::Tsit5);
+        let pair = of_pair(if is_of_order_5 { OF_ORDER_5 } else { OF_ORDER_8 });
         let found = if has_tangents || stretch.system.is_sliding() {
             Series::None
         } else {
-            Series::of(stretch.system.simulator(), rtol)
+            Series::of(stretch.system.simulator(), rtol).chosen(stretch.auto.explicit)
         };
         let why = found.objection();
         let mut chosen = match found {
-            Series::None | Series::MissesCorners => pair,
+            Series::None | Series::MissesCorners(_) => pair,
             Series::HasManySums(series) => Self { rival: Some(series), ..pair },
             Series::Suits(series) => {
                 Self { explicit: Explicit::Taylor(series), ..pair }.of_series(rtol)
@@ -160,7 +172,10 @@ impl<'a> Choice<'a> {
             stretch.jacobian(stretch.from, &state[..stretch.system.states()], values);
         });
         chosen.is_stiff_from_the_start = held.is_some();
-        if rtol > LOOSE && held.is_some_and(|steps| steps > RIGID) {
+        if stretch.auto.implicit.is_none()
+            && rtol > LOOSE
+            && held.is_some_and(|steps| steps > RIGID)
+        {
             (chosen.by_radau, chosen.implicit_name) = (true, "radau");
         }
         let first = if held.is_some() { chosen.implicit_name } else { chosen.explicit_name };
@@ -200,7 +215,7 @@ impl<'a> Choice<'a> {
                      as at a root of zero"
                         .to_owned(),
                 );
-                return self.by_pair(&DOP853, stretch, state, samples);
+                return self.by_pair(OF_ORDER_8, stretch, state, samples);
             }
         }
         let gives_way = |_: &TaylorSteps<'_>| false;
@@ -211,17 +226,17 @@ impl<'a> Choice<'a> {
              there, or one with terms that are not finite"
         ));
         let choice = Self { is_stiff_from_the_start: false, ..*self };
-        choice.by_pair(&DOP853, &Stretch { from, ..*stretch }, state, samples)
+        choice.by_pair(OF_ORDER_8, &Stretch { from, ..*stretch }, state, samples)
     }
 
     fn by_pair(
         &self,
-        pair: &'static Pair,
+        (name, pair): Named,
         stretch: &Stretch<'_>,
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        let choice = Self { explicit_name: "dop853", limit: pair_limit(pair), ..*self };
+        let choice = Self { explicit_name: name, limit: pair_limit(pair), ..*self };
         let mut strain = Strain::new(stretch.system.simulator(), choice.limit, LOOKS_OF_PAIR_EVERY);
         // The stages show no fast motion beside a much larger one, nor one at rest.
         let look = |method: &ExplicitSteps<'_>, step: f64| {
@@ -375,7 +390,7 @@ fn begun<M: OneStep>(mut method: M, from: Left, state: &[f64]) -> (M, Left) {
 enum Series<'a> {
     None,
     /// Long steps may miss branches and tables.
-    MissesCorners,
+    MissesCorners(&'a dyn TaylorSeries<f64>),
     HasManySums(&'a dyn TaylorSeries<f64>),
     Suits(&'a dyn TaylorSeries<f64>),
 }
@@ -385,7 +400,7 @@ impl<'a> Series<'a> {
         let Some(series) = simulator.taylor() else { return Self::None };
         let order = TaylorSteps::order_for(rtol);
         if series.bends() == Bends::Corners {
-            Self::MissesCorners
+            Self::MissesCorners(series)
         } else if series.series_workspace(order) > 2 * MANY_SUMS * order {
             // For every sum, two factors are kept from order to order.
             Self::HasManySums(series)
@@ -394,11 +409,23 @@ impl<'a> Series<'a> {
         }
     }
 
+    /// Returns the series as a run has chosen its explicit method.
+    fn chosen(self, wanted: Option<ExplicitMethod>) -> Self {
+        match (wanted, self) {
+            (None, found) => found,
+            (
+                Some(ExplicitMethod::Taylor),
+                Self::MissesCorners(series) | Self::HasManySums(series) | Self::Suits(series),
+            ) => Self::Suits(series),
+            _ => Self::None,
+        }
+    }
+
     /// Returns why a run does not begin with the series, as the end of a note.
     fn objection(&self) -> &'static str {
         match self {
             Self::None | Self::Suits(_) => "",
-            Self::MissesCorners => {
+            Self::MissesCorners(_) => {
                 "; not with taylor, whose long steps may miss branches and tables"
             }
             Self::HasManySums(_) => "; not with taylor, whose series have many sums",

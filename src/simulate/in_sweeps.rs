@@ -4,6 +4,7 @@ use super::Simulation;
 use crate::error::SimulateError;
 use crate::method::patience::Patience;
 use crate::method::taylor::variants::Variant;
+use crate::method::tolerance::step_rtol;
 use crate::method::{Method, StepTolerance, cut};
 
 impl<'a> Simulation<'a> {
@@ -19,7 +20,11 @@ impl<'a> Simulation<'a> {
             parameters: parameters.to_vec(),
             ends: cut(self.from, self.until, self.checked_jumps()?),
             times: self.checked_times()?,
-            tolerance: StepTolerance::new(method, (self.simulator, parameters), (self.rtol, atol)),
+            tolerance: StepTolerance::new(
+                (method, self.auto),
+                (self.simulator, parameters),
+                (self.rtol, atol),
+            ),
             max_steps: self.max_steps,
             initial,
         })
@@ -33,12 +38,14 @@ impl<'a> Simulation<'a> {
     /// Returns the method of the run and the relative tolerance of its steps.
     pub(crate) fn method_and_step_rtol(&self) -> Result<(Method, f64), SimulateError> {
         let method = self.chosen_method()?;
-        Ok((method, method.step_rtol((self.simulator, &self.parameters), self.rtol).0))
+        let machine = (self.simulator, &self.parameters[..]);
+        Ok((method, step_rtol((method, self.auto), machine, self.rtol).0))
     }
 
-    /// Returns whether the run has neither sensitivities nor an energy balance.
+    /// Returns whether the run has neither sensitivities nor an energy balance, and leaves the choice
+    /// of the explicit method to `auto`.
     #[cfg(feature = "implicit")]
-    pub(crate) fn is_of_states_alone(&self) -> bool {
-        self.sensitivities.is_empty() && !self.energy_balance
+    pub(crate) fn may_go_in_lanes(&self) -> bool {
+        self.auto.explicit.is_none() && self.sensitivities.is_empty() && !self.energy_balance
     }
 }

@@ -310,7 +310,14 @@ impl Reading {
         for with_capitals in [true, false] {
             let mut ways = apart(symbol, with_capitals);
             if !ways.is_empty() {
-                ways.sort_by_key(|way| (way.iter().any(|part| part.has_factor), way.len()));
+                // Letters that are as written count first: `knm` is `kN m` rather than `K N m`.
+                let changed = |way: &Vec<Part>| {
+                    let text: String = joined(way).replace([' ', '^'], "");
+                    text.chars().zip(symbol.chars()).filter(|(a, b)| a != b).count()
+                };
+                ways.sort_by_key(|way| {
+                    (changed(way), way.iter().any(|part| part.has_factor), way.len())
+                });
                 return Self::Units(ways.iter().map(joined).collect());
             }
         }
@@ -481,6 +488,17 @@ mod tests {
             Measure::parse(unit).unwrap_or_else(|error| panic!("{word}: {error:?}"));
             let is_number = |part: &str| part.parse::<f64>().is_ok_and(|number| number > 0.0);
             assert!(number.split('/').all(is_number), "{word}");
+        }
+    }
+
+    #[test]
+    fn letters_as_written_decide_between_readings() {
+        for (word, help) in [
+            ("knm", "did you mean `kN m` or `K N m`?"),
+            ("nms", "did you mean `N m s` or `N ms`?"),
+            ("KW", "did you mean `kW`?"),
+        ] {
+            assert_eq!(meant(word), help);
         }
     }
 

@@ -217,7 +217,7 @@ impl Point {
         Value { p: bits % P, q: mixed(bits, 1) % Q }
     }
 
-    fn symbol(&self, symbol: Symbol) -> Value {
+    pub(super) fn symbol(&self, symbol: Symbol) -> Value {
         let (kind, id) = match symbol {
             Symbol::Pi => (0, 0),
             Symbol::Time => (1, 0),
@@ -277,7 +277,7 @@ impl Point {
         }
     }
 
-    fn power(&self, base: Value, exponent: &BigRational) -> Option<Value> {
+    pub(super) fn power(&self, base: Value, exponent: &BigRational) -> Option<Value> {
         let root = match exponent.denom().to_u64() {
             Some(1) => base,
             Some(denominator) if !base.is_zero() => self.root(base, denominator),

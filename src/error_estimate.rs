@@ -33,6 +33,9 @@ const ATTEMPTS: usize = 8;
 /// tolerances, and with this margin the attempt meets the accuracy at once.
 const AIM: f64 = 0.5;
 
+/// Ratio of tolerances by which an error that is not noise falls below a quarter of the value.
+const IF_NOISE: f64 = 1e-2;
+
 /// Number of attempts in a row that may reduce the error no further. Steps that end at events and
 /// jumps become shorter only at a much tighter tolerance, so each such attempt tightens it by a
 /// decade more.
@@ -151,8 +154,8 @@ impl Simulation<'_> {
     /// Returns the same run at tolerances tighter by [`REFINEMENT`] than those that its steps keep,
     /// for [`ErrorEstimate::of`].
     pub fn refined(&self) -> Self {
-        // Where errors add up, `auto` keeps this tolerance even if a looser one is requested.
-        let rtol = self.relative_tolerance().min(self.loosest_kept());
+        let kept = self.method_and_step_rtol();
+        let rtol = kept.map_or_else(|_| self.relative_tolerance(), |(_, rtol)| rtol);
         self.clone().at_tolerance(rtol / REFINEMENT).with_shortened_steps()
     }
 
@@ -214,7 +217,9 @@ impl Simulation<'_> {
             }
             let (name, part) = noise.worst(&trajectory, &error);
             idle = if part < least { 0 } else { idle + 1 };
-            let wanted = rtol * AIM * accuracy / part;
+            let factor =
+                if noise.suspected.contains(&name) { IF_NOISE } else { AIM * accuracy / part };
+            let wanted = rtol * factor;
             let next = one_digit((wanted * 0.1f64.powi(idle)).max(LEAST_ATTEMPTED));
             let reason = if error.unknown.is_some() || part <= accuracy {
                 None

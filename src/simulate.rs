@@ -293,11 +293,6 @@ impl<'a> Simulation<'a> {
         self
     }
 
-    /// Returns the loosest relative tolerance that all machines keep by `auto`.
-    pub(crate) fn loosest_kept(&self) -> f64 {
-        self.auto.loosest.min(self.auto.loosest_kept)
-    }
-
     /// Makes this the second run of an error estimate.
     pub(crate) fn with_shortened_steps(mut self) -> Self {
         self.is_refined = true;

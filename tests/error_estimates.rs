@@ -1,12 +1,10 @@
 //! Estimated errors of runs compared with true ones, for several scenes, random machines and
 //! tolerances.
 //!
-//! `MACHINIST_ERRORS=all` tests every scene of `specs/scenes` and 200 random machines, and measures the
-//! time of the second run; `--nocapture` prints the tables.
+//! `MACHINIST_ERRORS=all` tests every scene of `specs/scenes` and 200 random machines, and counts the
+//! rates of the second run; `--nocapture` prints the tables.
 
 mod at_random;
-
-use std::time::{Duration, Instant};
 
 use machinist::error_estimate::ErrorEstimate;
 use machinist::trajectory::{Column, Switch, Trajectory};
@@ -81,8 +79,8 @@ struct Found {
     /// Runs without an estimate, and accuracies that are not met, with the reason.
     unknown: Vec<String>,
     unmet: Vec<String>,
-    /// Times of runs and of the second runs for their estimates.
-    costs: Vec<[Duration; 2]>,
+    /// Evaluations of rates by runs and by the second runs for their estimates.
+    costs: Vec<[u64; 2]>,
 }
 
 impl Found {
@@ -121,12 +119,10 @@ impl Found {
         run: &Simulation<'_>,
         reference: &(Trajectory, ErrorEstimate),
     ) {
-        let begun = Instant::now();
         let trajectory = run.run().expect("a run");
-        let first = begun.elapsed();
-        let begun = Instant::now();
         let refined = run.refined().run();
-        self.costs.push([first, begun.elapsed()]);
+        let rates = |run: &Trajectory| run.work.rate_evaluations;
+        self.costs.extend(refined.as_ref().map(|refined| [rates(&trajectory), rates(refined)]));
         let error = ErrorEstimate::of(&trajectory, &refined);
         if let Some(unknown) = &error.unknown {
             self.unknown.push(format!("{name}: {unknown}"));
@@ -152,14 +148,14 @@ impl Found {
         eprintln!(
             "error above the accuracy: {one} of {of}, above three times the accuracy: {three}"
         );
-        // Shorter runs are over before a thread begins.
-        let long = |[first, _]: &&[Duration; 2]| *first > Duration::from_millis(2);
-        let ratio = |[first, second]: &[Duration; 2]| second.as_secs_f64() / first.as_secs_f64();
-        let mut costs: Vec<f64> = self.costs.iter().filter(long).map(ratio).collect();
+        let ratio = |[first, second]: &[u64; 2]| *second as f64 / *first as f64;
+        let mut costs: Vec<f64> = self.costs.iter().map(ratio).collect();
         costs.sort_by(f64::total_cmp);
         if let Some(last) = costs.len().checked_sub(1) {
             let [median, most] = [0.5, 0.9].map(|share| costs[(share * last as f64) as usize]);
-            eprintln!("time of the second run over the first: median {median:.2}, 9 of 10 below {most:.2}");
+            eprintln!(
+                "rates of the second run over those of the first: median {median:.2}, 9 of 10 below {most:.2}"
+            );
         }
     }
 }
@@ -220,7 +216,8 @@ fn a_closed_form_is_off_by_rounding_alone() {
     let (trajectory, error) = estimated(&run).expect("a run");
     for (column, error) in trajectory.columns.iter().zip(&error.columns) {
         let size = size(column);
-        assert!(error.largest <= 1e-14 * size, "{}: {}", column.name, error.largest);
+        // The closed forms of both runs differ by the rounding of the matrix exponential.
+        assert!(error.largest <= 1e-12 * size, "{}: {}", column.name, error.largest);
         assert!(error.largest >= f64::EPSILON * size, "{}: {}", column.name, error.largest);
     }
 }

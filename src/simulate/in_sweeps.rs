@@ -4,7 +4,6 @@ use super::Simulation;
 use crate::error::SimulateError;
 use crate::method::patience::Patience;
 use crate::method::taylor::variants::Variant;
-use crate::method::tolerance::step_rtol;
 use crate::method::{Method, StepTolerance, cut};
 
 impl<'a> Simulation<'a> {
@@ -33,13 +32,6 @@ impl<'a> Simulation<'a> {
     /// Returns the limits on the duration of the run.
     pub(crate) fn patience(&self) -> Patience<'a> {
         self.patience
-    }
-
-    /// Returns the method of the run and the relative tolerance of its steps.
-    pub(crate) fn method_and_step_rtol(&self) -> Result<(Method, f64), SimulateError> {
-        let method = self.chosen_method()?;
-        let machine = (self.simulator, &self.parameters[..]);
-        Ok((method, step_rtol((method, self.auto), machine, self.rtol).0))
     }
 
     /// Returns whether the run has neither sensitivities nor an energy balance, and leaves the choice

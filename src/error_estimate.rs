@@ -33,6 +33,10 @@ const ATTEMPTS: usize = 8;
 /// tolerances, and with this margin the attempt meets the accuracy at once.
 const AIM: f64 = 0.5;
 
+/// Smallest ratio of the tolerances of two attempts. An error as large as the motion is not
+/// proportional to the tolerance, and tells little about the one that is needed.
+const FURTHEST: f64 = 1e-4;
+
 /// Ratio of tolerances by which an error that is not noise falls below a quarter of the value.
 const IF_NOISE: f64 = 1e-2;
 
@@ -219,6 +223,7 @@ impl Simulation<'_> {
             idle = if part < least { 0 } else { idle + 1 };
             let factor =
                 if noise.suspected.contains(&name) { IF_NOISE } else { AIM * accuracy / part };
+            let factor = factor.max(FURTHEST);
             let wanted = rtol * factor;
             let next = one_digit((wanted * 0.1f64.powi(idle)).max(LEAST_ATTEMPTED));
             let reason = if error.unknown.is_some() || part <= accuracy {

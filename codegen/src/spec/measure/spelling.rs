@@ -310,13 +310,10 @@ impl Reading {
         for with_capitals in [true, false] {
             let mut ways = apart(symbol, with_capitals);
             if !ways.is_empty() {
-                // Letters that are as written count first: `knm` is `kN m` rather than `K N m`.
-                let changed = |way: &Vec<Part>| {
-                    let text: String = joined(way).replace([' ', '^'], "");
-                    text.chars().zip(symbol.chars()).filter(|(a, b)| a != b).count()
-                };
+                // Kilo is likelier than kelvin: `knm` is `kN m` rather than `K N m`.
                 ways.sort_by_key(|way| {
-                    (changed(way), way.iter().any(|part| part.has_factor), way.len())
+                    let has = |wanted: fn(&Part) -> bool| way.iter().any(wanted);
+                    (has(|part| part.text == "K"), has(|part| part.has_factor), way.len())
                 });
                 return Self::Units(ways.iter().map(joined).collect());
             }
@@ -492,10 +489,10 @@ mod tests {
     }
 
     #[test]
-    fn letters_as_written_decide_between_readings() {
+    fn kilo_is_likelier_than_kelvin() {
         for (word, help) in [
             ("knm", "did you mean `kN m` or `K N m`?"),
-            ("nms", "did you mean `N m s` or `N ms`?"),
+            ("nms", "did you mean `N m s` or `N m S`?"),
             ("KW", "did you mean `kW`?"),
         ] {
             assert_eq!(meant(word), help);

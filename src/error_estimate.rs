@@ -16,9 +16,8 @@ use serde::Serialize;
 
 use crate::error::SimulateError;
 use crate::method::taylor::LEAST_RTOL;
-use crate::method::tolerance::LOOSEST_KEPT;
 use crate::simulate::Simulation;
-use crate::trajectory::{Column, Switch, Trajectory};
+use crate::trajectory::{Column, ColumnKind, Switch, Trajectory};
 
 /// Ratio of the tolerances of both runs. With methods of order 5 and 8 the second run takes
 /// 4^(1/5) = 1.3 and 4^(1/8) = 1.2 times the steps of the first, and an error that is proportional
@@ -33,6 +32,21 @@ const ATTEMPTS: usize = 8;
 /// Fraction of the accuracy that the next attempt aims at. Errors are only nearly proportional to
 /// tolerances, and with this margin the attempt meets the accuracy at once.
 const AIM: f64 = 0.5;
+
+/// Smallest ratio of the tolerances of two attempts. An error as large as the motion is not
+/// proportional to the tolerance, and tells little about the one that is needed.
+const FURTHEST: f64 = 1e-4;
+
+/// Ratio of tolerances by which an error that is not noise falls below a quarter of the value.
+const IF_NOISE: f64 = 1e-2;
+
+/// Number of attempts in a row that may reduce the error no further. Steps that end at events and
+/// jumps become shorter only at a much tighter tolerance, so each such attempt tightens it by a
+/// decade more.
+const IDLE_ATTEMPTS: i32 = 3;
+
+/// Tightest tolerance of an attempt, at which both runs are possible.
+const LEAST_ATTEMPTED: f64 = 2.0 * REFINEMENT * LEAST_RTOL;
 
 /// Fraction of the largest value in a unit that may be rounding in another column of that unit,
 /// after the sums of up to sixteen terms that outputs of a machine rarely exceed.
@@ -144,9 +158,9 @@ impl Simulation<'_> {
     /// Returns the same run at tolerances tighter by [`REFINEMENT`] than those that its steps keep,
     /// for [`ErrorEstimate::of`].
     pub fn refined(&self) -> Self {
-        // Where errors add up, `auto` keeps this tolerance even if a looser one is requested.
-        let rtol = self.relative_tolerance().min(LOOSEST_KEPT);
-        self.clone().at_tolerance(rtol / REFINEMENT)
+        let kept = self.method_and_step_rtol();
+        let rtol = kept.map_or_else(|_| self.relative_tolerance(), |(_, rtol)| rtol);
+        self.clone().at_tolerance(rtol / REFINEMENT).with_shortened_steps()
     }
 
     /// Estimates the error of a run by a second one. Both runs can be made on two threads by means
@@ -197,24 +211,33 @@ impl Simulation<'_> {
             return Err(SimulateError::BadAccuracy(accuracy).into());
         }
         let mut rtol = self.relative_tolerance();
-        let (mut before, mut attempts) = (f64::INFINITY, 0);
+        let (mut least, mut attempts, mut idle) = (f64::INFINITY, 0, 0);
+        let mut noise = Noise { energy: self.typical_energy()?, ..Noise::default() };
         loop {
             attempts += 1;
             let (trajectory, error) = estimated(&self.clone().at_tolerance(rtol))?;
-            let (name, part) = worst(&trajectory, &error);
-            let next = one_digit(rtol * AIM * accuracy / part);
+            if noise.finds((&trajectory, &error), accuracy) {
+                least = f64::INFINITY;
+            }
+            let (name, part) = noise.worst(&trajectory, &error);
+            idle = if part < least { 0 } else { idle + 1 };
+            let factor =
+                if noise.suspected.contains(&name) { IF_NOISE } else { AIM * accuracy / part };
+            let factor = factor.max(FURTHEST);
+            let wanted = rtol * factor;
+            let next = one_digit((wanted * 0.1f64.powi(idle)).max(LEAST_ATTEMPTED));
             let reason = if error.unknown.is_some() || part <= accuracy {
                 None
             } else if !part.is_finite() {
                 Some("it is not a number")
-            } else if part >= before {
+            } else if idle == IDLE_ATTEMPTS {
                 Some("a tighter tolerance does not reduce the error")
-            } else if next < f64::EPSILON {
+            } else if wanted < LEAST_ATTEMPTED || next >= rtol {
                 Some("the tolerance that this needs is below rounding")
             } else if attempts == ATTEMPTS {
                 Some("all attempts are used up")
             } else {
-                (rtol, before) = (next, part);
+                (rtol, least) = (next, part.min(least));
                 continue;
             };
             let shortfall = reason.map(|reason| {
@@ -228,18 +251,58 @@ impl Simulation<'_> {
     }
 }
 
-/// Returns the name of the column with the largest relative error, and that error. Columns that
-/// consist only of rounding errors of others in their unit are ignored.
-fn worst(run: &Trajectory, error: &ErrorEstimate) -> (String, f64) {
-    let part = |error: &ColumnError, column: &Column| {
+/// Columns that are zero but for errors, such as a motion across a plane of symmetry, or the energy of
+/// a pendulum that starts at its level of reference.
+///
+/// The error of such a column is as large as its value at every tolerance. It counts as zero after two
+/// attempts if it is below the accuracy times the largest column in its unit.
+#[derive(Default)]
+struct Noise {
+    /// Typical energy of the machine \[J\].
+    energy: f64,
+    /// Names of columns that were all error in the last attempt, and of those that count as zero.
+    suspected: Vec<String>,
+    known: Vec<String>,
+}
+
+impl Noise {
+    /// Takes an attempt; returns whether further columns count as zero from now on.
+    fn finds(&mut self, (run, error): (&Trajectory, &ErrorEstimate), accuracy: f64) -> bool {
+        /// Fraction of a value above which it is all error.
+        const ALL: f64 = 0.25;
+        let is_noise = |(error, column): &(&ColumnError, &Column)| {
+            let size = size(&column.values);
+            error.largest > ALL * size && size <= accuracy * self.largest(run, column)
+        };
+        let columns = error.columns.iter().zip(&run.columns).filter(is_noise);
+        let found: Vec<String> = columns.map(|(_, column)| column.name.clone()).collect();
+        let is_new = |name: &&String| self.suspected.contains(name) && !self.known.contains(name);
+        let new: Vec<String> = found.iter().filter(is_new).cloned().collect();
+        let is_any = !new.is_empty();
+        self.known.extend(new);
+        self.suspected = found;
+        is_any
+    }
+
+    /// Returns the name of the column with the largest relative error, and that error. Columns that
+    /// count as zero or consist only of rounding errors of others in their unit are ignored.
+    fn worst(&self, run: &Trajectory, error: &ErrorEstimate) -> (String, f64) {
+        let part = |error: &ColumnError, column: &Column| {
+            let size = size(&column.values);
+            let counts = size > ROUNDING * self.largest(run, column);
+            if counts && !self.known.contains(&column.name) { error.largest / size } else { 0.0 }
+        };
+        let columns = error.columns.iter().zip(&run.columns);
+        let parts = columns.map(|(error, column)| (error.name.clone(), part(error, column)));
+        parts.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default()
+    }
+
+    /// Returns the largest value of all columns in the unit of one.
+    fn largest(&self, run: &Trajectory, column: &Column) -> f64 {
+        let least = if column.kind == ColumnKind::Energy { self.energy } else { 0.0 };
         let alike = run.columns.iter().filter(|other| other.unit == column.unit);
-        let largest = alike.map(|other| size(&other.values)).fold(0.0, f64::max);
-        let size = size(&column.values);
-        if size > ROUNDING * largest { error.largest / size } else { 0.0 }
-    };
-    let columns = error.columns.iter().zip(&run.columns);
-    let parts = columns.map(|(error, column)| (error.name.clone(), part(error, column)));
-    parts.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default()
+        alike.map(|other| size(&other.values)).fold(least, f64::max)
+    }
 }
 
 /// Returns the largest number of one decimal digit that is at most `value`.

@@ -16,8 +16,8 @@ use thiserror::Error;
 use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{SimulateError, StopCause};
 use crate::method::{
-    Memory, Method, Problem, StepTolerance, Stopped, System, Watch, identically_zero, just_behind,
-    within,
+    Auto, Memory, Method, Problem, StepTolerance, Stopped, System, Watch, identically_zero,
+    just_behind, within,
 };
 use crate::scales::scales;
 use crate::simulate::{MAX_STEPS, Simulation, require_admitted};
@@ -338,7 +338,7 @@ impl<'a> Hosted<'a> {
         let system = system.shown_to(Some(&onlooker)).piece_of(end - from);
         let (machine, requested) =
             ((self.simulator, self.parameters), (standing.rtol, standing.atol.clone()));
-        let tolerance = StepTolerance::new(method, machine, requested);
+        let tolerance = StepTolerance::new((method, Auto::default()), machine, requested);
         let problem = Problem { tolerance, ..self.problem(&system, standing, until) };
         let watch = Watch::resume(&problem, &standing.memory);
         let mut state = standing.state.clone();
@@ -395,6 +395,7 @@ impl<'a> Hosted<'a> {
             initial: standing.state.clone(),
             jumps,
             tolerance: StepTolerance::requested(standing.rtol, standing.atol.clone()),
+            auto: Auto::default(),
             max_steps: MAX_STEPS,
         }
     }

@@ -7,6 +7,7 @@
 pub(crate) mod auto;
 #[cfg(feature = "implicit")]
 mod bordered;
+mod choices;
 #[cfg(feature = "implicit")]
 #[cfg(feature = "diffsol")]
 mod diffsol;
@@ -58,6 +59,7 @@ use serde::{Serialize, Serializer};
 use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
 use crate::method::sensitivity::Passing;
 use crate::trajectory::Switch;
+pub use choices::{Auto, BadChoice, ExplicitMethod, ImplicitMethod};
 pub(crate) use held::Held;
 use inertia::Moment;
 pub(crate) use jump::just_behind;
@@ -87,7 +89,7 @@ methods! {
     /// Radau IIA of orders 5, 9 and 13, whichever pays; stiff machines, tight tolerances.
     Radau { name: "radau", order: 13, implicit: true, of: implicit, integrator: radau::Radau },
     /// Explicit where it can be, implicit where the machine is stiff, by the tolerance.
-    Auto { name: "auto", order: 13, implicit: true, of: implicit, integrator: auto::Auto },
+    Auto { name: "auto", order: 13, implicit: true, of: implicit, integrator: auto::Automatic },
     /// Taylor series of an order that follows the tolerance; smooth machines that are not stiff.
     Taylor { name: "taylor", order: 32, implicit: false, of: always, integrator: taylor::Taylor },
     /// The solution in closed form, without steps; linear machines with constant coefficients.
@@ -143,6 +145,8 @@ pub struct Problem<'a> {
     pub jumps: Vec<f64>,
     /// Tolerances of its steps.
     pub tolerance: StepTolerance,
+    /// Choices of `auto`.
+    pub auto: Auto,
     /// Maximum number of steps.
     pub max_steps: usize,
 }

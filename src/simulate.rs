@@ -5,6 +5,8 @@ mod differentiate;
 #[cfg(all(feature = "fit", feature = "sweep"))]
 mod elsewhere;
 mod gradient;
+#[cfg(feature = "sweep")]
+mod in_sweeps;
 mod notes;
 #[cfg(feature = "linear")]
 mod shooting;
@@ -21,14 +23,10 @@ use crate::constraints::Constraints;
 #[cfg(feature = "linear")]
 use crate::constraints::consistent;
 use crate::error::{NotCompiledIn, SimulateError, StopCause, did_you_mean};
-#[cfg(feature = "sweep")]
-use crate::method::cut;
 use crate::method::patience::Patience;
 use crate::method::reverse::Log;
 use crate::method::sensitivity::{By, Start, Tangents, columns};
-#[cfg(feature = "sweep")]
-use crate::method::taylor::variants::Variant;
-use crate::method::{Method, Problem, Run, StepTolerance, Stopped, System};
+use crate::method::{Auto, Method, Problem, Run, StepTolerance, Stopped, System};
 use crate::trajectory::{Stop, Trajectory};
 
 pub(crate) use checked::require_admitted;
@@ -80,7 +78,10 @@ pub struct Simulation<'a> {
     sampling: Sampling,
     rtol: f64,
     atol: Option<Vec<f64>>,
+    /// True for the second run of an error estimate.
+    is_refined: bool,
     method: Option<Method>,
+    auto: Auto,
     max_steps: usize,
     energy_balance: bool,
     sensitivities: Vec<By>,
@@ -122,7 +123,9 @@ impl<'a> Simulation<'a> {
             sampling: Sampling::of(&defaults),
             rtol: defaults.rtol,
             atol: None,
+            is_refined: false,
             method: None,
+            auto: Auto::default(),
             max_steps: MAX_STEPS,
             energy_balance: false,
             sensitivities: Vec::new(),
@@ -290,9 +293,22 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// Makes this the second run of an error estimate.
+    pub(crate) fn with_shortened_steps(mut self) -> Self {
+        self.is_refined = true;
+        self
+    }
+
     /// Sets the method.
     pub fn method(mut self, method: Method) -> Self {
         self.method = Some(method);
+        self
+    }
+
+    /// Runs by `auto` with these choices.
+    #[cfg(feature = "implicit")]
+    pub fn auto(mut self, choices: Auto) -> Self {
+        (self.method, self.auto) = (Some(Method::Auto), choices);
         self
     }
 
@@ -389,44 +405,6 @@ impl<'a> Simulation<'a> {
         Ok((state, parameters))
     }
 
-    /// Returns the data that a method in lanes needs for a run.
-    ///
-    /// # Errors
-    /// As [`Simulation::run`].
-    #[cfg(feature = "sweep")]
-    pub(crate) fn variant_for(&self, method: Method) -> Result<Variant, SimulateError> {
-        let parameters = self.checked_parameters()?;
-        let initial = self.checked_initial_state()?;
-        let atol = self.checked_atol(&initial)?;
-        Ok(Variant {
-            parameters: parameters.to_vec(),
-            ends: cut(self.from, self.until, self.checked_jumps()?),
-            times: self.checked_times()?,
-            tolerance: StepTolerance::new(method, (self.simulator, parameters), (self.rtol, atol)),
-            max_steps: self.max_steps,
-            initial,
-        })
-    }
-
-    /// Returns the limits on the duration of the run.
-    #[cfg(feature = "sweep")]
-    pub(crate) fn patience(&self) -> Patience<'a> {
-        self.patience
-    }
-
-    /// Returns the method of the run and the relative tolerance of its steps.
-    #[cfg(feature = "sweep")]
-    pub(crate) fn method_and_step_rtol(&self) -> Result<(Method, f64), SimulateError> {
-        let method = self.chosen_method()?;
-        Ok((method, method.step_rtol((self.simulator, &self.parameters), self.rtol).0))
-    }
-
-    /// Returns whether the run has neither sensitivities nor an energy balance.
-    #[cfg(all(feature = "implicit", feature = "sweep"))]
-    pub(crate) fn is_of_states_alone(&self) -> bool {
-        self.sensitivities.is_empty() && !self.energy_balance
-    }
-
     pub(crate) fn chosen_method(&self) -> Result<Method, SimulateError> {
         match self.method {
             Some(method) => Ok(method),
@@ -478,6 +456,9 @@ impl<'a> Simulation<'a> {
         initial.resize(system.len(), 0.0);
         atol.resize(system.len(), energy_atol);
 
+        let machine = (self.simulator, parameters);
+        let mut tolerance = StepTolerance::new((method, self.auto), machine, (self.rtol, atol));
+        tolerance.shortens = self.is_refined;
         let problem = Problem {
             system: &system,
             from: self.from,
@@ -485,7 +466,8 @@ impl<'a> Simulation<'a> {
             times: &times,
             initial,
             jumps: self.checked_jumps()?,
-            tolerance: StepTolerance::new(method, (self.simulator, parameters), (self.rtol, atol)),
+            tolerance,
+            auto: self.auto,
             max_steps: self.max_steps,
         };
         let (run, stopped) = problem.integrate_kept(method);
@@ -582,6 +564,11 @@ impl<'a> Simulation<'a> {
 
     fn total_energy(&self, initial: &[f64]) -> f64 {
         self.simulator.energy(self.from, initial, &self.parameters).total()
+    }
+
+    /// Returns a typical energy of the machine at its start \[J\].
+    pub(crate) fn typical_energy(&self) -> Result<f64, SimulateError> {
+        self.checked_initial_state().map(|initial| self.energy_scale(&initial))
     }
 
     /// Returns a typical energy of the machine \[J\], for the absolute tolerance of the

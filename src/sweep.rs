@@ -248,7 +248,7 @@ impl<'a> Sweep<'a> {
                 (rtol >= LEAST_RTOL && is_smooth).then_some(Method::Taylor)
             }
             #[cfg(feature = "implicit")]
-            (Method::Auto, rtol) if rtol >= LEAST_RTOL && simulation.is_of_states_alone() => {
+            (Method::Auto, rtol) if rtol >= LEAST_RTOL && simulation.may_go_in_lanes() => {
                 goes_in_lanes(single, rtol).then_some(Method::Auto)
             }
             _ => None,

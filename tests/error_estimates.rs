@@ -1,6 +1,10 @@
-//! Estimated errors of runs compared with true ones, for several scenes and tolerances.
+//! Estimated errors of runs compared with true ones, for several scenes, random machines and
+//! tolerances.
 //!
-//! `MACHINIST_ERRORS=all` tests every scene of `specs/scenes` and prints the table.
+//! `MACHINIST_ERRORS=all` tests every scene of `specs/scenes` and 200 random machines, and counts the
+//! rates of the second run; `--nocapture` prints the tables.
+
+mod at_random;
 
 use machinist::error_estimate::ErrorEstimate;
 use machinist::trajectory::{Column, Switch, Trajectory};
@@ -9,10 +13,10 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
 
-use crate::own_scene::{model_of_specs, scenes_to_try};
+use crate::own_scene::{model_of_specs, of_text, scenes_to_try};
 
-/// Smooth and stiff machines, constraints, events, friction that sticks.
-const SCENES: [&str; 10] = [
+/// Smooth and stiff machines, constraints, events, friction that sticks, few steps.
+const SCENES: [&str; 11] = [
     "saw_gin",
     "pendulum_chain",
     "pendulum_constrained",
@@ -23,7 +27,9 @@ const SCENES: [&str; 10] = [
     "drives/press",
     "parts/rotational/backlash",
     "parts/control/relay",
+    "parts/spatial/wheel_set",
 ];
+const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-8];
 
 /// Returns estimated over true errors of the columns of a run whose errors the reference resolves.
 fn ratios(
@@ -63,17 +69,23 @@ fn estimated(simulation: &Simulation<'_>) -> Result<(Trajectory, ErrorEstimate),
     Ok((run, error))
 }
 
-#[test]
-fn estimates_are_within_a_factor_of_ten_of_the_error_and_never_a_hundred_times_too_small() {
-    let mut found: Vec<(f64, String)> = Vec::new();
-    for name in scenes_to_try("MACHINIST_ERRORS", &SCENES) {
-        let model = model_of_specs(&name, Keep::Needed);
-        let machine = ModelSimulator::new(model.clone());
-        let field = (!model.fields.is_empty()).then(|| {
-            FieldSimulator::new(machine.with_fields(), Discretisation::default()).expect("cut")
-        });
-        let simulator: &dyn Simulator<f64> =
-            field.as_ref().map_or_else(|| machine.single(), FieldSimulator::single);
+/// Errors found in runs of several machines.
+#[derive(Default)]
+struct Found {
+    /// Estimated over true errors of columns.
+    ratios: Vec<(f64, String)>,
+    /// True errors over requested accuracies.
+    accuracies: Vec<(f64, String)>,
+    /// Runs without an estimate, and accuracies that are not met, with the reason.
+    unknown: Vec<String>,
+    unmet: Vec<String>,
+    /// Evaluations of rates by runs and by the second runs for their estimates.
+    costs: Vec<[u64; 2]>,
+}
+
+impl Found {
+    /// Runs a machine at several tolerances and to several accuracies.
+    fn add(&mut self, name: &str, simulator: &dyn Simulator<f64>) {
         // No event or jump happens at exactly these times.
         let defaults = simulator.run_defaults();
         let time = |share: f64| defaults.from + share * (defaults.until - defaults.from);
@@ -81,32 +93,121 @@ fn estimates_are_within_a_factor_of_ten_of_the_error_and_never_a_hundred_times_t
         let mut times: Vec<f64> = shares.map(time).collect();
         times.sort_by(f64::total_cmp);
         let run = Simulation::new(simulator).times(&times);
-        let Ok(reference) = estimated(&run.clone().rtol(1e-12)) else { continue };
+        let Ok(reference) = estimated(&run.clone().rtol(1e-12)) else { return };
         if reference.1.unknown.is_some() {
-            continue;
+            return;
         }
-        for rtol in [1e-4, 1e-6, 1e-8] {
-            let (trajectory, error) = estimated(&run.clone().rtol(rtol)).expect("a run");
-            if let Some(unknown) = &error.unknown {
-                eprintln!("{name} at {rtol:e}: {unknown}");
-                continue;
+        for tolerance in TOLERANCES {
+            self.add_run(
+                &format!("{name} at {tolerance:e}"),
+                &run.clone().rtol(tolerance),
+                &reference,
+            );
+            let found = run.run_to_accuracy(tolerance).expect("a run");
+            let name = format!("{name} to {tolerance:e}");
+            if let Some(reason) = found.shortfall {
+                self.unmet.push(format!("{name}: {reason}"));
+            } else if let Some((off, column)) = relative_error(&found.trajectory, &reference) {
+                self.accuracies.push((off / tolerance, name + column.as_str()));
             }
-            let all = ratios(&trajectory, &error, &reference);
-            found.extend(
-                all.into_iter().map(|(r, column)| (r, format!("{name} at {rtol:e}: {column}"))),
+        }
+    }
+
+    fn add_run(
+        &mut self,
+        name: &str,
+        run: &Simulation<'_>,
+        reference: &(Trajectory, ErrorEstimate),
+    ) {
+        let trajectory = run.run().expect("a run");
+        let refined = run.refined().run();
+        let rates = |run: &Trajectory| run.work.rate_evaluations;
+        self.costs.extend(refined.as_ref().map(|refined| [rates(&trajectory), rates(refined)]));
+        let error = ErrorEstimate::of(&trajectory, &refined);
+        if let Some(unknown) = &error.unknown {
+            self.unknown.push(format!("{name}: {unknown}"));
+            return;
+        }
+        let ratios = ratios(&trajectory, &error, reference).into_iter();
+        self.ratios.extend(ratios.map(|(ratio, column)| (ratio, format!("{name}: {column}"))));
+    }
+
+    fn print(&self) {
+        self.unknown.iter().for_each(|reason| eprintln!("unknown: {reason}"));
+        self.unmet.iter().for_each(|reason| eprintln!("not met: {reason}"));
+        for least in [0.0, 0.001, 0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0] {
+            let count = self.ratios.iter().filter(|(ratio, _)| *ratio >= least).count();
+            eprintln!(
+                "estimate at least {least} times the error: {count} of {}",
+                self.ratios.len()
+            );
+        }
+        let above = |most: f64| self.accuracies.iter().filter(|(off, _)| *off > most).count();
+        let [one, three] = [1.0, 3.0].map(above);
+        let of = self.accuracies.len();
+        eprintln!(
+            "error above the accuracy: {one} of {of}, above three times the accuracy: {three}"
+        );
+        let ratio = |[first, second]: &[u64; 2]| *second as f64 / *first as f64;
+        let mut costs: Vec<f64> = self.costs.iter().map(ratio).collect();
+        costs.sort_by(f64::total_cmp);
+        if let Some(last) = costs.len().checked_sub(1) {
+            let [median, most] = [0.5, 0.9].map(|share| costs[(share * last as f64) as usize]);
+            eprintln!(
+                "rates of the second run over those of the first: median {median:.2}, 9 of 10 below {most:.2}"
             );
         }
     }
-    found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    for least in [0.0, 0.001, 0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0] {
-        let count = found.iter().filter(|(ratio, _)| *ratio >= least).count();
-        eprintln!("estimate at least {least} times the error: {count} of {}", found.len());
+}
+
+/// Returns the largest error of a column relative to its largest value, with its name, if the
+/// reference resolves it.
+fn relative_error(
+    run: &Trajectory,
+    (truth, of_truth): &(Trajectory, ErrorEstimate),
+) -> Option<(f64, String)> {
+    let of_column = |(index, column): (usize, &Column)| {
+        let exact = &truth.columns[index];
+        let alike = truth.columns.iter().filter(|other| other.unit == exact.unit);
+        let is_rounding = size(exact) <= 16.0 * f64::EPSILON * alike.map(size).fold(0.0, f64::max);
+        let off = (largest_difference(column, exact) - of_truth.columns[index].largest).max(0.0);
+        // Such as an energy of zero: the sum of large ones that cancel.
+        let is_resolved = of_truth.columns[index].largest <= 0.1 * size(exact);
+        (!is_rounding && is_resolved).then(|| (off / size(exact), format!(": {}", column.name)))
+    };
+    let columns = run.columns.iter().enumerate().filter_map(of_column);
+    columns.max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+#[test]
+fn estimates_are_within_a_factor_of_ten_of_the_error_and_never_a_hundred_times_too_small() {
+    let mut found = Found::default();
+    let is_whole = std::env::var("MACHINIST_ERRORS").is_ok_and(|which| which == "all");
+    for name in scenes_to_try("MACHINIST_ERRORS", &SCENES) {
+        let model = model_of_specs(&name, Keep::Needed);
+        let machine = ModelSimulator::new(model.clone());
+        let field = (!model.fields.is_empty()).then(|| {
+            FieldSimulator::new(machine.with_fields(), Discretisation::default()).expect("cut")
+        });
+        found.add(&name, field.as_ref().map_or_else(|| machine.single(), FieldSimulator::single));
     }
-    let within = found.iter().filter(|(ratio, _)| (0.1..=10.0).contains(ratio)).count();
-    let worst = &found[..found.len().min(8)];
-    assert!(found.len() > 100, "{} columns", found.len());
-    assert!(within as f64 >= 0.95 * found.len() as f64, "{within} of {}: {worst:?}", found.len());
-    assert!(found[0].0 > 0.01, "{worst:?}");
+    for seed in 0..if is_whole { 200 } else { 12 } {
+        let machine = of_text(&at_random::text(seed), Keep::Needed);
+        found.add(&format!("random machine {seed}"), machine.single());
+    }
+    found.ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.accuracies.sort_by(|a, b| b.0.total_cmp(&a.0));
+    found.print();
+    let Found { ratios, accuracies, .. } = found;
+    let within = ratios.iter().filter(|(ratio, _)| (0.1..=10.0).contains(ratio)).count();
+    let worst = &ratios[..ratios.len().min(8)];
+    assert!(ratios.len() > 100, "{} columns", ratios.len());
+    assert!(within as f64 >= 0.95 * ratios.len() as f64, "{within} of {}: {worst:?}", ratios.len());
+    assert!(ratios[0].0 > 0.01, "{worst:?}");
+    let missed = accuracies.iter().filter(|(off, _)| *off > 3.0).count();
+    let worst = &accuracies[..accuracies.len().min(8)];
+    assert!(accuracies.len() > 30, "{} runs", accuracies.len());
+    assert!(missed as f64 <= 0.01 * accuracies.len() as f64, "{missed}: {worst:?}");
 }
 
 #[test]
@@ -117,7 +218,8 @@ fn a_closed_form_is_off_by_rounding_alone() {
     let (trajectory, error) = estimated(&run).expect("a run");
     for (column, error) in trajectory.columns.iter().zip(&error.columns) {
         let size = size(column);
-        assert!(error.largest <= 1e-14 * size, "{}: {}", column.name, error.largest);
+        // The closed forms of both runs differ by the rounding of the matrix exponential.
+        assert!(error.largest <= 1e-12 * size, "{}: {}", column.name, error.largest);
         assert!(error.largest >= f64::EPSILON * size, "{}: {}", column.name, error.largest);
     }
 }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use machinist::error::StopCause;
-use machinist::method::{Problem, StepTolerance, System};
+use machinist::method::{Auto, Problem, StepTolerance, System};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Describe;
@@ -337,6 +337,7 @@ fn a_problem_refuses_what_a_simulation_refuses() {
         initial: vec![1.0, 0.0, 0.0, 0.0],
         jumps: Vec::new(),
         tolerance: StepTolerance::requested(1e-6, vec![1e-6; 4]),
+        auto: Auto::default(),
         max_steps: 1000,
     };
     for &method in Method::ALL.iter().filter(|method| !method.watches_events()) {

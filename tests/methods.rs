@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use crate::common::{HardSpring, Scalar};
 use crate::own_scene::{of_specs, of_text};
 use machinist::error::StopCause;
-use machinist::method::Work;
+use machinist::method::{Auto, ExplicitMethod, ImplicitMethod, Work};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
@@ -208,6 +208,55 @@ fn auto_says_what_it_chose_and_why() {
     }
     let plain = Simulation::new(&HardSpring).method(Method::Radau).run().unwrap();
     assert!(plain.notes.is_empty());
+}
+
+#[test]
+fn auto_makes_the_choices_of_a_run() {
+    let machine = scenes::find_f64("saw_gin").expect("built in");
+    let base = Simulation::new(machine).rtol(1e-8);
+    let exact = base.clone().method(Method::Dop853).rtol(1e-12).run().expect("a run");
+    for explicit in [ExplicitMethod::Taylor, ExplicitMethod::Dop853, ExplicitMethod::Tsit5] {
+        let choices = Auto { explicit: Some(explicit), ..Auto::default() };
+        let run = base.clone().auto(choices).run().expect("a run");
+        let named = format!("starts with {}, ", format!("{explicit:?}").to_lowercase());
+        assert!(run.notes.iter().any(|note| note.starts_with(&named)), "{:?}", run.notes);
+        let error = error(machine, &run, &exact);
+        assert!(error < 1e-4, "{explicit:?}: {error:e}");
+    }
+    let stiff = of_specs("classics/van_der_pol", Keep::Needed);
+    for (implicit, rtol) in [(ImplicitMethod::Rodas5p, 1e-8), (ImplicitMethod::Radau, 1e-3)] {
+        let choices = Auto { implicit: Some(implicit), ..Auto::default() };
+        let run = Simulation::new(&stiff).rtol(rtol).auto(choices).run().expect("a run");
+        let named = format!("starts with {}, ", format!("{implicit:?}").to_lowercase());
+        assert!(run.notes.iter().any(|note| note.starts_with(&named)), "{:?}", run.notes);
+    }
+    let linear = of_specs("two_mass", Keep::Needed);
+    let steps = |exact| {
+        let run = Simulation::new(&linear).auto(Auto { exact, ..Auto::default() }).run();
+        run.expect("a run").work.steps
+    };
+    assert!(steps(true) == 1 && steps(false) > 5, "{} and {}", steps(true), steps(false));
+    let loosest = Auto { loosest: 1e-2, loosest_kept: 1e-2, ..Auto::default() };
+    let run = base.rtol(1e-1).auto(loosest).run().expect("a run");
+    assert!(
+        run.notes.iter().any(|note| note.contains("tolerance of 1e-2 instead of 1e-1")),
+        "{:?}",
+        run.notes
+    );
+}
+
+/// An induction machine in stationary axes, whose series have many sums, and a chain of pendulums.
+#[test]
+fn series_with_many_sums_take_over_where_their_steps_are_long() {
+    let motor = of_specs("motor_stationary_axes", Keep::Needed);
+    let run = |method| Simulation::new(&motor).rtol(1e-6).method(method).run().expect("a run");
+    let [auto, pair] = [Method::Auto, Method::Dop853].map(run);
+    let note = auto.notes.iter().find(|note| note.starts_with("taylor instead of dop853"));
+    assert!(note.is_some(), "{:?}", auto.notes);
+    assert!(3 * auto.work.rate_evaluations < pair.work.rate_evaluations, "{:?}", auto.work);
+    let chain = of_specs("bench/m6_10", Keep::Needed);
+    let chain = Simulation::new(&chain).rtol(1e-6).method(Method::Auto).run().expect("a run");
+    assert!(chain.notes.iter().all(|note| !note.contains("instead of")), "{:?}", chain.notes);
 }
 
 #[test]

@@ -272,6 +272,7 @@ class Model:
         rtol: float | None = None,
         atol: ArrayLike | None = None,
         method: str | None = None,
+        auto: str | None = None,
         max_steps: int | None = None,
         equilibrium: bool | None = None,
         energy_balance: bool = False,
@@ -289,6 +290,7 @@ class Model:
         :param points: number of equally spaced output times; `times` gives the times instead.
         :param rtol: relative step tolerance; `atol`: absolute tolerances in the states' units.
         :param method: integration method, see :func:`machinist.methods`.
+        :param auto: choices of the method auto, such as "explicit=tsit5,implicit=radau".
         :param equilibrium: whether to start in the equilibrium near the initial state.
         :param energy_balance: integrate the power balance along with the run.
         :param error: repeat the run at a tighter tolerance to estimate `run.error`.
@@ -303,7 +305,7 @@ class Model:
             raise InputError(f"on_stop is `raise` or `keep`, not {on_stop!r}")
         settings = _given(
             until=until, parameters=parameters, initial=initial, start=start, points=points,
-            times=times, rtol=rtol, atol=atol, method=method, max_steps=max_steps,
+            times=times, rtol=rtol, atol=atol, method=method, auto=auto, max_steps=max_steps,
             equilibrium=equilibrium, time_limit=time_limit, accuracy=accuracy,
         )  # fmt: skip
         if energy_balance:

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use machinist::error_estimate::AccurateRun;
+use machinist::method::{Auto, BadChoice};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping, PyString};
@@ -26,6 +27,7 @@ pub struct Settings {
     rtol: Option<f64>,
     atol: Option<Vec<f64>>,
     method: Option<Method>,
+    auto: Option<Auto>,
     max_steps: Option<usize>,
     equilibrium: Option<bool>,
     energy_balance: bool,
@@ -85,6 +87,11 @@ impl Settings {
                 let name = extracted::<String>(key, value, "the name of a method")?;
                 self.method = Some(Method::from_name(&name).map_err(SimulateError::from)?);
             }
+            "auto" => {
+                let choices = extracted::<String>(key, value, "choices of the method auto")?;
+                let read = choices.parse().map_err(|bad: BadChoice| Failure::input(bad.to_string()));
+                self.auto = Some(read?);
+            }
             "max_steps" => self.max_steps = Some(count(key, value)?),
             "equilibrium" => self.equilibrium = Some(extracted(key, value, "true or false")?),
             "energy_balance" => self.energy_balance = extracted(key, value, "true or false")?,
@@ -137,6 +144,7 @@ impl Settings {
             run = run.atol(atol);
         }
         run = self.method.into_iter().fold(run, Simulation::method);
+        run = self.auto.into_iter().fold(run, Simulation::auto);
         run = self.max_steps.into_iter().fold(run, Simulation::max_steps);
         run = self.time_limit.into_iter().fold(run, Simulation::time_limit);
         Ok(run.with_energy_balance(self.energy_balance))

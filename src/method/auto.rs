@@ -4,6 +4,7 @@
 #[cfg(feature = "sweep")]
 pub(crate) mod in_lanes;
 mod ringing;
+mod rival;
 mod stiffness;
 
 use machinist_contract::Simulator;
@@ -14,10 +15,11 @@ use super::explicit::ExplicitSteps;
 use super::one_step::{Left, OneStep, drive};
 use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
-use super::tableau::{DOP853, Pair, RODAS5P};
+use super::tableau::{DOP853, Pair, RODAS5P, TSIT5};
 use super::taylor::TaylorSteps;
-use super::{Integrator, Samples, Sealed, Stopped, Stretch};
+use super::{ExplicitMethod, ImplicitMethod, Integrator, Samples, Sealed, Stopped, Stretch};
 use ringing::{LENIENT, rings};
+use rival::Rival;
 use stiffness::{
     Doubt, Evidence, LOOKS_EVERY, LOOKS_OF_PAIR_EVERY, STIFF_STEPS, SpectralRadius, Strain,
     TRANSIENT, is_worth_beginning, worth,
@@ -26,10 +28,10 @@ use stiffness::{
 /// Number of changes within a stretch after which the run stays with the implicit method, which is
 /// never wrong, only slower.
 const MOST_CHANGES: usize = 20;
-/// Number of sums of products in an order above which series are slower than Runge-Kutta steps.
-/// Measured on chains of pendulums at equal errors from 1e-3 to 1e-10: with two links they have 12
-/// sums and are nearly twice as fast, with five 75 and half as fast, with ten 300 and a quarter as
-/// fast.
+/// Number of sums of products in an order above which a run begins with Runge-Kutta steps, and changes
+/// to series only if these prove longer ([`Rival`]). Measured on chains of pendulums at equal errors
+/// from 1e-3 to 1e-10: with two links they have 12 sums and are nearly twice as fast, with five 75
+/// and half as fast, with ten 300 and a quarter as fast.
 const MANY_SUMS: usize = 40;
 /// Tolerance up to which Radau's methods cost at most as much as Rosenbrock's, and maintain it
 /// where a spring is nearly rigid.
@@ -49,11 +51,11 @@ const RIGID: f64 = 1e6;
 /// Solves linear machines without steps where that is accurate enough. Otherwise it starts with an
 /// explicit method, unless stability alone would require very many steps. It changes to an implicit
 /// method where steps are held by stability instead of accuracy, and back where they are not.
-pub(super) struct Auto;
+pub(super) struct Automatic;
 
-impl Sealed for Auto {}
+impl Sealed for Automatic {}
 
-impl Integrator for Auto {
+impl Integrator for Automatic {
     fn integrate(
         &self,
         stretch: &Stretch<'_>,
@@ -61,7 +63,8 @@ impl Integrator for Auto {
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
         let has_guards = stretch.watch.is_some() || stretch.system.constraints().is_some();
-        let from = if stretch.system.tangents().is_some() || has_guards {
+        let steps = has_guards || !stretch.auto.exact || stretch.system.tangents().is_some();
+        let from = if steps {
             // Steps cost less than closed forms from switch to switch, and carry sensitivities at
             // less cost.
             stretch.from
@@ -72,32 +75,7 @@ impl Integrator for Auto {
         let stretch = &Stretch { from, ..*stretch };
         let choice = Choice::new(stretch, state);
         match choice.explicit {
-            Explicit::Taylor(series) => {
-                let mut strain = Strain::new(stretch.system.simulator(), choice.limit, LOOKS_EVERY);
-                let look = |method: &TaylorSteps<'_>, step: f64| {
-                    strain.look(stretch, method.start(), step)
-                };
-                let mut method = TaylorSteps::new(stretch, series);
-                if !choice.is_stiff_from_the_start {
-                    method.begin(stretch.from, state);
-                    if method.has_no_series() {
-                        stretch.system.note(
-                            "dop853 instead of taylor: the solution has no power series at the \
-                             start, such as at a root of zero"
-                                .to_owned(),
-                        );
-                        return choice.by_pair(&DOP853, stretch, state, samples);
-                    }
-                }
-                let left = choice.alternate(&mut method, stretch, (state, samples), look)?;
-                let Some(Left { time: from, .. }) = left else { return Ok(()) };
-                stretch.system.note(format!(
-                    "dop853 instead of taylor from t = {from:.6} s on: the solution has no power \
-                     series there, or one with terms that are not finite"
-                ));
-                let choice = Choice { is_stiff_from_the_start: false, ..choice };
-                choice.by_pair(&DOP853, &Stretch { from, ..*stretch }, state, samples)
-            }
+            Explicit::Taylor(series) => choice.by_series(series, stretch, state, samples),
             Explicit::Pair(pair) => choice.by_pair(pair, stretch, state, samples),
         }
     }
@@ -130,6 +108,8 @@ fn without_steps(
 /// The methods for a machine and a tolerance. A further method of any kind is another case here.
 struct Choice<'a> {
     explicit: Explicit<'a>,
+    /// Series with many sums, which may prove better than the pair.
+    rival: Option<&'a dyn TaylorSeries<f64>>,
     explicit_name: &'static str,
     /// Value of |h lambda| above which stability holds the explicit method's steps.
     limit: f64,
@@ -142,8 +122,14 @@ struct Choice<'a> {
 #[derive(Clone, Copy)]
 enum Explicit<'a> {
     Taylor(&'a dyn TaylorSeries<f64>),
-    Pair(&'static Pair),
+    Pair(Named),
 }
+
+/// A pair and its name.
+type Named = (&'static str, &'static Pair);
+
+const OF_ORDER_8: Named = ("dop853", &DOP853);
+const OF_ORDER_5: Named = ("tsit5", &TSIT5);
 
 impl<'a> Choice<'a> {
     fn new(stretch: &Stretch<'a>, state: &[f64]) -> Self {
@@ -151,37 +137,45 @@ impl<'a> Choice<'a> {
         let has_tangents = stretch.system.tangents().is_some();
         // Of the implicit methods only Radau's carry sensitivities.
         let has_many = stretch.system.states() >= MANY_STATES;
-        let by_radau = rtol <= TIGHT || has_many && rtol <= LOOSE || has_tangents;
+        let by_radau = has_tangents
+            || stretch.auto.implicit.map_or_else(
+                || rtol <= TIGHT || has_many && rtol <= LOOSE,
+                |method| method == ImplicitMethod::Radau,
+            );
         let implicit_name = if by_radau { "radau" } else { "rodas5p" };
-        let of_pair = |name, pair: &'static Pair| Self {
-            explicit: Explicit::Pair(pair),
-            explicit_name: name,
-            limit: pair_limit(pair),
+        let of_pair = |named: Named| Self {
+            explicit: Explicit::Pair(named),
+            rival: None,
+            explicit_name: named.0,
+            limit: pair_limit(named.1),
             implicit_name,
             by_radau,
             is_stiff_from_the_start: false,
         };
-        let pair = of_pair("dop853", &DOP853);
-        let (series, why) = if has_tangents || stretch.system.is_sliding() {
-            (None, "")
+        let is_of_order_5 = stretch.auto.explicit == Some(ExplicitMethod::Tsit5);
+        let pair = of_pair(if is_of_order_5 { OF_ORDER_5 } else { OF_ORDER_8 });
+        let found = if has_tangents || stretch.system.is_sliding() {
+            Series::None
         } else {
-            suitable_series(stretch.system.simulator(), rtol)
+            Series::of(stretch.system.simulator(), rtol).chosen(stretch.auto.explicit)
         };
-        let mut chosen = match series {
-            None => pair,
-            Some(series) => Self {
-                explicit: Explicit::Taylor(series),
-                explicit_name: "taylor",
-                limit: taylor_limit(TaylorSteps::order_for(rtol)),
-                ..pair
-            },
+        let why = found.objection();
+        let mut chosen = match found {
+            Series::None | Series::MissesCorners(_) => pair,
+            Series::HasManySums(series) => Self { rival: Some(series), ..pair },
+            Series::Suits(series) => {
+                Self { explicit: Explicit::Taylor(series), ..pair }.of_series(rtol)
+            }
         };
         let (simulator, span) = (stretch.system.simulator(), stretch.until - stretch.from);
         let held = is_worth_beginning(simulator, span / chosen.limit, |values| {
             stretch.jacobian(stretch.from, &state[..stretch.system.states()], values);
         });
         chosen.is_stiff_from_the_start = held.is_some();
-        if rtol > LOOSE && held.is_some_and(|steps| steps > RIGID) {
+        if stretch.auto.implicit.is_none()
+            && rtol > LOOSE
+            && held.is_some_and(|steps| steps > RIGID)
+        {
             (chosen.by_radau, chosen.implicit_name) = (true, "radau");
         }
         let first = if held.is_some() { chosen.implicit_name } else { chosen.explicit_name };
@@ -197,14 +191,52 @@ impl<'a> Choice<'a> {
         chosen
     }
 
-    fn by_pair(
+    /// Returns the choice with the name and the stability limit of Taylor's method.
+    fn of_series(self, rtol: f64) -> Self {
+        let limit = taylor_limit(TaylorSteps::order_for(rtol));
+        Self { explicit_name: "taylor", limit, rival: None, ..self }
+    }
+
+    fn by_series(
         &self,
-        pair: &'static Pair,
+        series: &dyn TaylorSeries<f64>,
         stretch: &Stretch<'_>,
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        let choice = Self { explicit_name: "dop853", limit: pair_limit(pair), ..*self };
+        let mut strain = Strain::new(stretch.system.simulator(), self.limit, LOOKS_EVERY);
+        let look = |method: &TaylorSteps<'_>, step: f64| strain.look(stretch, method.start(), step);
+        let mut method = TaylorSteps::new(stretch, series);
+        if !self.is_stiff_from_the_start {
+            method.begin(stretch.from, state);
+            if method.has_no_series() {
+                stretch.system.note(
+                    "dop853 instead of taylor: the solution has no power series at the start, such \
+                     as at a root of zero"
+                        .to_owned(),
+                );
+                return self.by_pair(OF_ORDER_8, stretch, state, samples);
+            }
+        }
+        let gives_way = |_: &TaylorSteps<'_>| false;
+        let left = self.alternate(&mut method, stretch, (state, samples), (look, gives_way))?;
+        let Some(Left { time: from, .. }) = left else { return Ok(()) };
+        stretch.system.note(format!(
+            "dop853 instead of taylor from t = {from:.6} s on: the solution has no power series \
+             there, or one with terms that are not finite"
+        ));
+        let choice = Self { is_stiff_from_the_start: false, ..*self };
+        choice.by_pair(OF_ORDER_8, &Stretch { from, ..*stretch }, state, samples)
+    }
+
+    fn by_pair(
+        &self,
+        (name, pair): Named,
+        stretch: &Stretch<'_>,
+        state: &mut [f64],
+        samples: &mut Samples<'_>,
+    ) -> Result<(), Stopped> {
+        let choice = Self { explicit_name: name, limit: pair_limit(pair), ..*self };
         let mut strain = Strain::new(stretch.system.simulator(), choice.limit, LOOKS_OF_PAIR_EVERY);
         // The stages show no fast motion beside a much larger one, nor one at rest.
         let look = |method: &ExplicitSteps<'_>, step: f64| {
@@ -216,19 +248,34 @@ impl<'a> Choice<'a> {
         if !choice.is_stiff_from_the_start {
             method.begin(stretch.from, state);
         }
-        // Pairs continue anywhere.
-        choice.alternate(&mut method, stretch, (state, samples), look).map(|_| ())
+        let mut rival = self.rival.map(|series| Rival::new(stretch, series));
+        let mut gain = 0.0;
+        let gives_way = |method: &ExplicitSteps<'_>| {
+            let gains = rival.as_mut().and_then(|rival| rival.gains(method.start()));
+            gains.inspect(|gains| gain = *gains).is_some()
+        };
+        // Pairs continue anywhere, and give way to series alone.
+        let left = choice.alternate(&mut method, stretch, (state, samples), (look, gives_way))?;
+        let (Some(Left { time: from, .. }), Some(series)) = (left, self.rival) else {
+            return Ok(());
+        };
+        stretch.system.note(format!(
+            "taylor instead of dop853 from t = {from:.6} s on: a step replaces {gain:.1}"
+        ));
+        let choice = Self { is_stiff_from_the_start: false, ..choice }.of_series(stretch.rtol);
+        choice.by_series(series, &Stretch { from, ..*stretch }, state, samples)
     }
 
     /// Alternates between an explicit method while the machine is not stiff and an implicit one
     /// while it is. `look` returns |h lambda| after a step of the explicit method, or `None` if it
-    /// has not been evaluated. Returns the point at which the explicit method cannot continue.
+    /// has not been evaluated. Returns the point at which the explicit method cannot continue, or
+    /// gives way to another.
     fn alternate<M: OneStep>(
         &self,
         explicit: &mut M,
         stretch: &Stretch<'_>,
         (state, samples): (&mut [f64], &mut Samples<'_>),
-        mut look: impl FnMut(&M, f64) -> Option<f64>,
+        (mut look, mut gives_way): (impl FnMut(&M, f64) -> Option<f64>, impl FnMut(&M) -> bool),
     ) -> Result<Option<Left>, Stopped> {
         let mut changes = 0;
         let mut patience = STIFF_STEPS;
@@ -250,7 +297,7 @@ impl<'a> Choice<'a> {
                         looked_at.is_some_and(|strain| evidence.grows(strain > self.limit));
                     let is_due = doubt.as_mut().is_some_and(|doubt| doubt.grows(seen / self.limit));
                     is_doubted = is_due && !is_stiff;
-                    is_cut_short = method.is_cut_short();
+                    is_cut_short = method.is_cut_short() || !is_stiff && gives_way(method);
                     is_stiff || is_due || is_cut_short
                 };
                 let Some(at) = drive(explicit, stretch, left, state, samples, is_stiff)? else {
@@ -339,23 +386,51 @@ fn begun<M: OneStep>(mut method: M, from: Left, state: &[f64]) -> (M, Left) {
     (method, Left { step, ..from })
 }
 
-/// Returns the series of a machine, if a run by it is likely to be right and fastest; otherwise the
-/// reason, if there is a series.
-fn suitable_series(
-    simulator: &dyn Simulator<f64>,
-    rtol: f64,
-) -> (Option<&dyn TaylorSeries<f64>>, &'static str) {
-    let Some(series) = simulator.taylor() else { return (None, "") };
-    if series.bends() == Bends::Corners {
-        let why = "; not with taylor, whose long steps may miss branches and tables";
-        return (None, why);
+/// Series of a machine, and whether a run by them is likely to be right and fastest.
+enum Series<'a> {
+    None,
+    /// Long steps may miss branches and tables.
+    MissesCorners(&'a dyn TaylorSeries<f64>),
+    HasManySums(&'a dyn TaylorSeries<f64>),
+    Suits(&'a dyn TaylorSeries<f64>),
+}
+
+impl<'a> Series<'a> {
+    fn of(simulator: &'a dyn Simulator<f64>, rtol: f64) -> Self {
+        let Some(series) = simulator.taylor() else { return Self::None };
+        let order = TaylorSteps::order_for(rtol);
+        if series.bends() == Bends::Corners {
+            Self::MissesCorners(series)
+        } else if series.series_workspace(order) > 2 * MANY_SUMS * order {
+            // For every sum, two factors are kept from order to order.
+            Self::HasManySums(series)
+        } else {
+            Self::Suits(series)
+        }
     }
-    let order = TaylorSteps::order_for(rtol);
-    // For every sum, two factors are kept from order to order.
-    if series.series_workspace(order) > 2 * MANY_SUMS * order {
-        return (None, "; not with taylor, whose series have many sums");
+
+    /// Returns the series as a run has chosen its explicit method.
+    fn chosen(self, wanted: Option<ExplicitMethod>) -> Self {
+        match (wanted, self) {
+            (None, found) => found,
+            (
+                Some(ExplicitMethod::Taylor),
+                Self::MissesCorners(series) | Self::HasManySums(series) | Self::Suits(series),
+            ) => Self::Suits(series),
+            _ => Self::None,
+        }
     }
-    (Some(series), "")
+
+    /// Returns why a run does not begin with the series, as the end of a note.
+    fn objection(&self) -> &'static str {
+        match self {
+            Self::None | Self::Suits(_) => "",
+            Self::MissesCorners(_) => {
+                "; not with taylor, whose long steps may miss branches and tables"
+            }
+            Self::HasManySums(_) => "; not with taylor, whose series have many sums",
+        }
+    }
 }
 
 /// Returns |h lambda| up to which a pair is stable, minus a margin.

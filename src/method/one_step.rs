@@ -208,7 +208,8 @@ pub(super) fn drive<M: OneStep>(
         let time = control.time;
         let longest = stretch.watch.map_or(f64::INFINITY, Watch::longest_step);
         let step = control.step.min(longest);
-        let End { now, tried, arrives } = end_of_step(time, step, stretch.until);
+        let end = end_of_step(time, step, stretch.until);
+        let End { now, tried, arrives } = control.shorten(stretch, method.pace(), end);
         let arrives = arrives > 0.0;
         method.is_last(arrives);
         // On every pass, whatever its result.
@@ -238,7 +239,7 @@ pub(super) fn drive<M: OneStep>(
         if let Some((watch, passing)) =
             stretch.watch.and_then(|it| Some((it, it.first_passing(method, now)?)))
         {
-            if watch.is_too_long(tried) {
+            if watch.is_too_long(tried) || control.shortens_to(stretch, passing) {
                 stretch.count_rejected(time)?;
                 continue;
             }

@@ -2,7 +2,7 @@
 
 use super::milestone::out_of_steps;
 use super::system::FLOWS;
-use super::{Problem, Stopped, System, Watch};
+use super::{Auto, Problem, Stopped, System, Watch};
 use crate::error::StopCause;
 
 /// A stretch of a run on which the right-hand side is smooth.
@@ -19,6 +19,10 @@ pub struct Stretch<'a> {
     pub atol: &'a [f64],
     /// Largest number of steps of the whole run.
     pub max_steps: usize,
+    /// True if first steps are shortened; see [`StepTolerance::shortens`](super::StepTolerance).
+    pub(super) shortens: bool,
+    /// Choices of `auto`.
+    pub(super) auto: Auto,
     /// Guards to be watched, if there are any.
     pub watch: Option<&'a Watch<'a>>,
 }
@@ -36,6 +40,8 @@ impl<'a> Stretch<'a> {
             rtol: problem.tolerance.rtol,
             atol: &problem.tolerance.atol,
             max_steps: problem.max_steps,
+            shortens: problem.tolerance.shortens,
+            auto: problem.auto,
             watch,
         }
     }
@@ -48,7 +54,9 @@ impl<'a> Stretch<'a> {
         until: f64,
         atol: &'a [f64],
     ) -> Self {
-        Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX, watch: None }
+        let (rtol, max_steps) = (1e-6, usize::MAX);
+        let auto = Auto::default();
+        Self { system, from, until, rtol, atol, max_steps, shortens: false, auto, watch: None }
     }
 
     /// Returns the time over which the run is observed \[s\]: the stretch, or the whole run of

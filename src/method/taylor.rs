@@ -135,6 +135,22 @@ impl<'a> TaylorSteps<'a> {
         order_for(rtol)
     }
 
+    /// Returns the length of a step from a state at the start of a stretch, and its order; `None` if
+    /// the solution has no power series there.
+    #[cfg(feature = "implicit")]
+    pub(super) fn step_from(
+        stretch: &Stretch<'_>,
+        series: &dyn TaylorSeries<f64>,
+        state: &[f64],
+    ) -> Option<[f64; 2]> {
+        let mut steps = TaylorSteps::new(stretch, series);
+        let mut whole = vec![0.0; stretch.system.len()];
+        whole[..state.len()].copy_from_slice(state);
+        steps.begin(stretch.from, &whole);
+        steps.longest = f64::INFINITY;
+        (!steps.is_cut_short()).then(|| [steps.first_step(), steps.order as f64])
+    }
+
     /// Returns whether too few coefficients are finite for a power series.
     #[cfg(feature = "implicit")]
     pub(super) fn has_no_series(&self) -> bool {

@@ -3,15 +3,7 @@
 use machinist_contract::Simulator;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 
-use super::Method;
-
-/// Loosest relative tolerance of the steps of `auto`. Steps that hold a hundredth skip whole periods
-/// of an oscillation, and their error is then no measure of that of the motion.
-pub(crate) const LOOSEST: f64 = 1e-3;
-
-/// Loosest relative tolerance of the steps of `auto` where errors add up: over thousands of periods,
-/// steps at 1e-3 end anywhere.
-pub(crate) const LOOSEST_KEPT: f64 = 1e-5;
+use super::{Auto, Method};
 
 /// Tolerances of the steps of a run, made once from those requested. Everything that compares an
 /// error uses these: error control, events, relations, projection and notes.
@@ -23,49 +15,44 @@ pub struct StepTolerance {
     pub atol: Vec<f64>,
     /// Why these are tighter than requested, if they are.
     pub reason: Option<&'static str>,
+    /// True if the first step of every segment is shortened. Lengths of first steps, limits of their
+    /// growth and ends of segments do not depend on the tolerance, so two runs could otherwise take the
+    /// same steps and have the same error.
+    pub shortens: bool,
 }
 
 impl StepTolerance {
     /// Returns the tolerances as requested.
     #[must_use]
     pub fn requested(rtol: f64, atol: Vec<f64>) -> Self {
-        Self { rtol, atol, reason: None }
+        Self { rtol, atol, reason: None, shortens: false }
     }
 
     /// Returns the tolerances for the steps of a method. Absolute tolerances change in proportion to
     /// the relative one.
     #[must_use]
     pub fn new(
-        method: Method,
+        (method, auto): (Method, Auto),
         machine: (&dyn Simulator<f64>, &[f64]),
         (requested, mut atol): (f64, Vec<f64>),
     ) -> Self {
-        let (rtol, reason) = method.step_rtol(machine, requested);
+        let (rtol, reason) = step_rtol((method, auto), machine, requested);
         if reason.is_some() {
             for atol in &mut atol {
                 *atol *= rtol / requested;
             }
         }
-        Self { rtol, atol, reason }
+        Self { rtol, atol, reason, shortens: false }
     }
 }
 
-impl Method {
-    /// Returns the relative tolerance of steps, and the reason if it is tighter than requested.
-    pub(crate) fn step_rtol(
-        self,
-        (simulator, parameters): (&dyn Simulator<f64>, &[f64]),
-        requested: f64,
-    ) -> (f64, Option<&'static str>) {
-        if self != Self::Auto || requested <= LOOSEST_KEPT {
-            return (requested, None);
-        }
-        match keeps_errors(simulator, parameters) {
-            Some(why) => (LOOSEST_KEPT, Some(why)),
-            None if requested > LOOSEST => (LOOSEST, Some("looser steps skip whole oscillations")),
-            None => (requested, None),
-        }
-    }
+/// Returns the relative tolerance of steps, and the reason if it is tighter than requested.
+pub(crate) fn step_rtol(
+    (method, auto): (Method, Auto),
+    (simulator, parameters): (&dyn Simulator<f64>, &[f64]),
+    requested: f64,
+) -> (f64, Option<&'static str>) {
+    auto.step_rtol(method, requested, || keeps_errors(simulator, parameters))
 }
 
 /// Returns why errors of single steps say little about those of the run, if they do. A machine that

@@ -6,9 +6,9 @@ use std::time::Duration;
 use machinist_contract::Simulator;
 
 use super::{Sampling, Simulation};
-use crate::method::Method;
 use crate::method::patience::Patience;
 use crate::method::sensitivity::By;
+use crate::method::{Auto, Method};
 
 /// A [`Simulation`] without its simulator, which threads may share. [`Simulation::until_told`] is
 /// left out, since its function belongs to one thread.
@@ -23,7 +23,9 @@ pub(crate) struct Settings<'a> {
     sampling: Sampling,
     rtol: f64,
     atol: Option<Vec<f64>>,
+    is_refined: bool,
     method: Option<Method>,
+    auto: Auto,
     max_steps: usize,
     energy_balance: bool,
     sensitivities: Vec<By>,
@@ -46,7 +48,9 @@ impl<'a> Simulation<'a> {
             sampling: own.sampling,
             rtol: own.rtol,
             atol: own.atol,
+            is_refined: own.is_refined,
             method: own.method,
+            auto: own.auto,
             max_steps: own.max_steps,
             energy_balance: own.energy_balance,
             sensitivities: own.sensitivities,
@@ -71,7 +75,9 @@ impl<'a> Settings<'a> {
             sampling: self.sampling,
             rtol: self.rtol,
             atol: self.atol,
+            is_refined: self.is_refined,
             method: self.method,
+            auto: self.auto,
             max_steps: self.max_steps,
             energy_balance: self.energy_balance,
             sensitivities: self.sensitivities,

@@ -1,7 +1,9 @@
 //! Notes on the tolerance of a run and on the size of its states.
 
 use super::Simulation;
-use crate::method::{StepTolerance, System};
+use crate::error::SimulateError;
+use crate::method::tolerance::step_rtol;
+use crate::method::{Method, StepTolerance, System};
 
 /// Product of steps and relative tolerance above which a note warns that local errors add up. A
 /// shaft of 96 nodes without damping (`reed_beat_up`) was off by 16 times its motion at a product
@@ -13,6 +15,13 @@ const ADDS_UP: f64 = 0.1;
 const SMALL: f64 = 1e-3;
 
 impl Simulation<'_> {
+    /// Returns the method of the run and the relative tolerance of its steps.
+    pub(crate) fn method_and_step_rtol(&self) -> Result<(Method, f64), SimulateError> {
+        let method = self.chosen_method()?;
+        let machine = (self.simulator, &self.parameters[..]);
+        Ok((method, step_rtol((method, self.auto), machine, self.rtol).0))
+    }
+
     /// Adds notes on the tolerances of steps.
     pub(super) fn note_tolerance(
         &self,

@@ -101,10 +101,11 @@ impl Simulation<'_> {
             initial: state.to_vec(),
             jumps: Vec::new(),
             tolerance: StepTolerance::new(
-                self.chosen_method()?,
+                (self.chosen_method()?, self.auto),
                 (self.simulator, &self.parameters),
                 (self.rtol, self.checked_atol(state)?),
             ),
+            auto: self.auto,
             max_steps: self.max_steps,
         };
         problem.settle(state).map_err(|Stopped { cause, .. }| {

@@ -235,6 +235,10 @@ pub struct RunArgs {
     /// tr_bdf2, esdirk34 or tsit45
     #[arg(long, value_name = "NAME")]
     pub method: Option<String>,
+    /// Choices of the method auto: `explicit=taylor`, dop853 or tsit5, `implicit=radau` or rodas5p,
+    /// `exact=no`, `loosest=` and `loosest_kept=` tolerances of steps
+    #[arg(long, value_name = "CHOICES", conflicts_with = "method")]
+    pub auto: Option<machinist::method::Auto>,
     /// Maximum number of steps of each run. Default: ten million
     #[arg(long, value_name = "NUMBER")]
     pub max_steps: Option<NonZeroUsize>,
@@ -323,9 +327,17 @@ impl RunArgs {
         let bounded = bound.map(|bound| run.relative_tolerance().min(bound));
         run = self.rtol.or(bounded).into_iter().fold(run, Simulation::rtol);
         run = self.with_atol(run)?;
-        run = with_method(run, self.method().as_deref())?;
+        run = match self.auto {
+            Some(choices) => run.auto(choices),
+            None => with_method(run, self.method().as_deref())?,
+        };
         run = self.max_steps.into_iter().fold(run, |run, steps| run.max_steps(steps.get()));
         Ok(self.time.time_limit.into_iter().fold(run, Simulation::time_limit))
+    }
+
+    /// Returns the name of the method asked for, with choices of `auto` if there are any.
+    fn chosen_method(&self) -> Option<String> {
+        self.auto.map_or_else(|| self.method(), |choices| Some(format!("auto with {choices}")))
     }
 
     /// Returns the name of the method asked for.
@@ -376,18 +388,19 @@ impl RunArgs {
             ("start", start.map(Value::from)),
             ("rtol", self.rtol.or_else(config::rtol).map(Value::from)),
             ("atol", (!atol.is_empty()).then_some(Value::Array(atol))),
-            ("method", self.method().map(Value::from)),
+            ("method", self.chosen_method().map(Value::from)),
         ]
     }
 
     /// Returns an option that only matters if the machine moves, if one is given.
     pub fn given_for_motion(&self) -> Option<&'static str> {
-        let Self { span, rtol, atol, method, max_steps, time } = self;
+        let Self { span, rtol, atol, method, auto, max_steps, time } = self;
         let given = [
             ("--until", span.until.is_some()),
             ("--rtol", rtol.is_some()),
             ("--atol", !atol.is_empty()),
             ("--method", method.is_some()),
+            ("--auto", auto.is_some()),
             ("--max-steps", max_steps.is_some()),
             ("--time-limit", time.time_limit.is_some()),
         ];

@@ -285,8 +285,9 @@ fn doubts(linearization: &Linearization<'_>, modes: &[Mode]) -> String {
         let [kind, moves, ..] = row(linearization, mode);
         let residual = number(mode.residual, 2);
         let doubt = format!(
-            "the {kind} of {moves} has a relative residual of {residual}: the machine is not \
-             steady there, or eigenvalues nearly coincide; its numbers are no more accurate"
+            "the eigenmode `{kind}` that moves {moves} is accurate to {residual} only: the machine is \
+             not steady at this state, or eigenvalues nearly coincide. `--at equilibrium` linearizes \
+             about a steady state"
         );
         format!("\n{}", paragraph(&doubt))
     });

@@ -9,7 +9,7 @@ use machinist_contract::{SideBySide, Simulator};
 use super::stiffness::{
     Evidence, LOOKS_EVERY, STIFF_STEPS, SpectralRadius, few_steps, worth_beginning,
 };
-use super::{suitable_series, taylor_limit};
+use super::{Series, taylor_limit};
 use crate::lanes::Lanes;
 use crate::method::stretch::within;
 use crate::method::taylor::FEW;
@@ -23,7 +23,7 @@ pub(crate) fn goes_in_lanes(simulator: &dyn Simulator<f64>, rtol: f64) -> bool {
         && simulator.kinks() == 0
         && simulator.constraints() == 0
         && simulator.linear().is_none();
-    is_plain && suitable_series(simulator, rtol).0.is_some()
+    is_plain && matches!(Series::of(simulator, rtol), Series::Suits(_))
 }
 
 /// Checks the steps of all lanes.

@@ -28,6 +28,9 @@ pub(super) struct Exponential<'a> {
     /// Matrix of states and waves.
     matrix: DMatrix<f64>,
     settled: (f64, DVector<f64>),
+    /// Number of parts of a span whose exponentials are multiplied. Results do not depend on it but
+    /// for rounding, which the difference of two runs then shows.
+    parts: u16,
     /// Exponentials by span.
     known: Vec<(f64, DMatrix<f64>)>,
 }
@@ -66,7 +69,8 @@ impl<'a> Exponential<'a> {
             ));
         }
         let settled = (piece.from, DVector::from_column_slice(state));
-        Ok(Self { piece, matrix, settled, known: Vec::new() })
+        let parts = if stretch.shortens { 3 } else { 1 };
+        Ok(Self { piece, matrix, settled, parts, known: Vec::new() })
     }
 
     /// Returns the index of e^(matrix h); spans that differ by the rounding of times are the same.
@@ -74,9 +78,13 @@ impl<'a> Exponential<'a> {
         let rounding = 2.0 * f64::EPSILON * self.piece.from.abs().max(self.piece.until.abs());
         let known = self.known.iter().position(|(span, _)| (span - h).abs() <= rounding);
         known.unwrap_or_else(|| {
-            let mut exponent = &self.matrix * h;
+            let mut exponent = &self.matrix * (h / f64::from(self.parts));
             let scales = balance(&mut exponent);
-            let mut exponential = exponent.exp();
+            let part = exponent.exp();
+            let mut exponential = part.clone();
+            for _ in 1..self.parts {
+                exponential *= &part;
+            }
             unbalance(&mut exponential, &scales);
             if self.known.len() == KEPT {
                 self.known.clear();

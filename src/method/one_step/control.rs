@@ -1,6 +1,7 @@
 //! Step size control.
 
-use super::{Left, OneStep, Stopped, Stretch};
+use super::{End, Left, OneStep, Stopped, Stretch, is_too_small};
+use crate::error_estimate::REFINEMENT;
 
 /// Step size control: after error e of step h and error e' of the previous one, the next step is
 /// `safety` h e^-exponent e'^memory, within limits (a PI controller; Hairer, Norsett, Wanner,
@@ -60,16 +61,49 @@ pub(super) struct Control {
     refusals: u32,
     /// Longest of the last steps.
     pub(super) longest: f64,
+    /// True if the next step is the first of a segment and was not shortened to an event within it.
+    may_be_shortened: bool,
 }
 
 impl Control {
     pub(super) fn from(Left { time, step }: Left) -> Self {
-        Self { time, step, last_error: 1e-4, before: None, refusals: 0, longest: 0.0 }
+        Self {
+            time,
+            step,
+            last_error: 1e-4,
+            before: None,
+            refusals: 0,
+            longest: 0.0,
+            may_be_shortened: true,
+        }
     }
 
     /// Begins again at a time.
     pub(super) fn begin(&mut self, time: f64, step: f64) {
         *self = Self { last_error: self.last_error, ..Self::from(Left { time, step }) };
+    }
+
+    /// Shortens the first step of a segment as much as error control would at a tolerance
+    /// [`REFINEMENT`] times as tight, if the run is to take other steps than one without this.
+    pub(super) fn shorten(&self, stretch: &Stretch<'_>, pace: Pace, end: End<f64>) -> End<f64> {
+        let time = self.time;
+        let now = time + REFINEMENT.powf(-pace.exponent) * end.tried;
+        if !stretch.shortens || self.before.is_some() || is_too_small(now - time, time) {
+            return end;
+        }
+        End { now, tried: now - time, arrives: 0.0 }
+    }
+
+    /// Returns whether the first step of a segment, which has met an event, must be repeated with
+    /// a shorter one before it.
+    pub(super) fn shortens_to(&mut self, stretch: &Stretch<'_>, event: f64) -> bool {
+        let step = event - self.time;
+        let is_first = stretch.shortens && self.before.is_none() && self.may_be_shortened;
+        if !is_first || is_too_small(step, self.time) {
+            return false;
+        }
+        (self.step, self.may_be_shortened) = (step, false);
+        true
     }
 
     /// Accepts a step that was tried; the next one is as long as its error allows.

@@ -63,7 +63,7 @@ impl RunCommand {
         times: &At<'_>,
         simulation: &Simulation<'_>,
     ) -> Result<(Trajectory, ErrorEstimate), SimulateError> {
-        let rtol = simulation.refined().relative_tolerance();
+        let rtol = simulation.relative_tolerance();
         let (lender, is_abandoned) = (lender(scene), AtomicBool::new(false));
         thread::scope(|scope| {
             let refined = scope.spawn(|| {
@@ -73,7 +73,8 @@ impl RunCommand {
                 lender(&mut |simulator| {
                     let run =
                         self.simulated(simulator, &self.scene.machine.set, times, |simulation| {
-                            simulation.clone().at_tolerance(rtol).until_told(&is_over).run()
+                            let simulation = simulation.clone().at_tolerance(rtol);
+                            simulation.refined().until_told(&is_over).run()
                         });
                     refined = run.ok();
                 });

@@ -310,7 +310,11 @@ impl Reading {
         for with_capitals in [true, false] {
             let mut ways = apart(symbol, with_capitals);
             if !ways.is_empty() {
-                ways.sort_by_key(|way| (way.iter().any(|part| part.has_factor), way.len()));
+                // Kilo is likelier than kelvin: `knm` is `kN m` rather than `K N m`.
+                ways.sort_by_key(|way| {
+                    let has = |wanted: fn(&Part) -> bool| way.iter().any(wanted);
+                    (has(|part| part.text == "K"), has(|part| part.has_factor), way.len())
+                });
                 return Self::Units(ways.iter().map(joined).collect());
             }
         }
@@ -481,6 +485,17 @@ mod tests {
             Measure::parse(unit).unwrap_or_else(|error| panic!("{word}: {error:?}"));
             let is_number = |part: &str| part.parse::<f64>().is_ok_and(|number| number > 0.0);
             assert!(number.split('/').all(is_number), "{word}");
+        }
+    }
+
+    #[test]
+    fn kilo_is_likelier_than_kelvin() {
+        for (word, help) in [
+            ("knm", "did you mean `kN m` or `K N m`?"),
+            ("nms", "did you mean `N m s` or `N m S`?"),
+            ("KW", "did you mean `kW`?"),
+        ] {
+            assert_eq!(meant(word), help);
         }
     }
 

@@ -161,8 +161,18 @@ fn raised(mut base: u64, mut exponent: u64, modulus: u64) -> u64 {
     result
 }
 
+/// Returns 1/a modulo a prime by Euclid's algorithm, which is short for the small denominators of
+/// expressions; `None` for zero.
 pub(super) fn inverse(number: u64, modulus: u64) -> Option<u64> {
-    (number != 0).then(|| raised(number, modulus - 2, modulus))
+    let modulus = modulus.cast_signed();
+    let (mut before, mut rest) = (modulus, number.cast_signed());
+    let (mut factor_before, mut factor) = (0_i64, 1_i64);
+    while rest != 0 {
+        let quotient = before / rest;
+        (before, rest) = (rest, before - quotient * rest);
+        (factor_before, factor) = (factor, factor_before - quotient * factor);
+    }
+    (number != 0).then(|| factor_before.rem_euclid(modulus).cast_unsigned())
 }
 
 /// Returns the fraction a/b with a value modulo P, if there is one with small a and b. It is then
@@ -187,6 +197,15 @@ fn mixed(bits: u64, more: u64) -> u64 {
     z ^ (z >> 31)
 }
 
+/// Values at a point that occur in an expression again and again.
+#[derive(Default)]
+struct Known {
+    /// Of shared parts, by their digests.
+    parts: FxHashMap<u128, Option<Value>>,
+    /// Of functions, by their arguments.
+    calls: FxHashMap<(Function, Vec<Value>), Option<Value>>,
+}
+
 /// A random value for every symbol.
 pub(super) struct Point {
     pub(super) point: u64,
@@ -198,7 +217,7 @@ impl Point {
         Value { p: bits % P, q: mixed(bits, 1) % Q }
     }
 
-    fn symbol(&self, symbol: Symbol) -> Value {
+    pub(super) fn symbol(&self, symbol: Symbol) -> Value {
         let (kind, id) = match symbol {
             Symbol::Pi => (0, 0),
             Symbol::Time => (1, 0),
@@ -217,16 +236,16 @@ impl Point {
 
     /// Returns the value of an expression; `None` if it divides by zero.
     pub(super) fn value(&self, expr: &Expr) -> Option<Value> {
-        let mut known = FxHashMap::default();
+        let mut known = Known::default();
         for part in Shared::within(expr, |_| false) {
-            let value = self.value_by(part.definition(), &known);
-            known.insert(part.digest(), value);
+            let value = self.value_by(part.definition(), &mut known);
+            known.parts.insert(part.digest(), value);
         }
-        self.value_by(expr, &known)
+        self.value_by(expr, &mut known)
     }
 
-    /// Returns the same; `known` holds the values of shared parts at this point.
-    fn value_by(&self, expr: &Expr, known: &FxHashMap<u128, Option<Value>>) -> Option<Value> {
+    /// Returns the same; `known` holds values at this point.
+    fn value_by(&self, expr: &Expr, known: &mut Known) -> Option<Value> {
         match expr {
             Expr::Number(number) => Value::of(number),
             Expr::Symbol(symbol) => Some(self.symbol(*symbol)),
@@ -247,13 +266,19 @@ impl Point {
             Expr::Call(function, arguments) => {
                 let arguments: Option<Vec<Value>> =
                     arguments.iter().map(|argument| self.value_by(argument, known)).collect();
-                self.call(*function, &arguments?)
+                let call = (*function, arguments?);
+                if let Some(value) = known.calls.get(&call) {
+                    return *value;
+                }
+                let value = self.call(*function, &call.1);
+                known.calls.insert(call, value);
+                value
             }
-            Expr::Shared(shared) => known.get(&shared.digest()).copied().flatten(),
+            Expr::Shared(shared) => known.parts.get(&shared.digest()).copied().flatten(),
         }
     }
 
-    fn power(&self, base: Value, exponent: &BigRational) -> Option<Value> {
+    pub(super) fn power(&self, base: Value, exponent: &BigRational) -> Option<Value> {
         let root = match exponent.denom().to_u64() {
             Some(1) => base,
             Some(denominator) if !base.is_zero() => self.root(base, denominator),

@@ -3,12 +3,15 @@
 //! The test is exact, in the field of [`super::identity`]: a form found singular is singular at all
 //! states and parameters, any other form is regular except at isolated ones.
 
+mod quadratic;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use num_rational::BigRational;
 
 use super::identity::{P, Point, fraction, inverse, times};
 use super::{CoordinateId, Expr, Matrix, Symbol};
+use quadratic::{Form, Forms};
 
 /// Largest number of coordinates that is examined, because elimination fills in.
 const MOST_COORDINATES: usize = 2000;
@@ -50,8 +53,19 @@ fn mass_matrix(kinetic: &Expr, coordinates: usize, point: &Point) -> Option<Vec<
         return None;
     }
     let mut matrix = vec![BTreeMap::new(); coordinates];
+    let forms = Forms::new(point, kinetic);
     for term in flat(kinetic) {
-        add(&mut matrix, term, point)?;
+        match forms.of(term) {
+            Some(Form::Constant(_)) => {}
+            Some(Form::Moving(form)) => {
+                for ((i, j), value) in form.square {
+                    put(&mut matrix, i, j, value);
+                    put(&mut matrix, j, i, value);
+                }
+            }
+            // Term by term, as an unusual way to write a quadratic form needs.
+            None => add(&mut matrix, term, point)?,
+        }
     }
     Some(matrix)
 }
@@ -185,7 +199,7 @@ fn null_vectors(matrix: Vec<Row>) -> Option<Vec<Row>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expr::ParameterId;
+    use crate::expr::{Function, ParameterId};
 
     fn v(index: u32) -> Expr {
         Expr::Symbol(Symbol::Velocity(CoordinateId(index)))
@@ -196,6 +210,31 @@ mod tests {
     }
     fn difference(a: u32, b: u32) -> Expr {
         Expr::Sum(vec![v(a), Expr::Product(vec![Expr::integer(-1), v(b)])])
+    }
+
+    #[test]
+    fn coefficients_of_a_form_are_its_second_differences() {
+        let id = |index| Expr::Symbol(Symbol::Coordinate(CoordinateId(index)));
+        let cos = |index| Expr::Call(Function::Cos, vec![id(index)]);
+        let speed = (0..3).map(|index| Expr::Product(vec![cos(index), v(index)])).collect();
+        let kinetic = Expr::Sum(vec![
+            energy(0, Expr::Sum(speed)),
+            energy(1, difference(0, 2)),
+            Expr::Product(vec![v(1), Expr::Sum(vec![v(2), cos(1)]), cos(0)]),
+            Expr::Product(vec![cos(2), Expr::Power(Box::new(cos(1)), Box::new(Expr::integer(-2)))]),
+        ]);
+        for point in &POINTS {
+            let mut differences = vec![Row::new(); 3];
+            for term in flat(&kinetic) {
+                add(&mut differences, term, point).expect("quadratic");
+            }
+            assert_eq!(mass_matrix(&kinetic, 3, point), Some(differences));
+        }
+        // Quadratic, but not as a product of linear forms.
+        let ratio = Expr::Power(Box::new(v(0)), Box::new(Expr::integer(-1)));
+        let cube = Expr::Power(Box::new(v(0)), Box::new(Expr::integer(3)));
+        assert_eq!(mass_matrix(&Expr::Product(vec![cube.clone(), ratio]), 1, &POINTS[0]), None);
+        assert_eq!(mass_matrix(&cube, 1, &POINTS[0]), None);
     }
 
     #[test]

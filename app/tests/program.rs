@@ -29,6 +29,7 @@ mod live;
 mod opened;
 mod options;
 mod orders;
+mod plot;
 mod process;
 mod reduced;
 mod redundant;

@@ -30,7 +30,7 @@ use crate::failure::{Failure, did_you_mean};
 
 /// Options for the derivation of a spec.
 #[cfg(feature = "derive")]
-#[derive(Debug, Clone, Default, Args)]
+#[derive(Debug, Clone, Default, PartialEq, Args)]
 #[command(next_help_heading = "Derivation")]
 pub struct DeriveArgs {
     /// Algebra used for derivation: plain or symbolica. Symbolica simplifies further, but only one
@@ -71,7 +71,7 @@ pub fn algebra(name: &str) -> Result<Algebra, String> {
 }
 
 /// Extent of the reduction.
-#[derive(Debug, Clone, Copy, Default, Args)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Args)]
 #[command(next_help_heading = "Machine")]
 pub struct KeepArgs {
     /// Keep everything, even what no output needs
@@ -80,7 +80,7 @@ pub struct KeepArgs {
 }
 
 /// Discretization of fields.
-#[derive(Debug, Clone, Copy, Default, Args)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Args)]
 #[command(next_help_heading = "Machine")]
 pub struct FieldArgs {
     /// Number of elements of each field
@@ -134,7 +134,7 @@ pub struct SceneArgs {
 }
 
 /// Changes of a scene, and the form in which it runs.
-#[derive(Debug, Clone, Default, Args)]
+#[derive(Debug, Clone, Default, PartialEq, Args)]
 #[command(next_help_heading = "Machine")]
 pub struct MachineArgs {
     /// Set a parameter: in its SI unit, or with a unit, `"1200 mm"`; repeatable
@@ -218,7 +218,7 @@ impl MachineArgs {
 }
 
 /// Options of a run.
-#[derive(Debug, Clone, Default, Args)]
+#[derive(Debug, Clone, Default, PartialEq, Args)]
 #[command(next_help_heading = "Run")]
 pub struct RunArgs {
     #[command(flatten)]
@@ -243,7 +243,7 @@ pub struct RunArgs {
 }
 
 /// Start and end of a run.
-#[derive(Debug, Clone, Default, Args)]
+#[derive(Debug, Clone, Default, PartialEq, Args)]
 #[command(next_help_heading = "Run")]
 pub struct SpanArgs {
     /// Start time: in seconds, or with a unit, `"5 s"`, `500ms`, `2min`
@@ -259,7 +259,7 @@ pub struct SpanArgs {
 }
 
 /// Limit on the computing time.
-#[derive(Debug, Clone, Copy, Default, Args)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Args)]
 #[command(next_help_heading = "Run")]
 pub struct TimeArgs {
     /// Limit on the computing time of each run, in seconds or with a unit, `2min`. Default: 30 s

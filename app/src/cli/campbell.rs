@@ -56,7 +56,7 @@ pub struct CampbellDiagram {
     #[arg(long, value_name = "ORDERS", value_delimiter = ',', default_value = "1")]
     orders: Vec<f64>,
     /// Write the frequencies to a .csv file; - writes only CSV to standard output
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot the frequencies and the orders to a .svg or .png file
     #[arg(long, help_heading = "Output", value_name = "FILE")]

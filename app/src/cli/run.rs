@@ -60,7 +60,7 @@ pub struct RunCommand {
     #[command(flatten)]
     others: Others,
     /// Write all values to a .csv or .json file; - writes only CSV to standard output
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot to a .svg or .png file
     #[arg(long, help_heading = "Output", value_name = "FILE")]

@@ -39,6 +39,7 @@ mod scatter;
 mod schema;
 mod shaken;
 mod spectrum;
+mod structure;
 mod symbolica;
 mod tables;
 mod trajectory;

@@ -71,6 +71,7 @@ mod profiles;
 mod refused_parameters;
 mod remainders;
 mod rolling;
+mod rooms;
 mod scatter;
 mod scene_states;
 mod sensitivities;

@@ -35,6 +35,7 @@ pub struct EstimatorDesign<'m> {
 
 /// Reason why there is no filter.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum EstimatorError {
     /// No quantity has this name.
     #[error("the scene has no {kind} `{name}`{hint}")]

@@ -43,6 +43,10 @@ pub mod sweep;
 mod threads;
 pub mod trajectory;
 
+/// Matrices and complex numbers of linear analysis and fits. A new major version of it is a breaking
+/// change of this crate.
+pub use nalgebra;
+
 pub use error::SimulateError;
 pub use field::{Discretisation, FieldSimulator};
 pub use method::Method;

@@ -65,6 +65,27 @@ pub const MAX_STEPS: usize = 10_000_000;
 /// # Ok(())
 /// # }
 /// ```
+///
+/// Sensitivities are columns beside the others. The rotor comes to rest at M/c, which changes by
+/// -M/c^2 with its stiffness c:
+///
+/// ```
+/// use machinist::{Method, Simulation};
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
+/// # fn main() -> Result<(), machinist::SimulateError> {
+///
+/// let run = Simulation::new(&Oscillator)
+///     .until(100.0)
+///     .method(Method::Dop853)
+///     .sensitivities(&["rotor.stiffness"])?
+///     .run()?;
+///
+/// let slope = run.sensitivity("rotor.angle", "rotor.stiffness").expect("it was asked for");
+/// let (torque, stiffness) = (30.0, 50.0_f64);
+/// assert!((slope[slope.len() - 1] + torque / stiffness.powi(2)).abs() < 1e-7);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone)]
 #[must_use = "a simulation does nothing until it is `run`"]
 pub struct Simulation<'a> {

@@ -68,6 +68,28 @@ impl<S: Simulator<f64> + Simulator<F64x8> + Sync> Sweepable for S {
 /// }
 /// # Ok::<(), machinist::SimulateError>(())
 /// ```
+///
+/// [`Sweep::run_each`] keeps a number of each variant instead of its whole run. Two parameters make
+/// a grid, in which the last one varies fastest:
+///
+/// ```
+/// use machinist::sweep::Wanted;
+/// use machinist::{SimulateError, Sweep};
+/// use machinist_scenes::scenes::two_mass::TwoMass;
+///
+/// // Least and greatest value of the first output, the twist of the coupling.
+/// let extremes = Wanted { places: vec![0], extremes: true };
+/// let twists = Sweep::new(&TwoMass)
+///     .each(|run| run.until(0.2))
+///     .vary("coupling.stiffness", &[1e4, 4e4])?
+///     .vary("load_torque", &[500.0, 1000.0])?
+///     .run_each(|_, run| run.map(|run| extremes.values(&run)));
+/// let greatest = twists.into_iter().map(|twists| Ok(twists?[1]));
+/// let greatest: Vec<f64> = greatest.collect::<Result<_, SimulateError>>()?;
+/// assert_eq!(greatest.len(), 4);
+/// assert!(greatest[0] < greatest[1] && greatest[2] < greatest[0]);
+/// # Ok::<(), SimulateError>(())
+/// ```
 #[must_use = "a sweep does nothing until it is `run`"]
 pub struct Sweep<'a> {
     machine: &'a dyn Sweepable,
@@ -79,6 +101,7 @@ pub struct Sweep<'a> {
 
 /// Results of one variant.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct VariantRun {
     /// Output times \[s\].
     pub times: Vec<f64>,

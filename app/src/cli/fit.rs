@@ -358,10 +358,10 @@ fn solve(fit: &Fit<'_>, plan: &Plan<'_>) -> Result<Fitted, Failure> {
     });
     spinner.finish_and_clear();
     fitted.map_err(|unsolved| match unsolved {
-        Unsolved::Interrupted => Failure::unsuccessful(unsolved, ""),
         Unsolved::NoStart { .. } => {
             Failure::unsuccessful(unsolved, "other bounds, or `--set`, may help")
         }
+        _ => Failure::unsuccessful(unsolved, ""),
     })
 }
 

@@ -43,6 +43,7 @@ impl Export {
 
 /// Reason why an archive's resources cannot be run.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum LoadError {
     /// A file cannot be read.
     #[error("{path}: {error}")]

@@ -73,7 +73,8 @@ impl Answer {
         simulator: &dyn Simulator<f64>,
     ) -> Self {
         let Fitted { found, loss, lost, steps, runs, .. } = fitted;
-        let Findings { values, parameters, correlations, untold, outputs } = fit.findings(fitted);
+        let Findings { values, parameters, correlations, untold, outputs, .. } =
+            fit.findings(fitted);
         let experiments = experiments(fit, setups, gaps);
         let held = parameters.iter().filter(|found| found.is_at_bound).count();
         let notes = notes(fit, &parameters);
@@ -162,7 +163,7 @@ impl Answer {
             );
         }
         text.push_str(&self.correlations_told());
-        for Combination { shares, standard_error } in &self.untold {
+        for Combination { shares, standard_error, .. } in &self.untold {
             let shares: Vec<String> = shares
                 .iter()
                 .map(|(name, share)| format!("{name} {}{}", sign(*share), number(share.abs(), 2)))

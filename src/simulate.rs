@@ -42,6 +42,12 @@ pub const MAX_POINTS: usize = 10_000_000;
 /// Default maximum number of steps of a run.
 pub const MAX_STEPS: usize = 10_000_000;
 
+/// Returns the values of the parameters in the spec, in SI units.
+#[must_use]
+pub fn parameter_defaults(simulator: &dyn Simulator<f64>) -> Vec<f64> {
+    (0..simulator.shape().parameters).map(|index| simulator.parameter_default(index)).collect()
+}
+
 /// A run of one simulator, with settings to adjust. Settings that are not adjusted have the values
 /// of the scene's spec.
 ///
@@ -130,11 +136,9 @@ impl<'a> Simulation<'a> {
     /// Creates a run with the settings of the scene's spec.
     pub fn new(simulator: &'a dyn Simulator<f64>) -> Self {
         let defaults = simulator.run_defaults();
-        let parameters =
-            (0..simulator.shape().parameters).map(|index| simulator.parameter_default(index));
         Self {
             simulator,
-            parameters: parameters.collect(),
+            parameters: parameter_defaults(simulator),
             initial_state: None,
             initial_values: Vec::new(),
             in_equilibrium: None,

@@ -16,7 +16,7 @@ use crate::method::Method;
 use crate::method::auto::in_lanes::goes_in_lanes;
 use crate::method::taylor::LEAST_RTOL;
 use crate::method::taylor::variants::{self, Ended, Outcome};
-use crate::simulate::Simulation;
+use crate::simulate::{Simulation, parameter_defaults};
 use crate::threads;
 use crate::trajectory::ColumnKind;
 
@@ -164,13 +164,11 @@ impl<'a> Sweep<'a> {
     /// Creates a sweep with one variant, which has the settings of the spec.
     pub fn new(machine: &'a dyn Sweepable) -> Self {
         let single = machine.single();
-        let parameters = 0..single.shape().parameters;
-        let defaults = parameters.map(|index| single.parameter_default(index));
         Self {
             machine,
             each: Box::new(|simulation| simulation),
             of_variant: Box::new(|simulation| simulation),
-            variants: vec![defaults.collect()],
+            variants: vec![parameter_defaults(single)],
             threads: 0,
         }
     }

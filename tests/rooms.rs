@@ -8,7 +8,7 @@ const SOURCES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../src");
 
 /// Rooms in their order, with the modules of each. ARCHITECTURE.md shows them.
 const ROOMS: [(&str, &[&str]); 10] = [
-    ("numbers", &["complex_step", "dense", "scales", "sorting", "threads"]),
+    ("numbers", &["complex_step", "dense", "legendre", "scales", "sorting", "threads"]),
     ("results", &["error", "trajectory"]),
     ("constraints", &["constraints"]),
     ("methods", &["lanes", "method"]),

@@ -12,7 +12,7 @@ use machinist::Trajectory;
 use serde_json::{Map, Value, json};
 
 use crate::cli::output::write_file;
-use crate::cli::scene::{Given, Scene};
+use crate::cli::scene::{Scene, SceneSource};
 #[cfg(feature = "derive")]
 use crate::deriving::{self, Request};
 use crate::failure::Failure;
@@ -117,15 +117,15 @@ fn unavailable(file: &Path) -> Failure {
 fn provenance(argument: &str, scene: &Scene) -> Result<Map<String, Value>, Failure> {
     let simulator = scene.simulator();
     let of_model = |argument: &str| -> Result<String, Failure> {
-        let stamped = match Given::of(argument)? {
-            Given::Model(stamped) => *stamped,
+        let stamped = match SceneSource::of(argument)? {
+            SceneSource::Model(stamped) => *stamped,
             #[cfg(feature = "derive")]
-            Given::Spec(source) => {
+            SceneSource::Spec(source) => {
                 let keep = machinist_codegen::mechanics::reduce::Keep::Needed;
                 deriving::stamped(&Request::model(&source, keep))?
             }
             #[cfg(not(feature = "derive"))]
-            Given::Spec(source) => return Err(crate::cli::scene::cannot_derive(&source)),
+            SceneSource::Spec(source) => return Err(crate::cli::scene::cannot_derive(&source)),
         };
         Ok(of_bytes(&write(&stamped)))
     };

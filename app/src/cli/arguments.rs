@@ -19,9 +19,9 @@ use machinist_model::file::Stamped;
 use serde_json::{Value, json};
 
 use super::amount::{Amount, assignment, plain, time};
-#[cfg(feature = "derive")]
-use super::scene::{Given, stamped_opened};
 use super::scene::{Loading, Scene};
+#[cfg(feature = "derive")]
+use super::scene::{SceneSource, stamped_opened};
 use super::settings::{TIME_LIMIT, time_limit, with_method, with_parameters};
 use crate::config;
 #[cfg(feature = "derive")]
@@ -106,9 +106,9 @@ pub struct SourceArgs {
 #[cfg(feature = "derive")]
 impl SourceArgs {
     /// Resolves the scene, to be derived as asked for.
-    pub fn given(&self) -> Result<Given, Failure> {
+    pub fn given(&self) -> Result<SceneSource, Failure> {
         self.derivation.apply();
-        Given::of(&self.scene)
+        SceneSource::of(&self.scene)
     }
 
     /// Returns the extent of the reduction asked for.

@@ -11,7 +11,7 @@ use nalgebra::DMatrix;
 use serde_json::{Map, Value, json};
 
 use crate::cli::amount::split_number;
-use crate::cli::scene::Given;
+use crate::cli::scene::SceneSource;
 use crate::failure::{Failure, did_you_mean};
 
 /// Distribution of a parameter on the command line.
@@ -214,10 +214,10 @@ fn place_of(run: &Simulation<'_>, name: &str) -> Option<usize> {
 
 /// Returns the distributions of a scene.
 pub fn of_scene(argument: &str) -> Result<Scatter, Failure> {
-    match Given::of(argument)? {
+    match SceneSource::of(argument)? {
         // Model files have no distributions.
-        Given::Model(_) => Ok(Scatter::default()),
-        Given::Spec(source) => Ok(distributions(&source.read()?)?),
+        SceneSource::Model(_) => Ok(Scatter::default()),
+        SceneSource::Spec(source) => Ok(distributions(&source.read()?)?),
     }
 }
 

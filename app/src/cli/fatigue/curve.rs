@@ -135,7 +135,11 @@ fn mean(text: &str) -> Result<Correction, String> {
         None => (text.trim(), None),
     };
     let above_zero = || {
-        let number = number.ok_or_else(|| format!("`{name}` needs a number: {name}:600"))?;
+        let missing = match name {
+            "walker" => "an exponent: walker:0.5".to_owned(),
+            _ => format!("a strength: {name}:600"),
+        };
+        let number = number.ok_or_else(|| format!("`{name}` needs {missing}"))?;
         let amount = Amount::parse(number)?;
         if amount.value > 0.0 {
             return Ok(amount);

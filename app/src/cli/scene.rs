@@ -261,7 +261,7 @@ impl Scene {
         };
         match running {
             None => "emitted code",
-            Some(Running::Compiled | Running::CompiledAtOnce) => "compiled at once",
+            Some(Running::Compiled | Running::CompiledAtOnce) => "JIT-compiled",
             Some(Running::Interpreted) => "interpreted",
         }
     }

@@ -4,8 +4,10 @@ mod checked;
 mod differentiate;
 #[cfg(all(feature = "fit", feature = "sweep"))]
 mod elsewhere;
+mod energy;
 mod gradient;
 mod notes;
+mod sampling;
 #[cfg(feature = "linear")]
 mod shooting;
 mod start;
@@ -34,6 +36,7 @@ use crate::trajectory::{Stop, Trajectory};
 pub(crate) use checked::require_admitted;
 pub use differentiate::Differentiated;
 pub use gradient::{Gradient, Pull, Slope};
+use sampling::Sampling;
 use table::Table;
 
 /// Maximum number of output times of a run.
@@ -113,23 +116,6 @@ pub struct Simulation<'a> {
     sensitivities: Vec<By>,
     controls_sensitivities: bool,
     patience: Patience<'a>,
-}
-
-#[derive(Clone)]
-enum Sampling {
-    Points(usize),
-    Times(Vec<f64>),
-    /// Times listed by the spec, restricted to the run.
-    Listed(Vec<f64>),
-}
-
-impl Sampling {
-    fn of(defaults: &machinist_contract::RunDefaults<'_>) -> Self {
-        match defaults.times {
-            [] => Self::Points(defaults.points),
-            times => Self::Listed(times.to_vec()),
-        }
-    }
 }
 
 impl<'a> Simulation<'a> {
@@ -603,23 +589,5 @@ impl<'a> Simulation<'a> {
             energy_balance,
             error: None,
         }
-    }
-
-    fn total_energy(&self, initial: &[f64]) -> f64 {
-        self.simulator.energy(self.from, initial, &self.parameters).total()
-    }
-
-    /// Returns a typical energy of the machine \[J\], for the absolute tolerance of the
-    /// quadratures: the energy at the start, or with every state at its scale, whichever is larger;
-    /// 1 J if both are zero.
-    fn energy_scale(&self, initial: &[f64]) -> f64 {
-        let scales: Vec<f64> =
-            (0..initial.len()).map(|index| self.simulator.state_scale(index)).collect();
-        let size = |state: &[f64]| {
-            let energy = self.simulator.energy(self.from, state, &self.parameters);
-            energy.kinetic.abs() + energy.stored.abs()
-        };
-        let scale = size(initial).max(size(&scales));
-        if scale.is_finite() && scale > 0.0 { scale } else { 1.0 }
     }
 }

@@ -4,6 +4,7 @@
 //! The origin of a table is in the file's metadata, as JSON under `machinist.sweep`,
 //! `machinist.run` and so on, and the units of columns are under `machinist.units`.
 
+#[cfg(feature = "derive")]
 use std::collections::BTreeSet;
 use std::io;
 use std::path::Path;
@@ -23,10 +24,6 @@ use machinist_model::fingerprint::{of_behaviour, of_bytes};
 pub const ENDING: &str = "parquet";
 
 /// Values of a column.
-#[cfg_attr(
-    not(any(feature = "derive", feature = "parquet")),
-    expect(dead_code, reason = "written by none")
-)]
 pub enum Values {
     /// Numbers.
     Numbers(Vec<f64>),
@@ -169,6 +166,7 @@ fn origin(argument: &str, scene: &Scene, more: Value) -> Result<Value, Failure> 
 
 /// Reads a table that [`write_table`] wrote with the same machine and settings. `is_same` compares
 /// the value of a setting in the file with that of the command.
+#[cfg(feature = "derive")]
 pub fn read_table(
     file: &Path,
     (command, argument, scene): (&str, &str, &Scene),
@@ -212,14 +210,14 @@ fn bytes(_columns: &[Column], _name: &str, _told: &Value) -> Result<Vec<u8>, Fai
 }
 
 /// Reads the columns and the metadata of a file.
-#[cfg(not(feature = "parquet"))]
+#[cfg(all(feature = "derive", not(feature = "parquet")))]
 fn read(_file: &Path, _name: &str) -> Result<(Vec<Column>, Value), String> {
     Err("this program was built without Parquet".to_owned())
 }
 
-#[cfg(feature = "parquet")]
+#[cfg(all(feature = "derive", feature = "parquet"))]
 mod reading;
-#[cfg(feature = "parquet")]
+#[cfg(all(feature = "derive", feature = "parquet"))]
 use reading::read;
 #[cfg(feature = "parquet")]
 use with_crate::bytes;

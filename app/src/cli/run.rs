@@ -33,8 +33,9 @@ use compare::{Other, Others};
 #[cfg(not(feature = "derive"))]
 use fixed::Fixed;
 use fixed::OverSteps;
+pub use fixed::step_method;
 #[cfg(feature = "derive")]
-pub use fixed::{Fixed, LargestError, step_method};
+pub use fixed::{Fixed, LargestError};
 use serde_json::json;
 
 #[derive(Debug, Args)]

@@ -41,6 +41,7 @@ const ROUNDING: f64 = 1e-14;
 /// Largest drift of a run. The residual of each constraint is measured by the typical size of its
 /// coordinates' motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[non_exhaustive]
 pub struct Drift {
     /// Drift before projection, at the end of a step or within one.
     pub before: f64,

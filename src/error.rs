@@ -491,28 +491,29 @@ pub struct UnknownMethod {
 
 /// Error for a method that would ignore events or constraints of the machine.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("scene `{scene}` has {lack}; these do: {known}", lack = .lack.told(.method))]
+#[error("scene `{scene}` has {feature}; these do: {known}", feature = .feature.told(.method))]
 pub struct Unsuitable {
     /// Name of the scene.
     pub scene: String,
     /// Name of the method.
     pub method: &'static str,
     /// Feature that the method does not support.
-    pub lack: Lack,
+    pub feature: Feature,
     /// Names of the methods that support it.
     pub known: String,
 }
 
 /// Feature of a machine that a method may not support.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Lack {
+#[non_exhaustive]
+pub enum Feature {
     /// Events.
     Events,
     /// Constraints.
     Constraints,
 }
 
-impl Lack {
+impl Feature {
     fn told(self, method: &str) -> String {
         match self {
             Self::Events => format!("events, which `{method}` does not support"),

@@ -54,6 +54,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Estimated error of every column of a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ErrorEstimate {
     /// Relative tolerance of the second run, if it reached its end.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -78,6 +79,7 @@ pub struct ColumnError {
 
 /// A run whose estimated error is below a requested accuracy.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct AccurateRun {
     /// The run; its `rtol` is the tolerance that was needed.
     pub trajectory: Trajectory,

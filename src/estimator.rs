@@ -13,6 +13,7 @@ use machinist_contract::{Dual, Simulator};
 use thiserror::Error;
 
 use crate::error::did_you_mean;
+use crate::simulate::parameter_defaults;
 #[cfg(all(feature = "fit", feature = "sweep"))]
 pub use consistency::{Consistency, ConsistencyRun, Instant, OutputError};
 
@@ -35,6 +36,7 @@ pub struct EstimatorDesign<'m> {
 
 /// Reason why there is no filter.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum EstimatorError {
     /// No quantity has this name.
     #[error("the scene has no {kind} `{name}`{hint}")]
@@ -272,8 +274,7 @@ impl<'a> Estimator<'a> {
     #[must_use]
     pub fn new(simulator: &'a dyn Simulator<f64>, indices: &'a EstimatorIndices<'a>) -> Self {
         let shape = simulator.shape();
-        let parameters: Vec<f64> =
-            (0..shape.parameters).map(|index| simulator.parameter_default(index)).collect();
+        let parameters = parameter_defaults(simulator);
         let mut state = vec![0.0; shape.states()];
         simulator.initial_state(&parameters, &mut state);
         Self::at(simulator, indices, simulator.run_defaults().from, &state, &parameters)

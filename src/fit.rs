@@ -100,6 +100,54 @@ impl Unknown {
 }
 
 /// A parameter estimation problem.
+///
+/// The stiffness of a spring is found from measured angles, here from those of a run:
+///
+/// ```
+/// use machinist::fit::{Experiment, Fit, Measured, Plan, Unknown};
+/// use machinist::{Method, Simulation};
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+///
+/// let simulation = Simulation::new(&Oscillator).method(Method::Dop853).until(3.0);
+/// let measured = simulation.clone().parameter("rotor.stiffness", 42.0)?.points(31).run()?;
+/// let angles = measured.column("rotor.angle").expect("a state").to_vec();
+/// let columns = vec![("rotor.angle".to_owned(), angles)];
+/// let data = [Experiment::new("run 1", Measured { times: measured.times, columns })];
+///
+/// let unknowns = [Unknown::from("rotor.stiffness", 60.0, Some((10.0, 200.0)))];
+/// let fit = Fit::new(&simulation, &unknowns, &data);
+/// let fitted = fit.solve(&Plan::default(), &mut |_, _| ())?;
+/// let found = fit.findings(&fitted);
+/// assert!((found.parameters[0].value - 42.0).abs() < 1e-5);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// Data that do not determine a parameter are reported. A torque that begins after the last
+/// measurement has no standard error:
+///
+/// ```
+/// use machinist::fit::{Experiment, Fit, Measured, Plan, Unknown};
+/// use machinist::{Method, Simulation};
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+///
+/// let simulation = Simulation::new(&Oscillator).method(Method::Dop853);
+/// let times = vec![0.1, 0.2, 0.3, 0.4];
+/// let columns = vec![("rotor.angle".to_owned(), vec![0.35, 0.21, 0.02, -0.16])];
+/// let data = [Experiment::new("before the torque", Measured { times, columns })];
+/// let unknowns = [
+///     Unknown::from("rotor.angle", 0.4, None),
+///     Unknown::from("torque", 30.0, Some((1.0, 100.0))),
+/// ];
+/// let fit = Fit::new(&simulation, &unknowns, &data);
+/// let found = fit.findings(&fit.solve(&Plan::default(), &mut |_, _| ())?);
+/// assert!(found.parameters[0].standard_error.is_some());
+/// assert!(found.parameters[1].standard_error.is_none());
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Copy)]
 pub struct Fit<'a> {
     /// The run with all settings that are not fitted: parameters, start, method, tolerance.
@@ -390,6 +438,7 @@ pub struct ColumnResiduals<'e> {
 
 /// Reason why residuals could not be evaluated.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum FitError {
     /// The run was refused or stopped.
     #[error(transparent)]

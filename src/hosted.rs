@@ -82,6 +82,7 @@ pub struct Beginning<'b> {
 
 /// Reason why a hosted run cannot begin or continue.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum HostedError {
     /// The start is invalid.
     #[error(transparent)]

@@ -3,6 +3,7 @@
 //! Start with [`Simulation`], which runs any `Simulator` of [`machinist_contract`]: emitted code, a
 //! model file, or one written by hand. The README shows a complete example:
 #![cfg_attr(all(feature = "diffsol", feature = "sweep"), doc = include_str!("../README.md"))]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 // An example of the README names its file, for the test that runs it.
 #![allow(rustdoc::invalid_codeblock_attributes)]
 //!
@@ -26,6 +27,7 @@ pub mod hosted;
 pub mod improve;
 #[cfg(feature = "sweep")]
 pub mod lanes;
+mod legendre;
 #[cfg(feature = "linear")]
 pub mod linear_analysis;
 pub mod method;
@@ -42,6 +44,10 @@ pub mod sweep;
 #[cfg(feature = "sweep")]
 mod threads;
 pub mod trajectory;
+
+/// Matrices and complex numbers of linear analysis and fits. A new major version of it is a breaking
+/// change of this crate.
+pub use nalgebra;
 
 pub use error::SimulateError;
 pub use field::{Discretisation, FieldSimulator};

@@ -84,6 +84,41 @@ pub struct Point {
 }
 
 /// The linear equations dy' = A dy about a point.
+///
+/// A rotor with J = 2 kg m^2 on a spring with c = 50 N m/rad and a damper with d = 0.8 N m s/rad has
+/// the natural frequency sqrt(c/J) and the damping ratio d/(2 sqrt(c J)):
+///
+/// ```
+/// use machinist::linear_analysis::{Linearization, Place, operating_point};
+/// use machinist::{Method, Simulation};
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
+/// # fn main() -> Result<(), machinist::linear_analysis::LinearError> {
+///
+/// let run = Simulation::new(&Oscillator).method(Method::Dop853);
+/// let linear = Linearization::at(&Oscillator, operating_point(&run, Place::Equilibrium)?)?;
+/// let modes = linear.modes()?;
+/// assert!((modes[0].natural_frequency() - 5.0).abs() < 1e-12);
+/// assert!((modes[0].damping_ratio() - 0.04).abs() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// At resonance, its angle follows a torque with the amplitude 1/(d w) and a lag of a quarter:
+///
+/// ```
+/// use machinist::Simulation;
+/// use machinist::linear_analysis::{Linearization, Place, operating_point};
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
+/// # fn main() -> Result<(), machinist::linear_analysis::LinearError> {
+///
+/// let point = operating_point(&Simulation::new(&Oscillator), Place::Initial)?;
+/// let linear = Linearization::at(&Oscillator, point)?;
+/// let response = linear.response("rotor.angle", "rotor.angle", &[5.0])?;
+/// assert!((response.amplitudes[0] - 1.0 / (0.8 * 5.0)).abs() < 1e-12);
+/// assert!((response.phases[0] + std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone)]
 pub struct Linearization<'a> {
     simulator: &'a dyn Simulator<f64>,

@@ -481,6 +481,7 @@ macro_rules! methods {
     },)*) => {
         /// An integration method.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
         pub enum Method {
             $(#[doc = $doc] $variant,)*
         }

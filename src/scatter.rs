@@ -51,6 +51,7 @@ use crate::error::did_you_mean;
 
 /// Error in the settings of a scatter.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ScatterError {
     /// A distribution with impossible parameters.
     #[error("{0}")]

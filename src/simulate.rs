@@ -4,10 +4,12 @@ mod checked;
 mod differentiate;
 #[cfg(all(feature = "fit", feature = "sweep"))]
 mod elsewhere;
+mod energy;
 mod gradient;
 #[cfg(feature = "sweep")]
 mod in_sweeps;
 mod notes;
+mod sampling;
 #[cfg(feature = "linear")]
 mod shooting;
 mod start;
@@ -32,6 +34,7 @@ use crate::trajectory::{Stop, Trajectory};
 pub(crate) use checked::require_admitted;
 pub use differentiate::Differentiated;
 pub use gradient::{Gradient, Pull, Slope};
+use sampling::Sampling;
 use table::Table;
 
 /// Maximum number of output times of a run.
@@ -39,6 +42,12 @@ pub const MAX_POINTS: usize = 10_000_000;
 
 /// Default maximum number of steps of a run.
 pub const MAX_STEPS: usize = 10_000_000;
+
+/// Returns the values of the parameters in the spec, in SI units.
+#[must_use]
+pub fn parameter_defaults(simulator: &dyn Simulator<f64>) -> Vec<f64> {
+    (0..simulator.shape().parameters).map(|index| simulator.parameter_default(index)).collect()
+}
 
 /// A run of one simulator, with settings to adjust. Settings that are not adjusted have the values
 /// of the scene's spec.
@@ -60,6 +69,27 @@ pub const MAX_STEPS: usize = 10_000_000;
 /// let angle = trajectory.column("rotor.angle").expect("the scene has this state");
 /// assert_eq!(angle.len(), 1001);
 /// println!("{} rad/s after {} steps", angle[1000], trajectory.work.steps);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// Sensitivities are columns beside the others. The rotor comes to rest at M/c, which changes by
+/// -M/c^2 with its stiffness c:
+///
+/// ```
+/// use machinist::{Method, Simulation};
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
+/// # fn main() -> Result<(), machinist::SimulateError> {
+///
+/// let run = Simulation::new(&Oscillator)
+///     .until(100.0)
+///     .method(Method::Dop853)
+///     .sensitivities(&["rotor.stiffness"])?
+///     .run()?;
+///
+/// let slope = run.sensitivity("rotor.angle", "rotor.stiffness").expect("it was asked for");
+/// let (torque, stiffness) = (30.0, 50.0_f64);
+/// assert!((slope[slope.len() - 1] + torque / stiffness.powi(2)).abs() < 1e-7);
 /// # Ok(())
 /// # }
 /// ```
@@ -89,32 +119,13 @@ pub struct Simulation<'a> {
     patience: Patience<'a>,
 }
 
-#[derive(Clone)]
-enum Sampling {
-    Points(usize),
-    Times(Vec<f64>),
-    /// Times listed by the spec, restricted to the run.
-    Listed(Vec<f64>),
-}
-
-impl Sampling {
-    fn of(defaults: &machinist_contract::RunDefaults<'_>) -> Self {
-        match defaults.times {
-            [] => Self::Points(defaults.points),
-            times => Self::Listed(times.to_vec()),
-        }
-    }
-}
-
 impl<'a> Simulation<'a> {
     /// Creates a run with the settings of the scene's spec.
     pub fn new(simulator: &'a dyn Simulator<f64>) -> Self {
         let defaults = simulator.run_defaults();
-        let parameters =
-            (0..simulator.shape().parameters).map(|index| simulator.parameter_default(index));
         Self {
             simulator,
-            parameters: parameters.collect(),
+            parameters: parameter_defaults(simulator),
             initial_state: None,
             initial_values: Vec::new(),
             in_equilibrium: None,
@@ -560,28 +571,5 @@ impl<'a> Simulation<'a> {
             energy_balance,
             error: None,
         }
-    }
-
-    fn total_energy(&self, initial: &[f64]) -> f64 {
-        self.simulator.energy(self.from, initial, &self.parameters).total()
-    }
-
-    /// Returns a typical energy of the machine at its start \[J\].
-    pub(crate) fn typical_energy(&self) -> Result<f64, SimulateError> {
-        self.checked_initial_state().map(|initial| self.energy_scale(&initial))
-    }
-
-    /// Returns a typical energy of the machine \[J\], for the absolute tolerance of the
-    /// quadratures: the energy at the start, or with every state at its scale, whichever is larger;
-    /// 1 J if both are zero.
-    fn energy_scale(&self, initial: &[f64]) -> f64 {
-        let scales: Vec<f64> =
-            (0..initial.len()).map(|index| self.simulator.state_scale(index)).collect();
-        let size = |state: &[f64]| {
-            let energy = self.simulator.energy(self.from, state, &self.parameters);
-            energy.kinetic.abs() + energy.stored.abs()
-        };
-        let scale = size(initial).max(size(&scales));
-        if scale.is_finite() && scale > 0.0 { scale } else { 1.0 }
     }
 }

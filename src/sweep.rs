@@ -16,7 +16,7 @@ use crate::method::Method;
 use crate::method::auto::in_lanes::goes_in_lanes;
 use crate::method::taylor::LEAST_RTOL;
 use crate::method::taylor::variants::{self, Ended, Outcome};
-use crate::simulate::Simulation;
+use crate::simulate::{Simulation, parameter_defaults};
 use crate::threads;
 use crate::trajectory::ColumnKind;
 
@@ -68,6 +68,28 @@ impl<S: Simulator<f64> + Simulator<F64x8> + Sync> Sweepable for S {
 /// }
 /// # Ok::<(), machinist::SimulateError>(())
 /// ```
+///
+/// [`Sweep::run_each`] keeps a number of each variant instead of its whole run. Two parameters make
+/// a grid, in which the last one varies fastest:
+///
+/// ```
+/// use machinist::sweep::Wanted;
+/// use machinist::{SimulateError, Sweep};
+/// use machinist_scenes::scenes::two_mass::TwoMass;
+///
+/// // Least and greatest value of the first output, the twist of the coupling.
+/// let extremes = Wanted { places: vec![0], extremes: true };
+/// let twists = Sweep::new(&TwoMass)
+///     .each(|run| run.until(0.2))
+///     .vary("coupling.stiffness", &[1e4, 4e4])?
+///     .vary("load_torque", &[500.0, 1000.0])?
+///     .run_each(|_, run| run.map(|run| extremes.values(&run)));
+/// let greatest = twists.into_iter().map(|twists| Ok(twists?[1]));
+/// let greatest: Vec<f64> = greatest.collect::<Result<_, SimulateError>>()?;
+/// assert_eq!(greatest.len(), 4);
+/// assert!(greatest[0] < greatest[1] && greatest[2] < greatest[0]);
+/// # Ok::<(), SimulateError>(())
+/// ```
 #[must_use = "a sweep does nothing until it is `run`"]
 pub struct Sweep<'a> {
     machine: &'a dyn Sweepable,
@@ -79,6 +101,7 @@ pub struct Sweep<'a> {
 
 /// Results of one variant.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct VariantRun {
     /// Output times \[s\].
     pub times: Vec<f64>,
@@ -141,13 +164,11 @@ impl<'a> Sweep<'a> {
     /// Creates a sweep with one variant, which has the settings of the spec.
     pub fn new(machine: &'a dyn Sweepable) -> Self {
         let single = machine.single();
-        let parameters = 0..single.shape().parameters;
-        let defaults = parameters.map(|index| single.parameter_default(index));
         Self {
             machine,
             each: Box::new(|simulation| simulation),
             of_variant: Box::new(|simulation| simulation),
-            variants: vec![defaults.collect()],
+            variants: vec![parameter_defaults(single)],
             threads: 0,
         }
     }

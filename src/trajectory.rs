@@ -9,6 +9,39 @@ use crate::error_estimate::ErrorEstimate;
 use crate::method::{Method, Work};
 
 /// Results of a run. All columns have the length of `times`.
+///
+/// Columns are found by name, and can be written as a table:
+///
+/// ```
+/// use machinist::{Method, Simulation};
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+///
+/// let run = Simulation::new(&Oscillator).method(Method::Dop853).until(2.0).points(3).run()?;
+/// assert_eq!(run.times, [0.0, 1.0, 2.0]);
+/// let torque = run.find("spring_torque").expect("the scene wants this output");
+/// assert_eq!((torque.unit.as_str(), torque.values.len()), ("N m", 3));
+/// assert_eq!(run.last("spring_torque"), Some(torque.values[2]));
+///
+/// let mut table = Vec::new();
+/// run.write_csv(&mut table)?;
+/// assert!(table.starts_with(b"time [s],rotor.angle [rad],rotor.omega [rad/s],"));
+/// # Ok(())
+/// # }
+/// ```
+///
+/// Events are listed with their times. A mass bounces on a plate that shakes by 1.7 mm:
+///
+/// ```
+/// use machinist::Simulation;
+/// use machinist_scenes::scenes::bouncing_mass::BouncingMass;
+///
+/// let run = Simulation::new(&BouncingMass).run()?;
+/// let bounces: Vec<f64> = run.switches.iter().map(|switch| switch.time).collect();
+/// assert!(bounces.len() > 15 && bounces.is_sorted());
+/// assert!(bounces.iter().all(|time| (0.0..2.0).contains(time)));
+/// # Ok::<(), machinist::SimulateError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Trajectory {
     /// Name of the scene.
@@ -84,6 +117,7 @@ pub struct Column {
 /// Kind of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum ColumnKind {
     /// A coordinate, a velocity or a first-order state.
     State,
@@ -110,6 +144,7 @@ pub enum ColumnKind {
 /// of equations and integration together. The balance assumes a continuous E: a spring whose
 /// stiffness jumps while it is bent causes a residual. All values are in J.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct EnergyBalance {
     /// W_supplied at the trajectory's times.
     pub supplied: Vec<f64>,

@@ -1,7 +1,7 @@
 //! Scenes with constraints run from their specs: starts, projection, refusals.
 
 use machinist::constraints::{mobility, start};
-use machinist::error::Lack;
+use machinist::error::Feature;
 use machinist::linear_analysis::{
     LinearError, Linearization, Mode, ModeKind, Place, Point, equilibrium, operating_point,
 };
@@ -161,7 +161,7 @@ fn every_keeping_method_swings_as_a_pendulum_does() {
             let Err(SimulateError::Unsuitable(unsuitable)) = run else {
                 panic!("{method}: {run:?}")
             };
-            assert_eq!(unsuitable.lack, Lack::Constraints, "{method}");
+            assert_eq!(unsuitable.feature, Feature::Constraints, "{method}");
             continue;
         }
         if !method.suits(&rods) {

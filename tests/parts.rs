@@ -2,6 +2,7 @@
 //! rate; one closed form or independent reference for each law, swept far beyond one setting.
 
 mod assemblies;
+mod clutches;
 mod controllers;
 mod driven_friction;
 mod drives;

@@ -72,6 +72,7 @@ mod reactions;
 mod refused_parameters;
 mod remainders;
 mod rolling;
+mod rooms;
 mod scatter;
 mod scene_states;
 mod sensitivities;

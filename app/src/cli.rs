@@ -42,6 +42,7 @@ mod orders;
 pub mod output;
 #[cfg(feature = "derive")]
 mod parts;
+mod plot;
 mod range;
 #[cfg(feature = "derive")]
 mod report;
@@ -135,6 +136,8 @@ enum Command {
     Explain(explain::Explain),
     /// Simulate a scene
     Run(run::RunCommand),
+    /// Plot the columns of a run or of a table, over time or over another column
+    Plot(plot::PlotCommand),
     /// Rank parameters by their effect on the outputs of a run
     Sensitivity(sensitivity::Sensitivity),
     /// Differentiate one result of a run by all parameters and initial values
@@ -289,6 +292,7 @@ pub fn run(arguments: &[OsString]) -> u8 {
         #[cfg(feature = "derive")]
         Command::Explain(command) => command.execute(),
         Command::Run(command) => command.execute(),
+        Command::Plot(command) => command.execute(),
         Command::Sensitivity(command) => command.execute(),
         Command::Fit(command) => command.execute(),
         Command::Gradient(command) => command.execute(),

@@ -213,9 +213,7 @@ impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         match error {
             WriteError::Emit { .. } => Self::input(error, ""),
-            WriteError::Io { .. } | WriteError::Foreign { .. } | WriteError::NotFresh { .. } => {
-                Self::unsuccessful(error, "")
-            }
+            _ => Self::unsuccessful(error, ""),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use machinist::FieldSimulator;
 use machinist::field::{Discretisation, FieldError};
-use machinist_contract::Describe as _;
+use machinist::simulate::parameter_defaults;
 use machinist_model::{Division, Model, ModelSimulator};
 
 use crate::cli::scene::{refused, require_no_cut};
@@ -39,7 +39,5 @@ pub fn divided(
 ) -> Result<Model, DivideError> {
     let simulator = ModelSimulator::interpreted(model.clone());
     let cut = FieldSimulator::new(simulator.with_fields(), wanted)?;
-    let parameters: Vec<f64> =
-        (0..cut.shape().parameters).map(|index| cut.parameter_default(index)).collect();
-    by(model, &cut.divisions(&parameters)).ok_or(DivideError::Reduced)
+    by(model, &cut.divisions(&parameter_defaults(&cut))).ok_or(DivideError::Reduced)
 }

@@ -29,6 +29,7 @@ pub mod object;
 mod orders;
 mod parquet;
 pub mod plot;
+#[cfg(feature = "derive")]
 mod program;
 mod progress;
 #[cfg(feature = "derive")]

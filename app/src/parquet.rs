@@ -4,6 +4,7 @@
 //! The origin of a table is in the file's metadata, as JSON under `machinist.sweep`,
 //! `machinist.run` and so on, and the units of columns are under `machinist.units`.
 
+#[cfg(feature = "derive")]
 use std::collections::BTreeSet;
 use std::io;
 use std::path::Path;
@@ -12,7 +13,7 @@ use machinist::Trajectory;
 use serde_json::{Map, Value, json};
 
 use crate::cli::output::write_file;
-use crate::cli::scene::{Given, Scene};
+use crate::cli::scene::{Scene, SceneSource};
 #[cfg(feature = "derive")]
 use crate::deriving::{self, Request};
 use crate::failure::Failure;
@@ -23,10 +24,6 @@ use machinist_model::fingerprint::{of_behaviour, of_bytes};
 pub const ENDING: &str = "parquet";
 
 /// Values of a column.
-#[cfg_attr(
-    not(any(feature = "derive", feature = "parquet")),
-    expect(dead_code, reason = "written by none")
-)]
 pub enum Values {
     /// Numbers.
     Numbers(Vec<f64>),
@@ -117,15 +114,15 @@ fn unavailable(file: &Path) -> Failure {
 fn provenance(argument: &str, scene: &Scene) -> Result<Map<String, Value>, Failure> {
     let simulator = scene.simulator();
     let of_model = |argument: &str| -> Result<String, Failure> {
-        let stamped = match Given::of(argument)? {
-            Given::Model(stamped) => *stamped,
+        let stamped = match SceneSource::of(argument)? {
+            SceneSource::Model(stamped) => *stamped,
             #[cfg(feature = "derive")]
-            Given::Spec(source) => {
+            SceneSource::Spec(source) => {
                 let keep = machinist_codegen::mechanics::reduce::Keep::Needed;
                 deriving::stamped(&Request::model(&source, keep))?
             }
             #[cfg(not(feature = "derive"))]
-            Given::Spec(source) => return Err(crate::cli::scene::cannot_derive(&source)),
+            SceneSource::Spec(source) => return Err(crate::cli::scene::cannot_derive(&source)),
         };
         Ok(of_bytes(&write(&stamped)))
     };
@@ -169,6 +166,7 @@ fn origin(argument: &str, scene: &Scene, more: Value) -> Result<Value, Failure> 
 
 /// Reads a table that [`write_table`] wrote with the same machine and settings. `is_same` compares
 /// the value of a setting in the file with that of the command.
+#[cfg(feature = "derive")]
 pub fn read_table(
     file: &Path,
     (command, argument, scene): (&str, &str, &Scene),
@@ -212,14 +210,14 @@ fn bytes(_columns: &[Column], _name: &str, _told: &Value) -> Result<Vec<u8>, Fai
 }
 
 /// Reads the columns and the metadata of a file.
-#[cfg(not(feature = "parquet"))]
+#[cfg(all(feature = "derive", not(feature = "parquet")))]
 fn read(_file: &Path, _name: &str) -> Result<(Vec<Column>, Value), String> {
     Err("this program was built without Parquet".to_owned())
 }
 
-#[cfg(feature = "parquet")]
+#[cfg(all(feature = "derive", feature = "parquet"))]
 mod reading;
-#[cfg(feature = "parquet")]
+#[cfg(all(feature = "derive", feature = "parquet"))]
 use reading::read;
 #[cfg(feature = "parquet")]
 use with_crate::bytes;

@@ -25,7 +25,7 @@ pub use linear::{
 use machinist::error::did_you_mean;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 pub use map::plot_map;
-use panel::Panel;
+use panel::{Panel, over};
 use raster::Raster;
 use ruler::Axis;
 
@@ -82,14 +82,32 @@ pub enum PlotError {
 /// # Errors
 /// [`PlotError`]. In that case no file is written, or only part of one.
 pub fn plot(trajectory: &Trajectory, columns: &[&str], path: &Path) -> Result<(), PlotError> {
+    let time = ("time [s]".to_owned(), trajectory.times.as_slice());
+    let texts = [trajectory.title.as_str(), &subtitle(trajectory)];
+    plot_over(time, &chosen(trajectory, columns)?, texts, path)
+}
+
+/// Returns the second line of a run's plot.
+pub(crate) fn subtitle(trajectory: &Trajectory) -> String {
     let Trajectory { scene, method, rtol, .. } = trajectory;
-    let axes = [Axis::Linear("time [s]".into()), Axis::Linear("".into())];
-    let picture = Picture {
-        title: &trajectory.title,
-        subtitle: format!("{scene}, {method}, rtol {rtol:e}"),
-        panels: panels(trajectory, columns, &axes)?,
-    };
-    picture.write(path)
+    format!("{scene}, {method}, rtol {rtol:e}")
+}
+
+/// Draws columns over the values of another one, named with its unit, as [`plot`] does over time;
+/// `texts` are title and subtitle.
+///
+/// # Errors
+/// As [`plot`].
+pub fn plot_over(
+    (across, places): (String, &[f64]),
+    columns: &[&Column],
+    texts: [&str; 2],
+    path: &Path,
+) -> Result<(), PlotError> {
+    let axes = [Axis::Linear(across.into()), Axis::Linear("".into())];
+    let panel = |columns: Vec<_>| over(places, columns, [&axes[0], &axes[1]]);
+    let panels = alike(columns.iter().copied()).into_iter().map(panel).collect();
+    Picture { title: texts[0], subtitle: texts[1].to_owned(), panels }.write(path)
 }
 
 /// Drawing that can be written to a file.
@@ -131,23 +149,6 @@ pub(crate) fn alike<'a>(columns: impl IntoIterator<Item = &'a Column>) -> Vec<Ve
         }
     }
     groups.into_iter().map(|(_, same)| same).collect()
-}
-
-/// Returns a panel for each group of columns that are alike.
-fn panels<'a>(
-    trajectory: &'a Trajectory,
-    names: &[&str],
-    [horizontal, vertical]: &'a [Axis; 2],
-) -> Result<Vec<Panel<'a>>, PlotError> {
-    let panel = |columns: Vec<&'a Column>| Panel {
-        unit: &columns[0].unit,
-        places: &trajectory.times,
-        columns,
-        horizontal,
-        vertical,
-        marks: Vec::new(),
-    };
-    Ok(alike(chosen(trajectory, names)?).into_iter().map(panel).collect())
 }
 
 fn chosen<'a>(trajectory: &'a Trajectory, names: &[&str]) -> Result<Vec<&'a Column>, PlotError> {

@@ -75,6 +75,15 @@ fn a_shared_option_is_the_same_in_all_commands() {
 }
 
 #[test]
+fn every_file_or_folder_of_results_may_be_given_by_o() {
+    for (name, command) in commands() {
+        if let Some(out) = command.get_arguments().find(|arg| arg.get_long() == Some("out")) {
+            assert_eq!(out.get_short(), Some('o'), "{name}");
+        }
+    }
+}
+
+#[test]
 fn every_command_that_runs_a_scene_takes_the_same_options() {
     let commands = commands();
     let running: Vec<_> = commands.iter().filter(|(_, one)| has(one, "MachineArgs")).collect();
@@ -95,8 +104,9 @@ fn every_command_that_runs_a_scene_takes_the_same_options() {
 }
 
 /// Calls of the commands that run a scene.
-const CALLS: [(&str, &str); 16] = [
+const CALLS: [(&str, &str); 17] = [
     ("run", "two_mass"),
+    ("plot", "two_mass --out=two_mass.svg"),
     ("sensitivity", "two_mass --parameters=load_torque"),
     ("gradient", "two_mass --of=max(twist)"),
     ("fit", "two_mass --data=data.csv --parameters=load_torque"),
@@ -195,6 +205,19 @@ fn numbers_of_options_may_have_units() {
     let atol = |text: &str| run(&["--until", "0.1", "--no-error", "--atol", text]);
     assert_eq!(atol("coupling.twist=1e-9"), atol("coupling.twist=1e-9 rad"));
     assert_ne!(atol("1e-3"), atol("1e-12"));
+    let counted = |curve: [&str; 2]| {
+        answer(machinist(&folder, &[&["fatigue", "two_mass", "--json"], &curve[..]].concat()))
+    };
+    let plain = counted(["--endurance=coupling_torque=400", "--mean=none"]);
+    assert_eq!(counted(["--endurance=coupling_torque=0.4 kN m", "--mean=none"]), plain);
+    let scattered = |law: &str| {
+        let vary = format!("--vary=load_torque={law}");
+        answer(machinist(&folder, &["scatter", "two_mass", "--samples=16", "--json", &vary]))
+    };
+    let plain = scattered("normal(2000, 100)");
+    assert_eq!(scattered("normal(2 kN m, 0.1[kN m])"), plain);
+    assert_eq!(scattered("normal(2kN m, 5 %)"), plain);
+    assert_eq!(scattered("2 kN m +- 300N m"), scattered("2000 +- 300"));
 }
 
 #[test]
@@ -223,6 +246,11 @@ fn units_of_another_dimension_are_refused_with_a_hint() {
     refused(&["run", "two_mass", "--rtol", "1e-6 s"], &["has no unit"]);
     refused(&["run", "two_mass", "--fixed", "0us"], &["--fixed 0", "above zero"]);
     refused(&["run", "two_mass", "--set", "load_torque=2 kN"], &["is in N m, and not in kN"]);
+    let fatigue = ["fatigue", "two_mass", "--outputs=coupling_torque"];
+    for curve in ["--endurance=coupling_torque=1 kN", "--endurance=1kN", "--mean=goodman:5 kN"] {
+        refused(&[&fatigue[..], &[curve]].concat(), &["coupling_torque is in N m, and not in kN"]);
+    }
+    refused(&[&fatigue[..], &["--mean=walker:0.5 m"]].concat(), &["has no unit"]);
     refused(&["modes", "two_mass", "--at", "t=5mm"], &["must be in s"]);
     refused(&["verify", "two_mass", "--time-limit", "0s"], &["above 0 s"]);
     refused(&["verify", "--until", "5"], &["SCENE"]);

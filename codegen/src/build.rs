@@ -31,6 +31,32 @@ use machinist_model::Model;
 /// Emits scenes to `OUT_DIR` in a build script, one file per scene. They are derived by
 /// Machinist's own algebra, or by Symbolica with the feature `symbolica`. Symbolica makes a
 /// second build wait for the first.
+///
+/// ```
+/// let folder = std::env::temp_dir().join(format!("emitted-{}", std::process::id()));
+/// # std::fs::create_dir_all(&folder).unwrap();
+/// machinist_codegen::Build::new()
+///     .scene("../specs/scenes/two_mass.toml")
+///     .out_dir(&folder)
+///     .compile()?;
+/// let text = std::fs::read_to_string(folder.join("two_mass.rs")).unwrap();
+/// assert!(text.contains("coupling_stiffness"));
+/// # std::fs::remove_dir_all(&folder).unwrap();
+/// # Ok::<(), machinist_codegen::BuildError>(())
+/// ```
+///
+/// A mistake in a spec ends the build with its file and line, and nothing is written:
+///
+/// ```
+/// # let folder = std::env::temp_dir().join(format!("refused-{}", std::process::id()));
+/// # std::fs::create_dir_all(&folder).unwrap();
+/// let spec = folder.join("drive.toml");
+/// std::fs::write(&spec, "[scene]\nname = \"drive\"\n[units]\nmotor = { unit = \"motr\" }\n").unwrap();
+/// let refused = machinist_codegen::Build::new().scene(&spec).out_dir(&folder).compile();
+/// assert!(format!("{:?}", refused.unwrap_err()).contains("drive.toml"));
+/// assert!(!folder.join("drive.rs").exists());
+/// # std::fs::remove_dir_all(&folder).unwrap();
+/// ```
 #[derive(Debug, Clone, Default)]
 #[must_use = "nothing is emitted until `compile`"]
 pub struct Build {
@@ -131,6 +157,7 @@ fn generate(scene: &Path) -> Result<Model, BuildError> {
 /// Error of a build script that emits scenes. Its `Debug` form is a readable report, because
 /// Cargo shows that when `main` returns it.
 #[derive(thiserror::Error)]
+#[non_exhaustive]
 pub enum BuildError {
     /// A spec is wrong.
     #[error("{}", .0.render())]

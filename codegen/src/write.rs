@@ -64,6 +64,7 @@ pub struct Summary {
 
 /// Error of writing or comparing emitted files.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum WriteError {
     /// A model cannot be emitted.
     #[error("scene `{scene}`: {source}")]

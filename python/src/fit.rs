@@ -134,11 +134,11 @@ fn solved(
         interrupt: Some(&flag),
     };
     let fitted = fit.solve(&plan, &mut |_, _| {}).map_err(|unsolved| match unsolved {
-        Unsolved::Interrupted => Failure::Refused("AnalysisError", unsolved.to_string()),
         Unsolved::NoStart { .. } => Failure::Refused(
             "AnalysisError",
             format!("{unsolved}. Hint: other bounds or parameters may help"),
         ),
+        _ => Failure::Refused("AnalysisError", unsolved.to_string()),
     })?;
     let findings = fit.findings(&fitted);
     Ok((fitted, findings))

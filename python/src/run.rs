@@ -93,6 +93,7 @@ fn name_of(kind: ColumnKind) -> &'static str {
         ColumnKind::Energy => "energy",
         ColumnKind::Sensitivity => "sensitivity",
         ColumnKind::Measured => "measured",
+        _ => "other",
     }
 }
 

@@ -156,7 +156,7 @@ impl Settings {
     /// As [`Simulation::run`] and [`Simulation::run_to_accuracy`].
     pub fn run(&self, simulation: &Simulation<'_>) -> Result<Trajectory, SimulateError> {
         if let Some(accuracy) = self.accuracy {
-            let AccurateRun { mut trajectory, error, shortfall } =
+            let AccurateRun { mut trajectory, error, shortfall, .. } =
                 simulation.run_to_accuracy(accuracy)?;
             let missed = |reason| format!("the accuracy is not met: {reason}");
             trajectory.notes.extend(shortfall.map(missed));

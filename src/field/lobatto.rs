@@ -5,6 +5,8 @@
 
 use machinist_contract::field::Rule;
 
+use crate::legendre::legendre;
+
 /// A [`Rule`] that owns its numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lobatto {
@@ -85,17 +87,6 @@ fn point(order: usize, index: usize) -> f64 {
         }
     }
     x
-}
-
-/// Returns P_p and P_p' at x for |x| < 1; at the ends only P_p is valid.
-fn legendre(order: usize, x: f64) -> [f64; 2] {
-    let (mut before, mut value) = (1.0, x);
-    for k in 2..=order {
-        let k = k as f64;
-        (before, value) = (value, ((2.0 * k - 1.0) * x * value - (k - 1.0) * before) / k);
-    }
-    let slope = order as f64 * (x * value - before) / (x * x - 1.0);
-    [value, slope]
 }
 
 #[cfg(test)]

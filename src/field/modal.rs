@@ -21,6 +21,7 @@ use crate::sorting::sort_ascending;
 
 /// Reason why a simulator cannot be reduced.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ModalError {
     /// The number of eigenmodes is out of range.
     #[error("the number of eigenmodes is from 1 to {most}, not {found}")]

@@ -16,6 +16,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// Results of a fit.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct Findings {
     /// Number of compared values.
     pub values: usize,
@@ -31,6 +32,7 @@ pub struct Findings {
 
 /// An estimated parameter or initial value.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct FoundParameter {
     /// Name of the parameter or state.
     pub name: String,
@@ -50,6 +52,7 @@ pub struct FoundParameter {
 
 /// A combination of parameters that the data hardly determine.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct Combination {
     /// Names of parameters and their relative changes.
     pub shares: Vec<(String, f64)>,
@@ -59,6 +62,7 @@ pub struct Combination {
 
 /// Residuals of one output.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct OutputResidual {
     /// Name of the experiment.
     pub experiment: String,

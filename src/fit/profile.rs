@@ -43,6 +43,7 @@ const EXACT: f64 = 1e-6;
 
 /// Profile of one unknown.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct Profile {
     /// Name of the parameter or state.
     pub parameter: String,
@@ -60,6 +61,7 @@ pub struct Profile {
 
 /// The best fit with one unknown held at a value.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct ProfilePoint {
     /// Value of the held unknown.
     pub value: f64,

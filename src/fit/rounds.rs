@@ -27,6 +27,13 @@ pub struct Plan<'a> {
     pub interrupt: Option<&'a AtomicBool>,
 }
 
+impl Default for Plan<'_> {
+    /// One start and at most 100 steps by least squares.
+    fn default() -> Self {
+        Self { is_robust: false, starts: 1, steps: 100, interrupt: None }
+    }
+}
+
 impl Plan<'_> {
     /// Returns whether the fit is interrupted.
     pub(super) fn is_flagged(&self) -> bool {
@@ -36,6 +43,7 @@ impl Plan<'_> {
 
 /// Reason why nothing was found.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Unsolved {
     /// The fit was interrupted before anything was found.
     #[error("the fit was interrupted at its start")]
@@ -50,6 +58,7 @@ pub enum Unsolved {
 
 /// Result of a fit.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Fitted {
     /// End of the search.
     pub found: Found,

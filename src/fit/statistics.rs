@@ -12,6 +12,7 @@ use crate::sorting::sort_descending;
 /// s^2 = sum r^2 / (m - n)      C = s^2 (J^T J)^-1
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Statistics {
     /// Number of residuals, m.
     pub count: usize,

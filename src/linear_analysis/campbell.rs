@@ -16,6 +16,7 @@ use crate::sorting::sort_ascending;
 /// W. Campbell, The protection of steam-turbine disk wheels from axial vibration, Trans. ASME 46,
 /// 1924.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Campbell {
     /// Name of the parameter, or `speed`.
     pub parameter: String,
@@ -38,6 +39,7 @@ pub struct Campbell {
 
 /// An oscillation, followed over the parameter by its shape and its frequency.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Branch {
     /// Name of the coordinate or first-order state that moves most at the first value.
     pub moves: String,
@@ -49,6 +51,7 @@ pub struct Branch {
 
 /// An intersection of an order of the speed with a natural frequency.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Critical {
     /// Ratio of frequency to speed.
     pub order: f64,

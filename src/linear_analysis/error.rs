@@ -8,6 +8,7 @@ use crate::error::SimulateError;
 
 /// Error of a linear analysis.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum LinearError {
     /// The run to the operating point was refused or stopped.
     #[error(transparent)]

@@ -15,6 +15,7 @@ const UNDAMPED: f64 = 1e-9;
 
 /// Maximum of a frequency response.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Largest {
     /// Frequency \[rad/s\].
     pub frequency: f64,

@@ -30,6 +30,7 @@ const ATTEMPTS: usize = 4;
 
 /// An eigenmode: dy = Re(shape e^(eigenvalue t)).
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Mode {
     /// Kind of motion.
     pub kind: ModeKind,

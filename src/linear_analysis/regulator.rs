@@ -33,6 +33,7 @@ pub struct Weight {
 /// It minimizes the integral, or the sum over samples, of (y_i/w_i)^2 + (u_j/w_j)^2 over the
 /// weighted outputs and inputs with deviations w.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Regulator {
     /// Names of the inputs that are controlled, the rows of K.
     pub inputs: Vec<String>,
@@ -58,6 +59,7 @@ pub struct Regulator {
 /// sampled model, deviations are standard deviations at each sample. Of a continuous one, they are
 /// square roots of spectral densities, in the unit of the signal times the root of a second.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Estimator {
     /// Names of the measured outputs, the columns of L.
     pub outputs: Vec<String>,

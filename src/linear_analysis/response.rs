@@ -29,6 +29,7 @@ pub const FORCE_ON: &str = "force on ";
 /// After transients have decayed, an input p + a Re(e^(j w t)) causes an output o + a Re(H(w) e^(j
 /// w t)).
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Response {
     /// Name of the varied parameter, or of the coordinate on which a force acts.
     pub from: String,

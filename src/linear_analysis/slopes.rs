@@ -41,6 +41,7 @@ pub struct PointSlopes {
 
 /// Derivatives of an eigenmode by one parameter, in SI units over the parameter's unit.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[non_exhaustive]
 pub struct ModeSlope {
     /// Derivative of the real part of the eigenvalue.
     pub real: f64,

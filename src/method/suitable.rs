@@ -3,7 +3,7 @@
 use machinist_contract::Simulator;
 
 use super::Method;
-use crate::error::{Lack, Unsuitable};
+use crate::error::{Feature, Unsuitable};
 
 impl Method {
     /// Returns whether the method can run this simulator. `taylor` needs the series that emitted
@@ -25,17 +25,17 @@ impl Method {
     /// # Errors
     /// [`Unsuitable`], with the methods made for such machines.
     pub fn check(self, simulator: &dyn Simulator<f64>) -> Result<(), Unsuitable> {
-        let refuse = |lack: Lack, has: fn(Self) -> bool| {
+        let refuse = |feature: Feature, has: fn(Self) -> bool| {
             let known = Self::ALL.iter().filter(|method| has(**method));
             let known = known.map(|method| method.name()).collect::<Vec<_>>().join(", ");
             let (scene, method) = (simulator.name().to_owned(), self.name());
-            Err(Unsuitable { scene, method, lack, known })
+            Err(Unsuitable { scene, method, feature, known })
         };
         if simulator.events() > 0 && !self.watches_events() {
-            return refuse(Lack::Events, Self::watches_events);
+            return refuse(Feature::Events, Self::watches_events);
         }
         if simulator.constraints() > 0 && !self.keeps_constraints() {
-            return refuse(Lack::Constraints, Self::keeps_constraints);
+            return refuse(Feature::Constraints, Self::keeps_constraints);
         }
         Ok(())
     }

@@ -18,6 +18,7 @@ pub struct Pull {
 
 /// Derivative of a number by a parameter or by the initial value of a state.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Slope {
     /// Name of the parameter or state.
     pub name: String,
@@ -33,6 +34,7 @@ pub struct Slope {
 
 /// Derivatives of a number of a run by all parameters and initial values.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Gradient {
     /// The run.
     pub run: Trajectory,

@@ -27,7 +27,7 @@ impl Amount {
         if text.parse::<f64>().is_ok_and(|value| !value.is_finite()) {
             return Err(format!("`{text}` is not a finite number"));
         }
-        let (number, unit) = text.split_at(number_length(text));
+        let (number, unit) = split_number(text);
         let value: f64 = number.parse().map_err(|_| format!("`{text}` is not a number"))?;
         let unit = unit.trim();
         let in_brackets = unit.strip_prefix('[').and_then(|unit| unit.strip_suffix(']'));
@@ -66,9 +66,9 @@ impl Amount {
     }
 }
 
-/// Returns the length of the number at the start of a text: digits with a sign, a decimal point and
-/// an exponent. The exponent needs digits, so that the unit of `5eV` is `eV`.
-fn number_length(text: &str) -> usize {
+/// Splits a text behind the number at its start: digits with a sign, a decimal point and an exponent.
+/// The exponent needs digits, so that the unit of `5eV` is `eV`.
+pub fn split_number(text: &str) -> (&str, &str) {
     let bytes = text.as_bytes();
     let digits = |from: usize| {
         let rest = bytes.get(from..).unwrap_or_default();
@@ -86,7 +86,7 @@ fn number_length(text: &str) -> usize {
             end = from + digits(from);
         }
     }
-    end
+    text.split_at(end)
 }
 
 /// Returns a parser of numbers in this unit or another one of its dimension. Results are in SI

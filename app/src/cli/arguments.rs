@@ -19,9 +19,9 @@ use machinist_model::file::Stamped;
 use serde_json::{Value, json};
 
 use super::amount::{Amount, assignment, plain, time};
-#[cfg(feature = "derive")]
-use super::scene::{Given, stamped_opened};
 use super::scene::{Loading, Scene};
+#[cfg(feature = "derive")]
+use super::scene::{SceneSource, stamped_opened};
 use super::settings::{TIME_LIMIT, time_limit, with_method, with_parameters};
 use crate::config;
 #[cfg(feature = "derive")]
@@ -30,7 +30,7 @@ use crate::failure::{Failure, did_you_mean};
 
 /// Options for the derivation of a spec.
 #[cfg(feature = "derive")]
-#[derive(Debug, Clone, Default, Args)]
+#[derive(Debug, Clone, Default, PartialEq, Args)]
 #[command(next_help_heading = "Derivation")]
 pub struct DeriveArgs {
     /// Algebra used for derivation: plain or symbolica. Symbolica simplifies further, but only one
@@ -71,7 +71,7 @@ pub fn algebra(name: &str) -> Result<Algebra, String> {
 }
 
 /// Extent of the reduction.
-#[derive(Debug, Clone, Copy, Default, Args)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Args)]
 #[command(next_help_heading = "Machine")]
 pub struct KeepArgs {
     /// Keep everything, even what no output needs
@@ -80,7 +80,7 @@ pub struct KeepArgs {
 }
 
 /// Discretization of fields.
-#[derive(Debug, Clone, Copy, Default, Args)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Args)]
 #[command(next_help_heading = "Machine")]
 pub struct FieldArgs {
     /// Number of elements of each field
@@ -106,9 +106,9 @@ pub struct SourceArgs {
 #[cfg(feature = "derive")]
 impl SourceArgs {
     /// Resolves the scene, to be derived as asked for.
-    pub fn given(&self) -> Result<Given, Failure> {
+    pub fn given(&self) -> Result<SceneSource, Failure> {
         self.derivation.apply();
-        Given::of(&self.scene)
+        SceneSource::of(&self.scene)
     }
 
     /// Returns the extent of the reduction asked for.
@@ -134,7 +134,7 @@ pub struct SceneArgs {
 }
 
 /// Changes of a scene, and the form in which it runs.
-#[derive(Debug, Clone, Default, Args)]
+#[derive(Debug, Clone, Default, PartialEq, Args)]
 #[command(next_help_heading = "Machine")]
 pub struct MachineArgs {
     /// Set a parameter: in its SI unit, or with a unit, `"1200 mm"`; repeatable
@@ -218,7 +218,7 @@ impl MachineArgs {
 }
 
 /// Options of a run.
-#[derive(Debug, Clone, Default, Args)]
+#[derive(Debug, Clone, Default, PartialEq, Args)]
 #[command(next_help_heading = "Run")]
 pub struct RunArgs {
     #[command(flatten)]
@@ -247,7 +247,7 @@ pub struct RunArgs {
 }
 
 /// Start and end of a run.
-#[derive(Debug, Clone, Default, Args)]
+#[derive(Debug, Clone, Default, PartialEq, Args)]
 #[command(next_help_heading = "Run")]
 pub struct SpanArgs {
     /// Start time: in seconds, or with a unit, `"5 s"`, `500ms`, `2min`
@@ -263,7 +263,7 @@ pub struct SpanArgs {
 }
 
 /// Limit on the computing time.
-#[derive(Debug, Clone, Copy, Default, Args)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Args)]
 #[command(next_help_heading = "Run")]
 pub struct TimeArgs {
     /// Limit on the computing time of each run, in seconds or with a unit, `2min`. Default: 30 s

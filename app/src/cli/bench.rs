@@ -2,7 +2,7 @@
 
 use clap::Args;
 use machinist::Method;
-use machinist_studies::work_precision::{Curve, Plan, Point, TOLERANCES, WorkPrecision, measure};
+use machinist_studies::work_precision::{Curve, Plan, Point, WorkPrecision, measure};
 
 use super::amount::plain;
 use super::arguments::{SceneArgs, SpanArgs, TimeArgs};
@@ -14,12 +14,11 @@ use crate::progress::during;
 
 #[derive(Debug, Args)]
 pub struct Bench {
-    /// Methods, all by default
+    /// Methods. Default: all
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     methods: Vec<String>,
-    /// Relative tolerances
-    #[arg(long, value_name = "TOLERANCES", value_delimiter = ',', value_parser = plain,
-        default_values_t = TOLERANCES)]
+    /// Relative tolerances. Default: 1e-2 to 1e-12, by powers of ten
+    #[arg(long, value_name = "TOLERANCES", value_delimiter = ',', value_parser = plain)]
     rtols: Vec<f64>,
     /// Number of runs, whose median time is reported
     #[arg(long, value_name = "NUMBER", default_value_t = 25)]
@@ -43,7 +42,9 @@ impl Bench {
             plan.methods =
                 methods.collect::<Result<_, _>>().map_err(|error| Failure::input(error, ""))?;
         }
-        plan.tolerances.clone_from(&self.rtols);
+        if !self.rtols.is_empty() {
+            plan.tolerances.clone_from(&self.rtols);
+        }
         plan.tolerances.sort_by(|a, b| b.total_cmp(a));
         plan.time_limit = self.time.limit();
         let loading = Loading { is_timed: true, ..self.scene.machine.loading() };

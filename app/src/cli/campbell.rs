@@ -2,7 +2,6 @@
 //! orders.
 
 use std::f64::consts::{PI, TAU};
-use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -56,7 +55,7 @@ pub struct CampbellDiagram {
     #[arg(long, value_name = "ORDERS", value_delimiter = ',', default_value = "1")]
     orders: Vec<f64>,
     /// Write the frequencies to a .csv file; - writes only CSV to standard output
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot the frequencies and the orders to a .svg or .png file
     #[arg(long, help_heading = "Output", value_name = "FILE")]
@@ -143,13 +142,15 @@ impl CampbellDiagram {
             draw_file(file, draw)?;
         }
         match &self.out {
-            Some(_) if to_standard_output => return print_with(|out| table(&shown, out)),
+            Some(_) if to_standard_output => {
+                return print_with(|out| parquet::write_csv(&as_columns(&shown), out));
+            }
             Some(file) if parquet::is_named(file) => {
                 let of = ("campbell", self.at.scene(), &scene);
                 let more = json!({ "parameter": shown.diagram.parameter });
                 parquet::write_table(file, &as_columns(&shown), of, more)?;
             }
-            Some(file) => write_file(file, |out| table(&shown, out))?,
+            Some(file) => write_file(file, |out| parquet::write_csv(&as_columns(&shown), out))?,
             None => {}
         }
         if let Some(text) = json {
@@ -284,7 +285,8 @@ fn growing(diagram: &Campbell) -> String {
     told.collect()
 }
 
-/// Returns the columns of [`table`].
+/// Returns the parameter, the speed, then frequency and damping ratio of each oscillation, missing if
+/// there is none.
 fn as_columns(shown: &Shown) -> Vec<Column> {
     let Shown { diagram, frequency, speed, .. } = shown;
     let some = |values: &[f64]| {
@@ -306,29 +308,4 @@ fn as_columns(shown: &Shown) -> Vec<Column> {
         columns.push(column(format!("{name} damping ratio"), "1", &branch.damping_ratios));
     }
     columns
-}
-
-/// Writes the parameter, the speed, then frequency and damping ratio of each oscillation, empty if
-/// there is none.
-fn table(shown: &Shown, out: &mut dyn io::Write) -> io::Result<()> {
-    let Shown { diagram, frequency, speed, .. } = shown;
-    let speeds = diagram.speeds.as_ref().filter(|_| !diagram.is_over_speed);
-    let mut writer = csv::Writer::from_writer(out);
-    let mut header = vec![format!("{} [{}]", diagram.parameter, diagram.unit)];
-    header.extend(speeds.map(|_| format!("speed [{speed}]")));
-    for (index, branch) in diagram.branches.iter().enumerate() {
-        let name = format!("{} {}", index + 1, branch.moves);
-        header.extend([format!("{name} [{frequency}]"), format!("{name} damping ratio [1]")]);
-    }
-    writer.write_record(header)?;
-    for (row, value) in diagram.values.iter().enumerate() {
-        let cell = |value: f64| if value.is_finite() { value.to_string() } else { String::new() };
-        let mut record = vec![cell(*value)];
-        record.extend(speeds.map(|speeds| cell(speeds[row])));
-        for branch in &diagram.branches {
-            record.extend([branch.frequencies[row], branch.damping_ratios[row]].map(cell));
-        }
-        writer.write_record(record)?;
-    }
-    writer.flush()
 }

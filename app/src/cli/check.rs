@@ -13,7 +13,7 @@ use machinist_model::{Model, ModelSimulator};
 
 use super::arguments::DeriveArgs;
 use super::output::print;
-use super::scene::{BENCH, Given};
+use super::scene::{BENCH, SceneSource};
 use super::specs;
 use crate::deriving;
 use crate::failure::{Failure, all};
@@ -38,10 +38,10 @@ impl Check {
                 files.extend(specs::scene_files_below(Path::new(path), BENCH)?);
                 continue;
             }
-            match Given::of(path)? {
-                Given::Spec(file) => files.push(file),
+            match SceneSource::of(path)? {
+                SceneSource::Spec(file) => files.push(file),
                 // A model file is checked when read.
-                Given::Model(stamped) => {
+                SceneSource::Model(stamped) => {
                     let Stamped { generator, model } = *stamped;
                     let name = model.name;
                     let _ = writeln!(text, "{path}: ok, model of {name}, made by {generator}");

@@ -7,7 +7,7 @@ use machinist_model::file;
 
 use super::arguments::SourceArgs;
 use super::output::{print, require_ending, write_file};
-use super::scene::{Given, MODEL_ENDING, derived_stamped};
+use super::scene::{MODEL_ENDING, SceneSource, derived_stamped};
 use crate::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -24,8 +24,8 @@ impl Compile {
         require_ending(&self.out, &[MODEL_ENDING], "--out")?;
         let SourceArgs { scene, keep, .. } = &self.scene;
         let stamped = match self.scene.given()? {
-            Given::Spec(source) => derived_stamped(&source, keep.keep_all)?,
-            Given::Model(_) => {
+            SceneSource::Spec(source) => derived_stamped(&source, keep.keep_all)?,
+            SceneSource::Model(_) => {
                 let message = format!("{scene} is already a model");
                 return Err(Failure::input(message, "copy it, or give the spec of a scene"));
             }

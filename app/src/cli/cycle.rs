@@ -86,7 +86,7 @@ pub struct CycleCommand {
     columns: Vec<String>,
     /// Write the motion over one period, or the branch of --over, to a .csv file; - writes only CSV
     /// to standard output
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot the motion, or amplitudes over the parameter of --over, to a .svg or .png file
     #[arg(long, help_heading = "Output", value_name = "FILE")]

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::arguments::SourceArgs;
 use super::output::{columns, print};
-use super::scene::Given;
+use super::scene::SceneSource;
 use super::specs::{Cost, costs};
 use crate::deriving::{self, Purpose};
 use crate::failure::Failure;
@@ -30,8 +30,8 @@ impl Derive {
     pub fn execute(&self) -> Result<(), Failure> {
         let keep = self.scene.keep();
         let derivation = match self.scene.given()? {
-            Given::Spec(source) => deriving::derivation(&source, keep, Purpose::Reading)?,
-            Given::Model(stamped) => return Err(no_equations(&stamped.model)),
+            SceneSource::Spec(source) => deriving::derivation(&source, keep, Purpose::Reading)?,
+            SceneSource::Model(stamped) => return Err(no_equations(&stamped.model)),
         };
         if self.latex {
             print(&derivation.latex.to_latex())

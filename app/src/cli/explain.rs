@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::arguments::SourceArgs;
 use super::output::{columns, print};
-use super::scene::{Given, already_reduced};
+use super::scene::{SceneSource, already_reduced};
 use super::table::{SECTION, indented, paragraph, width};
 use crate::deriving::{self, Purpose};
 use crate::explain::{Divided, DividedField, DividedRun, Explanation, Times};
@@ -33,15 +33,17 @@ impl Explain {
         let SourceArgs { scene, keep, .. } = &self.scene;
         let (is_whole, keep) = (keep.keep_all, self.scene.keep());
         let (source, stages) = match self.scene.given()? {
-            Given::Spec(source) => {
+            SceneSource::Spec(source) => {
                 let stages = deriving::derivation(&source, keep, Purpose::Running)?.stages;
                 if !is_whole {
                     admit(&source, stages.needed())?;
                 }
                 (Some(source), stages)
             }
-            Given::Model(_) if is_whole => return Err(already_reduced(scene)),
-            Given::Model(stamped) => (None, Stages { whole: stamped.model, steps: Vec::new() }),
+            SceneSource::Model(_) if is_whole => return Err(already_reduced(scene)),
+            SceneSource::Model(stamped) => {
+                (None, Stages { whole: stamped.model, steps: Vec::new() })
+            }
         };
         let explanation =
             during("running", || Explanation::new(source.as_ref(), stages, !self.without_times))?;

@@ -52,15 +52,13 @@ pub struct Fatigue {
     /// Default: they count as half cycles
     #[arg(long)]
     repeat: bool,
-    #[command(flatten)]
-    curve: CurveArgs,
     /// Number of classes of the range in the table
     #[arg(long, help_heading = "Output", value_name = "NUMBER", default_value_t = 8,
         value_parser = clap::value_parser!(u32).range(1..=1000))]
     classes: u32,
     /// Write all counted cycles to a .csv, .json or .parquet file; - writes only CSV to standard
     /// output
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot amplitudes over the number of cycles that reach them to a .svg or .png file
     #[arg(long, help_heading = "Output", value_name = "FILE")]
@@ -70,6 +68,8 @@ pub struct Fatigue {
     json: bool,
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    curve: CurveArgs,
     #[command(flatten)]
     run: RunArgs,
 }
@@ -95,7 +95,7 @@ impl Fatigue {
         let prepared = self.run.apply(self.scene.simulation(scene.simulator())?)?.until(until);
         let (run, change) = self.sampled(&prepared, (from, until))?;
         let columns = finite(&run, &self.outputs, "rainflow counting")?;
-        self.curve.check_names(columns.iter().map(|column| column.name.as_str()))?;
+        self.curve.check_outputs(&columns)?;
         let residue = if self.repeat { Residue::Repeated } else { Residue::Half };
         let signals = columns
             .iter()

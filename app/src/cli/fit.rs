@@ -68,7 +68,7 @@ pub struct FitCommand {
     #[arg(long, value_name = "NAMES", value_delimiter = ',', num_args = 0..=1)]
     profile: Option<Vec<String>>,
     /// Output that a column of the data measures, if their names differ
-    #[arg(long, help_heading = "Output", value_name = "COLUMN=OUTPUT", value_parser = pair)]
+    #[arg(long, value_name = "COLUMN=OUTPUT", value_parser = pair)]
     map: Vec<(String, String)>,
     /// Plot the profiles to a .svg or .png file
     #[arg(long, help_heading = "Output", value_name = "FILE")]
@@ -81,7 +81,7 @@ pub struct FitCommand {
     #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot: Option<PathBuf>,
     /// Write the scene with the fitted values to a .toml file
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
     scene: SceneArgs,
@@ -358,10 +358,10 @@ fn solve(fit: &Fit<'_>, plan: &Plan<'_>) -> Result<Fitted, Failure> {
     });
     spinner.finish_and_clear();
     fitted.map_err(|unsolved| match unsolved {
-        Unsolved::Interrupted => Failure::unsuccessful(unsolved, ""),
         Unsolved::NoStart { .. } => {
             Failure::unsuccessful(unsolved, "other bounds, or `--set`, may help")
         }
+        _ => Failure::unsuccessful(unsolved, ""),
     })
 }
 

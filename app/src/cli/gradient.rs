@@ -101,7 +101,7 @@ impl GradientCommand {
     ) -> Answer<'a> {
         let NumberGradient { value, gradient, is_in_reverse, left_out } = found;
         let row = |slope: Slope| {
-            let Slope { name, unit, is_parameter, at, value: slope } = slope;
+            let Slope { name, unit, is_parameter, at, value: slope, .. } = slope;
             let relative = (at != 0.0 && value != 0.0).then(|| slope * at / value);
             Row { name, unit, is_parameter, value: at, slope, relative }
         };

@@ -69,7 +69,7 @@ pub struct Improve {
     #[arg(long, help_heading = "Output", value_name = "FILE")]
     plot: Option<PathBuf>,
     /// Write the scene with the values found to a .toml file
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
     scene: SceneArgs,

@@ -55,7 +55,7 @@ pub struct Linearize {
     #[arg(long, help_heading = "Output")]
     json: bool,
     /// Write the matrices to a .mat file (MATLAB), .npz file (NumPy) or .json file
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
     at: Where,

@@ -26,7 +26,13 @@ pub struct Report {
     #[arg(long)]
     no_times: bool,
     /// Folder for the pages
-    #[arg(long, help_heading = "Output", value_name = "DIR", default_value = "target/report")]
+    #[arg(
+        short,
+        long,
+        help_heading = "Output",
+        value_name = "DIR",
+        default_value = "target/report"
+    )]
     out: PathBuf,
     #[command(flatten)]
     time: TimeArgs,

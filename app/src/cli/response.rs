@@ -36,7 +36,7 @@ pub struct FrequencyResponse {
     #[arg(long, value_name = "NUMBER", default_value_t = 401)]
     points: usize,
     /// Write frequency, amplitude and phase to a .csv file; - writes only CSV to standard output
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot amplitude and phase to a .svg or .png file
     #[arg(long, help_heading = "Output", value_name = "FILE")]

@@ -26,20 +26,20 @@ pub fn write_scene<'a>(
     use machinist_codegen::spec::library::LibraryScene;
     use machinist_codegen::spec::rewrite::{Setting, with_settings};
 
-    use super::scene::Given;
+    use super::scene::SceneSource;
     use crate::spec_source::SpecSource;
 
     let no_text = || {
         let message = format!("--out: `{scene}` is a model, which has no spec");
         Failure::input(message, "give the spec that it was compiled from")
     };
-    let (text, of) = match Given::of(scene)? {
-        Given::Model(_) => return Err(no_text()),
-        Given::Spec(SpecSource::BuiltIn(name)) => {
+    let (text, of) = match SceneSource::of(scene)? {
+        SceneSource::Model(_) => return Err(no_text()),
+        SceneSource::Spec(SpecSource::BuiltIn(name)) => {
             let scene = LibraryScene::find(&name).ok_or_else(no_text)?;
             (scene.text.to_owned(), None)
         }
-        Given::Spec(SpecSource::File(path)) => {
+        SceneSource::Spec(SpecSource::File(path)) => {
             let text =
                 std::fs::read_to_string(&path).map_err(|error| Failure::file(&path, &error))?;
             (text, Some(path))

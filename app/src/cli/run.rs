@@ -33,8 +33,9 @@ use compare::{Other, Others};
 #[cfg(not(feature = "derive"))]
 use fixed::Fixed;
 use fixed::OverSteps;
+pub use fixed::step_method;
 #[cfg(feature = "derive")]
-pub use fixed::{Fixed, LargestError, step_method};
+pub use fixed::{Fixed, LargestError};
 use serde_json::json;
 
 #[derive(Debug, Args)]
@@ -60,7 +61,7 @@ pub struct RunCommand {
     #[command(flatten)]
     others: Others,
     /// Write all values to a .csv or .json file; - writes only CSV to standard output
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot to a .svg or .png file
     #[arg(long, help_heading = "Output", value_name = "FILE")]

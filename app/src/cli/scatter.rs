@@ -82,7 +82,7 @@ pub struct ScatterCommand {
     #[arg(long, help_heading = "Output")]
     json: bool,
     /// Write all runs to a .csv or .parquet file
-    #[arg(long, short, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Continue an interrupted scatter, whose runs are in the .parquet file of --out; also with more
     /// --samples

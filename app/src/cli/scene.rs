@@ -23,14 +23,14 @@ use crate::freeze::admit;
 use crate::spec_source::SpecSource;
 
 /// Source that an argument stands for.
-pub enum Given {
+pub enum SceneSource {
     /// Spec.
     Spec(SpecSource),
     /// Content of a model file.
     Model(Box<Stamped>),
 }
 
-impl Given {
+impl SceneSource {
     /// Resolves an argument: a file of either kind, or the spec of a name.
     pub fn of(argument: &str) -> Result<Self, Failure> {
         let path = match spec_of(argument)? {
@@ -167,10 +167,10 @@ impl Scene {
         if is_named && let Some(simulator) = built_in(argument) {
             return without_fields(loading.wanted, Self::Emitted(simulator));
         }
-        loading.scene(match Given::of(argument)? {
-            Given::Model(_) if loading.keep_all => return Err(already_reduced(argument)),
-            Given::Model(stamped) => stamped.model,
-            Given::Spec(source) => derived(&source, loading.keep_all)?,
+        loading.scene(match SceneSource::of(argument)? {
+            SceneSource::Model(_) if loading.keep_all => return Err(already_reduced(argument)),
+            SceneSource::Model(stamped) => stamped.model,
+            SceneSource::Spec(source) => derived(&source, loading.keep_all)?,
         })
     }
 
@@ -182,7 +182,7 @@ impl Scene {
         loading: &Loading,
         coordinates: Vec<String>,
     ) -> Result<Option<Self>, Failure> {
-        let Given::Spec(source) = Given::of(argument)? else { return Ok(None) };
+        let SceneSource::Spec(source) = SceneSource::of(argument)? else { return Ok(None) };
         let keep = if loading.keep_all { Keep::All } else { Keep::Needed };
         let request = Request { test_forces: coordinates, ..Request::model(&source, keep) };
         loading.scene(deriving::stamped(&request)?.model).map(Some)
@@ -261,7 +261,7 @@ impl Scene {
         };
         match running {
             None => "emitted code",
-            Some(Running::Compiled | Running::CompiledAtOnce) => "compiled at once",
+            Some(Running::Compiled | Running::CompiledAtOnce) => "JIT-compiled",
             Some(Running::Interpreted) => "interpreted",
         }
     }
@@ -287,10 +287,10 @@ pub fn derived_stamped(source: &SpecSource, keep_all: bool) -> Result<Stamped, F
 /// Returns the model of a spec or of a model file. A model file is already reduced.
 #[cfg(feature = "derive")]
 pub fn stamped(argument: &str, keep_all: bool) -> Result<Stamped, Failure> {
-    match Given::of(argument)? {
-        Given::Model(_) if keep_all => Err(already_reduced(argument)),
-        Given::Model(stamped) => Ok(*stamped),
-        Given::Spec(source) => derived_stamped(&source, keep_all),
+    match SceneSource::of(argument)? {
+        SceneSource::Model(_) if keep_all => Err(already_reduced(argument)),
+        SceneSource::Model(stamped) => Ok(*stamped),
+        SceneSource::Spec(source) => derived_stamped(&source, keep_all),
     }
 }
 
@@ -317,7 +317,7 @@ fn with_inputs(
     keep_all: bool,
     names: &[&str],
 ) -> Result<Option<(Stamped, Vec<String>)>, Failure> {
-    let Given::Spec(source) = Given::of(argument)? else { return Ok(None) };
+    let SceneSource::Spec(source) = SceneSource::of(argument)? else { return Ok(None) };
     let Some((opened, parameters)) = opened(&source, names)? else { return Ok(None) };
     let keep = if keep_all { Keep::All } else { Keep::Needed };
     let request = Request { opened, ..Request::model(&source, keep) };

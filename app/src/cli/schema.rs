@@ -18,7 +18,7 @@ pub struct Schema {
     #[arg(long)]
     unit: bool,
     /// Write to a file instead of standard output
-    #[arg(long, short, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
 

@@ -43,7 +43,7 @@ pub struct Sensitivity {
     #[arg(long, help_heading = "Output")]
     json: bool,
     /// Write relative sensitivities over time to a .csv file
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot the largest relative sensitivities over time to a .svg or .png file
     #[arg(long, help_heading = "Output", value_name = "FILE")]

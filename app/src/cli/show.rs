@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use clap::Args;
 
 use super::output::print;
-use super::scene::Given;
+use super::scene::SceneSource;
 use super::table::{SECTION, columns_of_section as columns};
 use crate::failure::Failure;
 use crate::number::{exact, number};
@@ -30,9 +30,9 @@ pub struct Show {
 
 impl Show {
     pub fn execute(&self) -> Result<(), Failure> {
-        let description = match Given::of(&self.scene)? {
-            Given::Spec(source) => of_spec(&source)?,
-            Given::Model(stamped) => Description::of_model(&stamped.model),
+        let description = match SceneSource::of(&self.scene)? {
+            SceneSource::Spec(source) => of_spec(&source)?,
+            SceneSource::Model(stamped) => Description::of_model(&stamped.model),
         };
         if self.json {
             let text = serde_json::to_string_pretty(&description)

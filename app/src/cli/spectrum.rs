@@ -47,7 +47,7 @@ pub struct Spectrum {
     #[arg(long, help_heading = "Output", value_name = "NUMBER", default_value_t = 5)]
     peaks: usize,
     /// Write all spectral lines to a .csv or .json file; - writes only CSV to standard output
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Plot to a .svg or .png file
     #[arg(long, help_heading = "Output", value_name = "FILE")]

@@ -13,7 +13,7 @@ use crate::trials::{DRIFT, ORDERS, cell, drift_cells, order, refusals, rule};
 
 #[derive(Debug, Args)]
 pub struct Stability {
-    /// Methods, all by default
+    /// Methods. Default: all
     #[arg(long, alias = "method", value_name = "NAMES", value_delimiter = ',')]
     methods: Vec<String>,
     /// Run only cases whose part or name contains this text

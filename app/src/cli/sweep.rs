@@ -47,7 +47,7 @@ pub struct Sweep {
     #[arg(long, value_name = "NUMBER")]
     threads: Option<usize>,
     /// Write to a .csv or .parquet file instead of standard output
-    #[arg(long, help_heading = "Output", value_name = "FILE")]
+    #[arg(short, long, help_heading = "Output", value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
     scene: SceneArgs,

@@ -3,7 +3,7 @@
 use clap::Args;
 
 use super::arguments::TimeArgs;
-use super::scene::Given;
+use super::scene::SceneSource;
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
 use crate::watch;
@@ -22,25 +22,25 @@ pub struct Watch {
 impl Watch {
     pub fn execute(&self) -> Result<(), Failure> {
         let scene = &self.scene;
-        match Given::of(scene)? {
-            Given::Spec(SpecSource::File(file)) if file.is_file() => {
+        match SceneSource::of(scene)? {
+            SceneSource::Spec(SpecSource::File(file)) if file.is_file() => {
                 watch::watch(&file, self.port, self.time.limit_or_default())
             }
-            Given::Spec(SpecSource::File(file)) => {
+            SceneSource::Spec(SpecSource::File(file)) => {
                 let message = format!("{}: there is no such file", file.display());
                 Err(Failure::input(
                     message,
                     "`machinist new NAME --spec-only` writes one to begin with",
                 ))
             }
-            Given::Spec(SpecSource::BuiltIn(_)) => {
+            SceneSource::Spec(SpecSource::BuiltIn(_)) => {
                 let message = format!("{scene} is a built-in scene, not a file");
                 Err(Failure::input(
                     message,
                     "give a scene file; `machinist new NAME --spec-only` writes one",
                 ))
             }
-            Given::Model(_) => {
+            SceneSource::Model(_) => {
                 let message = format!("{scene} is a model file, not a spec");
                 Err(Failure::input(message, "give the spec it was compiled from"))
             }

@@ -5,6 +5,7 @@
 //! and inputs as members. Angle and speed are members if the scene has them as outputs, and the
 //! torque if it is an input. Members are named as in Modelica's flanges.
 
+use machinist::simulate::parameter_defaults;
 use machinist_contract::Simulator;
 use machinist_fmu::resource::Machine;
 use machinist_fmu::variables::{Causality, Kind, Variable};
@@ -132,7 +133,7 @@ fn sign_of_force(simulator: &dyn Simulator<f64>, parameter: usize, velocity: &st
     const ROUNDING: f64 = 1e-9;
     let shape = simulator.shape();
     let entry = (0..shape.states()).find(|entry| simulator.state(*entry).name == velocity)?;
-    let base: Vec<f64> = (0..shape.parameters).map(|k| simulator.parameter_default(k)).collect();
+    let base = parameter_defaults(simulator);
     let supplied = |time: f64, state: &[f64], value: f64| {
         let mut parameters = base.clone();
         parameters[parameter] = value;

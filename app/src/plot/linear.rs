@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::panel::{Mark, Panel};
+use super::panel::{Mark, Panel, over};
 use super::ruler::Axis;
 use super::{Picture, PlotError, alike};
 use machinist::linear_analysis::{Campbell, Linearization, Mode, ModeKind, Response};
@@ -306,15 +306,6 @@ fn rounded(value: f64) -> String {
 fn column(name: &str, unit: &str, values: Vec<f64>) -> Column {
     let (name, unit) = (name.to_owned(), unit.to_owned());
     Column { name, unit, kind: ColumnKind::Output, doc: String::new(), values }
-}
-
-fn over<'a>(
-    places: &'a [f64],
-    columns: Vec<&'a Column>,
-    [horizontal, vertical]: [&'a Axis; 2],
-) -> Panel<'a> {
-    let unit = columns.first().map_or("", |column| column.unit.as_str());
-    Panel { unit, places, columns, horizontal, vertical, marks: Vec::new() }
 }
 
 #[cfg(test)]

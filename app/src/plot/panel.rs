@@ -57,6 +57,15 @@ pub(super) struct Mark {
     pub is_circled: bool,
 }
 
+pub(super) fn over<'a>(
+    places: &'a [f64],
+    columns: Vec<&'a Column>,
+    [horizontal, vertical]: [&'a Axis; 2],
+) -> Panel<'a> {
+    let unit = columns.first().map_or("", |column| column.unit.as_str());
+    Panel { unit, places, columns, horizontal, vertical, marks: Vec::new() }
+}
+
 type Chart<'c, DB> = ChartContext<'c, DB, Cartesian2d<Ruler, Ruler>>;
 
 impl Panel<'_> {
@@ -178,7 +187,7 @@ impl Panel<'_> {
         let style = text(14, INK).pos(Pos::new(HPos::Left, VPos::Center));
         let unit_style = text(14, INK).pos(Pos::new(HPos::Right, VPos::Center));
         let first_line = (LEGEND_LINE / 2 * SCALE) as i32;
-        let unit = format!("[{}]", self.unit);
+        let unit = if self.unit.is_empty() { String::new() } else { format!("[{}]", self.unit) };
         area.draw_text(&unit, &unit_style, (left - (2 * TICK * SCALE) as i32, first_line))?;
         let (mut x, mut line) = (left, 0);
         for (column, color) in self.columns.iter().zip(COLORS.iter().cycle()) {
@@ -202,20 +211,21 @@ impl Panel<'_> {
     }
 }
 
-/// Splits points into lines at values that are NaN or infinite.
-fn finite_lines(times: &[f64], values: &[f64]) -> Vec<Vec<(f64, f64)>> {
-    let points: Vec<_> = times.iter().copied().zip(values.iter().copied()).collect();
-    let lines = points.split(|(_, value)| !value.is_finite());
+/// Splits points into lines where a coordinate is NaN or infinite.
+fn finite_lines(places: &[f64], values: &[f64]) -> Vec<Vec<(f64, f64)>> {
+    let points: Vec<_> = places.iter().copied().zip(values.iter().copied()).collect();
+    let lines = points.split(|(place, value)| !(place.is_finite() && value.is_finite()));
     lines.filter(|line| !line.is_empty()).map(<[_]>::to_vec).collect()
 }
 
 /// Keeps at most [`MAX_POINTS`] points: the least and greatest of each of equal bins of time, in
-/// their order.
+/// their order. A line that turns back keeps all.
 fn thinned(line: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let (Some(first), Some(last)) = (line.first().copied(), line.last().copied()) else {
         return line;
     };
-    if line.len() <= MAX_POINTS {
+    let is_forward = first.0 < last.0 && line.is_sorted_by(|a, b| a.0 <= b.0);
+    if line.len() <= MAX_POINTS || !is_forward {
         return line;
     }
     let bins = MAX_POINTS / 2 - 1;
@@ -277,6 +287,8 @@ mod tests {
         assert!(thin.contains(&(f64::from(spike), 7.0)));
         assert!(thin.windows(2).all(|pair| pair[0].0 <= pair[1].0));
         assert_eq!(thinned(line[..100].to_vec()), line[..100]);
+        let circle: Vec<_> = (0..5000).map(|i| f64::from(i).sin_cos()).collect();
+        assert_eq!(thinned(circle.clone()), circle);
     }
 
     #[test]

@@ -7,6 +7,7 @@ use machinist::field::{Discretisation, FieldError, FieldSimulator};
 use machinist::linear_analysis::{
     LinearError, Linearization, ModeKind, Place, Point, operating_point,
 };
+use machinist::simulate::parameter_defaults;
 use machinist::trajectory::Trajectory;
 use machinist::{SimulateError, Simulation};
 use machinist_contract::Describe as _;
@@ -77,7 +78,7 @@ impl Along {
         trajectory: &Trajectory,
     ) -> Self {
         let value = scene.field(field).value;
-        let parameters = defaults(simulator);
+        let parameters = parameter_defaults(simulator);
         let n = simulator.shape().coordinates;
         let every = trajectory.times.len().div_ceil(TIMES).max(1);
         let moments: Vec<usize> = (0..trajectory.times.len()).step_by(every).collect();
@@ -118,16 +119,12 @@ impl Along {
     }
 }
 
-fn defaults(simulator: &FieldSimulator<'_, f64>) -> Vec<f64> {
-    (0..simulator.shape().parameters).map(|index| simulator.parameter_default(index)).collect()
-}
-
 /// Returns the mode shapes along a field about the end of the run, each scaled to a largest size of
 /// 1.
 fn shapes(simulator: &FieldSimulator<'_, f64>, field: usize) -> Result<Vec<Named>, LinearError> {
     let until = simulator.run_defaults().until;
     let point = operating_point(&Simulation::new(simulator), Place::Time(until))?;
-    let parameters = defaults(simulator);
+    let parameters = parameter_defaults(simulator);
     let places = simulator.places(field, &parameters);
     let modes = Linearization::at(simulator, point)?.modes()?;
     let n = simulator.shape().coordinates;
@@ -217,7 +214,7 @@ fn errors() -> Result<Vec<Named>, LinearError> {
             let wanted = Discretisation { elements: Some(elements), order: Some(order) };
             if let Ok(simulator) = FieldSimulator::new(&ShaftStepTorque, wanted) {
                 let state = vec![0.0; simulator.shape().states()];
-                let point = Point { time: 0.0, state, parameters: defaults(&simulator) };
+                let point = Point { time: 0.0, state, parameters: parameter_defaults(&simulator) };
                 let linearization = Linearization::at(simulator.single(), point)?;
                 let found = linearization.second_order()?.undamped_frequencies()?;
                 x.push(elements as f64);

@@ -18,7 +18,7 @@ use maud::{Markup, html};
 
 use super::machine::{Machine, Ways};
 use super::{conclusions, fields, index, scene, studies, winder_walk};
-use crate::cli::scene::Given;
+use crate::cli::scene::SceneSource;
 use crate::cli::specs;
 use crate::cli::verify::{Changes, verify_spec};
 use crate::deriving::{self, Purpose};
@@ -67,9 +67,9 @@ pub struct Extent {
 
 /// Makes the page of a machine of the user's own.
 pub fn own(argument: &str, extent: Extent) -> Result<Pages, Failure> {
-    let spec = match Given::of(argument)? {
-        Given::Spec(spec) => spec,
-        Given::Model(_) => {
+    let spec = match SceneSource::of(argument)? {
+        SceneSource::Spec(spec) => spec,
+        SceneSource::Model(_) => {
             let message = format!("{argument} is a model, which has no equations to show");
             return Err(Failure::input(message, "give the spec it was compiled of"));
         }

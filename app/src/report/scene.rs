@@ -278,7 +278,7 @@ fn run(
     ];
     let how = match machine.by {
         By::Emitted => "Emitted code",
-        By::Compiled => "Compiled at once",
+        By::Compiled => "JIT-compiled",
         By::Interpreted => "Interpreted",
     };
     let (first, last) = match trajectory.times.as_slice() {

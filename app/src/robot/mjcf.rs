@@ -10,10 +10,8 @@ use roxmltree::{Document, Node};
 
 use super::shapes::{Shape, isometry, negative_principal, pose, together};
 use super::tree::{Inertial, Joint, Limits, Link, Motion, Pose, Robot, RobotError, WORLD};
-use super::xml::{Read, Reader, child};
+use super::xml::{DEEPEST, Read, Reader, child};
 
-/// Maximum nesting of bodies and defaults.
-const DEEPEST: usize = 500;
 /// Density of shapes without one \[kg/m^3\].
 const DENSITY: f64 = 1000.0;
 /// Elements that take part in the motion or describe the robot elsewhere.

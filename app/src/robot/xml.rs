@@ -6,6 +6,8 @@ use super::tree::{LARGEST, RobotError};
 
 /// Maximum number of XML nodes.
 const MOST_NODES: u32 = 1_000_000;
+/// Maximum nesting of bodies, defaults and frames.
+pub(super) const DEEPEST: usize = 500;
 
 /// Parses a document.
 ///

@@ -1,4 +1,4 @@
-//! What `explain` tells, and freezing.
+//! Output of `explain`, and freezing.
 
 use super::*;
 

@@ -5,6 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use machinist::simulate::parameter_defaults;
 use machinist::{Discretisation, FieldSimulator};
 use machinist_contract::Simulator;
 use machinist_model::file::{self, FileError, Stamped};
@@ -43,6 +44,7 @@ impl Export {
 
 /// Reason why an archive's resources cannot be run.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum LoadError {
     /// A file cannot be read.
     #[error("{path}: {error}")]
@@ -168,7 +170,6 @@ impl Machine {
     /// Returns the spec's values of the parameters.
     #[must_use]
     pub fn parameters(&self) -> Vec<f64> {
-        let simulator = self.simulator();
-        (0..simulator.shape().parameters).map(|index| simulator.parameter_default(index)).collect()
+        parameter_defaults(self.simulator())
     }
 }

@@ -9,6 +9,7 @@ use std::collections::BTreeSet;
 
 use machinist::field::FieldError;
 use machinist::hosted::{Beginning, Hosted};
+use machinist::simulate::parameter_defaults;
 use machinist_contract::Simulator;
 use machinist_model::{Model, NodeId, Op};
 use thiserror::Error;
@@ -322,8 +323,7 @@ impl<'a> Gather<'a> {
         states: &'a Vec<usize>,
     ) -> Self {
         let shape = simulator.shape();
-        let parameters: Vec<f64> =
-            (0..shape.parameters).map(|index| simulator.parameter_default(index)).collect();
+        let parameters = parameter_defaults(simulator);
         let mut start = vec![0.0; shape.states()];
         simulator.initial_state(&parameters, &mut start);
         if simulator.starts_in_equilibrium() {

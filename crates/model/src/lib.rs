@@ -7,6 +7,7 @@
 //!
 //! Excluded: symbols to look up, expressions, any type of a computer algebra system, integration
 //! methods.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod check;
 #[cfg(feature = "compiled")]

@@ -250,6 +250,49 @@ pub struct Freeze {
 /// Everything a simulator offers: names, units, shapes, patterns, and a tape for each
 /// function. Lengths of results are those of the contract; the table of functions is
 /// [`crate::functions`].
+///
+/// A model comes from a spec, as a rule. Any program may also make one, such as y' = -y/2:
+///
+/// ```
+/// use machinist_model::{MatrixTape, Model, ModelSimulator, Name, Node, NodeId, Op, Quantity};
+/// use machinist_model::{SparsityPattern, State, StateKind, Tape};
+///
+/// let tape = |ops: &[Op], results: &[u32]| Tape {
+///     nodes: ops.iter().map(|op| Node { op: *op, name: None }).collect(),
+///     results: results.iter().map(|node| NodeId(*node)).collect(),
+/// };
+/// let pattern = SparsityPattern { rows: 1, columns: 1, entries: vec![(0, 0)] };
+/// let slope = MatrixTape { pattern, tape: tape(&[Op::Literal(-0.5)], &[0]), solve: None };
+/// let name = Name { path: "y".into(), ident: "y".into(), latex: "y".into() };
+/// let y = Quantity { name, unit: "1".into(), doc: "decays".into() };
+/// let zeros = tape(&[Op::Literal(0.0)], &[0, 0, 0]);
+/// let decay = Model {
+///     name: "decay".into(),
+///     states: vec![State { quantity: y, kind: StateKind::FirstOrder, scale: 1.0, is_given: true }],
+///     initial_state: tape(&[Op::Literal(3.0)], &[0]),
+///     rate: tape(&[Op::State(0), Op::Literal(-0.5), Op::Mul(NodeId(0), NodeId(1))], &[2]),
+///     rate_jacobian: slope,
+///     time_derivative: tape(&[Op::Literal(0.0)], &[0]),
+///     energy: zeros.clone(),
+///     power_balance: zeros,
+///     ..Model::default()
+/// };
+///
+/// let mut rate = [0.0];
+/// ModelSimulator::new(decay).single().rate(0.0, &[3.0], &[], &mut rate);
+/// assert_eq!(rate, [-1.5]);
+/// ```
+///
+/// Files of models have a hash, so that a damaged one is refused:
+///
+/// ```
+/// use machinist_model::Model;
+/// use machinist_model::file::{FileError, Stamped, read, write};
+///
+/// let mut bytes = write(&Stamped { generator: "an example".into(), model: Model::default() });
+/// *bytes.last_mut().unwrap() ^= 1;
+/// assert_eq!(read(&bytes), Err(FileError::Altered));
+/// ```
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Model {
     /// The scene's name, a Rust identifier.

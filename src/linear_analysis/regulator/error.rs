@@ -6,6 +6,7 @@ use super::{LinearError, MAX_STATES_OF_DESIGNS};
 
 /// Reason why there is no regulator or estimator.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum RegulatorError {
     /// The model itself is at fault.
     #[error(transparent)]

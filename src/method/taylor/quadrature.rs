@@ -1,5 +1,7 @@
 //! Gauss-Legendre quadrature of energy flows over a step.
 
+use crate::legendre::legendre;
+
 /// Nodes and weights on \[-1, 1\], exact for polynomials of degree 2 `points` - 1.
 #[derive(Debug, Clone)]
 pub(in crate::method) struct Gauss {
@@ -14,10 +16,10 @@ impl Gauss {
         let point = |index: usize| {
             let mut x = (std::f64::consts::PI * (index as f64 + 0.75) / (n + 0.5)).cos();
             for _ in 0..8 {
-                let (value, slope) = legendre(points, x);
+                let [value, slope] = legendre(points, x);
                 x -= value / slope;
             }
-            let (_, slope) = legendre(points, x);
+            let [_, slope] = legendre(points, x);
             (x, 2.0 / ((1.0 - x * x) * slope * slope))
         };
         Self { points: (0..points).map(point).collect() }
@@ -32,16 +34,6 @@ impl Gauss {
         let (middle, half) = (0.5 * (from + until), 0.5 * (until - from));
         self.points.iter().map(move |(x, weight)| (middle + half * x, half * weight))
     }
-}
-
-/// Returns P_n and its derivative.
-fn legendre(degree: usize, x: f64) -> (f64, f64) {
-    let (mut before, mut value) = (1.0, x);
-    for k in 2..=degree {
-        let k = k as f64;
-        (before, value) = (value, ((2.0 * k - 1.0) * x * value - (k - 1.0) * before) / k);
-    }
-    (value, degree as f64 * (x * value - before) / (x * x - 1.0))
 }
 
 #[cfg(test)]

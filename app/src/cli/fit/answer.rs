@@ -33,7 +33,7 @@ pub struct Answer {
     pub gaps: usize,
     pub from: f64,
     pub until: f64,
-    pub experiments: Vec<Told>,
+    pub experiments: Vec<ComparedExperiment>,
     pub parameters: Vec<FoundParameter>,
     /// Correlation of each pair of parameters; null if undetermined.
     pub correlations: Vec<Vec<Option<f64>>>,
@@ -54,7 +54,7 @@ pub struct Answer {
 
 /// Experiment as it was compared.
 #[derive(Debug, Serialize)]
-pub struct Told {
+pub struct ComparedExperiment {
     pub name: String,
     pub data: String,
     /// Parameters and initial values of this experiment, in SI units.
@@ -73,7 +73,8 @@ impl Answer {
         simulator: &dyn Simulator<f64>,
     ) -> Self {
         let Fitted { found, loss, lost, steps, runs, .. } = fitted;
-        let Findings { values, parameters, correlations, untold, outputs } = fit.findings(fitted);
+        let Findings { values, parameters, correlations, untold, outputs, .. } =
+            fit.findings(fitted);
         let experiments = experiments(fit, setups, gaps);
         let held = parameters.iter().filter(|found| found.is_at_bound).count();
         let notes = notes(fit, &parameters);
@@ -128,7 +129,7 @@ impl Answer {
     pub fn told(&self, scene: &Scene) -> String {
         let gaps =
             if self.gaps > 0 { format!(", {} gaps left out", self.gaps) } else { String::new() };
-        let is_plain = |told: &Told| told.set.is_empty() && told.name == told.data;
+        let is_plain = |told: &ComparedExperiment| told.set.is_empty() && told.name == told.data;
         let all_plain = self.experiments.iter().all(is_plain);
         let files: Vec<&str> = self.experiments.iter().map(|told| &*told.data).collect();
         let fitted_to = match files.len() {
@@ -162,7 +163,7 @@ impl Answer {
             );
         }
         text.push_str(&self.correlations_told());
-        for Combination { shares, standard_error } in &self.untold {
+        for Combination { shares, standard_error, .. } in &self.untold {
             let shares: Vec<String> = shares
                 .iter()
                 .map(|(name, share)| format!("{name} {}{}", sign(*share), number(share.abs(), 2)))
@@ -198,7 +199,7 @@ impl Answer {
     }
 
     fn experiments_told(&self) -> String {
-        let row = |told: &Told| {
+        let row = |told: &ComparedExperiment| {
             let set = told
                 .set
                 .iter()
@@ -303,11 +304,11 @@ impl Answer {
     }
 }
 
-fn experiments(fit: &Fit<'_>, setups: &[Setup], gaps: &[usize]) -> Vec<Told> {
+fn experiments(fit: &Fit<'_>, setups: &[Setup], gaps: &[usize]) -> Vec<ComparedExperiment> {
     let told = |((experiment, setup), gaps): ((&Experiment, &Setup), &usize)| {
         let times = &experiment.measured.times;
         let columns = experiment.measured.columns.iter().flat_map(|(_, values)| values);
-        Told {
+        ComparedExperiment {
             name: setup.name.clone(),
             data: setup.data.display().to_string(),
             set: as_json(&setup.set),

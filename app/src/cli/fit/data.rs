@@ -57,16 +57,8 @@ impl Reading<'_> {
     }
 
     fn read_text(&self, text: &str) -> Result<File, Refusal> {
-        let text = text.trim_start_matches('\u{feff}');
-        let header = text.lines().next().unwrap_or_default();
-        let delimiter = [b',', b';', b'\t']
-            .into_iter()
-            .max_by_key(|delimiter| header.bytes().filter(|byte| byte == delimiter).count());
-        let mut reader = csv::ReaderBuilder::new()
-            .delimiter(delimiter.unwrap_or(b','))
-            .trim(csv::Trim::All)
-            .comment(Some(b'#'))
-            .from_reader(text.as_bytes());
+        let text = text.trim_start_matches(BYTE_ORDER_MARK);
+        let mut reader = reader(text);
         let header = reader.headers().map_err(|error| refuse(error.to_string(), ""))?.clone();
         let in_seconds = seconds(&header)?;
         let mut wanted = self.wanted(&header)?;
@@ -212,6 +204,23 @@ fn seconds(header: &csv::StringRecord) -> Result<Conversion, Refusal> {
     Ok(Box::new(convert))
 }
 
+/// Begins texts of some programs.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// Returns a reader of a table whose cells are separated by commas, semicolons or tabs, and whose
+/// comments begin with `#`.
+pub fn reader(text: &str) -> csv::Reader<&[u8]> {
+    let text = text.trim_start_matches(BYTE_ORDER_MARK);
+    let header = text.lines().next().unwrap_or_default();
+    let count = |delimiter: &u8| header.bytes().filter(|byte| byte == delimiter).count();
+    let delimiter = [b',', b';', b'\t'].into_iter().max_by_key(count);
+    csv::ReaderBuilder::new()
+        .delimiter(delimiter.unwrap_or(b','))
+        .trim(csv::Trim::All)
+        .comment(Some(b'#'))
+        .from_reader(text.as_bytes())
+}
+
 /// Error in a file, with a hint.
 struct Refusal(String, String);
 
@@ -272,7 +281,7 @@ fn deviation_of(cell: &str) -> Option<String> {
 }
 
 /// Returns name and unit of `name [unit]`.
-fn named(cell: &str) -> (&str, Option<&str>) {
+pub fn named(cell: &str) -> (&str, Option<&str>) {
     let cell = cell.trim();
     match cell.strip_suffix(']').and_then(|rest| rest.rsplit_once('[')) {
         Some((name, unit)) => (name.trim(), Some(unit.trim())),

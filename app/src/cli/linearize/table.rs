@@ -165,7 +165,7 @@ fn regulator_told(regulator: &Regulator) -> String {
 }
 
 fn estimator_told(answer: &Answer<'_>, estimator: &Estimator) -> String {
-    let Estimator { outputs, states, gain, innovation_gain, covariance, poles } = estimator;
+    let Estimator { outputs, states, gain, innovation_gain, covariance, poles, .. } = estimator;
     let law = if answer.model.sampling.is_some() {
         "\nKalman filter x[k+1] = A x[k] + B u[k] + L (y[k] - C x[k] - D u[k]), x[k|k] = x[k] + M (...)\n"
     } else {

@@ -18,20 +18,20 @@ const LISTED: usize = 5;
 
 /// Estimate with its confidence interval; an end that is `null` is not bounded by the samples.
 #[derive(Debug, Clone, Copy, Serialize)]
-struct Told {
+struct IntervalEstimate {
     value: f64,
     low: Option<f64>,
     high: Option<f64>,
 }
 
-impl From<Estimate> for Told {
+impl From<Estimate> for IntervalEstimate {
     fn from(of: Estimate) -> Self {
         let bounded = |end: f64| end.is_finite().then_some(end);
         Self { value: of.value, low: bounded(of.low), high: bounded(of.high) }
     }
 }
 
-impl Told {
+impl IntervalEstimate {
     fn row(&self, name: String, digits: usize) -> [String; 4] {
         let shown =
             |end: Option<f64>| end.map_or_else(|| "?".to_owned(), |end| number(end, digits));
@@ -52,14 +52,14 @@ struct Parameter {
 struct Quantile {
     probability: f64,
     #[serde(flatten)]
-    estimate: Told,
+    estimate: IntervalEstimate,
 }
 
 #[derive(Debug, Serialize)]
 struct IndexOf {
     parameter: String,
-    first: Told,
-    total: Told,
+    first: IntervalEstimate,
+    total: IntervalEstimate,
 }
 
 #[derive(Debug, Serialize)]
@@ -67,8 +67,8 @@ struct ResultOf {
     of: String,
     unit: String,
     count: usize,
-    mean: Told,
-    deviation: Told,
+    mean: IntervalEstimate,
+    deviation: IntervalEstimate,
     least: f64,
     greatest: f64,
     quantiles: Vec<Quantile>,
@@ -85,7 +85,7 @@ struct LimitOf {
     /// Number of runs that miss it.
     failures: usize,
     count: usize,
-    probability: Told,
+    probability: IntervalEstimate,
 }
 
 #[derive(Debug, Serialize)]

@@ -10,7 +10,8 @@ use machinist_codegen::spec::spread::{self, Spread};
 use nalgebra::DMatrix;
 use serde_json::{Map, Value, json};
 
-use crate::cli::scene::Given;
+use crate::cli::amount::split_number;
+use crate::cli::scene::SceneSource;
 use crate::failure::{Failure, did_you_mean};
 
 /// Distribution of a parameter on the command line.
@@ -24,11 +25,30 @@ pub struct Varied {
 pub fn varied(text: &str) -> Result<Varied, String> {
     const EXAMPLE: &str = "write it as NAME=normal(10, 0.5)";
     let (name, spread) = text.split_once('=').ok_or(EXAMPLE)?;
-    let spread = Spread::parse(spread.trim()).map_err(|error| {
+    let spread = Spread::parse(&with_brackets(spread.trim())).map_err(|error| {
         let help = if error.help.is_empty() { String::new() } else { format!("; {}", error.help) };
         format!("{}{help}", error.message)
     })?;
     Ok(Varied { name: name.trim().to_owned(), spread })
+}
+
+/// Puts brackets around the units of a distribution, as specs have them: `normal(2 kN, 5 N)`.
+fn with_brackets(text: &str) -> String {
+    let amount = |text: &str| {
+        let (number, unit) = split_number(text.trim());
+        match unit.trim() {
+            "" | "%" => text.to_owned(),
+            unit if number.is_empty() || unit.starts_with('[') => text.to_owned(),
+            unit => format!("{number} [{unit}]"),
+        }
+    };
+    let all = |text: &str, between: &str| {
+        text.split(between).map(amount).collect::<Vec<_>>().join(between)
+    };
+    match text.strip_suffix(')').and_then(|text| text.split_once('(')) {
+        Some((name, arguments)) => format!("{name}({})", all(arguments, ",")),
+        None => all(text, "+-"),
+    }
 }
 
 /// Parameters that vary.
@@ -194,10 +214,10 @@ fn place_of(run: &Simulation<'_>, name: &str) -> Option<usize> {
 
 /// Returns the distributions of a scene.
 pub fn of_scene(argument: &str) -> Result<Scatter, Failure> {
-    match Given::of(argument)? {
+    match SceneSource::of(argument)? {
         // Model files have no distributions.
-        Given::Model(_) => Ok(Scatter::default()),
-        Given::Spec(source) => Ok(distributions(&source.read()?)?),
+        SceneSource::Model(_) => Ok(Scatter::default()),
+        SceneSource::Spec(source) => Ok(distributions(&source.read()?)?),
     }
 }
 

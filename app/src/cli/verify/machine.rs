@@ -119,10 +119,10 @@ fn few_elements(scene: &dyn FieldScene<f64>, wanted: Discretisation) -> Discreti
 #[cfg(feature = "derive")]
 fn given(argument: &str, changes: &Changes) -> Result<(Model, Result<Spec, String>), Failure> {
     let keep_all = changes.machine.keep.keep_all;
-    match scene::Given::of(argument)? {
-        scene::Given::Model(_) if keep_all => Err(scene::already_reduced(argument)),
-        scene::Given::Model(stamped) => Ok((stamped.model, Err(NO_SPEC.to_owned()))),
-        scene::Given::Spec(source) => {
+    match scene::SceneSource::of(argument)? {
+        scene::SceneSource::Model(_) if keep_all => Err(scene::already_reduced(argument)),
+        scene::SceneSource::Model(stamped) => Ok((stamped.model, Err(NO_SPEC.to_owned()))),
+        scene::SceneSource::Spec(source) => {
             let model = scene::derived(&source, keep_all)?;
             let spec = Spec::of(&source, &model)?;
             Ok((model, spec))
@@ -134,10 +134,10 @@ fn given(argument: &str, changes: &Changes) -> Result<(Model, Result<Spec, Strin
 #[cfg(not(feature = "derive"))]
 fn given(argument: &str, changes: &Changes) -> Result<(Model, Result<Spec, String>), Failure> {
     let keep_all = changes.machine.keep.keep_all;
-    match scene::Given::of(argument)? {
-        scene::Given::Model(_) if keep_all => Err(scene::already_reduced(argument)),
-        scene::Given::Model(stamped) => Ok((stamped.model, Err(NO_SPEC.to_owned()))),
-        scene::Given::Spec(source) => Err(scene::cannot_derive(&source)),
+    match scene::SceneSource::of(argument)? {
+        scene::SceneSource::Model(_) if keep_all => Err(scene::already_reduced(argument)),
+        scene::SceneSource::Model(stamped) => Ok((stamped.model, Err(NO_SPEC.to_owned()))),
+        scene::SceneSource::Spec(source) => Err(scene::cannot_derive(&source)),
     }
 }
 

@@ -8,15 +8,13 @@ use roxmltree::Node;
 use super::{elements, text_of};
 use crate::robot::shapes::isometry;
 use crate::robot::tree::Pose;
-use crate::robot::xml::{Read, Reader, child};
+use crate::robot::xml::{DEEPEST, Read, Reader, child};
 
 /// Name of the model's own frame.
 const MODEL: &str = "__model__";
-/// Maximum number of frames between one and the model.
-const DEEPEST: usize = 500;
 
 /// A pose and the frame that it is relative to.
-struct Given<'a, 'input> {
+struct RelativePose<'a, 'input> {
     node: Node<'a, 'input>,
     relative_to: String,
     pose: Isometry3<f64>,
@@ -28,7 +26,7 @@ pub(super) struct Frames<'a, 'input> {
     model: Node<'a, 'input>,
     /// Pose of the model in the world.
     placed: Isometry3<f64>,
-    all: BTreeMap<String, Given<'a, 'input>>,
+    all: BTreeMap<String, RelativePose<'a, 'input>>,
 }
 
 impl<'a, 'input> Frames<'a, 'input> {
@@ -51,7 +49,7 @@ impl<'a, 'input> Frames<'a, 'input> {
                     _ => node.attribute("attached_to").unwrap_or_default().to_owned(),
                 };
                 let relative_to = own.filter(|own| !own.is_empty()).map_or(default, str::to_owned);
-                let given = Given { node, relative_to, pose: frames.own(node)? };
+                let given = RelativePose { node, relative_to, pose: frames.own(node)? };
                 if frames.all.insert(name.clone(), given).is_some() {
                     let message = format!("two frames are called `{}`", name.escape_debug());
                     return Err(reader.error(node, message, ""));
@@ -107,7 +105,7 @@ impl<'a, 'input> Frames<'a, 'input> {
 
     /// Reports whether a joint has the frame of the link that it carries.
     pub(super) fn is_at(&self, joint: &str, link: &str) -> bool {
-        let is_at = |given: &Given<'_, '_>| {
+        let is_at = |given: &RelativePose<'_, '_>| {
             given.relative_to == link && given.pose == Isometry3::identity()
         };
         self.all.get(joint).is_some_and(is_at)

@@ -17,6 +17,7 @@ use machinist_model::{What, Why};
 
 /// Reason why a unit cannot be approximated as rigid.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum FreezeError {
     /// It has no spring.
     #[error("unit `{0}` cannot be frozen: it has no potential energy of two coordinates")]

@@ -16,6 +16,7 @@ use super::{Algebra, Cas};
 
 /// Reason why a session failed.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[non_exhaustive]
 pub enum CasError {
     /// The lock shared by all processes could not be taken.
     #[error("cannot take the lock on Symbolica at {path}")]

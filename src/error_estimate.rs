@@ -16,13 +16,9 @@ use serde::Serialize;
 
 use crate::error::SimulateError;
 use crate::method::taylor::LEAST_RTOL;
+pub use crate::method::tolerance::REFINEMENT;
 use crate::simulate::Simulation;
 use crate::trajectory::{Column, ColumnKind, Switch, Trajectory};
-
-/// Ratio of the tolerances of both runs. With methods of order 5 and 8 the second run takes
-/// 4^(1/5) = 1.3 and 4^(1/8) = 1.2 times the steps of the first, and an error that is proportional
-/// to a power of the tolerance between 0.8 and 1.2 is overestimated by a tenth at most.
-pub const REFINEMENT: f64 = 4.0;
 
 /// Maximum number of runs of [`Simulation::run_to_accuracy`]. Where the error falls only as the
 /// square root of the tolerance, each run halves the missing decades: of sixteen, the digits of a

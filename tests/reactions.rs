@@ -134,6 +134,22 @@ fn all_methods_agree_on_friction_by_a_constraint_force_and_lose_what_it_takes() 
     }
 }
 
+/// The heat of the friction is what the motion loses, T + V at the start less that at any time.
+#[test]
+fn a_state_takes_up_the_heat_of_friction_by_a_constraint_force() {
+    let heated = RING.to_owned()
+        + "    [define.bead.states.heat]\n    unit = \"J\"\n    rate = \"-rub_slide*(x*y_dot - y*x_dot)/radius\"\n";
+    let machine = of_text(&heated, Keep::All);
+    for method in METHODS {
+        let run = with(&machine, &[], method).expect("it runs");
+        let energy = column(&run, "energy.total");
+        for (row, heat) in column(&run, "bead.heat").iter().enumerate() {
+            let lost = energy[0] - energy[row];
+            assert!((heat - lost).abs() < 1e-7 * GRAVITY, "{method}: {heat} for {lost}");
+        }
+    }
+}
+
 const LADDER: &str = r#"
     [scene]
     name = "ladder"

@@ -113,7 +113,7 @@ impl Case {
             // A quantity may be rounding beside others of its unit.
             let of_unit = columns.iter().filter(|other| other.unit == column.unit);
             let beside = of_unit.map(|other| largest_of(other)).fold(0.0, f64::max);
-            let largest = largest_of(column).max(1e-9 * beside);
+            let largest = largest_of(column).max(1e-7 * beside);
             assert_eq!(values.len(), column.values.len(), "{name}");
             for ((time, engine), page) in run.times.iter().zip(&column.values).zip(values) {
                 let page = page.unwrap_or(f64::NAN);

@@ -129,6 +129,7 @@ impl Linear {
     /// If a number in the equations is not finite. All numbers of the spec are finite, but
     /// results of computations with them may overflow.
     fn lower(&self) -> Result<Model, Diagnostics> {
+        linear(&self.machine)?;
         let mut model = lower::lower(&self.machine);
         let fields = self.machine.equations.system.fields.iter().zip(&self.fields);
         model.fields =
@@ -275,6 +276,20 @@ fn defined(cas: &mut Cas) -> Result<(), Diagnostics> {
     let message = "the equations divide by zero, or take its logarithm, in every state";
     let help = "look for a denominator or an argument of `ln` whose terms cancel";
     Err(Diagnostic::of_file("", message.to_owned(), help).into())
+}
+
+/// Rejects forces that are not linear in constraint forces, although each as written is: by the rate
+/// of a state that a momentum depends on.
+fn linear(linearization: &Linearization) -> Result<(), Diagnostics> {
+    let is_force = |symbol| matches!(symbol, Symbol::Multiplier(_));
+    let slopes = linearization.reactions.iter().flat_map(|reaction| &reaction.forcing);
+    if slopes.into_iter().any(|(_, slope)| slope.mentions(is_force)) {
+        let message = "forces depend on constraint forces by the rate of a state, and not in \
+                       proportion";
+        let help = "write the rate as a factor times the constraint force, or times its `abs`";
+        return Err(Diagnostic::of_file("", message, help).into());
+    }
+    Ok(())
 }
 
 /// Rejects forces that depend on the force of a constraint that is dropped.

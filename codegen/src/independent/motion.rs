@@ -161,18 +161,24 @@ impl<R: Real> Machine<R> {
         // into from none.
         let mut motion = self.motion_at_signs(place, None)?;
         if !self.reads_reactions {
-            return Some(motion);
+            return Some(self.with_rates(place, motion));
         }
         let mut signs = self.negative(&motion);
         for _ in 0..TRIES {
             motion = self.motion_at_signs(place, Some(&signs))?;
             let found = self.negative(&motion);
             if found == signs {
-                return Some(motion);
+                return Some(self.with_rates(place, motion));
             }
             signs = found;
         }
         None
+    }
+
+    /// Returns a motion with the rates of first-order states, which may read constraint forces.
+    fn with_rates(&self, place: &Place<R>, motion: Motion<R>) -> Motion<R> {
+        let rates = self.rates.iter().map(|rate| self.value(rate, place, Some(&motion))).collect();
+        Motion { rates, ..motion }
     }
 
     /// Returns the constraints whose forces are negative.

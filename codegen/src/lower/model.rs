@@ -242,7 +242,9 @@ impl<'a> Build<'a> {
     /// Returns dy'/dy and dy'/dp.
     fn jacobians(&mut self) -> Jacobians {
         let partials = [&self.linearization.state, &self.linearization.parameters];
-        if self.reactions.is_empty() && self.is_large() {
+        let is_in_columns =
+            self.reactions.is_empty() && self.linearization.rates_by_forces.is_empty();
+        if is_in_columns && self.is_large() {
             Jacobians::Implicit(partials.map(|partials| self.columns(partials)))
         } else {
             let entries = self.velocity_entries();
@@ -321,13 +323,25 @@ impl<'a> Build<'a> {
         entries: &BTreeMap<usize, usize>,
     ) -> BTreeMap<usize, NodeId> {
         let side = self.side(partials);
-        let accelerations = self.reactions.accelerations(&mut self.graph, &self.substitution, side);
+        let by_forces = &self.linearization.rates_by_forces;
+        let accelerations =
+            self.reactions.solved(&mut self.graph, &self.substitution, side, !by_forces.is_empty());
         let mut column: BTreeMap<usize, NodeId> = accelerations
-            .into_iter()
-            .filter_map(|(coordinate, node)| Some((*entries.get(&coordinate)?, node)))
+            .iter()
+            .filter_map(|(coordinate, node)| Some((*entries.get(coordinate)?, *node)))
             .collect();
         for (entry, expr) in &partials.rates {
             column.insert(*entry, self.lower(expr));
+        }
+        for (row, slopes) in (self.coordinates()..).zip(by_forces) {
+            let Some(negative) = accelerations.get(&row).copied() else { continue };
+            for (entry, slope) in slopes {
+                let slope = self.lower(slope);
+                let part = self.graph.mul(slope, negative);
+                let before = column.get(entry).copied();
+                let before = before.unwrap_or_else(|| self.graph.literal(0.0));
+                column.insert(*entry, self.graph.sub(before, part));
+            }
         }
         column
     }

@@ -123,15 +123,16 @@ impl Reactions {
         self.rows.is_empty()
     }
 
-    /// Returns q'' in the rows of coordinates, for right sides by rows; see
-    /// [`Substitution::accelerations`].
-    pub fn accelerations(
+    /// Returns q'' in the rows of coordinates, for right sides by rows, and, if `with_forces`, -lambda
+    /// in those of all constraints; see [`Substitution::accelerations`].
+    pub fn solved(
         &self,
         graph: &mut Graph,
         substitution: &Substitution,
         side: BTreeMap<usize, NodeId>,
+        with_forces: bool,
     ) -> BTreeMap<usize, NodeId> {
-        if self.is_empty() {
+        if self.is_empty() && !with_forces {
             return substitution.accelerations(graph, side);
         }
         let mut sides = vec![graph.literal(0.0); substitution.rows()];

@@ -24,6 +24,9 @@ pub struct Linearization {
     pub time: Partials,
     /// Derivatives of f by the constraint forces that forces depend on.
     pub reactions: Vec<Reaction>,
+    /// Derivatives of the rates of first-order states by constraint forces: a row of (entry of the
+    /// state, dh/dlambda) for each constraint. Empty if no rate depends on such a force.
+    pub rates_by_forces: Vec<Vec<(usize, Expr)>>,
     /// Derivatives of the guards by the constraint forces, a row for each constraint. Empty if no
     /// guard depends on such a force.
     pub guards_by_forces: Vec<Vec<Expr>>,
@@ -68,6 +71,7 @@ pub fn linearize(cas: &mut Cas, equations: &EquationsOfMotion) -> Linearization 
         parameters: parameters.chain(handed).map(|symbol| forms.partials(cas, symbol)).collect(),
         time: forms.partials(cas, Symbol::Time),
         reactions: forms.reactions(cas),
+        rates_by_forces: forms.rates_by_forces(cas, equations),
         guards_by_forces: forms.guards_by_forces(cas, equations),
         equations: equations.clone(),
     }
@@ -155,6 +159,20 @@ impl Forms {
             forcing: self.partials(cas, Symbol::Multiplier(constraint)).forcing,
         });
         reactions.collect()
+    }
+
+    fn rates_by_forces(
+        &self,
+        cas: &mut Cas,
+        equations: &EquationsOfMotion,
+    ) -> Vec<Vec<(usize, Expr)>> {
+        let forces = (0..equations.constraints.len() as u32).map(ConstraintId);
+        let forces: Vec<Symbol> = forces.map(Symbol::Multiplier).collect();
+        let is_read = |force| self.places.get(force).is_some_and(|places| !places.rates.is_empty());
+        if !forces.iter().any(is_read) {
+            return Vec::new();
+        }
+        forces.into_iter().map(|force| self.partials(cas, force).rates).collect()
     }
 
     fn guards_by_forces(&self, cas: &mut Cas, equations: &EquationsOfMotion) -> Vec<Vec<Expr>> {

@@ -323,7 +323,7 @@ impl<'a> Assembler<'a> {
             let what = format!("the rate of {}", quoted(&state.name.value));
             let rate = state.unit.unit.per_second(1).unwrap_or_default().dimension;
             let wanted = Wanted::new(rate, what);
-            let resolved = self.resolver.expect(&state.rate, scope, &wanted);
+            let resolved = self.resolver.expect_rate(&state.rate, scope, wanted);
             let rate = self.note(resolved);
             let quantity = quantity(instance, &state.name.value, &state.unit.text, &state.doc);
             let initial = initial.states[states.len()].clone();

@@ -86,7 +86,7 @@ impl Resolver<'_> {
                         "accelerations and slopes of fields may be used in outputs only"
                     }
                     "the force of a constraint" => {
-                        "forces of constraints may be used in outputs, forces and guards of events only"
+                        "forces of constraints may be used in outputs, forces, rates of states and guards of events only"
                     }
                     "a velocity" => "write it with coordinates, states, time and parameters",
                     _ => "write it with numbers and parameters",

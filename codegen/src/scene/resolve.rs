@@ -149,6 +149,17 @@ impl<'a> Resolver<'a> {
         Ok(Typed { expr, ..typed })
     }
 
+    /// Resolves the rate of a first-order state, which may contain constraint forces.
+    ///
+    /// # Errors
+    /// As [`Resolver::expect`].
+    pub fn expect_rate(&mut self, ast: &Ast, scope: Scope, wanted: Wanted) -> Resolved {
+        let typed = self.expect(ast, scope, &wanted.of(Uses::GUARD))?;
+        // As forces read them: one sign, one relation.
+        let expr = in_proportion(typed.expr.clone(), ast.span).unwrap_or(typed.expr);
+        Ok(Typed { expr, ..typed })
+    }
+
     /// Resolves a name.
     ///
     /// # Errors

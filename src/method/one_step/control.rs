@@ -1,7 +1,7 @@
 //! Step size control.
 
 use super::{End, Left, OneStep, Stopped, Stretch, is_too_small};
-use crate::error_estimate::REFINEMENT;
+use crate::method::tolerance::REFINEMENT;
 
 /// Step size control: after error e of step h and error e' of the previous one, the next step is
 /// `safety` h e^-exponent e'^memory, within limits (a PI controller; Hairer, Norsett, Wanner,

@@ -109,6 +109,9 @@ impl Unknowns<'_> {
 
 /// Returns an expression without its terms in constraint forces.
 pub fn without_reactions(expr: &Expr) -> Expr {
+    if !expr.mentions(|symbol| matches!(symbol, Symbol::Multiplier(_))) {
+        return expr.clone();
+    }
     // The sign does not matter where the force is zero.
     expr.replace(&|symbol| match symbol {
         Symbol::Multiplier(_) => Some(Expr::integer(0)),

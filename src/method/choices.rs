@@ -14,11 +14,13 @@ use super::Method;
 /// use machinist::method::{Auto, ExplicitMethod};
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
 /// # fn main() -> Result<(), machinist::SimulateError> {
+/// # #[cfg(feature = "implicit")] {
 /// let choices = Auto { explicit: Some(ExplicitMethod::Tsit5), ..Auto::default() };
 /// let run = Simulation::new(&Oscillator).auto(choices).run()?;
 /// assert!(run.notes[0].starts_with("starts with tsit5"), "{:?}", run.notes);
 ///
 /// assert_eq!("explicit=tsit5".parse(), Ok(choices));
+/// # }
 /// # Ok(())
 /// # }
 /// ```

@@ -22,6 +22,10 @@ pub struct Stretch<'a> {
     /// True if first steps are shortened; see [`StepTolerance::shortens`](super::StepTolerance).
     pub(super) shortens: bool,
     /// Choices of `auto`.
+    #[cfg_attr(
+        not(feature = "implicit"),
+        expect(dead_code, reason = "no `auto` without `implicit`")
+    )]
     pub(super) auto: Auto,
     /// Guards to be watched, if there are any.
     pub watch: Option<&'a Watch<'a>>,

@@ -223,7 +223,7 @@ impl<'a> Runner<'a> {
         spinner.finish_and_clear();
         let is_interrupted = self.is_interrupted() && outcomes.len() < plan.len();
         if let Some(Outcome { values: Err(first), .. }) = outcomes.first()
-            && outcomes.iter().all(|outcome| outcome.values.as_ref().err() == Some(first))
+            && outcomes.iter().all(|outcome| outcome.values.is_err())
         {
             return Err(Failure::unsuccessful(format!("every run has no result: {first}"), ""));
         }

@@ -11,7 +11,7 @@
 use std::path::Path;
 
 use machinist_algebra::cas::{Algebra, Cas, CasError, session};
-use machinist_algebra::expr::{ConstraintId, Symbol};
+use machinist_algebra::expr::{ConstraintId, Expr, Symbol};
 use machinist_model::Model;
 use machinist_model::file::Stamped;
 use serde::{Deserialize, Serialize};
@@ -292,20 +292,24 @@ fn linear(linearization: &Linearization) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Rejects forces that depend on the force of a constraint that is dropped.
+/// Rejects forces and rates that depend on the force of a constraint that is dropped.
 fn carried(equations: &EquationsOfMotion) -> Result<(), Diagnostics> {
     let dropped = equations.system.constraints.iter().enumerate().filter(|(_, one)| one.is_dropped);
     for (index, constraint) in dropped {
         let its = Symbol::Multiplier(ConstraintId(index as u32));
-        if equations.forcing.iter().any(|force| force.mentions(|symbol| symbol == its)) {
-            let message = format!(
-                "a force depends on the force of constraint `{}`, which is dropped because it \
-                 follows from others",
-                constraint.name.path
-            );
-            let help = "these carry its force: let the force depend on theirs, or leave them out";
-            return Err(Diagnostic::of_file("", message, help).into());
-        }
+        let reads = |exprs: &[Expr]| exprs.iter().any(|expr| expr.mentions(|symbol| symbol == its));
+        let what = match (reads(&equations.forcing), reads(&equations.rates)) {
+            (true, _) => "a force",
+            (_, true) => "a rate",
+            _ => continue,
+        };
+        let message = format!(
+            "{what} depends on the force of constraint `{}`, which is dropped because it follows \
+             from others",
+            constraint.name.path
+        );
+        let help = "these carry its force: read theirs instead, or leave them out";
+        return Err(Diagnostic::of_file("", message, help).into());
     }
     Ok(())
 }

@@ -139,13 +139,7 @@ impl<'a> Resolver<'a> {
                         force keeps its sign, leave out `abs`";
             return Err(Box::new(Mistake::new(ast.span, message, "one more").help(help)));
         }
-        let fields = self.spec.instances.iter().map(|instance| &self.spec.units[instance.unit]);
-        if fields.flat_map(|unit| &unit.fields).next().is_some() {
-            let message = "a force depends on the force of a constraint, and the scene has fields";
-            let help = "constraint forces are solved for without what fields add to the machine; use \
-                        lumped masses and springs instead";
-            return Err(Box::new(Mistake::new(ast.span, message, "not with fields").help(help)));
-        }
+        self.require_no_fields("a force", ast.span)?;
         Ok(Typed { expr, ..typed })
     }
 
@@ -155,9 +149,25 @@ impl<'a> Resolver<'a> {
     /// As [`Resolver::expect`].
     pub fn expect_rate(&mut self, ast: &Ast, scope: Scope, wanted: Wanted) -> Resolved {
         let typed = self.expect(ast, scope, &wanted.of(Uses::GUARD))?;
+        if typed.uses.reaction {
+            self.require_no_fields("a rate", ast.span)?;
+        }
         // As forces read them: one sign, one relation.
         let expr = in_proportion(typed.expr.clone(), ast.span).unwrap_or(typed.expr);
         Ok(Typed { expr, ..typed })
+    }
+
+    /// Rejects what reads constraint forces in a scene with fields.
+    fn require_no_fields(&self, what: &str, span: Span) -> Result<(), Box<Mistake>> {
+        let units = self.spec.instances.iter().map(|instance| &self.spec.units[instance.unit]);
+        if units.flat_map(|unit| &unit.fields).next().is_none() {
+            return Ok(());
+        }
+        let message =
+            format!("{what} depends on the force of a constraint, and the scene has fields");
+        let help = "constraint forces are solved for without what fields add to the machine; use \
+                    lumped masses and springs instead";
+        Err(Box::new(Mistake::new(span, message, "not with fields").help(help)))
     }
 
     /// Resolves a name.

@@ -31,7 +31,7 @@ use machinist_model::{Function, NodeId, Op, Relation, Table};
 
 use super::along::{along, reached};
 use recurring::recurring;
-use relations::{clamps, readers, readers_of_power};
+use relations::{clamps, read, readers};
 
 /// Points at which a rate is not smooth.
 #[derive(Debug, Default)]
@@ -132,9 +132,10 @@ pub fn kinks(graph: &mut Graph, places: &Places<'_>, given: &Given<'_>) -> Kinks
 }
 
 impl Kinks {
-    /// Lets relations that power reads end steps.
+    /// Lets relations that power reads end steps too. Where motion is prescribed, a force may act on
+    /// power alone.
     pub fn read_by_power(&mut self, graph: &mut Graph, power: &[NodeId]) {
-        readers_of_power(graph, power, self);
+        read(graph, vec![(Reader::Rate, power.to_vec())], self);
     }
 }
 

@@ -36,10 +36,11 @@ pub struct Reactions {
     is_signed: Vec<bool>,
 }
 
-/// A column of L for both signs of its unknown.
-struct Column {
-    negative: Vec<NodeId>,
-    positive: Vec<NodeId>,
+/// A column of L.
+enum Column {
+    Same(Vec<NodeId>),
+    /// For a negative and a positive unknown.
+    Signed([Vec<NodeId>; 2]),
 }
 
 /// What is known while signs are searched for.
@@ -84,12 +85,15 @@ impl Unknowns<'_> {
             }
             forces(graph, substitution, &rows, &column)
         };
-        let both = self.reactions.iter().map(|reaction| Column {
-            negative: column(graph, reaction, -1),
-            positive: column(graph, reaction, 1),
-        });
-        let columns = both.collect();
         let is_signed: Vec<bool> = self.reactions.iter().map(is_signed).collect();
+        let columns = self.reactions.iter().zip(&is_signed).map(|(reaction, is_signed)| {
+            if *is_signed {
+                Column::Signed([-1, 1].map(|sign| column(graph, reaction, sign)))
+            } else {
+                Column::Same(column(graph, reaction, 1))
+            }
+        });
+        let columns = columns.collect();
         let mut search =
             Search { columns, is_signed: is_signed.clone(), without, known: BTreeMap::new() };
         let columns = (0..rows.len()).map(|unknown| search.column(graph, unknown, 0)).collect();
@@ -171,14 +175,14 @@ impl Reactions {
 impl Search {
     /// Returns a column of L where unknowns are left out; its own is not.
     fn column(&mut self, graph: &mut Graph, unknown: usize, off: u32) -> Vec<NodeId> {
-        if !self.is_signed[unknown] {
-            return self.columns[unknown].positive.clone();
-        }
+        let [negative, positive] = match &self.columns[unknown] {
+            Column::Same(column) => return column.clone(),
+            Column::Signed(both) => both.clone(),
+        };
         let sign = self.solution(graph, off | 1 << unknown)[unknown];
         let zero = graph.literal(0.0);
-        let Column { negative, positive } = &self.columns[unknown];
-        let pairs = negative.iter().zip(positive);
-        pairs.map(|(n, p)| graph.select_less(sign, zero, *n, *p)).collect()
+        let pairs = negative.into_iter().zip(positive);
+        pairs.map(|(n, p)| graph.select_less(sign, zero, n, p)).collect()
     }
 
     /// Returns the unknowns where the forces of some are left out.

@@ -46,14 +46,8 @@ pub(super) fn readers(graph: &mut Graph, places: &Places<'_>, found: &mut Kinks)
     read(graph, open, found);
 }
 
-/// Lets relations that power reads end steps too. Where motion is prescribed, a force may act on power
-/// alone.
-pub(super) fn readers_of_power(graph: &mut Graph, power: &[NodeId], found: &mut Kinks) {
-    read(graph, vec![(Reader::Rate, power.to_vec())], found);
-}
-
 /// Adds the readers of relations that nodes reach, and those of relations that these read.
-fn read(graph: &mut Graph, mut open: Vec<(Reader, Vec<NodeId>)>, found: &mut Kinks) {
+pub(super) fn read(graph: &mut Graph, mut open: Vec<(Reader, Vec<NodeId>)>, found: &mut Kinks) {
     let guards = found.slots.iter().map(|(compared, slot)| {
         let operands = match *compared {
             Compared::Less(lhs, rhs) => vec![lhs, rhs],

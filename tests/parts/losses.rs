@@ -57,6 +57,7 @@ angle = "motor.phi"
 height = "drum.phi"
 torque_a = "gear.torque_a"
 torque_b = "gear.torque_b"
+loss = "gear.loss"
 
 [run]
 until = 2.0
@@ -123,6 +124,55 @@ fn what_a_lossy_gear_transmits_is_by_its_efficiency_in_both_directions() {
             }
         }
     }
+}
+
+#[test]
+fn a_rigid_lossy_gear_passes_on_its_efficiency_from_either_side() {
+    let gear = of_text(&GEAR.replace("lossy_gear", "rigid_lossy_gear"), Keep::All);
+    let mut sides = [0; 2];
+    for ratio in [-8.0, 0.3, 1.0, 25.0] {
+        for efficiency in [0.3, 0.8, 1.0] {
+            for (speed, pull, load) in [
+                (5.0, 3.0, 1.0),
+                (5.0, -3.0, -2.0),
+                (-5.0, 3.0, 1.0),
+                (-5.0, -3.0, 1.0),
+                (5.0, 0.1, 9.0),
+            ] {
+                let run = [
+                    ("gear.ratio", ratio),
+                    ("gear.efficiency", efficiency),
+                    ("gear.back_efficiency", 0.7 * efficiency),
+                    ("motor.inertia", 0.8),
+                    ("drum.inertia", 30.0),
+                    ("motor_speed", ratio * speed),
+                    ("drum_speed", speed),
+                    ("pull", pull),
+                    ("load", load),
+                ]
+                .into_iter()
+                .try_fold(Simulation::new(&gear), |run, (name, value)| run.parameter(name, value))
+                .expect("parameters")
+                .until(0.01)
+                .points(11)
+                .rtol(1e-9)
+                .method(Method::Auto)
+                .run()
+                .expect("it runs");
+                let at = |name: &str| column(&run, name)[5];
+                let (into, out) = (-at("torque_a") * at("motor"), at("torque_b") * at("drum"));
+                let case = format!("{ratio} {efficiency} {speed} {pull} {load}: {into} {out}");
+                let forward = into > 0.0;
+                sides[usize::from(forward)] += 1;
+                let passed =
+                    if forward { out - efficiency * into } else { into - 0.7 * efficiency * out };
+                assert!(passed.abs() < 1e-12 * into.abs().max(out.abs()), "{case}");
+                let loss = at("loss");
+                assert!((into - out - loss).abs() < 1e-12 * into.abs().max(1.0), "{case}: {loss}");
+            }
+        }
+    }
+    assert!(sides.iter().all(|count| *count > 10), "{sides:?}");
 }
 
 #[test]

@@ -379,12 +379,45 @@ fn a_force_in_another_way_than_in_proportion_is_refused_at_its_place() {
 
 #[test]
 fn the_force_of_a_dropped_constraint_is_not_read_silently() {
-    let text = RING.replace("mu*abs(ring)", "mu*abs(again)")
-        + "    [define.bead.constraints.again]\n    expression = \"2*(sqrt(x^2 + y^2) - radius)\"\n";
-    let mut system = system_of(&text);
-    system.drop_constraint("bead.again", &[]);
-    let refused = pipeline::compile(system, Keep::All).expect_err("it is refused").render();
-    assert!(refused.contains("`bead.again`, which is dropped"), "{refused}");
+    let again = "    [define.bead.constraints.again]\n    \
+                 expression = \"2*(sqrt(x^2 + y^2) - radius)\"\n";
+    let by_force = RING.replace("mu*abs(ring)", "mu*abs(again)") + again;
+    let by_rate = format!("{RING}{again}{}", wear("abs(again)"));
+    for (text, what) in [(by_force, "a force"), (by_rate, "a rate")] {
+        let mut system = system_of(&text);
+        system.drop_constraint("bead.again", &[]);
+        let refused = pipeline::compile(system, Keep::All).expect_err("it is refused").render();
+        let refused = refused.split_whitespace().collect::<Vec<_>>().join(" ");
+        let said =
+            format!("{what} depends on the force of constraint `bead.again`, which is dropped");
+        assert!(refused.replace("│ ", "").contains(&said), "{refused}");
+    }
+}
+
+/// Returns a state of a bead whose rate is that of wear by a force.
+fn wear(force: &str) -> String {
+    format!(
+        "    [define.bead.states.wear]\n    unit = \"m\"\n    rate = \"1e-6 [m/(N*s)]*{force}\"\n"
+    )
+}
+
+/// Rates read sizes of constraint forces also where no force acts in proportion to them.
+#[test]
+fn a_state_wears_by_the_size_of_a_force_without_friction() {
+    let start = RING.find("    [define.bead.friction.rub]").expect("friction");
+    let smooth = RING[..start].replace("    rub = \"bead.rub\"\n", "");
+    let smooth = format!("{smooth}{}", wear("abs(ring)"));
+    let machine = of_text(&smooth, Keep::All);
+    for method in METHODS {
+        let run = with(&machine, &[], method).expect("it runs");
+        let normal = column(&run, "normal");
+        let worn = column(&run, "bead.wear");
+        let pairs = run.times.windows(2).zip(normal.windows(2));
+        let sum: f64 =
+            pairs.map(|(time, n)| 0.5e-6 * (time[1] - time[0]) * (n[0].abs() + n[1].abs())).sum();
+        let last = worn[worn.len() - 1];
+        assert!((last - sum).abs() < 1e-4 * sum, "{method}: {last} for {sum}");
+    }
 }
 
 #[test]

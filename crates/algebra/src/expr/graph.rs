@@ -88,7 +88,11 @@ impl Graph {
             Symbol::Handed(id) => self.push(Op::Handed(id.0)),
             Symbol::Acceleration(id) => self.accelerations[id.0 as usize],
             Symbol::Multiplier(id) => self.multipliers[id.0 as usize],
-            Symbol::Unloaded(id) => self.unloaded[&id],
+            Symbol::Unloaded(id) => {
+                // Where no such force acts, it is the multiplier.
+                let own = self.unloaded.get(&id).copied();
+                own.unwrap_or_else(|| self.multipliers[id.0 as usize])
+            }
             Symbol::Helper(id) => self.helpers[&id],
         }
     }

@@ -131,6 +131,47 @@ fn every_kind_of_joint_and_any_name_is_imported() {
     }
 }
 
+/// Links without inertia at the ends of joints, inertias that no body has, long names.
+#[test]
+fn robots_are_imported_as_vendors_describe_them() {
+    let slider = "<link name=\"slider\"><inertial><mass value=\"1\"/>
+    <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>";
+    let finger = "ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>
+  <link name=\"tool\"/>";
+    let long =
+        "shapes_of_the_parent_of_the_camera_in_front_to_the_frame_of_the_colour_camera_in_front";
+    let (arm, other) = (format!("\"{long}.1\""), format!("\"{long}.2\""));
+    for (changes, joints, wanted) in [
+        (
+            vec![("type=\"fixed\"", "type=\"continuous\"")],
+            3,
+            "joint `hand` is fixed: nothing that it moves has inertia",
+        ),
+        // What follows it has inertia.
+        (vec![(slider, "<link name=\"slider\"/>")], 3, ""),
+        (
+            vec![(finger, &*finger.replace("ixy=\"0\"", "ixy=\"1.5\""))],
+            3,
+            "no body has the inertia of `finger`: about some axis it is negative",
+        ),
+        (vec![("\"arm.1\"", &*arm), ("\"slider\"", &*other)], 3, ""),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut text = ALL.to_owned();
+        for (before, after) in changes {
+            assert!(text.contains(before), "{before}");
+            text = text.replace(before, after);
+        }
+        std::fs::write(folder.path().join("all.urdf"), text).expect("written");
+        let call = ["import", "all.urdf", "--out", "all.toml"];
+        let output = machinist(&folder, &call).output().expect("it starts");
+        let [said, noted] = [&output.stdout, &output.stderr].map(|of| String::from_utf8_lossy(of));
+        assert!(said.contains(&format!("{joints} joints that move")), "{said}{noted}");
+        assert!(noted.contains(wanted), "{noted}");
+        answer(machinist(&folder, &["run", "all.toml", "--no-error"]));
+    }
+}
+
 #[test]
 fn bad_robots_are_refused_and_nothing_is_written() {
     let bomb = "<!DOCTYPE robot [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;&a;&a;\">]>";
@@ -144,7 +185,7 @@ fn bad_robots_are_refused_and_nothing_is_written() {
         ("<mass value=\"1\"/>", "<mass value=\"nan\"/>", "is nan, which no robot has"),
         ("<mass value=\"1\"/>", "<mass value=\"1e300\"/>", "is 1e300, which no robot has"),
         ("<mass value=\"1\"/>", "<mass value=\"3 kg\"/>", "not a number"),
-        ("<mass value=\"1\"/>", "<mass value=\"-1\"/>", "is negative"),
+        ("<mass value=\"1\"/>", "<mass value=\"-1\"/>", "must not be negative"),
         ("<mass value=\"1\"/>", "", "lacks <mass>"),
         ("ixx=\"1\"", "ixx=\"-1\"", "below 0"),
         ("ixx=\"1\"", "", "lacks the attribute `ixx`"),
@@ -155,7 +196,6 @@ fn bad_robots_are_refused_and_nothing_is_written() {
         ("<child link=\"tool\"/>", "<child link=\"slider\"/>", "carried by two joints"),
         ("<link name=\"tool\"/>", "<link name=\"tool\"/><link name=\"b\"/>", "two bases"),
         ("<link name=\"tool\"/>", "<link name=\"slider\"/>", "two links are called"),
-        ("type=\"fixed\"", "type=\"continuous\"", "neither it nor what it carries has inertia"),
         ("type=\"continuous\"", "type=\"planar\"", "is of type `planar`"),
         ("<axis xyz=\"0 1 1\"/>", "<axis xyz=\"0 0 0\"/>", "is zero"),
         ("mimic joint=\"arm 1\"", "mimic joint=\"none\"", "which is missing"),
@@ -231,7 +271,7 @@ fn bad_models_of_gazebo_are_refused_and_nothing_is_written() {
         ),
         ("rotation_format=\"quat_xyzw\"", "", "has 6 numbers, not 7"),
         ("<mass>3.7</mass>", "<mass>nan</mass>", "which no robot has"),
-        ("<mass>3.7</mass>", "<mass>-3.7</mass>", "is negative"),
+        ("<mass>3.7</mass>", "<mass>-3.7</mass>", "must not be negative"),
         ("<mass>3.7</mass>", "<mass>3.7 kg</mass>", "not a number"),
         ("<mass>3.7</mass>", "", "lacks <mass>"),
         ("<ixx>0.010267495893</ixx>", "<ixx>-1</ixx>", "below 0"),
@@ -297,4 +337,89 @@ fn a_model_of_gazebo_that_nothing_holds_is_free_and_its_losses_act() {
     }
     assert!(!scene.contains("# Limits"), "{scene}");
     answer(machinist(&folder, &["run", "pair.toml", "--no-error"]));
+}
+
+/// A coupler between two parallel cranks of length 0.5 m, in the plane of x and z. The last joint, of the
+/// type `closing`, closes the loop. Where it is fixed, the coupler is in two halves.
+fn linkage(closing: &str) -> String {
+    let link = |name: &str, x: f64, z: f64, mass: f64| {
+        format!(
+            "<link name=\"{name}\"><pose>{x} 0 {z} 0 0 0</pose><inertial><mass>{mass}</mass><inertia>\
+             <ixx>0.02</ixx><iyy>0.03</iyy><izz>0.01</izz></inertia></inertial></link>"
+        )
+    };
+    let joint = |name: &str, kind: &str, at: &str, parent: &str, child: &str| {
+        let axis = if kind == "revolute" { "<axis><xyz>0 1 0</xyz></axis>" } else { "" };
+        format!(
+            "<joint name=\"{name}\" type=\"{kind}\"><pose relative_to=\"__model__\">{at} 0 0 0</pose>\
+             <parent>{parent}</parent><child>{child}</child>{axis}</joint>"
+        )
+    };
+    let (end, half) = if closing == "fixed" { ("far", 1.5) } else { ("coupler", 3.0) };
+    let mut text = link("a", 0.0, -0.25, 1.0) + link("b", 1.0, -0.25, 1.0).as_str();
+    text += &link("coupler", 0.5, -0.5, half);
+    text += &joint("pin a", "revolute", "0 0 0", "world", "a");
+    text += &joint("pin b", "revolute", "1 0 0", "world", "b");
+    text += &joint("carry", "revolute", "0 0 -0.5", "a", "coupler");
+    if closing == "fixed" {
+        text += &link(end, 0.5, -0.5, half);
+        text += &joint("rest", "revolute", "1 0 -0.5", "b", end);
+        text += &joint("close", closing, "0.5 0 -0.5", "coupler", end);
+    } else {
+        text += &joint("close", closing, "1 0 -0.5", "b", end);
+    }
+    format!(
+        "<sdf version=\"1.9\"><world name=\"w\"><gravity>0 0 -9.81</gravity><model name=\"linkage\">\
+         <pose>0.3 -0.2 1 0 0 0.7</pose>{text}</model></world></sdf>"
+    )
+}
+
+/// The cranks move as one pendulum, whose period at this amplitude is that of an elliptic integral;
+/// the coupler does not turn.
+#[test]
+fn loops_of_gazebo_are_closed_by_constraints() {
+    // Moments about the pins, and of the coupler's mass at the ends of the cranks.
+    let inertia = 2.0 * (0.03 + 0.25 * 0.25) + 3.0 * 0.25;
+    let moment = 9.81 * (2.0 * 0.25 + 3.0 * 0.5);
+    let amplitude: f64 = 0.6;
+    // The mean of arithmetic and geometric means of 1 and cos(amplitude/2).
+    let (mut one, mut other) = (1.0, (amplitude / 2.0).cos());
+    for _ in 0..6 {
+        (one, other) = (f64::midpoint(one, other), f64::sqrt(one * other));
+    }
+    let period = std::f64::consts::TAU * f64::sqrt(inertia / moment) / one;
+    for (closing, equations) in [("revolute", 5), ("ball", 3), ("fixed", 6)] {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("loop.sdf"), linkage(closing)).expect("written");
+        let call = ["import", "loop.sdf", "--out", "loop.toml"];
+        let output = machinist(&folder, &call).output().expect("it starts");
+        let noted = String::from_utf8_lossy(&output.stderr);
+        // A loop is cut where it takes the fewest equations.
+        let (cut, equations) = if closing == "fixed" { ("rest", 5) } else { ("close", equations) };
+        let wanted = format!("joint `{cut}` is cut, and {equations} constraints close its loop");
+        assert!(noted.contains(&wanted), "{noted}");
+        let path = folder.path().join("loop.toml");
+        let text = std::fs::read_to_string(&path).expect("a scene");
+        let text = text.replace("until = 1.0", &format!("until = {period:?}"))
+            + format!("\n[initial]\n\"robot.pin_a\" = {amplitude:?}\n").as_str();
+        std::fs::write(&path, text).expect("written");
+        let run = ["run", "loop.toml", "--rtol", "1e-11", "--no-error", "--out", "-"];
+        let table = answer(machinist(&folder, &run));
+        let mut lines = table.lines();
+        let names: Vec<&str> = lines.next().expect("a head").split(',').collect();
+        let rows: Vec<Vec<f64>> = lines
+            .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
+            .collect();
+        let place = |name: &str| {
+            let is_it = |known: &&str| known.split(" [").next() == Some(name);
+            names.iter().position(is_it).unwrap_or_else(|| panic!("no {name}"))
+        };
+        let (a, b, carry) = (place("robot.pin_a"), place("robot.pin_b"), place("robot.carry"));
+        let last = rows.last().expect("rows");
+        assert!((last[a] - amplitude).abs() < 1e-8, "{closing}: {} at the end", last[a]);
+        for row in &rows {
+            let gap = (row[a] - row[b]).abs().max((row[a] + row[carry]).abs());
+            assert!(gap < 1e-9, "{closing}: {row:?}");
+        }
+    }
 }

@@ -39,6 +39,7 @@ mod unit;
 
 use std::path::Path;
 
+pub use self::body::ROUNDED_GYRATION;
 pub use self::check::{CheckSpec, ReferenceSpec};
 pub use self::connect::names_of as port_names;
 pub use self::definition::{
@@ -50,7 +51,7 @@ pub use self::distributed::{
     AttachmentSpec, Boundary, DiscretisationSpec, FieldSpec, MAX_ELEMENTS, MAX_ORDER,
 };
 pub use self::inside::{Inside, InstanceText};
-pub use self::names::{FUNCTIONS, did_you_mean, quoted, scene_name_mistake};
+pub use self::names::{FUNCTIONS, MAX_NAME, did_you_mean, is_reserved, quoted, scene_name_mistake};
 pub use self::scatter::CorrelationSpec;
 pub use self::scene::METHODS;
 pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources, one_line};

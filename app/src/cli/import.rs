@@ -1,6 +1,6 @@
 //! `machinist import`: the description of a robot to a scene.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use machinist_codegen::pipeline;
@@ -8,7 +8,7 @@ use machinist_codegen::spec::MAX_FILE_BYTES;
 
 use super::output::{print, require_ending, write_file};
 use crate::failure::Failure;
-use crate::robot::{self, Convention, Motion, Spec};
+use crate::robot::{self, Closure, Convention, Motion, Spec};
 
 #[derive(Debug, Args)]
 pub struct Import {
@@ -56,13 +56,20 @@ impl Import {
             Failure::input(message, error.help)
         })?;
         let spec = Spec::new(&robot, &file).text();
-        let warnings = checked(&spec)?;
+        let warnings = checked(&spec, &self.out)?;
         write_file(&self.out, |out| out.write_all(spec.as_bytes()))?;
         for warning in warnings {
             eprintln!("{warning}");
         }
         for part in &robot.left_out {
             eprintln!("machinist: {part} of {file} is left out");
+        }
+        for joint in &robot.held {
+            eprintln!("machinist: joint `{joint}` is fixed: nothing that it moves has inertia");
+        }
+        for Closure { joint, .. } in &robot.closures {
+            let (name, count) = (&joint.name, joint.motion.constraints());
+            eprintln!("machinist: joint `{name}` is cut, and {count} constraints close its loop");
         }
         let moving = robot.joints.iter().filter(|joint| joint.motion != Motion::Fixed);
         print(&format!(
@@ -94,11 +101,16 @@ impl Import {
 }
 
 /// Checks the scene before it is written, and returns its warnings.
-fn checked(spec: &str) -> Result<Vec<String>, Failure> {
+fn checked(spec: &str, out: &Path) -> Result<Vec<String>, Failure> {
     let folder = tempfile::tempdir().map_err(|error| Failure::unsuccessful(error, ""))?;
-    let path = folder.path().join("imported.toml");
+    let path = folder.path().join(out.file_name().unwrap_or_default());
     std::fs::write(&path, spec).map_err(|error| Failure::file(&path, &error))?;
     let system = pipeline::check(&path)?;
-    let warnings = system.warnings.iter();
-    Ok(warnings.map(|warning| format!("{:?}", miette::Report::new(warning.clone()))).collect())
+    // Nobody knows the folder.
+    let folder = folder.path().file_name().unwrap_or_default().to_string_lossy();
+    let warnings = system.warnings.iter().map(|warning| {
+        let text = format!("{:?}", miette::Report::new(warning.clone()));
+        text.replace(&format!("{folder}/"), "")
+    });
+    Ok(warnings.collect())
 }

@@ -110,8 +110,8 @@ pub fn read(name: &str, text: &str, convention: Convention) -> Result<Robot, Rob
             mass: value("mass")?,
             inertia: [xx, yy, zz, xy, xz, yz],
         };
-        if inertial.mass < 0.0 || value("damping")? < 0.0 || value("friction")? < 0.0 {
-            let message = format!("mass, damping and friction of `{joint}` must not be negative");
+        if value("damping")? < 0.0 || value("friction")? < 0.0 {
+            let message = format!("damping and friction of `{joint}` must not be negative");
             return Err(RobotError::new(line, message, ""));
         }
         let row = Row {

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Isometry3, Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
 
-use super::shapes::{Shape, isometry, negative_principal, pose, together};
+use super::shapes::{Shape, isometry, pose, together};
 use super::tree::{Inertial, Joint, Limits, Link, Motion, Pose, Robot, RobotError, WORLD};
 use super::xml::{DEEPEST, Read, Reader, child};
 
@@ -363,9 +363,6 @@ impl<'a, 'input> Model<'a, 'input> {
                 return Err(self.reader.error(node, message, ""));
             }
         };
-        if mass < 0.0 || negative_principal(inertia).is_some() {
-            return Err(self.reader.error(node, "mass and inertia must not be negative", ""));
-        }
         Ok(Inertial { origin: pose(&self.place(node, None)?), mass, inertia })
     }
 

@@ -5,12 +5,20 @@
 
 mod frames;
 
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::PI;
+use std::iter;
+
+use nalgebra::{UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
 
-use super::shapes::{Shape, negative_principal, pose};
-use super::tree::{Inertial, Joint, Limits, Link, Mimic, Motion, Robot, RobotError, Visual, WORLD};
+use super::shapes::{Shape, pose};
+use super::tree::{
+    Closure, Inertial, Joint, Limits, Link, Mimic, Motion, Robot, RobotError, Visual, WORLD,
+};
 use super::xml::{Read, Reader, child};
-use frames::Frames;
+use frames::{Frames, MODEL};
 
 /// Elements that take part in the motion or describe the robot elsewhere.
 const LEFT_OUT: [&str; 9] = [
@@ -65,11 +73,45 @@ pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
     if robot.links.is_empty() {
         return Err(reader.error(model, "the model has no links", ""));
     }
-    for node in elements(model, "joint") {
-        reader.sdf_joint(node, &frames, &mut robot)?;
+    let ends = elements(model, "joint").map(|node| reader.ends(node));
+    let ends = ends.collect::<Read<Vec<_>>>()?;
+    let closing = closing(&ends);
+    for (at, ends) in ends.iter().enumerate() {
+        if closing.contains(&at) {
+            reader.closure(ends, &frames, &mut robot)?;
+        } else {
+            reader.sdf_joint(ends, &frames, &mut robot)?;
+        }
     }
     finish(&mut robot, &frames)?;
     Ok(robot)
+}
+
+/// A joint, and the links that it joins.
+struct Ends<'a, 'input> {
+    node: Node<'a, 'input>,
+    name: String,
+    motion: Motion,
+    parent: String,
+    carried: String,
+}
+
+/// Returns the joints that close loops, those with few constraints if possible.
+fn closing(joints: &[Ends<'_, '_>]) -> BTreeSet<usize> {
+    let mut order: Vec<usize> = (0..joints.len()).collect();
+    order.sort_by_key(|at| Reverse(joints[*at].motion.constraints()));
+    let mut carriers: BTreeMap<&str, &str> = BTreeMap::new();
+    let mut closing = BTreeSet::new();
+    for at in order {
+        let Ends { parent, carried, .. } = &joints[at];
+        let mut above = iter::successors(Some(parent.as_str()), |link| carriers.get(link).copied());
+        if carriers.contains_key(carried.as_str()) || above.any(|link| link == carried) {
+            closing.insert(at);
+        } else {
+            carriers.insert(carried, parent);
+        }
+    }
+    closing
 }
 
 /// Joins the model to the world: at its joints to the world, or by a joint that moves freely.
@@ -142,9 +184,6 @@ impl Reader<'_, '_> {
             return Err(self.error(node, "inertias of collisions are not read", "write them"));
         }
         let [mass] = self.listed(self.part(node, "mass")?)?;
-        if mass < 0.0 {
-            return Err(self.error(node, format!("the mass {mass} kg is negative"), ""));
-        }
         let tensor = self.part(node, "inertia")?;
         let mut inertia = [0.0; 6];
         for (entry, key) in inertia.iter_mut().zip(["ixx", "iyy", "izz"]) {
@@ -152,10 +191,6 @@ impl Reader<'_, '_> {
         }
         for (entry, key) in inertia[3..].iter_mut().zip(["ixy", "ixz", "iyz"]) {
             *entry = self.within(Some(tensor), key, 0.0)?;
-        }
-        if let Some(least) = negative_principal(inertia) {
-            let message = format!("the inertia has the principal value {least:e} kg m^2, below 0");
-            return Err(self.error(tensor, message, "it is about the centre of mass, in kg m^2"));
         }
         Ok(Inertial { origin: pose(&frames.placed(node)?), mass, inertia })
     }
@@ -183,14 +218,7 @@ impl Reader<'_, '_> {
         Ok(Some(shape))
     }
 
-    /// Reads a joint. If its frame is not that of the link that it carries, a link of its own is
-    /// between the two.
-    fn sdf_joint(
-        &self,
-        node: Node<'_, '_>,
-        frames: &Frames<'_, '_>,
-        robot: &mut Robot,
-    ) -> Read<()> {
+    fn ends<'a, 'i>(&self, node: Node<'a, 'i>) -> Read<Ends<'a, 'i>> {
         let name = self.name(node)?;
         let motion = match self.attribute(node, "type")? {
             "fixed" => Motion::Fixed,
@@ -204,14 +232,51 @@ impl Reader<'_, '_> {
             }
         };
         let end = |tag: &str| Ok(text_of(self.part(node, tag)?));
-        let (parent, carried): (String, String) = (end("parent")?, end("child")?);
-        let is_there = frames.is_at(&name, &carried);
-        let moved = if is_there { carried.clone() } else { format!("{carried} at {name}") };
-        let line = self.line(node);
-        let mut joint = Joint::plain(&name, line, motion, [&parent, &moved]);
-        joint.origin = pose(&frames.between(&parent, &name)?);
+        Ok(Ends { parent: end("parent")?, carried: end("child")?, node, name, motion })
+    }
+
+    /// Reads a joint that closes a loop.
+    fn closure(&self, ends: &Ends<'_, '_>, frames: &Frames<'_, '_>, robot: &mut Robot) -> Read<()> {
+        let Ends { node, name, motion, parent, carried } = ends;
+        let mut joint = Joint::plain(name, self.line(*node), *motion, [parent, carried]);
+        let mut along = UnitQuaternion::identity();
         if matches!(motion, Motion::Turns | Motion::Slides) {
-            let axis = self.part(node, "axis")?;
+            self.along(self.part(*node, "axis")?, frames, &mut joint)?;
+            let axis = Vector3::from(joint.axis);
+            // Opposite directions have no unique rotation between them.
+            let turn = UnitQuaternion::rotation_between(&Vector3::z(), &axis);
+            along = turn.unwrap_or_else(|| UnitQuaternion::from_euler_angles(PI, 0.0, 0.0));
+        }
+        if joint.mimic.is_some() {
+            let message = format!("joint `{name}` follows another and closes a loop");
+            return Err(self.error(*node, message, "follow by a joint that closes none"));
+        }
+        if joint.damping > 0.0 || joint.friction > 0.0 || joint.spring[0] > 0.0 {
+            robot.left_out.push(format!("what acts in joint `{name}`, which closes a loop,"));
+        }
+        let poses = [parent, carried].map(|link| frames.between(link, name));
+        let [at_parent, at_child] = poses;
+        let poses = [at_parent? * along, at_child? * along].map(|at| pose(&at));
+        robot.closures.push(Closure { joint, poses });
+        Ok(())
+    }
+
+    /// Reads a joint. If its frame is not that of the link that it carries, a link of its own is
+    /// between the two.
+    fn sdf_joint(
+        &self,
+        ends: &Ends<'_, '_>,
+        frames: &Frames<'_, '_>,
+        robot: &mut Robot,
+    ) -> Read<()> {
+        let Ends { node, name, motion, parent, carried } = ends;
+        let is_there = frames.is_at(name, carried);
+        let moved = if is_there { carried.clone() } else { format!("{carried} at {name}") };
+        let line = self.line(*node);
+        let mut joint = Joint::plain(name, line, *motion, [parent, &moved]);
+        joint.origin = pose(&frames.between(parent, name)?);
+        if matches!(motion, Motion::Turns | Motion::Slides) {
+            let axis = self.part(*node, "axis")?;
             self.along(axis, frames, &mut joint)?;
         }
         robot.joints.push(joint);
@@ -221,9 +286,9 @@ impl Reader<'_, '_> {
                 &format!("{name} to {carried}"),
                 line,
                 Motion::Fixed,
-                [&moved, &carried],
+                [&moved, carried],
             );
-            fixed.origin = pose(&frames.between(&name, &carried)?);
+            fixed.origin = pose(&frames.between(name, carried)?);
             robot.joints.push(fixed);
         }
         Ok(())
@@ -231,16 +296,14 @@ impl Reader<'_, '_> {
 
     /// Reads the axis of a joint: its direction, limits, losses and the joint that it follows.
     fn along(&self, node: Node<'_, '_>, frames: &Frames<'_, '_>, joint: &mut Joint) -> Read<()> {
-        if is_true(child(node, "use_parent_model_frame")) {
-            let message = "<use_parent_model_frame> is not read";
-            return Err(self.error(node, message, "write expressed_in=\"__model__\" instead"));
-        }
+        // Versions before 1.7 say so where later ones have an attribute.
+        let of_model = is_true(child(node, "use_parent_model_frame")).then_some(MODEL);
         let way = self.part(node, "xyz")?;
         let axis: [f64; 3] = self.listed(way)?;
         if axis.iter().all(|entry| *entry == 0.0) {
             return Err(self.error(way, format!("the axis of joint `{}` is zero", joint.name), ""));
         }
-        joint.axis = match way.attribute("expressed_in") {
+        joint.axis = match of_model.or_else(|| way.attribute("expressed_in")) {
             None | Some("") => axis,
             Some(frame) => {
                 let turn = frames.between(&joint.name, frame)?.rotation;

@@ -74,15 +74,6 @@ impl Shape {
     }
 }
 
-/// Returns the least principal value of an inertia, if it is negative by more than rounding of a
-/// file.
-pub fn negative_principal(inertia: [f64; 6]) -> Option<f64> {
-    let [xx, yy, zz, xy, xz, yz] = inertia;
-    let least = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz).symmetric_eigenvalues().min();
-    let size = inertia.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
-    (least < -1e-9 * size).then_some(least)
-}
-
 /// Returns a pose as a position and a rotation.
 pub fn isometry(pose: &Pose) -> Isometry3<f64> {
     let [roll, pitch, yaw] = pose.rpy;

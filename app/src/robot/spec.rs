@@ -6,7 +6,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write as _;
 
+use machinist_codegen::spec::{MAX_NAME, is_reserved};
+
 use super::tree::{Joint, Link, Motion, Pose, Robot, WORLD};
+
+/// Room in names for a number, and for what is appended to the name of a joint or frame: `_friction`,
+/// `_turn_omega_x`.
+const LONGEST_END: usize = 16;
 
 /// A robot, with names that specs allow.
 pub struct Spec<'a> {
@@ -17,6 +23,8 @@ pub struct Spec<'a> {
     scene: String,
     frames: BTreeMap<&'a str, String>,
     coordinates: BTreeMap<&'a str, String>,
+    /// Names of closures, and of their frames on both links.
+    closures: Vec<[String; 3]>,
 }
 
 impl<'a> Spec<'a> {
@@ -29,9 +37,14 @@ impl<'a> Spec<'a> {
             let name = if is_world { WORLD.to_owned() } else { named(&link.name, &mut taken) };
             frames.insert(link.name.as_str(), name);
         }
+        let own = robot.closures.iter().map(|closure| {
+            let name = &closure.joint.name;
+            ["", "_a", "_b"].map(|end| named(&format!("{name}{end}"), &mut taken))
+        });
+        let closures: Vec<[String; 3]> = own.collect();
         // Components of a frame's motion are called after it: `tool_x`, `tool_v_x`.
-        let mut taken = BTreeSet::from(["t".to_owned(), "pi".to_owned()]);
-        for frame in frames.values() {
+        let mut taken = BTreeSet::new();
+        for frame in frames.values().chain(closures.iter().flatten()) {
             for end in ["x", "y", "z", "v_x", "v_y", "v_z", "omega_x", "omega_y", "omega_z"] {
                 taken.insert(format!("{frame}_{end}"));
             }
@@ -40,7 +53,7 @@ impl<'a> Spec<'a> {
         let coordinates = moving.map(|joint| (&*joint.name, named(&joint.name, &mut taken)));
         let coordinates = coordinates.collect();
         let scene = named(&robot.name, &mut BTreeSet::new()).to_lowercase();
-        Spec { robot, file, scene, frames, coordinates }
+        Spec { robot, file, scene, frames, coordinates, closures }
     }
 
     /// Returns the text of the scene.
@@ -56,6 +69,7 @@ impl<'a> Spec<'a> {
             self.frame(&mut text, link, carrier);
             self.body(&mut text, link);
         }
+        self.close(&mut text);
         self.losses(&mut text);
         self.shapes(&mut text);
         text
@@ -199,6 +213,40 @@ impl<'a> Spec<'a> {
         }
     }
 
+    /// Writes the constraints of joints that close loops.
+    fn close(&self, text: &mut String) {
+        let scene = &self.scene;
+        for (closure, [name, a, b]) in self.robot.closures.iter().zip(&self.closures) {
+            let joint = &closure.joint;
+            let links = [&joint.parent, &joint.child];
+            for ((frame, link), at) in [a, b].into_iter().zip(links).zip(&closure.poses) {
+                let parent = &self.frames[link.as_str()];
+                let head =
+                    format!("\n[define.{scene}_robot.frames.{frame}]\nparent = \"{parent}\"");
+                let _ = writeln!(text, "{head}");
+                pose(text, "displacement", at);
+            }
+            let gap = format!("in_frame(position({b}) - position({a}), {a})");
+            let [x, y, z] = ["x", "y", "z"].map(|way| (way, format!("{way}_of({gap})")));
+            let tilt_x = ("tilt_x", format!("dot(x_axis({a}), z_axis({b}))"));
+            let tilt_y = ("tilt_y", format!("dot(y_axis({a}), z_axis({b}))"));
+            let turn = ("turn", format!("dot(x_axis({a}), y_axis({b}))"));
+            let all = match joint.motion {
+                Motion::Fixed => vec![x, y, z, tilt_x, tilt_y, turn],
+                Motion::Turns => vec![x, y, z, tilt_x, tilt_y],
+                Motion::Slides => vec![x, y, tilt_x, tilt_y, turn],
+                Motion::Rolls => vec![x, y, z],
+                Motion::Floats => vec![],
+            };
+            for (end, formula) in all {
+                let _ = write!(
+                    text,
+                    "\n[define.{scene}_robot.constraints.{name}_{end}]\nexpression = \"{formula}\"\n"
+                );
+            }
+        }
+    }
+
     /// Writes damping as dissipation, and dry friction.
     fn losses(&self, text: &mut String) {
         let scene = &self.scene;
@@ -312,9 +360,11 @@ fn named(name: &str, taken: &mut BTreeSet<String>) -> String {
     if !own.starts_with(|c: char| c.is_ascii_alphabetic()) {
         own.insert_str(0, "n_");
     }
+    // Names are ASCII.
+    own.truncate(MAX_NAME - LONGEST_END);
     let mut candidate = own.clone();
     let mut count = 2;
-    while !taken.insert(candidate.clone()) {
+    while is_reserved(&candidate) || !taken.insert(candidate.clone()) {
         candidate = format!("{own}_{count}");
         count += 1;
     }

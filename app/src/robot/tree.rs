@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use machinist_codegen::spec::ROUNDED_GYRATION;
+
 use super::shapes::Shape;
 
 /// Maximum magnitude of a number, in SI units: no robot comes near it.
@@ -38,6 +40,10 @@ pub struct Robot {
     pub gravity: Option<[f64; 3]>,
     /// Parts of the file that take part in the motion, but not in the scene.
     pub left_out: Vec<String>,
+    /// Joints that close loops of the others.
+    pub closures: Vec<Closure>,
+    /// Joints that [`Robot::check`] made fixed, because nothing that they move has inertia.
+    pub held: Vec<String>,
 }
 
 /// A rigid link. Its frame is that of the joint that carries it.
@@ -65,7 +71,7 @@ pub struct Visual {
 }
 
 /// Inertia of a link.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inertial {
     /// Pose of the centre of mass and of the axes of `inertia` in the link's frame.
     pub origin: Pose,
@@ -162,6 +168,28 @@ pub struct Mimic {
     pub offset: f64,
 }
 
+/// A joint that closes a loop, by constraints.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Closure {
+    /// The joint, without losses.
+    pub joint: Joint,
+    /// Pose of the joint, with z along its axis, in the frames of the links that carry it and that it
+    /// carries.
+    pub poses: [Pose; 2],
+}
+
+impl Motion {
+    /// Returns the number of equations of a joint in space.
+    pub fn constraints(self) -> usize {
+        match self {
+            Self::Fixed => 6,
+            Self::Turns | Self::Slides => 5,
+            Self::Rolls => 3,
+            Self::Floats => 0,
+        }
+    }
+}
+
 impl Joint {
     /// Returns a joint without losses that carries a link.
     pub fn plain(name: &str, line: usize, motion: Motion, [parent, child]: [&str; 2]) -> Self {
@@ -184,11 +212,18 @@ impl Joint {
 }
 
 impl Robot {
-    /// Checks that links and joints form a tree, in which everything that moves has inertia.
+    /// Checks that links and joints form a tree, and holds joints that move nothing with inertia.
     ///
     /// # Errors
     /// The first mistake.
-    pub fn check(&self) -> Result<(), RobotError> {
+    pub fn check(&mut self) -> Result<(), RobotError> {
+        self.check_tree()?;
+        self.check_mimics()?;
+        self.check_inertias()?;
+        self.hold_without_inertia()
+    }
+
+    fn check_tree(&self) -> Result<(), RobotError> {
         unique("link", self.links.iter().map(|link| (&link.name, link.line)))?;
         unique("joint", self.joints.iter().map(|joint| (&joint.name, joint.line)))?;
         let links: BTreeSet<&str> = self.links.iter().map(|link| link.name.as_str()).collect();
@@ -225,8 +260,7 @@ impl Robot {
             let message = format!("link `{name}` is not connected to the base: it is in a loop");
             return Err(RobotError::new(line, message, ""));
         }
-        self.check_mimics()?;
-        self.check_masses(&order)
+        Ok(())
     }
 
     /// Returns the links, each after the one that carries it.
@@ -302,22 +336,63 @@ impl Robot {
         Ok(())
     }
 
-    /// Checks that every joint that moves carries mass.
-    fn check_masses(&self, order: &[&Link]) -> Result<(), RobotError> {
-        let mut carried: BTreeMap<&str, bool> = BTreeMap::new();
+    fn check_inertias(&self) -> Result<(), RobotError> {
+        for link in &self.links {
+            let Some(Inertial { mass, inertia, .. }) = link.inertial else { continue };
+            let name = link.name.escape_debug();
+            if mass < 0.0 {
+                let message = format!("the mass {mass} kg of link `{name}` must not be negative");
+                return Err(RobotError::new(link.line, message, ""));
+            }
+            let is_negative = |moment: &&f64| **moment < -mass * ROUNDED_GYRATION.powi(2);
+            if let Some(moment) = inertia[..3].iter().find(is_negative) {
+                let message =
+                    format!("the moment of inertia {moment} kg m^2 of link `{name}` is below 0");
+                let help = "it is about the centre of mass, in kg m^2";
+                return Err(RobotError::new(link.line, message, help));
+            }
+        }
+        Ok(())
+    }
+
+    /// Fixes joints that move nothing with inertia, neither by themselves nor by joints that follow
+    /// them: no equation would determine their motion.
+    fn hold_without_inertia(&mut self) -> Result<(), RobotError> {
+        let mut with_inertia: BTreeSet<&str> = BTreeSet::new();
+        let order = self.root().map(|root| self.order(root)).unwrap_or_default();
         for link in order.iter().rev() {
             let own = link.inertial.as_ref().is_some_and(|inertial| !inertial.is_zero());
-            let has = carried.get(&*link.name).copied().unwrap_or(false) || own;
             let Some(joint) = self.carrier(link) else { continue };
-            if !has && joint.motion != Motion::Fixed {
-                let message = format!(
-                    "joint `{}` moves link `{}`, but neither it nor what it carries has inertia",
-                    joint.name, link.name
-                );
-                let help = "add <inertial> to the link, or make the joint fixed";
-                return Err(RobotError::new(joint.line, message, help));
+            if own || with_inertia.contains(&*link.name) {
+                with_inertia.extend([&*link.name, &*joint.parent]);
             }
-            *carried.entry(&joint.parent).or_default() |= has;
+        }
+        let moves = |joint: &&Joint| joint.motion != Motion::Fixed;
+        let leader = |joint: &Joint| joint.mimic.as_ref().map(|mimic| mimic.joint.clone());
+        let carries = |joint: &&Joint| with_inertia.contains(&*joint.child);
+        let moving = self.joints.iter().filter(moves).filter(carries);
+        let led = moving.clone().filter_map(leader);
+        let driven: BTreeSet<String> = moving.map(|joint| joint.name.clone()).chain(led).collect();
+        let is_held = |joint: &Joint| {
+            let leads = leader(joint).is_some_and(|leader| driven.contains(&leader));
+            joint.motion != Motion::Fixed && !leads && !driven.contains(&joint.name)
+        };
+        let held: Vec<usize> =
+            (0..self.joints.len()).filter(|at| is_held(&self.joints[*at])).collect();
+        if driven.is_empty()
+            && let Some(at) = held.first()
+        {
+            let Joint { name, child, line, .. } = &self.joints[*at];
+            let message = format!(
+                "joint `{name}` moves link `{child}`, but neither it nor what it carries has inertia"
+            );
+            let help = "add <inertial> to the link: nothing else of the robot moves";
+            return Err(RobotError::new(*line, message, help));
+        }
+        for at in held {
+            let joint = &mut self.joints[at];
+            (joint.motion, joint.mimic) = (Motion::Fixed, None);
+            self.held.push(joint.name.clone());
         }
         Ok(())
     }

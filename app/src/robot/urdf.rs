@@ -2,7 +2,7 @@
 
 use roxmltree::{Document, Node};
 
-use super::shapes::{Shape, negative_principal};
+use super::shapes::Shape;
 use super::tree::{Inertial, Joint, Limits, Link, Mimic, Motion, Pose, Robot, RobotError, Visual};
 use super::xml::{Read, Reader, child};
 
@@ -88,17 +88,10 @@ impl Reader<'_, '_> {
                 .ok_or_else(|| self.error(node, format!("<inertial> lacks <{tag}>"), ""))
         };
         let mass = self.number(part("mass")?, "value")?;
-        if mass < 0.0 {
-            return Err(self.error(node, format!("the mass {mass} kg is negative"), ""));
-        }
         let tensor = part("inertia")?;
         let mut inertia = [0.0; 6];
         for (entry, key) in inertia.iter_mut().zip(["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]) {
             *entry = self.number(tensor, key)?;
-        }
-        if let Some(least) = negative_principal(inertia) {
-            let message = format!("the inertia has the principal value {least:e} kg m^2, below 0");
-            return Err(self.error(tensor, message, "it is about the centre of mass, in kg m^2"));
         }
         Ok(Inertial { origin: self.pose(node)?, mass, inertia })
     }

@@ -22,7 +22,7 @@ use crate::spatial::vector::{
 use crate::spec::body::{AxisSpec, BodySpec, Components, FrameSpec, RotationSpec};
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::{Angular, Dimension};
-use crate::spec::{CoordinateSpec, Formula, did_you_mean, quoted};
+use crate::spec::{CoordinateSpec, Formula, ROUNDED_GYRATION, did_you_mean, quoted};
 
 /// Frames and bodies of connected instances.
 #[derive(Debug)]
@@ -456,8 +456,8 @@ impl Resolver<'_> {
         Ok(Body { mass: mass.shared(), centre, tensor, rotation })
     }
 
-    /// Rejects a mass or an inertia for which some motion would have negative kinetic energy, and
-    /// warns of one that no distribution of mass has.
+    /// Rejects a negative mass or moment of inertia, and warns of an inertia that no distribution of
+    /// mass has. Files of robots have such inertias, of links that turn about one axis only.
     fn possible(
         &mut self,
         spec: &BodySpec,
@@ -483,28 +483,30 @@ impl Resolver<'_> {
             );
         }
         let [xx, yy, zz, xy, xz, yz] = entries.each_ref().map(value);
+        let name = quoted(&spec.name.value);
+        if [xx, yy, zz].iter().any(|entry| *entry < -mass * ROUNDED_GYRATION.powi(2)) {
+            return refuse(format!("a moment of inertia of {name} is negative"), "below 0");
+        }
         let size = xx.abs().max(yy.abs()).max(zz.abs()).max(xy.abs()).max(xz.abs()).max(yz.abs());
         let rounding = 1e-12 * size;
         let minors = [xx * yy - xy * xy, xx * zz - xz * xz, yy * zz - yz * yz];
         let determinant =
             xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-        let is_negative = [xx, yy, zz].iter().any(|entry| *entry < 0.0)
-            || minors.iter().any(|minor| *minor < -rounding * size)
+        let is_negative = minors.iter().any(|minor| *minor < -rounding * size)
             || determinant < -rounding * size * size;
-        if is_negative {
-            let name = quoted(&spec.name.value);
-            return refuse(format!("the inertia of {name} is not positive"), "impossible");
-        }
         // J_xx + J_yy - J_zz is the second moment of mass along z, times 2.
         let trace = xx + yy + zz;
-        if [xx, yy, zz].iter().any(|entry| trace - 2.0 * entry < -1e-9 * size) {
-            let message = format!(
-                "no body has the inertia of {}: one diagonal entry exceeds the sum of the others",
-                quoted(&spec.name.value)
-            );
-            let warning = Mistake::new(spec.name.span, message, "impossible");
-            self.warnings.push(warning.help("check its entries and their unit, kg m^2"));
-        }
+        let is_unequal = [xx, yy, zz].iter().any(|entry| trace - 2.0 * entry < -1e-9 * size);
+        let why = if is_negative {
+            "about some axis it is negative"
+        } else if is_unequal {
+            "one diagonal entry exceeds the sum of the others"
+        } else {
+            return Ok(());
+        };
+        let message = format!("no body has the inertia of {name}: {why}");
+        let warning = Mistake::new(spec.name.span, message, "impossible");
+        self.warnings.push(warning.help("check its entries and their unit, kg m^2"));
         Ok(())
     }
 }

@@ -9,6 +9,9 @@ use crate::spec::names::quoted;
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{CoordinateSpec, Declared, Formula};
 
+/// Radius of gyration below which a moment of inertia is rounding of a file \[m\].
+pub const ROUNDED_GYRATION: f64 = 1e-6;
+
 /// Name of the frame that does not move.
 pub const WORLD: &str = "world";
 

@@ -3,7 +3,7 @@
 use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 
 /// Maximum number of characters of a name.
-const MAX_NAME: usize = 64;
+pub const MAX_NAME: usize = 64;
 
 /// Keywords of all editions of Rust, strict and reserved, which emitted code could not use as
 /// identifiers.
@@ -48,6 +48,12 @@ pub const FUNCTIONS: &[&str] = &[
     "y_of",
     "z_of",
 ];
+
+/// Reports whether specs may not use a name, because emitted code or expressions use it.
+#[must_use]
+pub fn is_reserved(name: &str) -> bool {
+    RUST_KEYWORDS.contains(&name) || FUNCTIONS.contains(&name) || ["t", "pi"].contains(&name)
+}
 
 /// Rejects invalid names.
 ///

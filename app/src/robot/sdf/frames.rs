@@ -11,7 +11,7 @@ use crate::robot::tree::Pose;
 use crate::robot::xml::{DEEPEST, Read, Reader, child};
 
 /// Name of the model's own frame.
-const MODEL: &str = "__model__";
+pub(super) const MODEL: &str = "__model__";
 
 /// A pose and the frame that it is relative to.
 struct RelativePose<'a, 'input> {

@@ -26,6 +26,7 @@ use serde::Serialize;
 use crate::method::Held;
 pub use lasting::{Lasting, lasting};
 
+use mobility::NOTHING;
 pub use mobility::{Mobility, Redundant, mobility};
 use saddle::Saddle;
 pub use start::start;
@@ -34,9 +35,6 @@ pub(crate) use start::{consistent, free_moves, require_independent};
 /// Number of coordinates and constraints from which on the matrix of a projection is factored as a
 /// sparse one.
 const MANY: usize = 48;
-
-/// Size of a row of G, relative to the largest, that counts as rounding.
-const ROUNDING: f64 = 1e-14;
 
 /// Largest drift of a run. The residual of each constraint is measured by the typical size of its
 /// coordinates' motion.
@@ -388,7 +386,9 @@ impl<'a> Constraints<'a> {
     }
 
     /// Returns each residual divided by the sum of the effects of its coordinates, when each moves
-    /// by its typical size or, if larger, by its own value.
+    /// by its typical size or, if larger, by its own value. Rounding of terms as large as the largest
+    /// effect does not count: the distance of a linkage from its plane is a difference of positions
+    /// in it.
     pub(crate) fn relative(
         &self,
         level: Level,
@@ -404,13 +404,12 @@ impl<'a> Constraints<'a> {
             let (row, column) = (*row as usize, *column as usize);
             sizes[row] += slope.abs() * scales[column].max(state[first + column].abs());
         }
-        // No coordinate changes such a constraint, apart from rounding.
         let largest = sizes.iter().copied().fold(0.0, f64::max);
-        for size in sizes.iter_mut().filter(|size| **size <= ROUNDING * largest) {
-            *size = largest;
-        }
         let off = |(residual, size): (&f64, f64)| {
-            if *residual == 0.0 { 0.0 } else { residual.abs() / size }
+            let beyond = residual.abs() - f64::EPSILON * largest;
+            // No coordinate changes a constraint of no size.
+            let size = if size <= NOTHING * largest { largest } else { size };
+            if beyond <= 0.0 { 0.0 } else { beyond / size }
         };
         residual.iter().zip(sizes).map(off).collect()
     }

@@ -280,12 +280,11 @@ fn bad_models_of_gazebo_are_refused_and_nothing_is_written() {
         (forearm, &format!("<link name=\"bare\"/>{forearm}"), "`bare` has no <inertial>"),
         (forearm, &format!("{forearm}<gravity>false</gravity>"), "has no weight"),
         ("type=\"revolute\"", "type=\"universal\"", "is of type `universal`"),
-        ("<axis>", "<axis><use_parent_model_frame>1</use_parent_model_frame>", "is not read"),
         ("<axis>", "<axis><dynamics><damping>-1</damping></dynamics>", "must not be negative"),
         ("<axis>", "<axis><mimic joint=\"none\"/>", "which is missing"),
         ("<axis>", "<axis><xyz>0 0 0</xyz>", "is zero"),
         ("<parent>base_link</parent>", "", "lacks <parent>"),
-        ("<parent>base_link</parent>", "<parent>wrist_1_link</parent>", "loop"),
+        ("<parent>base_link</parent>", "<parent>wrist_1_link</parent>", "two bases"),
         ("<radius>0.06</radius>", "<radius>0</radius>", "not positive"),
         ("<sdf version=\"1.10\">", "<!DOCTYPE a><sdf>", "DTD"),
     ] {
@@ -297,6 +296,20 @@ fn bad_models_of_gazebo_are_refused_and_nothing_is_written() {
         assert_refused(machinist(&folder, &call), &[wanted]);
         assert!(!folder.path().join("bad.toml").exists(), "{after} wrote a scene");
     }
+}
+
+#[test]
+fn axes_along_the_model_are_read_in_both_versions_of_gazebo() {
+    let now = "<axis><xyz expressed_in=\"__model__\">";
+    let before = "<axis><use_parent_model_frame>1</use_parent_model_frame><xyz>";
+    assert!(SDF.contains(now), "an axis");
+    let scenes = [SDF.to_owned(), SDF.replace(now, before)].map(|text| {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("arm.sdf"), text).expect("written");
+        answer(machinist(&folder, &["import", "arm.sdf", "--out", "arm.toml"]));
+        std::fs::read_to_string(folder.path().join("arm.toml")).expect("a scene")
+    });
+    assert_eq!(scenes[0], scenes[1]);
 }
 
 /// A pendulum whose base nothing joins to the world falls with it, turned as the model is placed.
@@ -340,8 +353,9 @@ fn a_model_of_gazebo_that_nothing_holds_is_free_and_its_losses_act() {
 }
 
 /// A coupler between two parallel cranks of length 0.5 m, in the plane of x and z. The last joint, of the
-/// type `closing`, closes the loop. Where it is fixed, the coupler is in two halves.
-fn linkage(closing: &str) -> String {
+/// type `closing`, closes the loop. Where it is fixed, the coupler is in two halves. The axis of one pin
+/// is off by the angle `tilt`, as rounding of files leaves it.
+fn linkage(closing: &str, tilt: f64) -> String {
     let link = |name: &str, x: f64, z: f64, mass: f64| {
         format!(
             "<link name=\"{name}\"><pose>{x} 0 {z} 0 0 0</pose><inertial><mass>{mass}</mass><inertia>\
@@ -349,7 +363,9 @@ fn linkage(closing: &str) -> String {
         )
     };
     let joint = |name: &str, kind: &str, at: &str, parent: &str, child: &str| {
-        let axis = if kind == "revolute" { "<axis><xyz>0 1 0</xyz></axis>" } else { "" };
+        let off = if name == "pin b" { tilt } else { 0.0 };
+        let axis = format!("<axis><xyz>{off:e} 1 0</xyz></axis>");
+        let axis = if kind == "revolute" { &*axis } else { "" };
         format!(
             "<joint name=\"{name}\" type=\"{kind}\"><pose relative_to=\"__model__\">{at} 0 0 0</pose>\
              <parent>{parent}</parent><child>{child}</child>{axis}</joint>"
@@ -388,9 +404,17 @@ fn loops_of_gazebo_are_closed_by_constraints() {
         (one, other) = (f64::midpoint(one, other), f64::sqrt(one * other));
     }
     let period = std::f64::consts::TAU * f64::sqrt(inertia / moment) / one;
-    for (closing, equations) in [("revolute", 5), ("ball", 3), ("fixed", 6)] {
+    for (closing, equations, tilt) in [
+        ("revolute", 5, 0.0),
+        ("revolute", 5, 1e-12),
+        ("ball", 3, 0.0),
+        ("ball", 3, 3e-13),
+        ("ball", 3, 2e-11),
+        ("fixed", 6, 0.0),
+        ("fixed", 6, 1e-12),
+    ] {
         let folder = tempfile::tempdir().expect("a folder");
-        std::fs::write(folder.path().join("loop.sdf"), linkage(closing)).expect("written");
+        std::fs::write(folder.path().join("loop.sdf"), linkage(closing, tilt)).expect("written");
         let call = ["import", "loop.sdf", "--out", "loop.toml"];
         let output = machinist(&folder, &call).output().expect("it starts");
         let noted = String::from_utf8_lossy(&output.stderr);
@@ -416,10 +440,10 @@ fn loops_of_gazebo_are_closed_by_constraints() {
         };
         let (a, b, carry) = (place("robot.pin_a"), place("robot.pin_b"), place("robot.carry"));
         let last = rows.last().expect("rows");
-        assert!((last[a] - amplitude).abs() < 1e-8, "{closing}: {} at the end", last[a]);
+        assert!((last[a] - amplitude).abs() < 1e-8, "{closing}, {tilt}: {} at the end", last[a]);
         for row in &rows {
             let gap = (row[a] - row[b]).abs().max((row[a] + row[carry]).abs());
-            assert!(gap < 1e-9, "{closing}: {row:?}");
+            assert!(gap < 1e-9, "{closing}, {tilt}: {row:?}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
-use super::{Constraints, Level, ROUNDING};
+use super::{Constraints, Level};
 
 /// Bound of the remainder of a row of length 1 that counts as rounding.
 pub(super) const NOTHING: f64 = 1e-9;
@@ -166,7 +166,7 @@ fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
     for row in always.into_iter().chain(modal) {
         let mut line = scaled(row);
         let mut length = line.norm();
-        if length <= ROUNDING * longest {
+        if length <= NOTHING * longest {
             line.fill(0.0);
             length = 0.0;
         }
@@ -203,8 +203,8 @@ fn changes_beside(constraints: &Constraints<'_>, row: usize, time: f64, state: &
             beside[index] += shift * scale * (1.0 + index as f64).sqrt();
         }
         let matrix = constraints.matrix(time, &beside);
-        let rounding = ROUNDING * matrix.amax();
-        matrix.row(row).iter().any(|slope| slope.abs() > rounding)
+        let least = NOTHING * matrix.amax();
+        matrix.row(row).iter().any(|slope| slope.abs() > least)
     })
 }
 

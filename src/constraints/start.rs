@@ -3,7 +3,7 @@
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-use super::mobility::NOTHING;
+use super::mobility::{NOTHING, repeated_rows};
 use super::{Constraints, Level, largest_of, mobility};
 use crate::error::SimulateError;
 
@@ -286,7 +286,11 @@ impl Constraints<'_> {
             }
         }
         let slopes = self.slopes(time, state);
-        self.worst(level, &slopes, &residual, state)
+        let worst = self.worst(level, &slopes, &residual, state)?;
+        // Redundant constraints of files agree no better than their numbers are rounded.
+        let off = self.relative(level, &slopes, &residual, state)[worst];
+        let agrees = off <= NOTHING && !repeated_rows(self, &self.filled(&slopes)).is_empty();
+        (!agrees).then_some(worst)
     }
 
     /// Returns the constraint with the largest residual beyond rounding.

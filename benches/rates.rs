@@ -32,7 +32,9 @@ fn measure(
 ) {
     let mut group = criterion.benchmark_group(what);
     for name in scenes::NAMES.iter().chain(bench::NAMES) {
-        let Some(scene) = scenes::find(name).or_else(|| bench::find(name)) else { continue };
+        let Some(scene) = scenes::find_f64(name).or_else(|| bench::find_f64(name)) else {
+            continue;
+        };
         let parameters: Vec<f64> =
             (0..scene.shape().parameters).map(|index| scene.parameter_default(index)).collect();
         let states: Vec<Vec<f64>> = (0..STATES).map(|number| state(scene, number)).collect();

@@ -390,10 +390,42 @@ fn linkage(closing: &str, tilt: f64) -> String {
     )
 }
 
-/// The cranks move as one pendulum, whose period at this amplitude is that of an elliptic integral;
-/// the coupler does not turn.
-#[test]
-fn loops_of_gazebo_are_closed_by_constraints() {
+/// The same in MJCF.
+fn linkage_of_mujoco(closing: &str) -> String {
+    let body = |name: &str, [x, z]: [f64; 2], pin: &str, at: [f64; 2], mass: f64| {
+        format!(
+            "<body name=\"{name}\" pos=\"{x} 0 {z}\"><joint name=\"{pin}\" axis=\"0 1 0\" \
+             pos=\"{} 0 {}\"/><inertial pos=\"0 0 0\" mass=\"{mass}\" diaginertia=\"0.02 0.03 0.01\"/>",
+            at[0], at[1]
+        )
+    };
+    let half = if closing == "weld" { 1.5 } else { 3.0 };
+    let mut text = body("a", [0.0, -0.25], "pin a", [0.0, 0.25], 1.0);
+    text += &body("coupler", [0.5, -0.25], "carry", [-0.5, 0.0], half);
+    text += "</body></body>";
+    text += &body("b", [1.0, -0.25], "pin b", [0.0, 0.25], 1.0);
+    let equality = match closing {
+        "weld" => {
+            text += &body("far", [-0.5, -0.25], "rest", [0.5, 0.0], half);
+            text += "</body>";
+            "<weld name=\"close\" body1=\"coupler\" body2=\"far\"/>"
+        }
+        // Without a loop: the coupler keeps its direction as the joint of one crank says.
+        "joint" => {
+            "<joint joint1=\"carry\" joint2=\"pin a\" polycoef=\"0 -1 0 0 0\"/>\
+             <joint joint1=\"pin b\" joint2=\"pin a\"/>"
+        }
+        _ => "<connect name=\"close\" body1=\"b\" body2=\"coupler\" anchor=\"0 0 -0.25\"/>",
+    };
+    format!(
+        "<mujoco model=\"linkage\"><compiler angle=\"radian\"/><option gravity=\"0 0 -9.81\"/>\
+         <worldbody>{text}</body></worldbody><equality>{equality}</equality></mujoco>"
+    )
+}
+
+/// Imports a linkage and checks that the cranks move as one pendulum, whose period at this amplitude
+/// is that of an elliptic integral, and that the coupler does not turn.
+fn swings_as_one_pendulum(file: &str, text: &str, wanted: &str) {
     // Moments about the pins, and of the coupler's mass at the ends of the cranks.
     let inertia = 2.0 * (0.03 + 0.25 * 0.25) + 3.0 * 0.25;
     let moment = 9.81 * (2.0 * 0.25 + 3.0 * 0.5);
@@ -404,46 +436,62 @@ fn loops_of_gazebo_are_closed_by_constraints() {
         (one, other) = (f64::midpoint(one, other), f64::sqrt(one * other));
     }
     let period = std::f64::consts::TAU * f64::sqrt(inertia / moment) / one;
-    for (closing, equations, tilt) in [
-        ("revolute", 5, 0.0),
-        ("revolute", 5, 1e-12),
-        ("ball", 3, 0.0),
-        ("ball", 3, 3e-13),
-        ("ball", 3, 2e-11),
-        ("fixed", 6, 0.0),
-        ("fixed", 6, 1e-12),
-    ] {
-        let folder = tempfile::tempdir().expect("a folder");
-        std::fs::write(folder.path().join("loop.sdf"), linkage(closing, tilt)).expect("written");
-        let call = ["import", "loop.sdf", "--out", "loop.toml"];
-        let output = machinist(&folder, &call).output().expect("it starts");
-        let noted = String::from_utf8_lossy(&output.stderr);
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join(file), text).expect("written");
+    let call = ["import", file, "--out", "loop.toml"];
+    let output = machinist(&folder, &call).output().expect("it starts");
+    let noted = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && noted.contains(wanted), "{noted}");
+    let path = folder.path().join("loop.toml");
+    let scene = std::fs::read_to_string(&path).expect("a scene");
+    let scene = scene.replace("until = 1.0", &format!("until = {period:?}"))
+        + format!("\n[initial]\n\"robot.pin_a\" = {amplitude:?}\n").as_str();
+    std::fs::write(&path, scene).expect("written");
+    let run = ["run", "loop.toml", "--rtol", "1e-11", "--no-error", "--out", "-"];
+    let table = answer(machinist(&folder, &run));
+    let mut lines = table.lines();
+    let names: Vec<&str> = lines.next().expect("a head").split(',').collect();
+    let rows: Vec<Vec<f64>> = lines
+        .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
+        .collect();
+    let place = |name: &str| {
+        let is_it = |known: &&str| known.split(" [").next() == Some(name);
+        names.iter().position(is_it)
+    };
+    let a = place("robot.pin_a").expect("a column");
+    let last = rows.last().expect("rows");
+    assert!((last[a] - amplitude).abs() < 1e-8, "{wanted}: {} at the end", last[a]);
+    // Joints that follow others have no columns.
+    let (Some(b), Some(carry)) = (place("robot.pin_b"), place("robot.carry")) else { return };
+    for row in &rows {
+        let gap = (row[a] - row[b]).abs().max((row[a] + row[carry]).abs());
+        assert!(gap < 1e-9, "{wanted}: {row:?}");
+    }
+}
+
+#[test]
+fn loops_of_gazebo_are_closed_by_constraints() {
+    for (closing, tilt, wanted) in [
+        ("revolute", 0.0, "5 constraints close the loop at joint `close`"),
+        ("revolute", 1e-12, "5 constraints close the loop at joint `close`"),
+        ("ball", 0.0, "3 constraints close the loop at joint `close`"),
+        ("ball", 3e-13, "3 constraints close the loop at joint `close`"),
+        ("ball", 2e-11, "3 constraints close the loop at joint `close`"),
         // A loop is cut where it takes the fewest equations.
-        let (cut, equations) = if closing == "fixed" { ("rest", 5) } else { ("close", equations) };
-        let wanted = format!("joint `{cut}` is cut, and {equations} constraints close its loop");
-        assert!(noted.contains(&wanted), "{noted}");
-        let path = folder.path().join("loop.toml");
-        let text = std::fs::read_to_string(&path).expect("a scene");
-        let text = text.replace("until = 1.0", &format!("until = {period:?}"))
-            + format!("\n[initial]\n\"robot.pin_a\" = {amplitude:?}\n").as_str();
-        std::fs::write(&path, text).expect("written");
-        let run = ["run", "loop.toml", "--rtol", "1e-11", "--no-error", "--out", "-"];
-        let table = answer(machinist(&folder, &run));
-        let mut lines = table.lines();
-        let names: Vec<&str> = lines.next().expect("a head").split(',').collect();
-        let rows: Vec<Vec<f64>> = lines
-            .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
-            .collect();
-        let place = |name: &str| {
-            let is_it = |known: &&str| known.split(" [").next() == Some(name);
-            names.iter().position(is_it).unwrap_or_else(|| panic!("no {name}"))
-        };
-        let (a, b, carry) = (place("robot.pin_a"), place("robot.pin_b"), place("robot.carry"));
-        let last = rows.last().expect("rows");
-        assert!((last[a] - amplitude).abs() < 1e-8, "{closing}, {tilt}: {} at the end", last[a]);
-        for row in &rows {
-            let gap = (row[a] - row[b]).abs().max((row[a] + row[carry]).abs());
-            assert!(gap < 1e-9, "{closing}, {tilt}: {row:?}");
-        }
+        ("fixed", 0.0, "5 constraints close the loop at joint `rest`"),
+        ("fixed", 1e-12, "5 constraints close the loop at joint `rest`"),
+    ] {
+        swings_as_one_pendulum("loop.sdf", &linkage(closing, tilt), wanted);
+    }
+}
+
+#[test]
+fn equalities_of_mujoco_are_constraints() {
+    for (closing, wanted) in [
+        ("connect", "3 constraints close the loop at joint `close`"),
+        ("weld", "6 constraints close the loop at joint `close`"),
+        ("joint", ""),
+    ] {
+        swings_as_one_pendulum("loop.xml", &linkage_of_mujoco(closing), wanted);
     }
 }

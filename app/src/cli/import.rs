@@ -69,7 +69,7 @@ impl Import {
         }
         for Closure { joint, .. } in &robot.closures {
             let (name, count) = (&joint.name, joint.motion.constraints());
-            eprintln!("machinist: joint `{name}` is cut, and {count} constraints close its loop");
+            eprintln!("machinist: {count} constraints close the loop at joint `{name}`");
         }
         let moving = robot.joints.iter().filter(|joint| joint.motion != Motion::Fixed);
         print(&format!(

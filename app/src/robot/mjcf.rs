@@ -1,7 +1,7 @@
 //! Reading of MJCF, the format of MuJoCo.
 //!
-//! Bodies, joints, inertias, damping, friction, springs and rotors of drives map to a scene. Contact,
-//! actuators, tendons and equality constraints are named as left out.
+//! Bodies, joints, inertias, damping, friction, springs and rotors of drives map to a scene, equalities
+//! to constraints and joints that follow others. Contact, actuators and tendons are named as left out.
 
 use std::collections::BTreeMap;
 
@@ -9,14 +9,15 @@ use nalgebra::{Isometry3, Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, 
 use roxmltree::{Document, Node};
 
 use super::shapes::{Shape, isometry, pose, together};
-use super::tree::{Inertial, Joint, Limits, Link, Motion, Pose, Robot, RobotError, WORLD};
+use super::tree::{
+    Closure, Inertial, Joint, Limits, Link, Mimic, Motion, Pose, Robot, RobotError, WORLD,
+};
 use super::xml::{DEEPEST, Read, Reader, child};
 
 /// Density of shapes without one \[kg/m^3\].
 const DENSITY: f64 = 1000.0;
 /// Elements that take part in the motion or describe the robot elsewhere.
-const LEFT_OUT: [&str; 6] =
-    ["actuator", "contact", "equality", "tendon", "deformable", "extension"];
+const LEFT_OUT: [&str; 5] = ["actuator", "contact", "tendon", "deformable", "extension"];
 
 /// Reads a robot description, and checks it.
 ///
@@ -37,6 +38,11 @@ pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
     };
     let mut model = Model::new(reader, root)?;
     model.bodies(world, WORLD, None, 0)?;
+    for equality in elements(root).filter(|node| node.tag_name().name() == "equality") {
+        for node in elements(equality).filter(|node| node.attribute("active") != Some("false")) {
+            model.equality(node)?;
+        }
+    }
     let mut robot = model.robot;
     robot.name = root.attribute("model").unwrap_or("model").chars().take(200).collect();
     let present = |tag: &&str| child(root, tag).is_some_and(|node| node.has_children());
@@ -213,6 +219,104 @@ impl<'a, 'input> Model<'a, 'input> {
             whole = if letter.is_ascii_lowercase() { whole * turn } else { turn * whole };
         }
         Some(whole)
+    }
+
+    /// Reads a connection of two bodies, or a joint that follows another.
+    fn equality(&mut self, node: Node<'a, 'input>) -> Read<()> {
+        let reader = Reader { document: self.reader.document };
+        let kind = node.tag_name().name();
+        let is_between_sites = node.has_attribute("site1");
+        match kind {
+            "connect" if !is_between_sites => {
+                let anchor = reader.exactly::<3>(node, "anchor")?.unwrap_or_default();
+                self.connect(
+                    node,
+                    Motion::Rolls,
+                    Isometry3::translation(anchor[0], anchor[1], anchor[2]),
+                )
+            }
+            "weld" if !is_between_sites => {
+                let relative = reader.exactly::<7>(node, "relpose")?;
+                let given = relative.and_then(|[x, y, z, w, i, j, k]| {
+                    let turn = UnitQuaternion::try_new(Quaternion::new(w, i, j, k), 0.0)?;
+                    Some(Isometry3::from_parts(Vector3::new(x, y, z).into(), turn))
+                });
+                let [one, other] = self.ends(node)?;
+                let place = given.unwrap_or(self.at_zero(&one).inverse() * self.at_zero(&other));
+                self.connect(node, Motion::Fixed, place)
+            }
+            "joint" => self.follow(node),
+            _ => {
+                self.robot.left_out.push(format!("<{kind}> of <equality>"));
+                Ok(())
+            }
+        }
+    }
+
+    /// Returns the bodies of an equality.
+    fn ends(&self, node: Node<'a, 'input>) -> Read<[String; 2]> {
+        let of = |key: &str| match node.attribute(key) {
+            None => Ok(WORLD.to_owned()),
+            Some(name) if self.robot.links.iter().any(|link| link.name == name) => {
+                Ok(name.to_owned())
+            }
+            Some(name) => {
+                let message = format!("the body `{}` is missing", name.escape_debug());
+                Err(self.reader.error(node, message, ""))
+            }
+        };
+        self.reader.attribute(node, "body1")?;
+        Ok([of("body1")?, of("body2")?])
+    }
+
+    /// Connects two bodies at a place of the first, where the second is at the start.
+    fn connect(
+        &mut self,
+        node: Node<'a, 'input>,
+        motion: Motion,
+        place: Isometry3<f64>,
+    ) -> Read<()> {
+        let [one, other] = self.ends(node)?;
+        let name = node.attribute("name").map_or_else(|| self.free_name("loop"), str::to_owned);
+        let there = match motion {
+            Motion::Fixed => Isometry3::identity(),
+            _ => self.at_zero(&other).inverse() * self.at_zero(&one) * place,
+        };
+        let joint = Joint::plain(&name, self.reader.line(node), motion, [&one, &other]);
+        let poses = [place, there].map(|at| pose(&at));
+        self.robot.closures.push(Closure { joint, poses });
+        Ok(())
+    }
+
+    /// Returns the pose of a link in the world with all joints at zero.
+    fn at_zero(&self, name: &str) -> Isometry3<f64> {
+        let mut whole = Isometry3::identity();
+        let mut link = name;
+        while let Some(joint) = self.robot.joints.iter().find(|joint| joint.child == link) {
+            whole = isometry(&joint.origin) * whole;
+            link = &joint.parent;
+        }
+        whole
+    }
+
+    /// Lets a joint follow another in proportion.
+    fn follow(&mut self, node: Node<'a, 'input>) -> Read<()> {
+        let name = self.reader.attribute(node, "joint1")?.to_owned();
+        let coefficients = self.reader.numbers(node, "polycoef")?.unwrap_or(vec![0.0, 1.0]);
+        let is_linear = coefficients.iter().skip(2).all(|one| *one == 0.0);
+        let leader = node.attribute("joint2").filter(|_| is_linear);
+        let Some(leader) = leader else {
+            self.robot.left_out.push(format!("the equality of joint `{name}`"));
+            return Ok(());
+        };
+        let at = |index: usize| coefficients.get(index).copied().unwrap_or(0.0);
+        let mimic = Mimic { joint: leader.to_owned(), multiplier: at(1), offset: at(0) };
+        let Some(joint) = self.robot.joints.iter_mut().find(|joint| joint.name == name) else {
+            let message = format!("the joint `{}` is missing", name.escape_debug());
+            return Err(self.reader.error(node, message, ""));
+        };
+        joint.mimic = Some(mimic);
+        Ok(())
     }
 
     /// Reads the bodies within one.

@@ -105,7 +105,8 @@ pub struct Constraint {
     pub is_of_positions: bool,
     /// Modes and the values they must have for the constraint to hold; empty if it always holds.
     pub when: Vec<(FirstOrderId, i32)>,
-    /// True if the constraint is redundant and never holds. Others carry its force.
+    /// True if the constraint is redundant and never holds. Others carry its force, unless it is zero
+    /// in any position.
     pub is_dropped: bool,
     /// The declared friction that holds it, with a limited force.
     pub friction: Option<Friction>,

@@ -40,6 +40,7 @@ impl Assembler<'_> {
             let doc = constraint.doc.split_whitespace().collect::<Vec<_>>().join(" ");
             let unit = dimension.unwrap_or(Dimension::ONE).as_unit();
             let expr = self.note(resolved);
+            let is_dropped = constraint.friction.is_none() && expr.is_zero();
             let when = self.modes(&constraint.when, scope);
             constraints.push(Constraint {
                 name,
@@ -48,7 +49,7 @@ impl Assembler<'_> {
                 expr,
                 is_of_positions,
                 when,
-                is_dropped: false,
+                is_dropped,
                 friction: constraint.friction.is_some().then(Friction::default),
             });
         }
@@ -82,6 +83,10 @@ fn unfit(constraint: &ConstraintSpec, typed: &Typed) -> Option<Mistake> {
         let message = format!("{what} depends on a state or mode");
         let help = "write it with coordinates, velocities, time and parameters";
         return refuse(message, "of a first-order state", help);
+    }
+    // What is zero in any position, such as the distance of a linkage from its plane, is dropped.
+    if constraint.friction.is_none() && typed.expr.is_zero() {
+        return None;
     }
     if !typed.expr.mentions(moves) {
         let message = format!("{what} depends on no coordinate");

@@ -53,14 +53,15 @@ pub struct Discretisation {
 }
 
 /// Reason why a field cannot be divided into elements.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "field::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FieldError {
     /// The number of elements is out of range.
     #[error(
         "field `{field}` is cut into at least {least} and at most {most} elements, not {found}"
     )]
-    Elements {
+    ElementCount {
         /// Name of the field.
         field: String,
         /// Minimum number, one per segment between ports.
@@ -73,6 +74,14 @@ pub enum FieldError {
     /// The order is 0 or too high.
     #[error("elements have an order from 1 to {MAX_ORDER}, not {0}")]
     Order(usize),
+}
+
+impl FieldError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 /// A scene with fields that are divided into elements. Calls do not allocate, because memory for

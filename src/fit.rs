@@ -437,16 +437,19 @@ pub struct ColumnResiduals<'e> {
 }
 
 /// Reason why residuals could not be evaluated.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "fit::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FitError {
     /// The run was refused or stopped.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Simulate(#[from] SimulateError),
     /// A compared output or one of its derivatives is not finite.
     #[error("an output that is compared, or its derivative, is not a finite number")]
     NotFinite,
     /// Error in one of several experiments.
+    #[strum(serialize = "")]
     #[error("{name}: {why}")]
     Experiment {
         /// Name of the experiment.
@@ -454,6 +457,18 @@ pub enum FitError {
         /// The error.
         why: Box<FitError>,
     },
+}
+
+impl FitError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Simulate(error) => error.code(),
+            Self::Experiment { why, .. } => why.code(),
+            error => error.into(),
+        }
+    }
 }
 
 impl FitError {

@@ -97,6 +97,17 @@ pub enum HostedError {
     },
 }
 
+impl HostedError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Refused(error) => error.code(),
+            Self::Stopped { cause, .. } => cause.code(),
+        }
+    }
+}
+
 impl From<Stopped> for HostedError {
     fn from(Stopped { time, cause }: Stopped) -> Self {
         Self::Stopped { time, cause }

@@ -467,6 +467,8 @@ fn an_acceleration_answers_a_parameter_and_refuses_a_force_on_a_coordinate() {
         assert!((size / exact - 1.0).abs() < 1e-9, "{size} is not {exact}");
     }
     let refused = linear.response("o.x", "jolt", &frequencies).expect_err("it is left out");
-    let LinearError::AnswersAtOnce { output, coordinate } = &refused else { panic!("{refused}") };
+    let LinearError::DirectFeedthrough { output, coordinate } = &refused else {
+        panic!("{refused}")
+    };
     assert_eq!((output.as_str(), coordinate.as_str()), ("jolt", "o.x"));
 }

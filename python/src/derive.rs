@@ -16,8 +16,8 @@ use pyo3::types::PyBytes;
 use crate::failure::Failure;
 use crate::patience::PERIOD;
 
-/// Error or warning: file, line, column, number of characters, message, hint, report.
-type Told = (String, usize, usize, usize, String, String, String);
+/// Error or warning: code, file, line, column, number of characters, message, hint, report.
+type Told = (String, String, usize, usize, usize, String, String, String);
 /// Model file, if the spec has a model; errors or warnings.
 type Answer<'py> = (Option<Bound<'py, PyBytes>>, Vec<Told>);
 
@@ -75,8 +75,8 @@ fn derived(spec: Spec, keep_all: bool) -> PyResult<Result<Derived, Refused>> {
 }
 
 fn told(trouble: Trouble) -> Told {
-    let Trouble { file, line, column, length, message, help, text, .. } = trouble;
-    (file, line, column, length, message, help, text)
+    let Trouble { code, file, line, column, length, message, help, text, .. } = trouble;
+    (code, file, line, column, length, message, help, text)
 }
 
 /// Names of the machines of standard parts that come with the package, sorted.

@@ -133,12 +133,12 @@ fn solved(
         steps: search.steps,
         interrupt: Some(&flag),
     };
-    let fitted = fit.solve(&plan, &mut |_, _| {}).map_err(|unsolved| match unsolved {
-        Unsolved::NoStart { .. } => Failure::Refused(
-            "AnalysisError",
-            format!("{unsolved}. Hint: other bounds or parameters may help"),
-        ),
-        _ => Failure::Refused("AnalysisError", unsolved.to_string()),
+    let fitted = fit.solve(&plan, &mut |_, _| {}).map_err(|unsolved| {
+        let hint = match unsolved {
+            Unsolved::NoStart { .. } => ". Hint: other bounds or parameters may help",
+            _ => "",
+        };
+        Failure::Coded("AnalysisError", unsolved.code(), format!("{unsolved}{hint}"))
     })?;
     let findings = fit.findings(&fitted);
     Ok((fitted, findings))

@@ -276,7 +276,8 @@ pub fn design<'py>(
     let model = StateSpace::of_matrices(model, period)?;
     let weight = |(name, deviation)| Weight { name, deviation };
     let weights: Vec<Weight> = weights.into_iter().map(weight).collect();
-    let refused = |error: RegulatorError| Failure::input(error.to_string());
+    let refused =
+        |error: RegulatorError| Failure::Coded("InputError", error.code(), error.to_string());
     let answer = PyDict::new(py);
     let poles = |poles: &[[f64; 2]]| poles.iter().map(|[re, im]| (*re, *im)).collect::<Vec<_>>();
     if kind == "lqr" {

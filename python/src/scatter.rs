@@ -22,7 +22,7 @@ impl From<ScatterError> for Failure {
             ScatterError::UnknownSampler { .. } => "UnknownNameError",
             _ => "InputError",
         };
-        Self::Refused(class, error.to_string())
+        Self::Coded(class, error.code(), error.to_string())
     }
 }
 

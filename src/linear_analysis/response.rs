@@ -102,7 +102,7 @@ impl Input {
     /// Creates the error for a force with feedthrough to an output.
     pub fn answers_at_once(&self, output: &str) -> LinearError {
         let coordinate = self.name.trim_start_matches(FORCE_ON).to_owned();
-        LinearError::AnswersAtOnce { output: output.to_owned(), coordinate }
+        LinearError::DirectFeedthrough { output: output.to_owned(), coordinate }
     }
 }
 
@@ -134,9 +134,9 @@ impl Linearization<'_> {
     /// and C are those of the allowed motions.
     ///
     /// # Errors
-    /// [`LinearError::Unknown`] for names, [`LinearError::NotFinite`] for derivatives,
+    /// [`LinearError::UnknownName`] for names, [`LinearError::NotFinite`] for derivatives,
     /// [`LinearError::Singular`] at an undamped resonance, [`LinearError::MovesConstraint`] for a
-    /// parameter that a constraint depends on, [`LinearError::AnswersAtOnce`] for a force with
+    /// parameter that a constraint depends on, [`LinearError::DirectFeedthrough`] for a force with
     /// feedthrough to the output.
     pub fn response(
         &self,
@@ -206,7 +206,7 @@ impl Linearization<'_> {
         }
         let parameters = (0..shape.parameters).map(|index| self.simulator.parameter(index).name);
         let coordinates = (0..shape.coordinates).map(|index| self.simulator.coordinate(index).name);
-        Err(LinearError::Unknown {
+        Err(LinearError::UnknownName {
             scene: self.simulator.name().to_owned(),
             kind: "parameter or coordinate",
             name: name.to_owned(),

@@ -38,7 +38,7 @@ impl System<'_> {
     /// one in `front` of it. Returns whether it moved, or let friction go.
     ///
     /// # Errors
-    /// [`StopCause::Jerked`] if a constraint that holds in some modes only would have to pull
+    /// [`StopCause::SpeedJumps`] if a constraint that holds in some modes only would have to pull
     /// along.
     pub(crate) fn take_up(
         &self,
@@ -141,7 +141,10 @@ impl System<'_> {
                 return Ok(true);
             }
             let constraint = constraints.name(row).to_owned();
-            return Err(Stopped { time: front.next_up(), cause: StopCause::Jerked { constraint } });
+            return Err(Stopped {
+                time: front.next_up(),
+                cause: StopCause::SpeedJumps { constraint },
+            });
         }
         let energy = |state: &[f64]| simulator.energy(behind, state, self.parameters()).total();
         let gained = energy(&after) - energy(&state[..states]);

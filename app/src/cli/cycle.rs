@@ -21,7 +21,7 @@ use super::output::{
 };
 use super::range::{Range, range};
 use super::scene::Scene;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
 use crate::parquet;
@@ -193,7 +193,7 @@ impl CycleCommand {
                     simulator.name(),
                     name.escape_debug()
                 );
-                Err(Failure::input(message, did_you_mean(name, known)))
+                Err(Failure::unknown(message, name, known))
             }
         }
     }

@@ -239,7 +239,7 @@ impl Improve {
                 Ok(Searched { found, sizes, lost, runs })
             }
             _ if is_interrupted => {
-                Err(Failure::unsuccessful("the search was interrupted at its start", ""))
+                Err(Failure::interrupted("the search was interrupted at its start", ""))
             }
             _ => {
                 let why = lost.1.unwrap_or_default();
@@ -265,7 +265,7 @@ impl Improve {
     fn verdict(&self, found: &Found) -> Result<(), Failure> {
         let more = "the values above are the best so far";
         match found.end {
-            End::Interrupted => Err(Failure::unsuccessful("the search was interrupted", more)),
+            End::Interrupted => Err(Failure::interrupted("the search was interrupted", more)),
             _ if !found.is_feasible() => {
                 let missed: Vec<&str> = found
                     .evaluation
@@ -312,6 +312,7 @@ pub(super) fn wrong(option: &str, text: &str, error: &ExpressionError) -> Failur
     let range = error.range.clone();
     let length = range.end.max(range.start + 1) - range.start;
     let mut diagnostic = MietteDiagnostic::new(format!("{option}: {}", error.message))
+        .with_code(error.code())
         .with_label(LabeledSpan::new(Some("here".to_owned()), range.start, length));
     if !error.help.is_empty() {
         diagnostic = diagnostic.with_help(error.help.clone());

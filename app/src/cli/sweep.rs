@@ -139,13 +139,14 @@ impl Sweep {
         }
         let place = |name: &String| {
             known.iter().position(|known| known == name).ok_or_else(|| {
-                Failure::input(
+                Failure::unknown(
                     format!(
                         "scene `{}` has no output or state `{}`",
                         simulator.name(),
                         name.escape_debug()
                     ),
-                    did_you_mean(name, known.iter().copied()),
+                    name,
+                    known.iter().copied(),
                 )
             })
         };

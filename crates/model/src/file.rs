@@ -37,7 +37,8 @@ pub struct Stamped {
 }
 
 /// Reason why bytes are not a model.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "model::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FileError {
     /// The bytes do not begin with the mark of models.
@@ -69,6 +70,14 @@ pub enum FileError {
     /// The content decodes to a model that breaks a rule.
     #[error("this model is not valid: {0}")]
     Malformed(#[from] Malformed),
+}
+
+impl FileError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 /// Returns the bytes of a model.

@@ -170,7 +170,8 @@ impl Tally {
 }
 
 /// Reason why nothing was checked.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "verify::", serialize_all = "kebab-case")]
 pub enum VerifyError {
     /// An override does not name a parameter of a verified scene.
     #[error("override `{0}`: no verified scene has this parameter; it is written scene.parameter")]
@@ -183,6 +184,14 @@ pub enum VerifyError {
         /// Value of the override.
         value: f64,
     },
+}
+
+impl VerifyError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 /// Runs every selected check, scene by scene, in the order of the tables.

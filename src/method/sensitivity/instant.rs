@@ -51,7 +51,7 @@ impl Tangents<'_> {
     /// from `before` to `behind`. Relations are settled behind the jump.
     ///
     /// # Errors
-    /// [`StopCause::AtOnce`] if several things happen there that are moved apart.
+    /// [`StopCause::CoincidentEvents`] if several things happen there that are moved apart.
     pub(crate) fn jump(
         &self,
         system: &System<'_>,
@@ -338,7 +338,7 @@ impl Tangents<'_> {
             None => Ok(()),
             Some(direction) => {
                 let by = self.by[direction].quantity(self.simulator).name.to_owned();
-                Err(Stopped { time, cause: StopCause::AtOnce { by } })
+                Err(Stopped { time, cause: StopCause::CoincidentEvents { by } })
             }
         }
     }
@@ -376,7 +376,7 @@ fn put_back(
         let scale = simulator.state_scale(index).max(after[index].abs());
         if (after[index] - state[index].value).abs() > DRIFT * scale {
             let state = simulator.state(index).name.to_owned();
-            return Err(StopCause::MovedPosition { state });
+            return Err(StopCause::ProjectedPosition { state });
         }
     }
     let velocities: Vec<f64> = (0..n).map(|index| state[first + index].value).collect();

@@ -6,7 +6,7 @@ use machinist_contract::Simulator;
 
 use crate::cli::amount::Amount;
 use crate::cli::range::ends;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::Failure;
 
 /// Name with optional bounds.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +64,7 @@ pub fn unknowns(
                     name.escape_debug()
                 );
                 let known: Vec<&str> = parameters().chain(states()).collect();
-                return Err(Failure::input(message, did_you_mean(name, known.into_iter())));
+                return Err(Failure::unknown(message, name, known.into_iter()));
             }
         };
         if let Some([from, _]) = bounds {

@@ -21,9 +21,9 @@ use std::cell::{Cell, RefCell};
 
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
-use serde::Serialize;
 
-use crate::method::Held;
+use crate::held::Held;
+pub use crate::trajectory::Drift;
 pub use lasting::{Lasting, lasting};
 
 pub use mobility::{Mobility, Redundant, mobility};
@@ -37,17 +37,6 @@ const MANY: usize = 48;
 
 /// Size of a row of G, relative to the largest, that counts as rounding.
 const ROUNDING: f64 = 1e-14;
-
-/// Largest drift of a run. The residual of each constraint is measured by the typical size of its
-/// coordinates' motion.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-#[non_exhaustive]
-pub struct Drift {
-    /// Drift before projection, at the end of a step or within one.
-    pub before: f64,
-    /// Drift after projection.
-    pub after: f64,
-}
 
 /// Constraints of a simulator at given parameters.
 pub struct Constraints<'a> {

@@ -4,7 +4,6 @@ mod stop_cause;
 
 use thiserror::Error;
 
-use crate::method::Method;
 use crate::trajectory::Trajectory;
 
 pub use stop_cause::StopCause;
@@ -144,7 +143,7 @@ pub enum SimulateError {
     /// The number of output times is out of range.
     #[error(
         "{0} output points were requested, but a run has 2 to {max} of them",
-        max = crate::simulate::MAX_POINTS
+        max = crate::trajectory::MAX_POINTS
     )]
     BadPoints(usize),
     /// An output time lies outside the run or before its predecessor.
@@ -238,20 +237,6 @@ impl SimulateError {
     }
 }
 
-#[cfg(feature = "linear")]
-impl SimulateError {
-    /// Converts the error of a failed search for an equilibrium.
-    pub(crate) fn no_equilibrium(error: crate::linear_analysis::LinearError) -> Self {
-        match error {
-            crate::linear_analysis::LinearError::Simulate(error) => error,
-            error => Self::NoEquilibrium(format!(
-                "{error}. Hint: give values nearer to equilibrium in [initial], or start from \
-                 those values"
-            )),
-        }
-    }
-}
-
 /// Error for a name that is not in the table of methods.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("there is no method `{name}`{hint}; known are {known}")]
@@ -333,12 +318,6 @@ impl NotCompiledIn {
     #[must_use]
     pub fn code(&self) -> &'static str {
         "run::not-compiled-in"
-    }
-
-    pub(crate) fn of(method: Method) -> Self {
-        let compiled_in: Vec<_> = Method::compiled_in().map(Method::name).collect();
-        let feature = method.feature().unwrap_or_default();
-        Self { name: method.name(), feature, compiled_in: compiled_in.join(", ") }
     }
 }
 

@@ -25,7 +25,7 @@ mod simulator;
 
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
-use machinist_contract::field::{FieldScene, HANDED, MAX_ORDER, Rule};
+use machinist_contract::field::{Division, FieldScene, HANDED, MAX_ORDER, Rule};
 use machinist_contract::{Dual, Real, Shape};
 
 use chain::Chain;
@@ -388,9 +388,12 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
     /// Returns for each field the rule of its elements, and x at its nodes \[m\] for given
     /// parameters.
     #[must_use]
-    pub fn divisions(&self, parameters: &[R]) -> Vec<(Rule<'_>, Vec<R>)> {
-        let meshes = self.meshes.iter().enumerate();
-        meshes.map(|(field, mesh)| (mesh.rule.rule(), self.places(field, parameters))).collect()
+    pub fn divisions(&self, parameters: &[R]) -> Vec<Division<'_, Vec<R>>> {
+        let division = |(field, mesh): (usize, &Mesh<_>)| Division {
+            rule: mesh.rule.rule(),
+            places: self.places(field, parameters),
+        };
+        self.meshes.iter().enumerate().map(division).collect()
     }
 
     /// Returns u at the nodes of a field in a given state.

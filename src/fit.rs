@@ -30,6 +30,20 @@ pub use statistics::{Chance, Direction, Statistics, chance, statistics, students
 #[cfg(feature = "sweep")]
 pub use threads::Lender;
 
+/// Bounds of an unknown, in its unit; infinite where there are none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// Lower bound.
+    pub low: f64,
+    /// Upper bound.
+    pub high: f64,
+}
+
+impl Bounds {
+    /// No bounds.
+    pub const NONE: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
+}
+
 /// A parameter or the initial value of a state to be estimated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unknown {
@@ -38,16 +52,16 @@ pub struct Unknown {
     /// Start of the search.
     pub start: f64,
     /// Lower and upper bound; infinite where there is none.
-    pub bounds: (f64, f64),
+    pub bounds: Bounds,
 }
 
 impl Unknown {
     /// Creates an unknown that starts at `value`, or at the middle of the bounds if `value` lies
     /// beyond them.
     #[must_use]
-    pub fn from(name: &str, value: f64, bounds: Option<(f64, f64)>) -> Self {
-        let bounds = bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-        let (low, high) = bounds;
+    pub fn from(name: &str, value: f64, bounds: Option<Bounds>) -> Self {
+        let bounds = bounds.unwrap_or(Bounds::NONE);
+        let Bounds { low, high } = bounds;
         let is_within = (low..=high).contains(&value);
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
         let start = if is_within { value } else { middle };
@@ -57,12 +71,12 @@ impl Unknown {
     /// Returns whether the search uses the logarithm of the unknown.
     #[must_use]
     pub fn is_logarithmic(&self) -> bool {
-        self.bounds.0 > 0.0 && self.bounds.1 > 0.0
+        self.bounds.low > 0.0 && self.bounds.high > 0.0
     }
 
     /// Returns the unit of change of an unknown that is not logarithmic.
     fn size(&self) -> f64 {
-        let (low, high) = self.bounds;
+        let Bounds { low, high } = self.bounds;
         let span = if (high - low).is_finite() { high - low } else { 0.0 };
         match self.start.abs() {
             0.0 if span > 0.0 => span,
@@ -77,8 +91,8 @@ impl Unknown {
     }
 
     /// Returns the bounds in the coordinate of the search.
-    pub(crate) fn inner_bounds(&self) -> (f64, f64) {
-        (self.inner(self.bounds.0), self.inner(self.bounds.1))
+    pub(crate) fn inner_bounds(&self) -> Bounds {
+        Bounds { low: self.inner(self.bounds.low), high: self.inner(self.bounds.high) }
     }
 
     pub(crate) fn inner(&self, value: f64) -> f64 {
@@ -89,7 +103,7 @@ impl Unknown {
     #[must_use]
     pub fn outer(&self, inner: f64) -> f64 {
         let value = if self.is_logarithmic() { inner.exp() } else { inner * self.size() };
-        value.clamp(self.bounds.0, self.bounds.1)
+        value.clamp(self.bounds.low, self.bounds.high)
     }
 
     /// Returns d outer/d inner.
@@ -164,12 +178,12 @@ pub struct Fit<'a> {
 /// the root of x^(n+1) = x + 1 (the R sequence of M. Roberts). Unknowns without bounds keep their
 /// first value.
 #[must_use]
-pub fn spread_starts(first: &[f64], bounds: &[(f64, f64)], count: usize) -> Vec<Vec<f64>> {
+pub fn spread_starts(first: &[f64], bounds: &[Bounds], count: usize) -> Vec<Vec<f64>> {
     let n = first.len();
     let root = (0..64).fold(2.0_f64, |x, _| (1.0 + x).powf(1.0 / (n as f64 + 1.0)));
     let spread = |index: usize| {
         let inner = |k: usize| {
-            let (low, high) = bounds[k];
+            let Bounds { low, high } = bounds[k];
             let share = (0.5 + index as f64 * root.powi(-(k as i32 + 1))).fract();
             if (high - low).is_finite() { low + share * (high - low) } else { first[k] }
         };
@@ -223,7 +237,7 @@ impl<'a> Fit<'a> {
 
     /// Returns the bounds in the coordinates of the search.
     #[must_use]
-    pub fn bounds(&self) -> Vec<(f64, f64)> {
+    pub fn bounds(&self) -> Vec<Bounds> {
         self.unknowns.iter().map(Unknown::inner_bounds).collect()
     }
 

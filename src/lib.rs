@@ -22,6 +22,7 @@ pub mod fatigue;
 pub mod field;
 #[cfg(feature = "fit")]
 pub mod fit;
+mod held;
 pub mod hosted;
 #[cfg(feature = "fit")]
 pub mod improve;
@@ -31,6 +32,7 @@ mod legendre;
 #[cfg(feature = "linear")]
 pub mod linear_analysis;
 pub mod method;
+mod method_table;
 #[cfg(feature = "linear")]
 pub mod periodic;
 mod scales;

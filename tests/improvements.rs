@@ -1,6 +1,6 @@
 //! Optimization of designs: optima against closed forms, derivatives against differences.
 
-use machinist::fit::Unknown;
+use machinist::fit::{Bounds, Unknown};
 use machinist::improve::{End, Expression, Found, Improvement, Inequality, Values, check};
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -11,8 +11,8 @@ use machinist_scenes::scenes::saw_gin::SawGin;
 use crate::own_scene::of_text;
 use crate::sensitivities::bouncing_ball;
 
-fn unknown(name: &str, start: f64, bounds: (f64, f64)) -> Unknown {
-    Unknown { name: name.to_owned(), start, bounds }
+fn unknown(name: &str, start: f64, (low, high): (f64, f64)) -> Unknown {
+    Unknown { name: name.to_owned(), start, bounds: Bounds { low, high } }
 }
 
 /// Searches from the starts of the unknowns; returns values, expressions, costs and end.

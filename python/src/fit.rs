@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use machinist::error::StopCause;
 use machinist::fit::{
-    End, Experiment, Findings, Fit, Fitted, Measured, Noise, Plan, Unknown, Unsolved,
+    Bounds, End, Experiment, Findings, Fit, Fitted, Measured, Noise, Plan, Unknown, Unsolved,
 };
 use machinist::{SimulateError, Simulation, constraints};
 use machinist_contract::Simulator;
@@ -210,7 +210,7 @@ fn unknowns(
                 continue;
             }
         };
-        unknowns.push(Unknown::from(name, value, *bounds));
+        unknowns.push(Unknown::from(name, value, bounds.map(|(low, high)| Bounds { low, high })));
     }
     Ok(unknowns)
 }

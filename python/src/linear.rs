@@ -1,5 +1,7 @@
 //! Eigenmodes and frequency responses.
 
+use std::ops::Range;
+
 use machinist::Simulation;
 use machinist::linear_analysis::{
     Hold, LinearError, Linearization, Mode, ModeKind, NoSlope, Piece, Place, PointSlopes,
@@ -169,8 +171,8 @@ pub fn response<'py>(
             let frequencies = if let Some(given) = given {
                 given
             } else {
-                let (low, high) = linearization.range_of_interest()?;
-                machinist::linear_analysis::logarithmic_range(low, high, points)?
+                let Range { start, end } = linearization.range_of_interest()?;
+                machinist::linear_analysis::logarithmic_range(start, end, points)?
             };
             let response = linearization.response(&from, &to, &frequencies)?;
             let largest = linearization.largest(&from, &to, &response).ok().flatten();

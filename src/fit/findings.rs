@@ -4,7 +4,7 @@ use machinist_contract::{Quantity, Simulator};
 use serde::Serialize;
 
 use super::statistics::{Chance, Direction, Statistics, chance, statistics, students_t};
-use super::{ColumnResiduals, Fit, Fitted, Unknown};
+use super::{Bounds, ColumnResiduals, Fit, Fitted, Unknown};
 use crate::sorting::sort_descending;
 
 /// Relative error above which a parameter counts as not determined by the data.
@@ -97,7 +97,7 @@ impl Fit<'_> {
         let Fitted { found, loss, .. } = fitted;
         let values = self.values(&found.at);
         let is_held = |(value, unknown): (&f64, &Unknown)| {
-            let (low, high) = unknown.bounds;
+            let Bounds { low, high } = unknown.bounds;
             *value <= low || *value >= high
         };
         let held: Vec<bool> = values.iter().zip(self.unknowns).map(is_held).collect();

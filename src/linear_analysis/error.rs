@@ -217,6 +217,19 @@ impl LinearError {
     }
 }
 
+impl LinearError {
+    /// Converts the error of a search for a start in equilibrium.
+    pub(crate) fn of_start(self) -> SimulateError {
+        match self {
+            Self::Simulate(error) => error,
+            error => SimulateError::NoEquilibrium(format!(
+                "{error}. Hint: give values nearer to equilibrium in [initial], or start from \
+                 those values"
+            )),
+        }
+    }
+}
+
 /// A rate that should be zero in equilibrium but is not.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Residual {

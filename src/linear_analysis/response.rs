@@ -1,6 +1,7 @@
 //! Frequency responses.
 
 use std::io;
+use std::ops::Range;
 
 use machinist_contract::{Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
@@ -56,14 +57,6 @@ impl Response {
             unit if unit.contains([' ', '/', '*']) => format!("{}/({unit})", self.to_unit),
             unit => format!("{}/{unit}", self.to_unit),
         }
-    }
-
-    /// Returns frequency \[rad/s\] and value of the largest amplitude in the table;
-    /// [`Linearization::largest`] also finds maxima between its frequencies.
-    #[must_use]
-    pub fn peak(&self) -> Option<(f64, f64)> {
-        let points = self.frequencies.iter().copied().zip(self.amplitudes.iter().copied());
-        points.max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// Writes a table: a header with units, then one line per frequency.
@@ -165,13 +158,13 @@ impl Linearization<'_> {
     ///
     /// # Errors
     /// As for [`Linearization::modes`].
-    pub fn range_of_interest(&self) -> Result<(f64, f64), LinearError> {
+    pub fn range_of_interest(&self) -> Result<Range<f64>, LinearError> {
         let modes = self.modes()?;
         let sizes = modes.iter().filter(|mode| mode.kind != ModeKind::Free);
         let (low, high) = sizes
             .map(super::Mode::natural_frequency)
             .fold((f64::INFINITY, 0.0_f64), |(low, high), size| (low.min(size), high.max(size)));
-        Ok(if high > 0.0 { (low / BEYOND, high * BEYOND) } else { (1.0 / BEYOND, BEYOND) })
+        Ok(if high > 0.0 { low / BEYOND..high * BEYOND } else { 1.0 / BEYOND..BEYOND })
     }
 
     /// Returns the largest growth rate of an eigenmode \[1/s\], or `None` if none grows. Only in

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use super::Method;
+use crate::method_table::Method;
 
 /// Choices of [`Method::Auto`].
 ///

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use crate::failure::did_you_mean;
 use clap::Args;
+use machinist::simulate::NegativeInertias;
 use machinist::sweep::{VariantRun, Wanted};
 use machinist::{SimulateError, Simulation};
 use machinist_contract::Simulator;
@@ -100,7 +101,7 @@ impl Sweep {
     /// Warns on standard error about variants with a negative mass.
     fn tell_of_negative_inertias(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) {
         let run = self.settings().adjust(Simulation::new(simulator));
-        if let Some((count, first, note)) = run.negative_inertias(variants) {
+        if let Some(NegativeInertias { count, first, note, .. }) = run.negative_inertias(variants) {
             let (all, row) = (variants.len(), first + 1);
             eprintln!("machinist: {count} of {all} variants, the first in row {row}: {note}");
         }

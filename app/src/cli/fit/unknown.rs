@@ -1,6 +1,6 @@
 //! Unknowns of a fit, as the command line gives them.
 
-use machinist::fit::Unknown;
+use machinist::fit::{Bounds, Unknown};
 use machinist::{SimulateError, Simulation};
 use machinist_contract::Simulator;
 
@@ -70,7 +70,7 @@ pub fn unknowns(
         if let Some([from, _]) = bounds {
             from.check_of(name, simulation)?;
         }
-        let bounds = bounds.as_ref().map(|[from, to]| (from.value, to.value));
+        let bounds = bounds.as_ref().map(|[from, to]| Bounds { low: from.value, high: to.value });
         found.push((Unknown::from(name, value, bounds), parameter.is_some()));
     }
     Ok(found)

@@ -1,5 +1,6 @@
 //! Result of a search for a better design, for people and for programs.
 
+use machinist::fit::Bounds;
 use machinist::improve::{End, Improvement};
 use machinist_contract::Simulator;
 use serde::Serialize;
@@ -102,7 +103,7 @@ impl Answer {
         };
         let varied = |k: usize| {
             let (unknown, value) = (&improvement.unknowns[k], values[k]);
-            let (low, high) = unknown.bounds;
+            let Bounds { low, high } = unknown.bounds;
             let is_at_bound = value <= low || value >= high;
             let cost = found.of_bounds[k].abs() * sizes.objective / unknown.slope(value).abs();
             Varied {

@@ -12,8 +12,8 @@
 //! ```
 
 mod lasting;
-mod led;
 mod mobility;
+mod prescribed;
 mod saddle;
 mod start;
 

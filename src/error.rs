@@ -259,7 +259,7 @@ impl UnknownMethod {
 
 /// Error for a method that would ignore events or constraints of the machine.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("scene `{scene}` has {feature}; these do: {known}", feature = .feature.told(.method))]
+#[error("scene `{scene}` has {feature}; these do: {known}", feature = .feature.describe(.method))]
 pub struct Unsuitable {
     /// Name of the scene.
     pub scene: String,
@@ -290,7 +290,7 @@ pub enum Feature {
 }
 
 impl Feature {
-    fn told(self, method: &str) -> String {
+    fn describe(self, method: &str) -> String {
         match self {
             Self::Events => format!("events, which `{method}` does not support"),
             Self::Constraints => format!("constraints, which `{method}` does not support"),

@@ -25,7 +25,7 @@ mod simulator;
 
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
-use machinist_contract::field::{Division, FieldScene, HANDED, MAX_ORDER, Rule};
+use machinist_contract::field::{Division, FieldScene, HANDED, MAX_ORDER};
 use machinist_contract::{Dual, Real, Shape};
 
 use chain::Chain;
@@ -389,11 +389,12 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
     /// parameters.
     #[must_use]
     pub fn divisions(&self, parameters: &[R]) -> Vec<Division<'_, Vec<R>>> {
-        let division = |(field, mesh): (usize, &Mesh<_>)| Division {
+        let meshes = self.meshes.iter().enumerate();
+        let divisions = meshes.map(|(field, mesh)| Division {
             rule: mesh.rule.rule(),
             places: self.places(field, parameters),
-        };
-        self.meshes.iter().enumerate().map(division).collect()
+        });
+        divisions.collect()
     }
 
     /// Returns u at the nodes of a field in a given state.

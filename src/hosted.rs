@@ -122,7 +122,7 @@ pub enum Reached {
     /// Events were found and are still to be executed.
     Event,
     /// The host ended the piece.
-    Left,
+    Interrupted,
 }
 
 impl Standing {
@@ -362,7 +362,7 @@ impl<'a> Hosted<'a> {
                 None => return Err(Stopped { cause: StopCause::Interrupted, time }.into()),
                 Some((time, there)) => {
                     state = there;
-                    (time, Reached::Left)
+                    (time, Reached::Interrupted)
                 }
             },
             Err(stopped) => return Err(stopped.into()),

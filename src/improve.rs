@@ -179,7 +179,7 @@ impl Improvement<'_> {
     ///
     /// # Errors
     /// As for [`Simulation::run`].
-    pub fn told(&self, values: &[f64]) -> Result<Values, SimulateError> {
+    pub fn numbers_at(&self, values: &[f64]) -> Result<Values, SimulateError> {
         let run = self.run(values, false)?;
         let value = |expression: &Expression| -> Result<f64, SimulateError> {
             Ok(self.branches(&run, values, &[], expression)?[0].value)

@@ -65,7 +65,7 @@ pub(crate) use stretch::{cut, within};
 pub use system::System;
 pub use tolerance::StepTolerance;
 pub use watch::Watch;
-pub(crate) use watch::{Front, Happened, Memory, identically_zero};
+pub(crate) use watch::{EventRecord, Front, Memory, identically_zero};
 
 /// An integration method: carries a state over one smooth stretch of a run.
 ///
@@ -173,8 +173,8 @@ impl Problem<'_> {
             // Corrected modes may hold what was free.
             self.system.constrain(self.from, &mut state)?;
             if let Some(tangents) = tangents {
-                let happened = watch.happened();
-                tangents.settle(self.system, self.from, &self.initial, &happened, &state)?;
+                let record = watch.record();
+                tangents.settle(self.system, self.from, &self.initial, &record, &state)?;
             }
         }
         tangents.inspect(|tangents| tangents.sample_start(samples, self.from));
@@ -231,7 +231,7 @@ impl Problem<'_> {
                 stretch.require_uninterrupted(stretch.from)?;
                 stretch.require_finite_rate(state)?;
                 if stretch.is_trivial() {
-                    stretch.leap(state, samples);
+                    stretch.euler_step(state, samples);
                     continue;
                 }
                 let Some(watch) = stretch.watch else {
@@ -313,11 +313,11 @@ impl Problem<'_> {
         self.system.constrain(time, state)?;
         if let Some(tangents) = self.system.tangents() {
             let passing = Passing { time: stretch.within(time), before: &front.state };
-            let happened = watch.happened();
-            if happened.applied.is_empty() {
+            let record = watch.record();
+            if record.applied.is_empty() {
                 tangents.cross(stretch, watch, &passing, (state, has_moved))?;
             } else {
-                tangents.switch(stretch, watch, &passing, &happened, state)?;
+                tangents.switch(stretch, watch, &passing, &record, state)?;
             }
         }
         self.system.account(&switched, 0.0, state);
@@ -339,6 +339,10 @@ pub struct Run {
 impl Method {
     /// Returns the code that the method runs; `None` if the Cargo feature of its family is not
     /// enabled.
+    #[cfg_attr(
+        all(feature = "diffsol", feature = "implicit"),
+        expect(clippy::unnecessary_wraps, reason = "some features may be off")
+    )]
     fn integrator(self) -> Option<&'static (dyn Integrator + Sync)> {
         match self {
             #[cfg(feature = "diffsol")]

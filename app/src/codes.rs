@@ -10,10 +10,10 @@ use machinist::method::BadChoice;
 use machinist::periodic::CycleError;
 use machinist::scatter::ScatterError;
 use machinist_model::file::FileError;
-use machinist_studies::verify::VerifyError;
+use machinist_studies::verify::{CheckFailure, VerifyError};
 use strum::VariantNames as _;
 
-use crate::failure::Code;
+use crate::failure::ErrorCode;
 use crate::plot::PlotError;
 
 /// Chapter of the book with a section for each code.
@@ -25,8 +25,9 @@ const HEADING: &str = "\n### `";
 #[must_use]
 pub fn codes() -> Vec<&'static str> {
     let mut enums = vec![
-        Code::VARIANTS,
+        ErrorCode::VARIANTS,
         BadChoice::VARIANTS,
+        CheckFailure::VARIANTS,
         CycleError::VARIANTS,
         EstimatorError::VARIANTS,
         FieldError::VARIANTS,
@@ -46,7 +47,7 @@ pub fn codes() -> Vec<&'static str> {
     #[cfg(feature = "derive")]
     enums.extend([
         machinist_algebra::cas::CasError::VARIANTS,
-        machinist_codegen::build::BuildError::VARIANTS,
+        machinist_codegen::BuildError::VARIANTS,
         machinist_codegen::emit::EmitError::VARIANTS,
         machinist_codegen::mechanics::reduce::FreezeError::VARIANTS,
         machinist_codegen::spec::code::Code::VARIANTS,

@@ -4,13 +4,23 @@ use std::fmt::Display;
 use std::io;
 use std::path::Path;
 
+use crate::plot::PlotError;
 use machinist::SimulateError;
-use machinist::error::nearest;
+use machinist::error::{UnknownMethod, nearest};
+use machinist::estimator::EstimatorError;
+use machinist::field::{FieldError, ModalError};
+use machinist::fit::Unsolved;
 use machinist::linear_analysis::{LinearError, RegulatorError};
+use machinist::periodic::CycleError;
+use machinist::scatter::ScatterError;
 #[cfg(feature = "derive")]
 use machinist_codegen::spec::diagnostic::{Diagnostic, Diagnostics, render};
 #[cfg(feature = "derive")]
 use machinist_codegen::write::WriteError;
+#[cfg(feature = "derive")]
+use machinist_fmu::variables::Unfit;
+use machinist_model::file::FileError;
+use machinist_studies::verify::{CheckFailure, VerifyError};
 use miette::{MietteDiagnostic, Report};
 #[cfg(feature = "derive")]
 use serde::{Deserialize, Serialize};
@@ -19,7 +29,7 @@ use serde::{Deserialize, Serialize};
 /// never changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr, strum::VariantNames)]
 #[strum(prefix = "cli::", serialize_all = "kebab-case")]
-pub enum Code {
+pub enum ErrorCode {
     /// An option or argument is invalid, missing, repeated, or does not go with another.
     InvalidArgument,
     /// Nothing has this name.
@@ -45,8 +55,15 @@ pub trait Coded: Display {
 }
 
 impl Coded for String {}
-impl Coded for &str {}
-impl Coded for &&str {}
+impl Coded for str {}
+impl Coded for std::str::EscapeDebug<'_> {}
+
+impl<T: Coded + ?Sized> Coded for &T {
+    fn code(&self) -> Option<&'static str> {
+        (**self).code()
+    }
+}
+
 impl Coded for io::Error {}
 impl Coded for serde_json::Error {}
 
@@ -61,9 +78,24 @@ macro_rules! coded {
 }
 
 coded!(
-    SimulateError,
+    CheckFailure,
+    CycleError,
+    EstimatorError,
+    FieldError,
+    FileError,
     LinearError,
+    ModalError,
+    PlotError,
     RegulatorError,
+    ScatterError,
+    SimulateError,
+    UnknownMethod,
+    Unsolved,
+    VerifyError,
+    #[cfg(feature = "derive")]
+    crate::fields::DivideError,
+    #[cfg(feature = "derive")]
+    Unfit,
     #[cfg(feature = "derive")]
     WriteError,
 );
@@ -80,7 +112,7 @@ pub enum Failure {
 impl Failure {
     /// Creates a failure of the input with a hint, which may be empty.
     pub fn input(message: impl Coded, help: impl Display) -> Self {
-        let code = message.code().unwrap_or(Code::InvalidArgument.into());
+        let code = message.code().unwrap_or(ErrorCode::InvalidArgument.into());
         Self::Input(vec![report(code, &message, &help)])
     }
 
@@ -90,29 +122,35 @@ impl Failure {
         name: &str,
         known: impl Iterator<Item = &'a str> + Clone,
     ) -> Self {
-        Self::coded(Code::UnknownName, message, did_you_mean(name, known))
+        Self::coded(ErrorCode::UnknownName, message, did_you_mean(name, known))
     }
 
-    /// Creates a failure of the input of another kind than [`Code::InvalidArgument`].
-    pub fn coded(code: Code, message: impl Display, help: impl Display) -> Self {
+    /// Creates a failure of the input of another kind than [`ErrorCode::InvalidArgument`].
+    pub fn coded(code: ErrorCode, message: impl Display, help: impl Display) -> Self {
         Self::Input(vec![report(code.into(), &message, &help)])
+    }
+
+    /// Creates a failure of the input at a place, such as a file, with a hint, which may be empty.
+    pub fn at(place: impl Display, error: impl Coded, help: impl Display) -> Self {
+        let code = error.code().unwrap_or(ErrorCode::InvalidArgument.into());
+        Self::Input(vec![report(code, &format!("{place}: {error}"), &help)])
     }
 
     /// Creates an unsuccessful end with a hint, which may be empty.
     pub fn unsuccessful(message: impl Coded, help: impl Display) -> Self {
-        let code = message.code().unwrap_or(Code::Unsuccessful.into());
+        let code = message.code().unwrap_or(ErrorCode::Unsuccessful.into());
         Self::Unsuccessful(report(code, &message, &help))
     }
 
     /// Creates the end of an interrupted command, with a hint, which may be empty.
     pub fn interrupted(message: impl Display, help: impl Display) -> Self {
-        Self::Unsuccessful(report(Code::Interrupted.into(), &message, &help))
+        Self::Unsuccessful(report(ErrorCode::Interrupted.into(), &message, &help))
     }
 
     /// Creates the failure of a file that cannot be read or written.
     pub fn file(path: &Path, error: &io::Error) -> Self {
         let message = format!("{}: {error}", path.display());
-        Self::Unsuccessful(report(Code::File.into(), &message, &""))
+        Self::Unsuccessful(report(ErrorCode::File.into(), &message, &""))
     }
 
     /// Prints the messages on standard error and returns the exit code.
@@ -183,12 +221,12 @@ impl From<&Diagnostic> for Trouble {
     fn from(of: &Diagnostic) -> Self {
         Self {
             code: of.code.to_owned(),
-            file: of.file.clone(),
+            file: of.file.to_string(),
             line: of.line,
             column: of.column,
             length: of.length(),
             message: of.message.clone(),
-            help: of.help.clone().unwrap_or_default(),
+            help: of.help.clone().unwrap_or_default().into_string(),
             text: Diagnostics::from(of.clone()).render(),
             is_warning: of.is_warning,
         }

@@ -27,7 +27,7 @@ impl DivideError {
     pub fn code(&self) -> &'static str {
         match self {
             Self::Range(error) => error.code(),
-            error => error.into(),
+            error @ Self::Reduced => error.into(),
         }
     }
 }
@@ -40,7 +40,7 @@ pub fn whole(model: Model, wanted: Discretisation) -> Result<Model, Failure> {
     }
     divided(&model, wanted, Model::divided_completely).map_err(|error| match error {
         DivideError::Range(error) => refused(&error),
-        DivideError::Reduced => Failure::input(format!("scene `{}`: {error}", model.name), ""),
+        DivideError::Reduced => Failure::at(format!("scene `{}`", model.name), error, ""),
     })
 }
 

@@ -48,7 +48,7 @@ fn looked_at<T: Send>(
 }
 
 /// Data of all eigenmodes.
-struct Told {
+struct Description {
     names: Vec<String>,
     coordinates: usize,
     modes: Vec<Mode>,
@@ -77,7 +77,7 @@ pub fn modes<'py>(
             let of_modes = linearization.mode_slopes(&modes, &moves)?;
             slopes = of_modes.into_iter().map(slopes_of).collect();
         }
-        Ok(Told {
+        Ok(Description {
             names: linearization.motion_names(),
             coordinates: linearization.simulator().shape().coordinates,
             modes,

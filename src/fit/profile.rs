@@ -116,7 +116,7 @@ impl Fit<'_> {
         plan: &Plan<'_>,
         watch: &mut (dyn FnMut(usize, &Evaluation) + Send),
     ) -> Vec<Profile> {
-        let (told, _) = self.told(fitted);
+        let (told, _) = self.statistics_of(fitted);
         let (variance, t) = (told.deviation * told.deviation, students_t(told.freedom));
         let counter = Counter::new(watch);
         let mut sides = self.each(2 * which.len(), |fit, number| {

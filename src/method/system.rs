@@ -14,6 +14,7 @@ use crate::error::StopCause;
 use crate::held::Held;
 use crate::method::reverse::Log;
 use crate::method::sensitivity::Tangents;
+use crate::trajectory::Work;
 use machinist_contract::{Simulator, SparsityPattern};
 
 /// Energy supplied, energy dissipated, energy passed.

@@ -185,7 +185,7 @@ impl FitCommand {
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
             return print(&format!("{text}\n"));
         }
-        let mut text = answer.told(scene);
+        let mut text = answer.describe(scene);
         for file in [&self.out, &self.plot, &self.plot_profiles].into_iter().flatten() {
             text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }

@@ -202,7 +202,7 @@ impl Improve {
             let told = match &sizes {
                 Some(sizes) => Ok(sizes.clone()),
                 None => improvement
-                    .told(&improvement.values(&start))
+                    .numbers_at(&improvement.values(&start))
                     .map(|told| improvement.sizes(&told)),
             };
             let found = told.map_err(|error| error.to_string()).and_then(|told| {
@@ -255,7 +255,7 @@ impl Improve {
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
             return print(&format!("{text}\n"));
         }
-        let mut text = answer.told(scene);
+        let mut text = answer.describe(scene);
         for file in [&self.out, &self.plot].into_iter().flatten() {
             text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }
@@ -387,5 +387,5 @@ fn draw(
 /// Returns the values before the search; `None` if the start cannot be simulated.
 fn before(improvement: &Improvement<'_>) -> Option<Values> {
     let starts: Vec<f64> = improvement.unknowns.iter().map(|unknown| unknown.start).collect();
-    improvement.told(&starts).ok()
+    improvement.numbers_at(&starts).ok()
 }

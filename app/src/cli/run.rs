@@ -6,7 +6,6 @@ mod fixed;
 
 use std::path::{Path, PathBuf};
 
-use crate::failure::did_you_mean;
 use clap::Args;
 use machinist::error::StopCause;
 use machinist::field::ModalSimulator;

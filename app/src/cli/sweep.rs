@@ -3,7 +3,6 @@
 use std::io;
 use std::path::PathBuf;
 
-use crate::failure::did_you_mean;
 use clap::Args;
 use machinist::simulate::NegativeInertias;
 use machinist::sweep::{VariantRun, Wanted};
@@ -83,7 +82,7 @@ impl Sweep {
             Some(file) if parquet::is_named(file) => {
                 let of = ("sweep", self.scene.scene.as_str(), &scene);
                 let columns = table.columns(scene.simulator());
-                let told = self.told(scene.simulator(), &variants);
+                let told = self.describe(scene.simulator(), &variants);
                 parquet::write_table(file, &columns, of, told)?;
             }
             Some(file) => write_file(file, |out| table.write(scene.simulator(), out))?,
@@ -177,7 +176,7 @@ impl Sweep {
 
     /// Returns the settings that determine the numbers besides the machine, as the Python package
     /// writes them.
-    fn told(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) -> Value {
+    fn describe(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) -> Value {
         let names: Vec<&str> = self.parameter.iter().map(|range| range.name.as_str()).collect();
         let axes = self.parameter.iter().map(|range| {
             (0..self.count).map(|index| range.value(index, self.count)).collect::<Vec<f64>>()

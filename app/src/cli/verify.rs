@@ -61,7 +61,7 @@ impl Verify {
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
             print(&format!("{text}\n"))?;
         } else {
-            print(&self.told(&verdicts))?;
+            print(&self.describe(&verdicts))?;
         }
         let Tally { checked, passed, .. } = Tally::of(&verdicts);
         match checked - passed {
@@ -75,7 +75,7 @@ impl Verify {
 
     /// Formats the verdicts. Reasons of tolerances and references are long and left out unless asked
     /// for, but not the reasons of checks that failed or were not done.
-    fn told(&self, verdicts: &[Verdict]) -> String {
+    fn describe(&self, verdicts: &[Verdict]) -> String {
         let (width, space) = (width(), " ".repeat(6));
         let first = verdicts.first().map(|verdict| &verdict.scene);
         let has_scenes = verdicts.iter().any(|verdict| Some(&verdict.scene) != first);

@@ -15,7 +15,7 @@ mod run;
 use std::collections::BTreeSet;
 
 use crate::scene::layout::{Layout, Scope, coordinate_spec};
-use crate::scene::massless::{self, Left};
+use crate::scene::massless::{self, Remaining};
 use crate::scene::names::{Flat, name};
 use crate::scene::parameters;
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
@@ -372,7 +372,7 @@ impl<'a> Assembler<'a> {
         if !self.mistakes.is_empty() {
             return;
         }
-        let Left { coordinates, undetermined } =
+        let Remaining { coordinates, undetermined } =
             massless::eliminate(system, &|index| self.is_unjoined(index));
         let [kinetic, _] = system.energies();
         let mut moving = vec![false; coordinates.len()];

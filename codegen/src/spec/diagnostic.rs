@@ -99,7 +99,7 @@ pub struct Diagnostic {
     /// The mistake in one sentence.
     pub message: String,
     /// Label of the file, `scenes/saw_gin.toml`.
-    pub file: String,
+    pub file: Box<str>,
     /// Line of the mistake, from 1; 0 if the file could not be read.
     pub line: usize,
     /// Column of the mistake in characters, from 1; 0 likewise.
@@ -107,7 +107,7 @@ pub struct Diagnostic {
     /// Label of the span.
     pub label: Box<str>,
     /// Hint for mending it.
-    pub help: Option<String>,
+    pub help: Option<Box<str>>,
     /// True for a warning: the spec is accepted as it is.
     pub is_warning: bool,
     source: Option<Box<Excerpt>>,
@@ -126,11 +126,11 @@ impl Diagnostic {
         Diagnostic {
             code: code.into(),
             message: message.into(),
-            file: file.to_owned(),
+            file: file.into(),
             line: 0,
             column: 0,
             label: Box::default(),
-            help: (!help.is_empty()).then_some(help),
+            help: (!help.is_empty()).then(|| help.into()),
             is_warning: false,
             source: None,
         }
@@ -153,11 +153,11 @@ impl Diagnostic {
         Diagnostic {
             code: mistake.code.name(),
             message: mistake.message.clone(),
-            file: label.to_owned(),
+            file: label.into(),
             line: before.matches('\n').count() + 1,
             column: before[line_start..].chars().count() + 1,
             label: mistake.label.as_str().into(),
-            help: (!mistake.help.is_empty()).then(|| mistake.help.clone()),
+            help: (!mistake.help.is_empty()).then(|| mistake.help.as_str().into()),
             is_warning: false,
             source: Some(Box::new(Excerpt::new(label, text, start..end))),
         }

@@ -110,7 +110,7 @@ impl CurveArgs {
     }
 
     /// Describes the curve.
-    pub fn told(&self) -> String {
+    pub fn describe(&self) -> String {
         let Self { knee, slope, .. } = self;
         let rule = match self.miner {
             Rule::Original => "no damage below",

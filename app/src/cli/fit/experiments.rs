@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 use super::noise::Sigma;
 use crate::cli::amount::Amount;
-use crate::failure::{Code, Failure};
+use crate::failure::{ErrorCode, Failure};
 
 /// Settings of a measured run before its file is read.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -38,7 +38,7 @@ pub fn read(path: &Path) -> Result<Vec<Setup>, Failure> {
     let mut setups = parse::experiments(&text).map_err(|parse::Wrong { at, message, help }| {
         let line = text.get(..at).unwrap_or_default().matches('\n').count() + 1;
         Failure::coded(
-            Code::InvalidData,
+            ErrorCode::InvalidData,
             format!("{}, line {line}: {message}", path.display()),
             help,
         )
@@ -54,7 +54,7 @@ pub fn read(path: &Path) -> Result<Vec<Setup>, Failure> {
 pub fn read(path: &Path) -> Result<Vec<Setup>, Failure> {
     let message = format!("--experiments {}: this program reads no TOML", path.display());
     Err(Failure::coded(
-        Code::NotBuiltIn,
+        ErrorCode::NotBuiltIn,
         message,
         "use `--data`, or a build with the feature `derive`",
     ))

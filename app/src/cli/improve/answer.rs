@@ -83,7 +83,7 @@ impl Answer {
     ) -> Result<Self, Failure> {
         let Searched { found, sizes, lost, runs } = searched;
         let values = improvement.values(&found.at);
-        let after = improvement.told(&values)?;
+        let after = improvement.numbers_at(&values)?;
         let before = before(improvement);
         let costs = improvement.costs(found, sizes);
         let limit = |k: usize| {
@@ -150,7 +150,7 @@ impl Answer {
     }
 
     /// Formats the result for people.
-    pub fn told(&self, scene: &Scene) -> String {
+    pub fn describe(&self, scene: &Scene) -> String {
         let shown = |value: f64| number(value, 7);
         let Objective { expression, unit, is_greatest, before, after } = &self.objective;
         let unit = if unit == "1" { String::new() } else { format!(" {unit}") };

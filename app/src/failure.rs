@@ -42,6 +42,8 @@ pub enum ErrorCode {
     NotBuiltIn,
     /// The user interrupted the command.
     Interrupted,
+    /// A check failed.
+    CheckFailed,
     /// The command ended without the result asked for.
     Unsuccessful,
 }
@@ -142,15 +144,15 @@ impl Failure {
         Self::Unsuccessful(report(code, &message, &help))
     }
 
-    /// Creates the end of an interrupted command, with a hint, which may be empty.
-    pub fn interrupted(message: impl Display, help: impl Display) -> Self {
-        Self::Unsuccessful(report(ErrorCode::Interrupted.into(), &message, &help))
+    /// Creates an unsuccessful end of another kind than [`ErrorCode::Unsuccessful`].
+    pub fn ended(code: ErrorCode, message: impl Display, help: impl Display) -> Self {
+        Self::Unsuccessful(report(code.into(), &message, &help))
     }
 
     /// Creates the failure of a file that cannot be read or written.
     pub fn file(path: &Path, error: &io::Error) -> Self {
         let message = format!("{}: {error}", path.display());
-        Self::Unsuccessful(report(ErrorCode::File.into(), &message, &""))
+        Self::ended(ErrorCode::File, message, "")
     }
 
     /// Prints the messages on standard error and returns the exit code.

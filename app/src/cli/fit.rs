@@ -20,7 +20,7 @@ use super::arguments::{RunArgs, SceneArgs};
 use super::output::{print, require_ending, require_picture};
 use super::rewrite::{FoundValue, write_scene};
 use super::scene::Scene;
-use crate::failure::Failure;
+use crate::failure::{ErrorCode, Failure};
 use crate::interrupt;
 use crate::number::number;
 use crate::progress::spinner;
@@ -199,7 +199,9 @@ impl FitCommand {
             End::Converged => Ok(()),
             // Residuals within the errors of the runs cannot get smaller.
             End::Stuck if answer.is_exact() => Ok(()),
-            End::Interrupted => Err(Failure::interrupted("the fit was interrupted", more)),
+            End::Interrupted => {
+                Err(Failure::ended(ErrorCode::Interrupted, "the fit was interrupted", more))
+            }
             End::Steps => {
                 let message = format!("the fit has not converged after {} steps", self.steps);
                 Err(Failure::unsuccessful(message, format!("{more}; `--steps` allows more")))

@@ -23,7 +23,7 @@ use super::output::{draw_file, print, require_ending, require_picture};
 use super::rewrite::{FoundValue, write_scene};
 use super::scene::Scene;
 use super::settings::for_numbers;
-use crate::failure::Failure;
+use crate::failure::{ErrorCode, Failure};
 use crate::interrupt;
 use crate::number::number;
 use crate::progress::spinner;
@@ -238,9 +238,11 @@ impl Improve {
                 }
                 Ok(Searched { found, sizes, lost, runs })
             }
-            _ if is_interrupted => {
-                Err(Failure::interrupted("the search was interrupted at its start", ""))
-            }
+            _ if is_interrupted => Err(Failure::ended(
+                ErrorCode::Interrupted,
+                "the search was interrupted at its start",
+                "",
+            )),
             _ => {
                 let why = lost.1.unwrap_or_default();
                 let message = format!("no start can be simulated: {why}");
@@ -265,7 +267,9 @@ impl Improve {
     fn verdict(&self, found: &Found) -> Result<(), Failure> {
         let more = "the values above are the best so far";
         match found.end {
-            End::Interrupted => Err(Failure::interrupted("the search was interrupted", more)),
+            End::Interrupted => {
+                Err(Failure::ended(ErrorCode::Interrupted, "the search was interrupted", more))
+            }
             _ if !found.is_feasible() => {
                 let missed: Vec<&str> = found
                     .evaluation

@@ -15,7 +15,7 @@ use super::amount::in_si;
 use super::arguments::{MachineArgs, RunArgs};
 use super::output::print;
 use super::table::{indented, rows, width};
-use crate::failure::Failure;
+use crate::failure::{ErrorCode, Failure};
 use crate::progress::during;
 use estimator::EstimatorRuns;
 pub use machine::Changes;
@@ -68,7 +68,7 @@ impl Verify {
             0 => Ok(()),
             failed => {
                 let message = format!("{failed} of {checked} checks failed");
-                Err(Failure::unsuccessful(message, ""))
+                Err(Failure::ended(ErrorCode::CheckFailed, message, ""))
             }
         }
     }

@@ -139,14 +139,14 @@ fn known() -> Vec<Known> {
     known
 }
 
-/// Returns the errors of an answer: a line that ends in a code, then one that starts with a cross,
+/// Returns the errors of an answer that have a code: a line that ends in it, then one that starts with a cross,
 /// with its continuation lines.
 fn messages(text: &str) -> Vec<Known> {
     let mut messages: Vec<Known> = Vec::new();
     let (mut code, mut goes_on) = ("", false);
     for line in text.lines() {
         let line = line.trim();
-        if let Some(message) = line.strip_prefix('\u{d7}') {
+        if let Some(message) = line.strip_prefix('\u{d7}').filter(|_| !code.is_empty()) {
             messages.push((code.to_owned(), message.trim().to_owned()));
             goes_on = true;
         } else if let (true, Some(more)) = (goes_on, line.strip_prefix('\u{2502}')) {

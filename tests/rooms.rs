@@ -95,13 +95,11 @@ fn tree<'t>(mut text: &'t str, mut path: Names, found: &mut Vec<Names>) -> &'t s
         }
         let end = text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len());
         path.push(text[..end].to_owned());
-        match text[end..].strip_prefix("::") {
-            Some(rest) => text = rest,
-            None => {
-                found.push(path);
-                return &text[end..];
-            }
-        }
+        let Some(rest) = text[end..].strip_prefix("::") else {
+            found.push(path);
+            return &text[end..];
+        };
+        text = rest;
     }
 }
 

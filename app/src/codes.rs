@@ -24,7 +24,7 @@ const HEADING: &str = "\n### `";
 /// Returns the codes of all errors that the program and its libraries report, sorted.
 #[must_use]
 pub fn codes() -> Vec<&'static str> {
-    let mut enums = vec![
+    let enums = vec![
         ErrorCode::VARIANTS,
         BadChoice::VARIANTS,
         CheckFailure::VARIANTS,
@@ -45,19 +45,23 @@ pub fn codes() -> Vec<&'static str> {
         &[ExpressionError::CODE],
     ];
     #[cfg(feature = "derive")]
-    enums.extend([
-        machinist_algebra::cas::CasError::VARIANTS,
-        machinist_codegen::BuildError::VARIANTS,
-        machinist_codegen::emit::EmitError::VARIANTS,
-        machinist_codegen::mechanics::reduce::FreezeError::VARIANTS,
-        machinist_codegen::spec::code::Code::VARIANTS,
-        machinist_codegen::write::WriteError::VARIANTS,
-        machinist_fmu::instance::Refusal::VARIANTS,
-        machinist_fmu::resource::LoadError::VARIANTS,
-        machinist_fmu::variables::Unfit::VARIANTS,
-        crate::fields::DivideError::VARIANTS,
-        crate::object::ObjectError::VARIANTS,
-    ]);
+    let enums = [
+        enums,
+        vec![
+            machinist_algebra::cas::CasError::VARIANTS,
+            machinist_codegen::BuildError::VARIANTS,
+            machinist_codegen::emit::EmitError::VARIANTS,
+            machinist_codegen::mechanics::reduce::FreezeError::VARIANTS,
+            machinist_codegen::spec::code::Code::VARIANTS,
+            machinist_codegen::write::WriteError::VARIANTS,
+            machinist_fmu::instance::Refusal::VARIANTS,
+            machinist_fmu::resource::LoadError::VARIANTS,
+            machinist_fmu::variables::Unfit::VARIANTS,
+            crate::fields::DivideError::VARIANTS,
+            crate::object::ObjectError::VARIANTS,
+        ],
+    ]
+    .concat();
     let mut codes = enums.concat();
     // A variant that holds an error of another type has the code of that error.
     codes.retain(|code| !code.ends_with("::"));

@@ -109,7 +109,7 @@ pub fn scatter_paths<'py>(
 }
 
 /// mu*, half the width of its interval, mu, sigma, number.
-type Effect = (f64, f64, f64, f64, usize);
+type EffectRow = (f64, f64, f64, f64, usize);
 
 /// Elementary effects of each parameter. `values` are those of one result on the paths of [`scatter_paths`].
 #[pyfunction]
@@ -117,7 +117,7 @@ pub fn scatter_effects(
     values: Vec<f64>,
     design: (usize, usize, u64),
     confidence: f64,
-) -> Result<Vec<Effect>, Failure> {
+) -> Result<Vec<EffectRow>, Failure> {
     let (dimensions, paths, seed) = design;
     let design = Morris { dimensions, paths, seed };
     let values: Vec<Vec<f64>> = values.chunks_exact(dimensions + 1).map(<[f64]>::to_vec).collect();

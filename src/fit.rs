@@ -118,7 +118,7 @@ impl Unknown {
 /// The stiffness of a spring is found from measured angles, here from those of a run:
 ///
 /// ```
-/// use machinist::fit::{Experiment, Fit, Measured, Plan, Unknown};
+/// use machinist::fit::{Bounds, Experiment, Fit, Measured, Plan, Unknown};
 /// use machinist::{Method, Simulation};
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -129,7 +129,7 @@ impl Unknown {
 /// let columns = vec![("rotor.angle".to_owned(), angles)];
 /// let data = [Experiment::new("run 1", Measured { times: measured.times, columns })];
 ///
-/// let unknowns = [Unknown::from("rotor.stiffness", 60.0, Some((10.0, 200.0)))];
+/// let unknowns = [Unknown::from("rotor.stiffness", 60.0, Some(Bounds { low: 10.0, high: 200.0 }))];
 /// let fit = Fit::new(&simulation, &unknowns, &data);
 /// let fitted = fit.solve(&Plan::default(), &mut |_, _| ())?;
 /// let found = fit.findings(&fitted);
@@ -142,7 +142,7 @@ impl Unknown {
 /// measurement has no standard error:
 ///
 /// ```
-/// use machinist::fit::{Experiment, Fit, Measured, Plan, Unknown};
+/// use machinist::fit::{Bounds, Experiment, Fit, Measured, Plan, Unknown};
 /// use machinist::{Method, Simulation};
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -153,7 +153,7 @@ impl Unknown {
 /// let data = [Experiment::new("before the torque", Measured { times, columns })];
 /// let unknowns = [
 ///     Unknown::from("rotor.angle", 0.4, None),
-///     Unknown::from("torque", 30.0, Some((1.0, 100.0))),
+///     Unknown::from("torque", 30.0, Some(Bounds { low: 1.0, high: 100.0 })),
 /// ];
 /// let fit = Fit::new(&simulation, &unknowns, &data);
 /// let found = fit.findings(&fit.solve(&Plan::default(), &mut |_, _| ())?);

@@ -567,7 +567,8 @@ mod tests {
         let found = search(evaluate(0.7), &[0.0], &ask(&[Bounds { low: -1.0, high: 5.0 }]))
             .expect("it starts");
         assert!((found.at[0] - 0.69).abs() < 1e-5, "{found:?}");
-        let found = search(evaluate(9.0), &[0.0], &ask(&[(-1.0, 0.25)])).expect("it starts");
+        let found = search(evaluate(9.0), &[0.0], &ask(&[Bounds { low: -1.0, high: 0.25 }]))
+            .expect("it starts");
         assert_eq!((found.end, found.at[0].to_bits()), (End::Converged, 0.25_f64.to_bits()));
         // The objective decreases by 2 (0.69 - 0.25) per unit by which the bound is relaxed.
         assert!((found.of_bounds[0] + 0.88).abs() < 1e-6, "{found:?}");

@@ -9,7 +9,7 @@ use std::error::Error;
 use std::time::Instant;
 
 use machinist::field::{Discretisation, FieldSimulator};
-use machinist::fit::{Experiment, Fit, Measured, Plan, Unknown};
+use machinist::fit::{Bounds, Experiment, Fit, Measured, Plan, Unknown};
 use machinist::{Method, Simulation};
 use machinist_contract::Simulator;
 use machinist_scenes::scenes;
@@ -142,7 +142,7 @@ fn study(twin: &Twin, scene: &dyn Simulator<f64>, draws: usize) -> Result<(), Bo
         .collect::<Result<_, _>>()?;
     let unknown = |((name, shares), truth): (&(&str, [f64; 3]), &f64)| {
         let [start, low, high] = shares.map(|share| share * truth);
-        Unknown { name: (*name).to_owned(), start, bounds: (low, high) }
+        Unknown { name: (*name).to_owned(), start, bounds: Bounds { low, high } }
     };
     let unknowns: Vec<Unknown> = twin.unknowns.iter().zip(&truths).map(unknown).collect();
     let step = twin.until / f64::from(twin.samples);

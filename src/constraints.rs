@@ -12,8 +12,8 @@
 //! ```
 
 mod lasting;
-mod led;
 mod mobility;
+mod prescribed;
 mod saddle;
 mod start;
 
@@ -21,9 +21,9 @@ use std::cell::{Cell, RefCell};
 
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
-use serde::Serialize;
 
-use crate::method::Held;
+use crate::held::Held;
+pub use crate::trajectory::Drift;
 pub use lasting::{Lasting, lasting};
 
 use mobility::NOTHING;
@@ -35,17 +35,6 @@ pub(crate) use start::{consistent, free_moves, require_independent};
 /// Number of coordinates and constraints from which on the matrix of a projection is factored as a
 /// sparse one.
 const MANY: usize = 48;
-
-/// Largest drift of a run. The residual of each constraint is measured by the typical size of its
-/// coordinates' motion.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-#[non_exhaustive]
-pub struct Drift {
-    /// Drift before projection, at the end of a step or within one.
-    pub before: f64,
-    /// Drift after projection.
-    pub after: f64,
-}
 
 /// Constraints of a simulator at given parameters.
 pub struct Constraints<'a> {

@@ -12,13 +12,12 @@
 //! a third. The estimate covers the integration in time alone: not the elements of a field, the
 //! digits of a parameter, or the spec itself.
 
-use serde::Serialize;
-
 use crate::error::SimulateError;
 use crate::method::taylor::LEAST_RTOL;
 pub use crate::method::tolerance::REFINEMENT;
 use crate::simulate::Simulation;
 use crate::trajectory::{Column, ColumnKind, Switch, Trajectory};
+pub use crate::trajectory::{ColumnError, ErrorEstimate};
 
 /// Maximum number of runs of [`Simulation::run_to_accuracy`]. Where the error falls only as the
 /// square root of the tolerance, each run halves the missing decades: of sixteen, the digits of a
@@ -47,31 +46,6 @@ const LEAST_ATTEMPTED: f64 = 2.0 * REFINEMENT * LEAST_RTOL;
 /// Fraction of the largest value in a unit that may be rounding in another column of that unit,
 /// after the sums of up to sixteen terms that outputs of a machine rarely exceed.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-
-/// Estimated error of every column of a run.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct ErrorEstimate {
-    /// Relative tolerance of the second run, if it reached its end.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rtol: Option<f64>,
-    /// Errors of the columns, in the order of the trajectory; empty if the runs give no estimate.
-    pub columns: Vec<ColumnError>,
-    /// Reason why the runs give no estimate.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub unknown: Option<String>,
-}
-
-/// Estimated error of one column, in its unit.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ColumnError {
-    /// Name of the column.
-    pub name: String,
-    /// Largest error over all times.
-    pub largest: f64,
-    /// Error at the last time.
-    pub last: f64,
-}
 
 /// A run whose estimated error is below a requested accuracy.
 #[derive(Debug, Clone, PartialEq)]

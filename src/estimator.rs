@@ -35,12 +35,13 @@ pub struct EstimatorDesign<'m> {
 }
 
 /// Reason why there is no filter.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "estimator::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum EstimatorError {
     /// No quantity has this name.
     #[error("the scene has no {kind} `{name}`{hint}")]
-    Unknown {
+    UnknownName {
         /// Expected kind.
         kind: &'static str,
         /// Requested name.
@@ -50,7 +51,7 @@ pub enum EstimatorError {
     },
     /// A name is given twice.
     #[error("{kind} `{name}` is given twice")]
-    Twice {
+    DuplicateName {
         /// Kind of the list.
         kind: &'static str,
         /// The name.
@@ -75,12 +76,20 @@ pub enum EstimatorError {
     },
     /// The machine or the method does not allow a filter.
     #[error("scene `{scene}` has no estimator: {why}")]
-    Refused {
+    Unsuitable {
         /// Name of the scene.
         scene: String,
         /// Reason.
         why: String,
     },
+}
+
+impl EstimatorError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 /// Indices of a design, the arguments of the filter.
@@ -173,7 +182,7 @@ impl EstimatorIndices<'_> {
     fn check(&self, simulator: &dyn Simulator<f64>) -> Result<(), EstimatorError> {
         let refused = |why: &str| {
             let (scene, why) = (simulator.name().to_owned(), why.to_owned());
-            EstimatorError::Refused { scene, why }
+            EstimatorError::Unsuitable { scene, why }
         };
         self.filter(simulator).refusal().map_or(Ok(()), |why| Err(refused(why)))
     }
@@ -218,7 +227,7 @@ impl<'a> Names<'a> {
             _ => states.chain(parameters).collect(),
         };
         let hint = did_you_mean(name, known.into_iter());
-        EstimatorError::Unknown { kind, name: name.to_owned(), hint }
+        EstimatorError::UnknownName { kind, name: name.to_owned(), hint }
     }
 }
 
@@ -229,7 +238,7 @@ fn once<'a>(
     let mut seen = Vec::new();
     for name in names {
         if seen.contains(&name) {
-            return Err(EstimatorError::Twice { kind, name: name.clone() });
+            return Err(EstimatorError::DuplicateName { kind, name: name.clone() });
         }
         seen.push(name);
     }

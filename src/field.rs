@@ -25,7 +25,7 @@ mod simulator;
 
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
-use machinist_contract::field::{FieldScene, HANDED, MAX_ORDER, Rule};
+use machinist_contract::field::{Division, FieldScene, HANDED, MAX_ORDER};
 use machinist_contract::{Dual, Real, Shape};
 
 use chain::Chain;
@@ -53,14 +53,15 @@ pub struct Discretisation {
 }
 
 /// Reason why a field cannot be divided into elements.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "field::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FieldError {
     /// The number of elements is out of range.
     #[error(
         "field `{field}` is cut into at least {least} and at most {most} elements, not {found}"
     )]
-    Elements {
+    ElementCount {
         /// Name of the field.
         field: String,
         /// Minimum number, one per segment between ports.
@@ -73,6 +74,14 @@ pub enum FieldError {
     /// The order is 0 or too high.
     #[error("elements have an order from 1 to {MAX_ORDER}, not {0}")]
     Order(usize),
+}
+
+impl FieldError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 /// A scene with fields that are divided into elements. Calls do not allocate, because memory for
@@ -379,9 +388,13 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
     /// Returns for each field the rule of its elements, and x at its nodes \[m\] for given
     /// parameters.
     #[must_use]
-    pub fn divisions(&self, parameters: &[R]) -> Vec<(Rule<'_>, Vec<R>)> {
+    pub fn divisions(&self, parameters: &[R]) -> Vec<Division<'_, Vec<R>>> {
         let meshes = self.meshes.iter().enumerate();
-        meshes.map(|(field, mesh)| (mesh.rule.rule(), self.places(field, parameters))).collect()
+        let divisions = meshes.map(|(field, mesh)| Division {
+            rule: mesh.rule.rule(),
+            places: self.places(field, parameters),
+        });
+        divisions.collect()
     }
 
     /// Returns u at the nodes of a field in a given state.

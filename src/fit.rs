@@ -30,6 +30,20 @@ pub use statistics::{Chance, Direction, Statistics, chance, statistics, students
 #[cfg(feature = "sweep")]
 pub use threads::Lender;
 
+/// Bounds of an unknown, in its unit; infinite where there are none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// Lower bound.
+    pub low: f64,
+    /// Upper bound.
+    pub high: f64,
+}
+
+impl Bounds {
+    /// No bounds.
+    pub const NONE: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
+}
+
 /// A parameter or the initial value of a state to be estimated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unknown {
@@ -38,16 +52,16 @@ pub struct Unknown {
     /// Start of the search.
     pub start: f64,
     /// Lower and upper bound; infinite where there is none.
-    pub bounds: (f64, f64),
+    pub bounds: Bounds,
 }
 
 impl Unknown {
     /// Creates an unknown that starts at `value`, or at the middle of the bounds if `value` lies
     /// beyond them.
     #[must_use]
-    pub fn from(name: &str, value: f64, bounds: Option<(f64, f64)>) -> Self {
-        let bounds = bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-        let (low, high) = bounds;
+    pub fn from(name: &str, value: f64, bounds: Option<Bounds>) -> Self {
+        let bounds = bounds.unwrap_or(Bounds::NONE);
+        let Bounds { low, high } = bounds;
         let is_within = (low..=high).contains(&value);
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
         let start = if is_within { value } else { middle };
@@ -57,12 +71,12 @@ impl Unknown {
     /// Returns whether the search uses the logarithm of the unknown.
     #[must_use]
     pub fn is_logarithmic(&self) -> bool {
-        self.bounds.0 > 0.0 && self.bounds.1 > 0.0
+        self.bounds.low > 0.0 && self.bounds.high > 0.0
     }
 
     /// Returns the unit of change of an unknown that is not logarithmic.
     fn size(&self) -> f64 {
-        let (low, high) = self.bounds;
+        let Bounds { low, high } = self.bounds;
         let span = if (high - low).is_finite() { high - low } else { 0.0 };
         match self.start.abs() {
             0.0 if span > 0.0 => span,
@@ -77,8 +91,8 @@ impl Unknown {
     }
 
     /// Returns the bounds in the coordinate of the search.
-    pub(crate) fn inner_bounds(&self) -> (f64, f64) {
-        (self.inner(self.bounds.0), self.inner(self.bounds.1))
+    pub(crate) fn inner_bounds(&self) -> Bounds {
+        Bounds { low: self.inner(self.bounds.low), high: self.inner(self.bounds.high) }
     }
 
     pub(crate) fn inner(&self, value: f64) -> f64 {
@@ -89,7 +103,7 @@ impl Unknown {
     #[must_use]
     pub fn outer(&self, inner: f64) -> f64 {
         let value = if self.is_logarithmic() { inner.exp() } else { inner * self.size() };
-        value.clamp(self.bounds.0, self.bounds.1)
+        value.clamp(self.bounds.low, self.bounds.high)
     }
 
     /// Returns d outer/d inner.
@@ -104,7 +118,7 @@ impl Unknown {
 /// The stiffness of a spring is found from measured angles, here from those of a run:
 ///
 /// ```
-/// use machinist::fit::{Experiment, Fit, Measured, Plan, Unknown};
+/// use machinist::fit::{Bounds, Experiment, Fit, Measured, Plan, Unknown};
 /// use machinist::{Method, Simulation};
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -115,7 +129,7 @@ impl Unknown {
 /// let columns = vec![("rotor.angle".to_owned(), angles)];
 /// let data = [Experiment::new("run 1", Measured { times: measured.times, columns })];
 ///
-/// let unknowns = [Unknown::from("rotor.stiffness", 60.0, Some((10.0, 200.0)))];
+/// let unknowns = [Unknown::from("rotor.stiffness", 60.0, Some(Bounds { low: 10.0, high: 200.0 }))];
 /// let fit = Fit::new(&simulation, &unknowns, &data);
 /// let fitted = fit.solve(&Plan::default(), &mut |_, _| ())?;
 /// let found = fit.findings(&fitted);
@@ -128,7 +142,7 @@ impl Unknown {
 /// measurement has no standard error:
 ///
 /// ```
-/// use machinist::fit::{Experiment, Fit, Measured, Plan, Unknown};
+/// use machinist::fit::{Bounds, Experiment, Fit, Measured, Plan, Unknown};
 /// use machinist::{Method, Simulation};
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -139,7 +153,7 @@ impl Unknown {
 /// let data = [Experiment::new("before the torque", Measured { times, columns })];
 /// let unknowns = [
 ///     Unknown::from("rotor.angle", 0.4, None),
-///     Unknown::from("torque", 30.0, Some((1.0, 100.0))),
+///     Unknown::from("torque", 30.0, Some(Bounds { low: 1.0, high: 100.0 })),
 /// ];
 /// let fit = Fit::new(&simulation, &unknowns, &data);
 /// let found = fit.findings(&fit.solve(&Plan::default(), &mut |_, _| ())?);
@@ -164,12 +178,12 @@ pub struct Fit<'a> {
 /// the root of x^(n+1) = x + 1 (the R sequence of M. Roberts). Unknowns without bounds keep their
 /// first value.
 #[must_use]
-pub fn spread_starts(first: &[f64], bounds: &[(f64, f64)], count: usize) -> Vec<Vec<f64>> {
+pub fn spread_starts(first: &[f64], bounds: &[Bounds], count: usize) -> Vec<Vec<f64>> {
     let n = first.len();
     let root = (0..64).fold(2.0_f64, |x, _| (1.0 + x).powf(1.0 / (n as f64 + 1.0)));
     let spread = |index: usize| {
         let inner = |k: usize| {
-            let (low, high) = bounds[k];
+            let Bounds { low, high } = bounds[k];
             let share = (0.5 + index as f64 * root.powi(-(k as i32 + 1))).fract();
             if (high - low).is_finite() { low + share * (high - low) } else { first[k] }
         };
@@ -223,7 +237,7 @@ impl<'a> Fit<'a> {
 
     /// Returns the bounds in the coordinates of the search.
     #[must_use]
-    pub fn bounds(&self) -> Vec<(f64, f64)> {
+    pub fn bounds(&self) -> Vec<Bounds> {
         self.unknowns.iter().map(Unknown::inner_bounds).collect()
     }
 
@@ -437,16 +451,19 @@ pub struct ColumnResiduals<'e> {
 }
 
 /// Reason why residuals could not be evaluated.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "fit::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FitError {
     /// The run was refused or stopped.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Simulate(#[from] SimulateError),
     /// A compared output or one of its derivatives is not finite.
     #[error("an output that is compared, or its derivative, is not a finite number")]
     NotFinite,
     /// Error in one of several experiments.
+    #[strum(serialize = "")]
     #[error("{name}: {why}")]
     Experiment {
         /// Name of the experiment.
@@ -454,6 +471,18 @@ pub enum FitError {
         /// The error.
         why: Box<FitError>,
     },
+}
+
+impl FitError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Simulate(error) => error.code(),
+            Self::Experiment { why, .. } => why.code(),
+            error => error.into(),
+        }
+    }
 }
 
 impl FitError {

@@ -97,6 +97,17 @@ pub enum HostedError {
     },
 }
 
+impl HostedError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Refused(error) => error.code(),
+            Self::Stopped { cause, .. } => cause.code(),
+        }
+    }
+}
+
 impl From<Stopped> for HostedError {
     fn from(Stopped { time, cause }: Stopped) -> Self {
         Self::Stopped { time, cause }
@@ -111,7 +122,7 @@ pub enum Reached {
     /// Events were found and are still to be executed.
     Event,
     /// The host ended the piece.
-    Left,
+    Interrupted,
 }
 
 impl Standing {
@@ -351,7 +362,7 @@ impl<'a> Hosted<'a> {
                 None => return Err(Stopped { cause: StopCause::Interrupted, time }.into()),
                 Some((time, there)) => {
                     state = there;
-                    (time, Reached::Left)
+                    (time, Reached::Interrupted)
                 }
             },
             Err(stopped) => return Err(stopped.into()),

@@ -18,7 +18,7 @@ use std::sync::atomic::AtomicBool;
 use machinist_contract::Simulator;
 
 use crate::error::{SimulateError, did_you_mean};
-use crate::fit::Unknown;
+use crate::fit::{Bounds, Unknown};
 use crate::simulate::Simulation;
 use crate::trajectory::Trajectory;
 use evaluate::Shown;
@@ -129,7 +129,7 @@ impl Improvement<'_> {
 
     /// Returns the bounds in search coordinates.
     #[must_use]
-    pub fn bounds(&self) -> Vec<(f64, f64)> {
+    pub fn bounds(&self) -> Vec<Bounds> {
         self.unknowns.iter().map(Unknown::inner_bounds).collect()
     }
 
@@ -137,12 +137,12 @@ impl Improvement<'_> {
     #[must_use]
     pub fn values(&self, inner: &[f64]) -> Vec<f64> {
         let bounds = self.bounds();
-        let value = |((unknown, inner), (low, high)): ((&Unknown, &f64), &(f64, f64))| {
+        let value = |((unknown, inner), Bounds { low, high }): ((&Unknown, &f64), &Bounds)| {
             // Values at a bound are exact to the last bit.
             if inner <= low {
-                unknown.bounds.0
+                unknown.bounds.low
             } else if inner >= high {
-                unknown.bounds.1
+                unknown.bounds.high
             } else {
                 unknown.outer(*inner)
             }
@@ -179,7 +179,7 @@ impl Improvement<'_> {
     ///
     /// # Errors
     /// As for [`Simulation::run`].
-    pub fn told(&self, values: &[f64]) -> Result<Values, SimulateError> {
+    pub fn numbers_at(&self, values: &[f64]) -> Result<Values, SimulateError> {
         let run = self.run(values, false)?;
         let value = |expression: &Expression| -> Result<f64, SimulateError> {
             Ok(self.branches(&run, values, &[], expression)?[0].value)

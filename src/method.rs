@@ -1,7 +1,7 @@
-//! The table of integration methods, and the one function that runs any of them.
+//! Integration methods, and the one function that runs any of them.
 //!
 //! To add a method, write one file in `src/method/` with a type that is an [`Integrator`], and add
-//! one row to the table below. `of` is the Cargo feature of its family, or `always`.
+//! one row to the table in `method_table.rs` and one to `Method::integrator`.
 
 #[cfg(feature = "implicit")]
 pub(crate) mod auto;
@@ -16,7 +16,6 @@ mod exact;
 mod explicit;
 #[cfg(feature = "implicit")]
 pub mod fixed;
-mod held;
 mod inertia;
 mod jump;
 mod lanes;
@@ -51,50 +50,22 @@ pub(crate) mod tolerance;
 mod vectors;
 mod watch;
 
-use std::fmt;
-use std::str::FromStr;
-
-use serde::{Serialize, Serializer};
-
-use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
+use crate::error::{NotCompiledIn, StopCause};
+pub(crate) use crate::held::Held;
 use crate::method::sensitivity::Passing;
+pub use crate::method_table::Method;
 use crate::trajectory::Switch;
+pub use crate::trajectory::Work;
 pub use choices::{Auto, BadChoice, ExplicitMethod, ImplicitMethod};
-pub(crate) use held::Held;
 use inertia::Moment;
 pub(crate) use jump::just_behind;
 pub(crate) use one_step::{OneStep, Trial};
 pub use stretch::{Samples, Stretch};
 pub(crate) use stretch::{cut, within};
-pub use system::{System, Work};
+pub use system::System;
 pub use tolerance::StepTolerance;
 pub use watch::Watch;
-pub(crate) use watch::{Front, Happened, Memory, identically_zero};
-
-methods! {
-    /// Backward differentiation formulas of orders 1 to 5, quasi-constant step; for stiff machines.
-    Bdf { name: "bdf", order: 5, implicit: true, of: diffsol, integrator: diffsol::Bdf },
-    /// Trapezoidal rule and second-order BDF in one step; for stiff machines and loose tolerances.
-    TrBdf2 { name: "tr_bdf2", order: 2, implicit: true, of: diffsol, integrator: diffsol::TrBdf2 },
-    /// Singly diagonally implicit Runge-Kutta of order 3, explicit first stage; for stiff machines.
-    Esdirk34 { name: "esdirk34", order: 3, implicit: true, of: diffsol, integrator: diffsol::Esdirk34 },
-    /// Explicit Runge-Kutta of order 5 by Tsitouras, diffsol's; for machines that are not stiff.
-    Tsit45 { name: "tsit45", order: 5, implicit: false, of: diffsol, integrator: diffsol::Tsit45 },
-    /// Explicit Runge-Kutta of order 5 by Tsitouras; for machines that are not stiff.
-    Tsit5 { name: "tsit5", order: 5, implicit: false, of: always, integrator: explicit::Tsit5 },
-    /// Explicit Runge-Kutta of order 8 by Dormand and Prince; not stiff, tight tolerances.
-    Dop853 { name: "dop853", order: 8, implicit: false, of: always, integrator: explicit::Dop853 },
-    /// Rosenbrock method of order 5 by Steinebach; for stiff machines.
-    Rodas5p { name: "rodas5p", order: 5, implicit: true, of: implicit, integrator: rosenbrock::Rodas5p },
-    /// Radau IIA of orders 5, 9 and 13, whichever pays; stiff machines, tight tolerances.
-    Radau { name: "radau", order: 13, implicit: true, of: implicit, integrator: radau::Radau },
-    /// Explicit where it can be, implicit where the machine is stiff, by the tolerance.
-    Auto { name: "auto", order: 13, implicit: true, of: implicit, integrator: auto::Automatic },
-    /// Taylor series of an order that follows the tolerance; smooth machines that are not stiff.
-    Taylor { name: "taylor", order: 32, implicit: false, of: always, integrator: taylor::Taylor },
-    /// The solution in closed form, without steps; linear machines with constant coefficients.
-    Exact { name: "exact", order: 0, implicit: false, of: implicit, integrator: exact::Exact },
-}
+pub(crate) use watch::{EventRecord, Front, Memory, identically_zero};
 
 /// An integration method: carries a state over one smooth stretch of a run.
 ///
@@ -168,7 +139,7 @@ impl Problem<'_> {
     /// Does the same as [`Problem::integrate`]. If the method cannot continue, it also returns the
     /// rows until then.
     #[must_use]
-    pub fn integrate_kept(&self, method: Method) -> (Run, Option<Stopped>) {
+    pub(crate) fn integrate_kept(&self, method: Method) -> (Run, Option<Stopped>) {
         let mut watch = None;
         let mut samples = Samples::new(self.times, self.initial.len());
         let stopped = self.carry(method, &mut watch, &mut samples).err();
@@ -202,8 +173,8 @@ impl Problem<'_> {
             // Corrected modes may hold what was free.
             self.system.constrain(self.from, &mut state)?;
             if let Some(tangents) = tangents {
-                let happened = watch.happened();
-                tangents.settle(self.system, self.from, &self.initial, &happened, &state)?;
+                let record = watch.record();
+                tangents.settle(self.system, self.from, &self.initial, &record, &state)?;
             }
         }
         tangents.inspect(|tangents| tangents.sample_start(samples, self.from));
@@ -236,7 +207,7 @@ impl Problem<'_> {
             time: self.from,
             cause: StopCause::Unsuitable(Box::new(unsuitable)),
         })?;
-        method.row().integrator.ok_or_else(|| {
+        method.integrator().ok_or_else(|| {
             let cause = StopCause::NotCompiledIn(NotCompiledIn::of(method));
             Stopped { time: self.from, cause }
         })
@@ -260,7 +231,7 @@ impl Problem<'_> {
                 stretch.require_uninterrupted(stretch.from)?;
                 stretch.require_finite_rate(state)?;
                 if stretch.is_trivial() {
-                    stretch.leap(state, samples);
+                    stretch.euler_step(state, samples);
                     continue;
                 }
                 let Some(watch) = stretch.watch else {
@@ -342,11 +313,11 @@ impl Problem<'_> {
         self.system.constrain(time, state)?;
         if let Some(tangents) = self.system.tangents() {
             let passing = Passing { time: stretch.within(time), before: &front.state };
-            let happened = watch.happened();
-            if happened.applied.is_empty() {
+            let record = watch.record();
+            if record.applied.is_empty() {
                 tangents.cross(stretch, watch, &passing, (state, has_moved))?;
             } else {
-                tangents.switch(stretch, watch, &passing, &happened, state)?;
+                tangents.switch(stretch, watch, &passing, &record, state)?;
             }
         }
         self.system.account(&switched, 0.0, state);
@@ -365,18 +336,39 @@ pub struct Run {
     pub taken: usize,
 }
 
-struct Row {
-    name: &'static str,
-    order: u32,
-    implicit: bool,
-    doc: &'static str,
-    /// The Cargo feature that it requires.
-    feature: Option<&'static str>,
-    /// `None` without that feature.
-    integrator: Option<&'static (dyn Integrator + Sync)>,
-}
-
 impl Method {
+    /// Returns the code that the method runs; `None` if the Cargo feature of its family is not
+    /// enabled.
+    #[cfg_attr(
+        all(feature = "diffsol", feature = "implicit"),
+        expect(clippy::unnecessary_wraps, reason = "some features may be off")
+    )]
+    fn integrator(self) -> Option<&'static (dyn Integrator + Sync)> {
+        match self {
+            #[cfg(feature = "diffsol")]
+            Self::Bdf => Some(&diffsol::Bdf),
+            #[cfg(feature = "diffsol")]
+            Self::TrBdf2 => Some(&diffsol::TrBdf2),
+            #[cfg(feature = "diffsol")]
+            Self::Esdirk34 => Some(&diffsol::Esdirk34),
+            #[cfg(feature = "diffsol")]
+            Self::Tsit45 => Some(&diffsol::Tsit45),
+            Self::Tsit5 => Some(&explicit::Tsit5),
+            Self::Dop853 => Some(&explicit::Dop853),
+            #[cfg(feature = "implicit")]
+            Self::Rodas5p => Some(&rosenbrock::Rodas5p),
+            #[cfg(feature = "implicit")]
+            Self::Radau => Some(&radau::Radau),
+            #[cfg(feature = "implicit")]
+            Self::Auto => Some(&auto::Automatic),
+            Self::Taylor => Some(&taylor::Taylor),
+            #[cfg(feature = "implicit")]
+            Self::Exact => Some(&exact::Exact),
+            #[cfg(not(all(feature = "diffsol", feature = "implicit")))]
+            _ => None,
+        }
+    }
+
     /// Returns the overseer of the steps of variants in lanes.
     #[cfg(feature = "sweep")]
     #[cfg_attr(
@@ -395,151 +387,22 @@ impl Method {
         }
     }
 
-    /// Returns the name that specs and the command line use.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        self.row().name
-    }
-
-    /// Returns the order of convergence: the highest if it varies, and 0 for a method without
-    /// steps.
-    #[must_use]
-    pub fn order(self) -> u32 {
-        self.row().order
-    }
-
-    /// Returns whether each step solves equations, so that the method copes with stiffness.
-    #[must_use]
-    pub fn is_implicit(self) -> bool {
-        self.row().implicit
-    }
-
     /// Returns whether the Cargo feature of the method's family is enabled.
     #[must_use]
     pub fn is_compiled_in(self) -> bool {
-        self.row().integrator.is_some()
-    }
-
-    /// Returns the Cargo feature that the method requires; `None` if it is always available.
-    #[must_use]
-    pub fn feature(self) -> Option<&'static str> {
-        self.row().feature
+        self.integrator().is_some()
     }
 
     /// Returns every method that is compiled in, in the order of the table.
     pub fn compiled_in() -> impl Iterator<Item = Self> {
         Self::ALL.iter().copied().filter(|method| method.is_compiled_in())
     }
+}
 
-    /// Returns a description in one line.
-    #[must_use]
-    pub fn doc(self) -> &'static str {
-        self.row().doc.trim()
-    }
-
-    /// Returns the method of this name.
-    ///
-    /// # Errors
-    /// [`UnknownMethod`], which lists the known names and proposes the nearest.
-    pub fn from_name(name: &str) -> Result<Self, UnknownMethod> {
-        Self::ALL.iter().copied().find(|method| method.name() == name).ok_or_else(|| {
-            let names = || Self::ALL.iter().map(|method| method.name());
-            UnknownMethod {
-                name: name.to_owned(),
-                hint: did_you_mean(name, names()),
-                known: names().collect::<Vec<_>>().join(", "),
-            }
-        })
+impl NotCompiledIn {
+    pub(crate) fn of(method: Method) -> Self {
+        let compiled_in: Vec<_> = Method::compiled_in().map(Method::name).collect();
+        let feature = method.feature().unwrap_or_default();
+        Self { name: method.name(), feature, compiled_in: compiled_in.join(", ") }
     }
 }
-
-impl fmt::Display for Method {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.pad(self.name())
-    }
-}
-
-impl FromStr for Method {
-    type Err = UnknownMethod;
-
-    fn from_str(name: &str) -> Result<Self, UnknownMethod> {
-        Self::from_name(name)
-    }
-}
-
-impl Serialize for Method {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
-    }
-}
-
-/// One row per method: the variant with its line of doc, and its properties.
-macro_rules! methods {
-    ($(#[doc = $doc:literal] $variant:ident {
-        name: $name:literal, order: $order:literal, implicit: $implicit:literal,
-        of: $feature:tt, integrator: $integrator:expr
-    },)*) => {
-        /// An integration method.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        #[non_exhaustive]
-        pub enum Method {
-            $(#[doc = $doc] $variant,)*
-        }
-
-        impl Method {
-            /// Every method, compiled in or not, in the order of the table.
-            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
-
-            fn row(self) -> &'static Row {
-                match self {
-                    $(Self::$variant => {
-                        const ROW: Row = Row {
-                            name: $name,
-                            order: $order,
-                            implicit: $implicit,
-                            doc: $doc,
-                            feature: feature_of!($feature),
-                            integrator: integrator_of!($feature, $integrator),
-                        };
-                        &ROW
-                    })*
-                }
-            }
-        }
-    };
-}
-use methods;
-
-/// The Cargo feature of a row.
-macro_rules! feature_of {
-    (always) => {
-        None
-    };
-    ($feature:ident) => {
-        Some(stringify!($feature))
-    };
-}
-use feature_of;
-
-/// The integrator of a row, if its feature is enabled. There is one arm per feature, because `cfg`
-/// takes only a literal.
-macro_rules! integrator_of {
-    (always, $integrator:expr) => {
-        Some(&$integrator)
-    };
-    (diffsol, $integrator:expr) => {{
-        #[cfg(feature = "diffsol")]
-        const INTEGRATOR: Option<&(dyn Integrator + Sync)> = Some(&$integrator);
-        #[cfg(not(feature = "diffsol"))]
-        const INTEGRATOR: Option<&(dyn Integrator + Sync)> = None;
-        INTEGRATOR
-    }};
-    (implicit, $integrator:expr) => {{
-        #[cfg(feature = "implicit")]
-        const INTEGRATOR: Option<&(dyn Integrator + Sync)> = Some(&$integrator);
-        #[cfg(not(feature = "implicit"))]
-        const INTEGRATOR: Option<&(dyn Integrator + Sync)> = None;
-        INTEGRATOR
-    }};
-}
-use integrator_of;

@@ -58,7 +58,7 @@ pub const MAX_UNKNOWNS: usize = 2000;
 #[derive(Debug, Clone, PartialEq)]
 pub enum Period {
     /// Period of the excitation \[s\].
-    Given(f64),
+    Fixed(f64),
     /// Name of a parameter that determines the period: an angular frequency in rad/s, a frequency
     /// in Hz or 1/s, or the period itself in s.
     Parameter(String),
@@ -272,7 +272,7 @@ fn span(run: &Simulation<'_>, settings: &CycleSettings) -> Result<Span, CycleErr
         Err(CycleError::BadSetting(format!("the period is {period} s, but must be above 0 s")))
     };
     Ok(match &settings.period {
-        Period::Given(period) => Span::Fixed(multiple * checked(*period)?),
+        Period::Fixed(period) => Span::Fixed(multiple * checked(*period)?),
         Period::Parameter(name) => {
             let index = run.parameter_index(name)?;
             let turns = match run.simulator().parameter(index).unit {

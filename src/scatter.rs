@@ -50,7 +50,8 @@ pub use summary::{Estimate, Summary, Tally};
 use crate::error::did_you_mean;
 
 /// Error in the settings of a scatter.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "scatter::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum ScatterError {
     /// A distribution with impossible parameters.
@@ -73,6 +74,14 @@ pub enum ScatterError {
     /// Too few or too many samples.
     #[error("{0}")]
     Samples(String),
+}
+
+impl ScatterError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 impl ScatterError {

@@ -29,16 +29,15 @@ use crate::method::patience::Patience;
 use crate::method::reverse::Log;
 use crate::method::sensitivity::{By, Start, Tangents, columns};
 use crate::method::{Auto, Method, Problem, Run, StepTolerance, Stopped, System};
+pub use crate::trajectory::MAX_POINTS;
 use crate::trajectory::{Stop, Trajectory};
 
 pub(crate) use checked::require_admitted;
 pub use differentiate::Differentiated;
 pub use gradient::{Gradient, Pull, Slope};
 use sampling::Sampling;
+pub use start::NegativeInertias;
 use table::Table;
-
-/// Maximum number of output times of a run.
-pub const MAX_POINTS: usize = 10_000_000;
 
 /// Default maximum number of steps of a run.
 pub const MAX_STEPS: usize = 10_000_000;

@@ -4,9 +4,10 @@ use std::io;
 
 use serde::Serialize;
 
-use crate::constraints::Drift;
-use crate::error_estimate::ErrorEstimate;
-use crate::method::{Method, Work};
+use crate::method_table::Method;
+
+/// Maximum number of output times of a run.
+pub const MAX_POINTS: usize = 10_000_000;
 
 /// Results of a run. All columns have the length of `times`.
 ///
@@ -73,6 +74,62 @@ pub struct Trajectory {
     /// Estimated errors of the columns, if they were estimated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<ErrorEstimate>,
+}
+
+/// Cost of a run. Evaluations are counted here, at the simulator, and not taken from what a solver
+/// reports.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct Work {
+    /// Steps accepted.
+    pub steps: u64,
+    /// Steps tried and rejected for their error.
+    pub rejected: u64,
+    /// Evaluations of the right-hand side.
+    pub rate_evaluations: u64,
+    /// Evaluations of its Jacobian.
+    pub jacobian_evaluations: u64,
+    /// Factorizations of a step's matrix.
+    pub factorizations: u64,
+    /// Newton iterations, each with one solution of a factored system.
+    pub newton_iterations: u64,
+    /// Events that happened.
+    pub switches: u64,
+}
+
+/// Largest drift of a run. The residual of each constraint is measured by the typical size of its
+/// coordinates' motion.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[non_exhaustive]
+pub struct Drift {
+    /// Drift before projection, at the end of a step or within one.
+    pub before: f64,
+    /// Drift after projection.
+    pub after: f64,
+}
+
+/// Estimated error of every column of a run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct ErrorEstimate {
+    /// Relative tolerance of the second run, if it reached its end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rtol: Option<f64>,
+    /// Errors of the columns, in the order of the trajectory; empty if the runs give no estimate.
+    pub columns: Vec<ColumnError>,
+    /// Reason why the runs give no estimate.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unknown: Option<String>,
+}
+
+/// Estimated error of one column, in its unit.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ColumnError {
+    /// Name of the column.
+    pub name: String,
+    /// Largest error over all times.
+    pub largest: f64,
+    /// Error at the last time.
+    pub last: f64,
 }
 
 /// Returns the name of the column of a derivative.

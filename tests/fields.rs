@@ -49,7 +49,7 @@ fn numbers_of_elements_and_orders_out_of_range_are_refused() {
     };
     for found in [0, MAX_ELEMENTS + 1, 1_000_000_000_000] {
         let error = with(found, 2).unwrap();
-        assert!(matches!(error, FieldError::Elements { found: told, .. } if told == found));
+        assert!(matches!(error, FieldError::ElementCount { found: told, .. } if told == found));
     }
     for order in [0, 17] {
         assert_eq!(with(4, order), Some(FieldError::Order(order)));

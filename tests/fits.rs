@@ -2,7 +2,7 @@
 //! intervals.
 
 use machinist::fit::{
-    End, Experiment, Fit, Found, Loss, Measured, Plan, Unknown, statistics, students_t,
+    Bounds, End, Experiment, Fit, Found, Loss, Measured, Plan, Unknown, statistics, students_t,
 };
 use machinist::{Method, Simulation};
 use machinist_scenes::scenes;
@@ -12,8 +12,8 @@ use crate::common::Oscillator;
 
 pub const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
-pub fn unknown(name: &str, start: f64, bounds: (f64, f64)) -> Unknown {
-    Unknown { name: name.to_owned(), start, bounds }
+pub fn unknown(name: &str, start: f64, (low, high): (f64, f64)) -> Unknown {
+    Unknown { name: name.to_owned(), start, bounds: Bounds { low, high } }
 }
 
 pub fn experiment(times: Vec<f64>, columns: Vec<(String, Vec<f64>)>) -> Experiment {

@@ -142,7 +142,7 @@ fn a_piece_ends_where_who_looks_on_says() {
         time > 0.1
     };
     let reached = hosted.carry(&mut standing, 1.0, (Method::Dop853, false), &looks);
-    assert_eq!(reached.expect("it goes on"), Reached::Left);
+    assert_eq!(reached.expect("it goes on"), Reached::Interrupted);
     let (time, state) = shown.borrow().last().cloned().expect("it was shown");
     assert!(time > 0.1 && time < 0.5, "{time}");
     assert_eq!((standing.time, &standing.state), (time, &state));

@@ -1,6 +1,6 @@
 //! Optimization of designs: optima against closed forms, derivatives against differences.
 
-use machinist::fit::Unknown;
+use machinist::fit::{Bounds, Unknown};
 use machinist::improve::{End, Expression, Found, Improvement, Inequality, Values, check};
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -11,8 +11,8 @@ use machinist_scenes::scenes::saw_gin::SawGin;
 use crate::own_scene::of_text;
 use crate::sensitivities::bouncing_ball;
 
-fn unknown(name: &str, start: f64, bounds: (f64, f64)) -> Unknown {
-    Unknown { name: name.to_owned(), start, bounds }
+fn unknown(name: &str, start: f64, (low, high): (f64, f64)) -> Unknown {
+    Unknown { name: name.to_owned(), start, bounds: Bounds { low, high } }
 }
 
 /// Searches from the starts of the unknowns; returns values, expressions, costs and end.
@@ -28,11 +28,11 @@ fn improved(
     let improvement =
         Improvement { simulation, unknowns, objective: &objective, inequalities: &inequalities };
     let start = improvement.start();
-    let told = improvement.told(&improvement.values(&start)).expect("it runs");
+    let told = improvement.numbers_at(&improvement.values(&start)).expect("it runs");
     let sizes = improvement.sizes(&told);
     let found = improvement.search(&start, &sizes, 100, None, |_| {}).expect("it starts");
     let values = improvement.values(&found.at);
-    let told = improvement.told(&values).expect("it runs");
+    let told = improvement.numbers_at(&values).expect("it runs");
     let costs = improvement.costs(&found, &sizes);
     (values, told, costs, found)
 }
@@ -53,7 +53,7 @@ fn off_differences(
             Improvement { simulation, unknowns, objective: &objective, inequalities: &[] };
         let start = improvement.start();
         let told = |inner: &[f64]| {
-            improvement.told(&improvement.values(inner)).expect("it runs").objective
+            improvement.numbers_at(&improvement.values(inner)).expect("it runs").objective
         };
         let size = told(&start).abs();
         let sizes = improvement.sizes(&Values { objective: 1.0, sides: vec![], notes: vec![] });

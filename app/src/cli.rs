@@ -21,6 +21,7 @@ mod derive;
 mod estimator;
 #[cfg(feature = "derive")]
 pub mod explain;
+mod explain_error;
 mod fatigue;
 mod fit;
 #[cfg(feature = "derive")]
@@ -134,6 +135,8 @@ enum Command {
     /// Explain what is left out of a scene, why, and what that saves
     #[cfg(feature = "derive")]
     Explain(explain::Explain),
+    /// Explain an error by its code: cause and remedy
+    ExplainError(explain_error::ExplainError),
     /// Simulate a scene
     Run(run::RunCommand),
     /// Plot the columns of a run or of a table, over time or over another column
@@ -291,6 +294,7 @@ pub fn run(arguments: &[OsString]) -> u8 {
         Command::Derive(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Explain(command) => command.execute(),
+        Command::ExplainError(command) => command.execute(),
         Command::Run(command) => command.execute(),
         Command::Plot(command) => command.execute(),
         Command::Sensitivity(command) => command.execute(),

@@ -19,7 +19,7 @@ use toml_edit::{Document, Item, Value};
 
 #[cfg(feature = "derive")]
 use crate::cli::arguments::algebra;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::{ErrorCode, Failure, did_you_mean};
 
 /// Name of the files.
 const FILE: &str = "machinist.toml";
@@ -179,7 +179,8 @@ impl Config {
     fn take_file(&mut self, file: &Path) -> Result<(), Failure> {
         let text = fs::read_to_string(file).map_err(|error| Failure::file(file, &error))?;
         self.take_text(file, &text).map_err(|Wrong { message, help, at }| {
-            let mut diagnostic = MietteDiagnostic::new(message);
+            let mut diagnostic =
+                MietteDiagnostic::new(message).with_code(<&str>::from(ErrorCode::InvalidData));
             if !help.is_empty() {
                 diagnostic = diagnostic.with_help(help);
             }

@@ -21,6 +21,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::{self, Derivation};
 use machinist_codegen::scene::compose;
 use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_codegen::spec::code::Code;
 use machinist_codegen::spec::diagnostic::{Diagnostic, Diagnostics};
 use machinist_model::file::Stamped;
 use machinist_model::{Model, ModelSimulator, SourceFile};
@@ -141,7 +142,7 @@ impl Request {
         for coordinate in &self.test_forces {
             if !system.add_test_force(coordinate) {
                 let message = format!("there is no coordinate `{coordinate}`");
-                return Err(Diagnostic::of_file("", message, "").into());
+                return Err(Diagnostic::of_file(Code::UnknownName, "", message, "").into());
             }
         }
         Ok(system)
@@ -153,7 +154,7 @@ impl Request {
         for input in &self.opened {
             if spec.open_input(input).is_none() {
                 let message = format!("there is no input `{input}` to open");
-                return Err(Diagnostic::of_file("", message, "").into());
+                return Err(Diagnostic::of_file(Code::UnknownInput, "", message, "").into());
             }
         }
         compose(&spec)

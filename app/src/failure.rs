@@ -4,16 +4,103 @@ use std::fmt::Display;
 use std::io;
 use std::path::Path;
 
+use crate::plot::PlotError;
 use machinist::SimulateError;
-use machinist::error::nearest;
+use machinist::error::{UnknownMethod, nearest};
+use machinist::estimator::EstimatorError;
+use machinist::field::{FieldError, ModalError};
+use machinist::fit::Unsolved;
 use machinist::linear_analysis::{LinearError, RegulatorError};
+use machinist::periodic::CycleError;
+use machinist::scatter::ScatterError;
 #[cfg(feature = "derive")]
-use machinist_codegen::spec::diagnostic::{Diagnostic, Diagnostics};
+use machinist_codegen::spec::diagnostic::{Diagnostic, Diagnostics, render};
 #[cfg(feature = "derive")]
 use machinist_codegen::write::WriteError;
-use miette::{Report, miette};
+#[cfg(feature = "derive")]
+use machinist_fmu::variables::Unfit;
+use machinist_model::file::FileError;
+use machinist_studies::verify::{CheckFailure, VerifyError};
+use miette::{MietteDiagnostic, Report};
 #[cfg(feature = "derive")]
 use serde::{Deserialize, Serialize};
+
+/// Kind of a failure of the command line itself. Its code is the variant's name after `cli::`, and
+/// never changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "cli::", serialize_all = "kebab-case")]
+pub enum ErrorCode {
+    /// An option or argument is invalid, missing, repeated, or does not go with another.
+    InvalidArgument,
+    /// Nothing has this name.
+    UnknownName,
+    /// A file cannot be read or written.
+    File,
+    /// The content of a file is not what the command reads.
+    InvalidData,
+    /// This build of the program lacks a feature.
+    NotBuiltIn,
+    /// The user interrupted the command.
+    Interrupted,
+    /// A check failed.
+    CheckFailed,
+    /// The command ended without the result asked for.
+    Unsuccessful,
+}
+
+/// Message of a failure, with the code of its kind if it has one of its own.
+pub trait Coded: Display {
+    /// Returns the code.
+    fn code(&self) -> Option<&'static str> {
+        None
+    }
+}
+
+impl Coded for String {}
+impl Coded for str {}
+impl Coded for std::str::EscapeDebug<'_> {}
+
+impl<T: Coded + ?Sized> Coded for &T {
+    fn code(&self) -> Option<&'static str> {
+        (**self).code()
+    }
+}
+
+impl Coded for io::Error {}
+impl Coded for serde_json::Error {}
+
+macro_rules! coded {
+    ($($(#[$condition:meta])? $error:ty),* $(,)?) => {
+        $($(#[$condition])? impl Coded for $error {
+            fn code(&self) -> Option<&'static str> {
+                Some(self.code())
+            }
+        })*
+    };
+}
+
+coded!(
+    CheckFailure,
+    CycleError,
+    EstimatorError,
+    FieldError,
+    FileError,
+    LinearError,
+    ModalError,
+    PlotError,
+    RegulatorError,
+    ScatterError,
+    SimulateError,
+    UnknownMethod,
+    Unsolved,
+    VerifyError,
+    #[cfg(feature = "derive")]
+    crate::fields::DivideError,
+    #[cfg(feature = "derive")]
+    Unfit,
+    #[cfg(feature = "derive")]
+    WriteError,
+);
 
 /// Failure of a command.
 #[derive(Debug)]
@@ -26,18 +113,46 @@ pub enum Failure {
 
 impl Failure {
     /// Creates a failure of the input with a hint, which may be empty.
-    pub fn input(message: impl Display, help: impl Display) -> Self {
-        Self::Input(vec![with_help(&message.to_string(), &help.to_string())])
+    pub fn input(message: impl Coded, help: impl Display) -> Self {
+        let code = message.code().unwrap_or(ErrorCode::InvalidArgument.into());
+        Self::Input(vec![report(code, &message, &help)])
+    }
+
+    /// Creates the failure of a name that is not among those known, with the nearest as a hint.
+    pub fn unknown<'a>(
+        message: impl Display,
+        name: &str,
+        known: impl Iterator<Item = &'a str> + Clone,
+    ) -> Self {
+        Self::coded(ErrorCode::UnknownName, message, did_you_mean(name, known))
+    }
+
+    /// Creates a failure of the input of another kind than [`ErrorCode::InvalidArgument`].
+    pub fn coded(code: ErrorCode, message: impl Display, help: impl Display) -> Self {
+        Self::Input(vec![report(code.into(), &message, &help)])
+    }
+
+    /// Creates a failure of the input at a place, such as a file, with a hint, which may be empty.
+    pub fn at(place: impl Display, error: impl Coded, help: impl Display) -> Self {
+        let code = error.code().unwrap_or(ErrorCode::InvalidArgument.into());
+        Self::Input(vec![report(code, &format!("{place}: {error}"), &help)])
     }
 
     /// Creates an unsuccessful end with a hint, which may be empty.
-    pub fn unsuccessful(message: impl Display, help: impl Display) -> Self {
-        Self::Unsuccessful(with_help(&message.to_string(), &help.to_string()))
+    pub fn unsuccessful(message: impl Coded, help: impl Display) -> Self {
+        let code = message.code().unwrap_or(ErrorCode::Unsuccessful.into());
+        Self::Unsuccessful(report(code, &message, &help))
+    }
+
+    /// Creates an unsuccessful end of another kind than [`ErrorCode::Unsuccessful`].
+    pub fn ended(code: ErrorCode, message: impl Display, help: impl Display) -> Self {
+        Self::Unsuccessful(report(code.into(), &message, &help))
     }
 
     /// Creates the failure of a file that cannot be read or written.
     pub fn file(path: &Path, error: &io::Error) -> Self {
-        Self::unsuccessful(format!("{}: {error}", path.display()), "")
+        let message = format!("{}: {error}", path.display());
+        Self::ended(ErrorCode::File, message, "")
     }
 
     /// Prints the messages on standard error and returns the exit code.
@@ -57,6 +172,8 @@ impl Failure {
 #[cfg(feature = "derive")]
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Trouble {
+    /// Code of the kind of error, such as `spec::unknown-name`; empty for notes.
+    pub code: String,
     /// Label of the file; empty if there is none.
     pub file: String,
     /// Line, from 1; 0 if there is none.
@@ -82,6 +199,7 @@ impl Trouble {
     pub fn note(message: String) -> Self {
         let text = format!("  machinist: {message}");
         Self {
+            code: String::new(),
             file: String::new(),
             line: 0,
             column: 0,
@@ -104,12 +222,13 @@ impl Trouble {
 impl From<&Diagnostic> for Trouble {
     fn from(of: &Diagnostic) -> Self {
         Self {
-            file: of.file.clone(),
+            code: of.code.to_owned(),
+            file: of.file.to_string(),
             line: of.line,
             column: of.column,
             length: of.length(),
             message: of.message.clone(),
-            help: of.help.clone().unwrap_or_default(),
+            help: of.help.clone().unwrap_or_default().into_string(),
             text: Diagnostics::from(of.clone()).render(),
             is_warning: of.is_warning,
         }
@@ -128,8 +247,16 @@ impl Failure {
             if let Some(diagnostics) = report.downcast_ref::<Diagnostics>() {
                 return diagnostics.errors().iter().map(Trouble::from).collect();
             }
-            let help = report.help().map(|help| help.to_string()).unwrap_or_default();
-            vec![Trouble::from(&Diagnostic::of_file("", report.to_string(), help))]
+            let text = |part: Option<Box<dyn Display + '_>>| {
+                part.map(|part| part.to_string()).unwrap_or_default()
+            };
+            vec![Trouble {
+                code: text(report.code()),
+                help: text(report.help()),
+                text: render(report.as_ref()),
+                is_warning: false,
+                ..Trouble::note(report.to_string())
+            }]
         };
         reports.iter().flat_map(of_report).collect()
     }
@@ -162,12 +289,10 @@ pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone
     }
 }
 
-fn with_help(message: &str, help: &str) -> Report {
-    if help.is_empty() {
-        miette!("{message}")
-    } else {
-        miette!(help = help.to_owned(), "{message}")
-    }
+fn report(code: &str, message: &dyn Display, help: &dyn Display) -> Report {
+    let (problem, help) = (MietteDiagnostic::new(message.to_string()), help.to_string());
+    let problem = problem.with_code(code);
+    Report::new(if help.is_empty() { problem } else { problem.with_help(help) })
 }
 
 #[cfg(feature = "derive")]

@@ -7,6 +7,7 @@
 //! depend on `machinist`.
 
 mod cli;
+mod codes;
 mod config;
 #[cfg(feature = "derive")]
 mod deriving;
@@ -44,6 +45,7 @@ mod trials;
 mod watch;
 
 pub use cli::{command, main};
+pub use codes::codes as error_codes;
 pub use config::KEYS as CONFIGURATION_KEYS;
 #[cfg(feature = "derive")]
 pub use failure::Trouble;

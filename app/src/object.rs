@@ -12,9 +12,11 @@ use machinist_model::Model;
 use thiserror::Error;
 
 /// Reason why there is no object file.
-#[derive(Debug, Error)]
+#[derive(Debug, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "compiler::", serialize_all = "kebab-case")]
 pub enum ObjectError {
     /// The program cannot be emitted.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Emit(#[from] EmitError),
     /// The compiler cannot be started, or its folder cannot be created.
@@ -28,6 +30,17 @@ pub enum ObjectError {
     /// The compiler rejects the emitted module.
     #[error("the compiler refuses the emitted module: {0}")]
     Refused(String),
+}
+
+impl ObjectError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Emit(error) => error.code(),
+            error => error.into(),
+        }
+    }
 }
 
 /// Compiles everything that a simulator does with `f64` to an object file, optimized, with `rustc`

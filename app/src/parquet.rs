@@ -16,7 +16,7 @@ use crate::cli::output::write_file;
 use crate::cli::scene::{Scene, SceneSource};
 #[cfg(feature = "derive")]
 use crate::deriving::{self, Request};
-use crate::failure::Failure;
+use crate::failure::{ErrorCode, Failure};
 use machinist_model::file::write;
 use machinist_model::fingerprint::{of_behaviour, of_bytes};
 
@@ -107,7 +107,7 @@ pub fn require(file: &Path) -> Result<(), Failure> {
 fn unavailable(file: &Path) -> Failure {
     let message = format!("--out {}: this program was built without Parquet", file.display());
     let help = ".csv holds the same; `cargo install --path app` builds a program with Parquet";
-    Failure::input(message, help)
+    Failure::coded(ErrorCode::NotBuiltIn, message, help)
 }
 
 /// Describes the origin of results: the machine and the program.
@@ -206,7 +206,7 @@ pub fn of_run(run: &Trajectory) -> Vec<Column> {
 /// Encodes columns of equal length as a file with the metadata `told`.
 #[cfg(not(feature = "parquet"))]
 fn bytes(_columns: &[Column], _name: &str, _told: &Value) -> Result<Vec<u8>, Failure> {
-    Err(Failure::unsuccessful("this program was built without Parquet", ""))
+    Err(Failure::coded(ErrorCode::NotBuiltIn, "this program was built without Parquet", ""))
 }
 
 /// Reads the columns and the metadata of a file.

@@ -42,7 +42,8 @@ const SCALE: u32 = 4;
 const SMOOTHING: u32 = 2;
 
 /// Reason why there is no plot.
-#[derive(Debug, Error)]
+#[derive(Debug, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "plot::", serialize_all = "kebab-case")]
 pub enum PlotError {
     /// The file's name does not end in `.svg` or `.png`.
     #[error("cannot plot to `{}`: the name must end in .svg or .png", .0.display())]
@@ -71,6 +72,14 @@ pub enum PlotError {
         /// Error of the operating system.
         source: io::Error,
     },
+}
+
+impl PlotError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 /// Draws the named columns over time as stacked panels, one for each unit and size, into an `.svg` or `.png`

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 #[cfg(feature = "derive")]
 use machinist_codegen::{
     scene::{compose, system::LagrangianSystem},
+    spec::code::Code,
     spec::diagnostic::{Diagnostic, Diagnostics},
     spec::library::LibraryScene,
     spec::{self, SceneSpec},
@@ -29,7 +30,13 @@ impl SpecSource {
             Self::File(path) => spec::load_scene(path),
             Self::BuiltIn(name) => match LibraryScene::find(name) {
                 Some(scene) => spec::load_library_scene(scene),
-                None => Err(Diagnostic::of_file(name, "no such scene is built in", "").into()),
+                None => Err(Diagnostic::of_file(
+                    Code::UnknownName,
+                    name,
+                    "no such scene is built in",
+                    "",
+                )
+                .into()),
             },
         }
     }

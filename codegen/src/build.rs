@@ -156,10 +156,12 @@ fn generate(scene: &Path) -> Result<Model, BuildError> {
 
 /// Error of a build script that emits scenes. Its `Debug` form is a readable report, because
 /// Cargo shows that when `main` returns it.
-#[derive(thiserror::Error)]
+#[derive(thiserror::Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "build::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum BuildError {
     /// A spec is wrong.
+    #[strum(serialize = "")]
     #[error("{}", .0.render())]
     Spec(#[from] Diagnostics),
     /// Two specs give their scene the same name.
@@ -169,6 +171,7 @@ pub enum BuildError {
         scene: String,
     },
     /// A scene cannot be emitted.
+    #[strum(serialize = "")]
     #[error("scene `{scene}`: {source}")]
     Emit {
         /// The scene.
@@ -177,11 +180,25 @@ pub enum BuildError {
         source: EmitError,
     },
     /// A file cannot be written.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Write(#[from] WriteError),
     /// No folder to write to is known.
     #[error("OUT_DIR is not set: call this from a build script, or name a folder with `out_dir`")]
     NoFolder,
+}
+
+impl BuildError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Spec(errors) => errors.code(),
+            Self::Emit { source, .. } => source.code(),
+            Self::Write(error) => error.code(),
+            error => error.into(),
+        }
+    }
 }
 
 impl fmt::Debug for BuildError {

@@ -39,7 +39,8 @@ impl EmitOptions {
 
 /// Reason why a model cannot be emitted. No spec that has passed its checks leads to such an
 /// error; the checks guard against defects of earlier stages.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "emit::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum EmitError {
     /// A literal is infinite or not a number.
@@ -71,6 +72,7 @@ pub enum EmitError {
         message: String,
     },
     /// The model breaks a rule of models.
+    #[strum(serialize = "")]
     #[error("{0}")]
     Malformed(#[from] Malformed),
     /// The emitted tokens are not a Rust module.
@@ -79,4 +81,15 @@ pub enum EmitError {
         /// The message of the parser.
         reason: String,
     },
+}
+
+impl EmitError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Malformed(error) => error.code(),
+            error => error.into(),
+        }
+    }
 }

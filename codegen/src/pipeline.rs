@@ -23,6 +23,7 @@ use crate::mechanics::lagrange::{self, EquationsOfMotion};
 use crate::mechanics::linearize::{Linearization, linearize};
 use crate::mechanics::reduce::{FreezeError, Keep, Step, drop_unused};
 use crate::scene::system::LagrangianSystem;
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Diagnostic, Diagnostics};
 use crate::{lower, scene, spec};
 
@@ -137,7 +138,7 @@ impl Linear {
         model.validate().map_err(|error| {
             let message = format!("the equations cannot be computed: {error}");
             let help = "look for a number above 1e308, such as a large number to a high power";
-            Diagnostic::of_file("", message, help)
+            Diagnostic::of_file(Code::UndefinedValue, "", message, help)
         })?;
         Ok(model)
     }
@@ -275,7 +276,7 @@ fn defined(cas: &mut Cas) -> Result<(), Diagnostics> {
     }
     let message = "the equations divide by zero, or take its logarithm, in every state";
     let help = "look for a denominator or an argument of `ln` whose terms cancel";
-    Err(Diagnostic::of_file("", message.to_owned(), help).into())
+    Err(Diagnostic::of_file(Code::UndefinedValue, "", message.to_owned(), help).into())
 }
 
 /// Rejects forces that are not linear in constraint forces, although each as written is: by the rate
@@ -287,7 +288,7 @@ fn linear(linearization: &Linearization) -> Result<(), Diagnostics> {
         let message = "forces depend on constraint forces by the rate of a state, and not in \
                        proportion";
         let help = "write the rate as a factor times the constraint force, or times its `abs`";
-        return Err(Diagnostic::of_file("", message, help).into());
+        return Err(Diagnostic::of_file(Code::InvalidForce, "", message, help).into());
     }
     Ok(())
 }
@@ -309,7 +310,7 @@ fn carried(equations: &EquationsOfMotion) -> Result<(), Diagnostics> {
             constraint.name.path
         );
         let help = "these carry its force: read theirs instead, or leave them out";
-        return Err(Diagnostic::of_file("", message, help).into());
+        return Err(Diagnostic::of_file(Code::InvalidForce, "", message, help).into());
     }
     Ok(())
 }
@@ -327,7 +328,7 @@ fn decided(equations: &EquationsOfMotion) -> Result<(), Diagnostics> {
          active in all modes determines their motion"
     );
     let help = "give one of them an inertia, or add a constraint";
-    Err(Diagnostic::of_file("", message, help).into())
+    Err(Diagnostic::of_file(Code::NoInertia, "", message, help).into())
 }
 
 /// Returns a model with the name of its generator.
@@ -349,7 +350,7 @@ impl From<CasError> for Diagnostics {
     fn from(error: CasError) -> Self {
         let help =
             miette::Diagnostic::help(&error).map_or_else(String::new, |help| help.to_string());
-        Diagnostic::of_file("", error.to_string(), &help).into()
+        Diagnostic::of_file(error.code(), "", error.to_string(), &help).into()
     }
 }
 
@@ -357,6 +358,6 @@ impl From<FreezeError> for Diagnostics {
     fn from(error: FreezeError) -> Self {
         let help =
             "leave it out of `rigid` in [freeze]; `machinist explain` lists what can be frozen";
-        Diagnostic::of_file("", error.to_string(), help).into()
+        Diagnostic::of_file(error.code(), "", error.to_string(), help).into()
     }
 }

@@ -21,6 +21,7 @@ mod massless;
 mod motion_laws;
 mod names;
 mod parameters;
+mod pieces;
 mod ports;
 mod reactions;
 mod resolve;

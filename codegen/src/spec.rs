@@ -7,6 +7,7 @@ mod array;
 pub mod body;
 pub mod card;
 mod check;
+pub mod code;
 mod connect;
 mod constraint;
 mod definition;

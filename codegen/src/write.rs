@@ -63,10 +63,12 @@ pub struct Summary {
 }
 
 /// Error of writing or comparing emitted files.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, thiserror::Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "write::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum WriteError {
     /// A model cannot be emitted.
+    #[strum(serialize = "")]
     #[error("scene `{scene}`: {source}")]
     Emit {
         /// The scene.
@@ -96,6 +98,17 @@ pub enum WriteError {
         /// Emitted files of scenes that no longer exist.
         orphans: Vec<String>,
     },
+}
+
+impl WriteError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Emit { source, .. } => source.code(),
+            error => error.into(),
+        }
+    }
 }
 
 /// Emits every model to `<scene>.rs` in `folder`, and `mod.rs` that lists them. If `folder` is

@@ -28,9 +28,10 @@ def derived(
 
 
 def _mistake(
-    file: str, line: int, column: int, length: int, message: str, hint: str, report: str
+    code: str, file: str, line: int, column: int, length: int, message: str, hint: str, report: str
 ) -> Mistake:
     return Mistake(
+        code=code or None,
         message=message,
         file=file or None,
         line=line or None,
@@ -46,6 +47,7 @@ def _refused(mistakes: list[Mistake]) -> SpecError:
     first = mistakes[0]
     error = SpecError(
         "; ".join(mistake.message for mistake in mistakes),
+        code=first.code,
         file=first.file,
         line=first.line,
         hint=first.hint,

@@ -28,6 +28,9 @@ class MachinistError(Exception):
 
     #: Description of the error.
     message: str
+    #: Code of the kind of error, such as `run::zeno`, if the engine reports it. The chapter "Error
+    #: codes" of the book and `machinist explain-error CODE` explain it.
+    code: str | None
     #: Suggested remedy, or None.
     hint: str | None
     #: Invalid file, or None.
@@ -39,12 +42,14 @@ class MachinistError(Exception):
         self,
         message: str,
         *,
+        code: str | None = None,
         hint: str | None = None,
         file: str | None = None,
         line: int | None = None,
     ) -> None:
         what, mark, told = message.partition(" Hint: ")
         self.message = what if mark else message
+        self.code = code
         self.hint = hint or (told if mark else None)
         self.file = file
         self.line = line
@@ -92,6 +97,8 @@ class ModelFileError(InputError):
 class Mistake:
     """An error or a warning of a spec, with its place in the text."""
 
+    #: Code of the kind of error, such as `spec::unknown-name`, or None.
+    code: str | None
     message: str
     #: Invalid file, or None.
     file: str | None

@@ -37,7 +37,7 @@ fn asked(search: Search, settings: &Settings, run: &Simulation<'_>) -> CycleSett
     let (period, guess, turns, settle, (multiple, segments, points)) = search;
     let period = match period {
         Some(Asked::Parameter(name)) => Period::Parameter(name),
-        Some(Asked::Given(time)) => Period::Given(time),
+        Some(Asked::Given(time)) => Period::Fixed(time),
         None => Period::Unknown(guess),
     };
     let end = settings.end().unwrap_or(run.simulator().run_defaults().until);

@@ -16,10 +16,10 @@ use pyo3::types::PyBytes;
 use crate::failure::Failure;
 use crate::patience::PERIOD;
 
-/// Error or warning: file, line, column, number of characters, message, hint, report.
-type Told = (String, usize, usize, usize, String, String, String);
+/// Error or warning: code, file, line, column, number of characters, message, hint, report.
+type Report = (String, String, usize, usize, usize, String, String, String);
 /// Model file, if the spec has a model; errors or warnings.
-type Answer<'py> = (Option<Bound<'py, PyBytes>>, Vec<Told>);
+type Answer<'py> = (Option<Bound<'py, PyBytes>>, Vec<Report>);
 
 /// Derives the model of a spec file, or of a spec that comes with the package, by name. Returns
 /// `None` for a name that is unknown. Raises what signal handlers raise, such as
@@ -39,9 +39,9 @@ pub fn derive(
     match py.detach(|| derived(spec, keep_all))? {
         Ok(Derived { stamped, warnings }) => {
             let bytes = PyBytes::new(py, &file::write(&stamped));
-            Ok(Some((Some(bytes), warnings.into_iter().map(told).collect())))
+            Ok(Some((Some(bytes), warnings.into_iter().map(report).collect())))
         }
-        Err(Refused::Wrong(errors)) => Ok(Some((None, errors.into_iter().map(told).collect()))),
+        Err(Refused::Wrong(errors)) => Ok(Some((None, errors.into_iter().map(report).collect()))),
         Err(Refused::Unknown) => Ok(None),
         // Only a signal sets the flag, and its exception was returned above.
         Err(Refused::Interrupted) => Err(Failure::input("the derivation was interrupted")),
@@ -74,9 +74,9 @@ fn derived(spec: Spec, keep_all: bool) -> PyResult<Result<Derived, Refused>> {
     }
 }
 
-fn told(trouble: Trouble) -> Told {
-    let Trouble { file, line, column, length, message, help, text, .. } = trouble;
-    (file, line, column, length, message, help, text)
+fn report(trouble: Trouble) -> Report {
+    let Trouble { code, file, line, column, length, message, help, text, .. } = trouble;
+    (code, file, line, column, length, message, help, text)
 }
 
 /// Names of the machines of standard parts that come with the package, sorted.

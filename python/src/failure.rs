@@ -20,6 +20,8 @@ pub enum Failure {
     File(FileError),
     /// An argument is invalid; class and message of the exception.
     Refused(&'static str, String),
+    /// Error of an analysis; class, code and message of the exception.
+    Coded(&'static str, &'static str, String),
     /// An exception raised by Python.
     Python(PyErr),
 }
@@ -56,7 +58,7 @@ impl From<CycleError> for Failure {
             | CycleError::NeedsPeriod { .. } => "InputError",
             _ => "AnalysisError",
         };
-        Self::Refused(class, error.to_string())
+        Self::Coded(class, error.code(), error.to_string())
     }
 }
 
@@ -86,29 +88,19 @@ impl From<Failure> for PyErr {
             }
             _ => None,
         };
-        let (class, message) = match failure {
+        let (class, code, message) = match failure {
             Failure::Python(error) => return error,
-            Failure::Simulate(error) => (class_of(&error), error.to_string()),
-            Failure::Linear(error) => (
-                match error {
-                    LinearError::Unknown { .. } => "UnknownNameError",
-                    LinearError::Eigenvalues
-                    | LinearError::NoEquilibrium { .. }
-                    | LinearError::NoModes { .. }
-                    | LinearError::LosesEquilibrium { .. }
-                    | LinearError::Unsettled { .. }
-                    | LinearError::Lost { .. }
-                    | LinearError::Singular { .. } => "AnalysisError",
-                    _ => "InputError",
-                },
-                error.to_string(),
-            ),
-            Failure::Field(error) => ("InputError", error.to_string()),
-            Failure::File(error) => ("ModelFileError", error.to_string()),
-            Failure::Refused(class, message) => (class, message),
+            Failure::Simulate(error) => (class_of(&error), Some(error.code()), error.to_string()),
+            Failure::Linear(error) => {
+                (class_of_linear(&error), Some(error.code()), error.to_string())
+            }
+            Failure::Field(error) => ("InputError", Some(error.code()), error.to_string()),
+            Failure::File(error) => ("ModelFileError", Some(error.code()), error.to_string()),
+            Failure::Coded(class, code, message) => (class, Some(code), message),
+            Failure::Refused(class, message) => (class, None, message),
         };
         Python::attach(|py| {
-            let told = exception(py, class, &message).and_then(|error| {
+            let told = exception(py, class, code, &message).and_then(|error| {
                 if let Some(pair) = undifferentiable {
                     error.value(py).setattr("undifferentiable", pair)?;
                 }
@@ -116,6 +108,21 @@ impl From<Failure> for PyErr {
             });
             told.unwrap_or_else(|error| error)
         })
+    }
+}
+
+/// Exception class of an error of a linear analysis.
+fn class_of_linear(error: &LinearError) -> &'static str {
+    match error {
+        LinearError::UnknownName { .. } => "UnknownNameError",
+        LinearError::Eigenvalues
+        | LinearError::NoEquilibrium { .. }
+        | LinearError::NoModes { .. }
+        | LinearError::LosesEquilibrium { .. }
+        | LinearError::NotSmooth { .. }
+        | LinearError::OffConstraint { .. }
+        | LinearError::Singular { .. } => "AnalysisError",
+        _ => "InputError",
     }
 }
 
@@ -132,8 +139,15 @@ fn class_of(error: &SimulateError) -> &'static str {
     }
 }
 
-/// Creates an exception of the package.
-pub fn exception(py: Python<'_>, class: &str, message: &str) -> PyResult<PyErr> {
+/// Creates an exception of the package, with the code of its kind if it has one.
+pub fn exception(
+    py: Python<'_>,
+    class: &str,
+    code: Option<&str>,
+    message: &str,
+) -> PyResult<PyErr> {
     let class = py.import("machinist.errors")?.getattr(class)?;
-    Ok(PyErr::from_value(class.call1((message,))?))
+    let error = PyErr::from_value(class.call1((message,))?);
+    error.value(py).setattr("code", code)?;
+    Ok(error)
 }

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use machinist::error::StopCause;
 use machinist::fit::{
-    End, Experiment, Findings, Fit, Fitted, Measured, Noise, Plan, Unknown, Unsolved,
+    Bounds, End, Experiment, Findings, Fit, Fitted, Measured, Noise, Plan, Unknown, Unsolved,
 };
 use machinist::{SimulateError, Simulation, constraints};
 use machinist_contract::Simulator;
@@ -133,12 +133,12 @@ fn solved(
         steps: search.steps,
         interrupt: Some(&flag),
     };
-    let fitted = fit.solve(&plan, &mut |_, _| {}).map_err(|unsolved| match unsolved {
-        Unsolved::NoStart { .. } => Failure::Refused(
-            "AnalysisError",
-            format!("{unsolved}. Hint: other bounds or parameters may help"),
-        ),
-        _ => Failure::Refused("AnalysisError", unsolved.to_string()),
+    let fitted = fit.solve(&plan, &mut |_, _| {}).map_err(|unsolved| {
+        let hint = match unsolved {
+            Unsolved::NoStart { .. } => ". Hint: other bounds or parameters may help",
+            _ => "",
+        };
+        Failure::Coded("AnalysisError", unsolved.code(), format!("{unsolved}{hint}"))
     })?;
     let findings = fit.findings(&fitted);
     Ok((fitted, findings))
@@ -210,7 +210,7 @@ fn unknowns(
                 continue;
             }
         };
-        unknowns.push(Unknown::from(name, value, *bounds));
+        unknowns.push(Unknown::from(name, value, bounds.map(|(low, high)| Bounds { low, high })));
     }
     Ok(unknowns)
 }

@@ -1,5 +1,7 @@
 //! Eigenmodes and frequency responses.
 
+use std::ops::Range;
+
 use machinist::Simulation;
 use machinist::linear_analysis::{
     Hold, LinearError, Linearization, Mode, ModeKind, NoSlope, Piece, Place, PointSlopes,
@@ -46,7 +48,7 @@ fn looked_at<T: Send>(
 }
 
 /// Data of all eigenmodes.
-struct Told {
+struct Description {
     names: Vec<String>,
     coordinates: usize,
     modes: Vec<Mode>,
@@ -75,7 +77,7 @@ pub fn modes<'py>(
             let of_modes = linearization.mode_slopes(&modes, &moves)?;
             slopes = of_modes.into_iter().map(slopes_of).collect();
         }
-        Ok(Told {
+        Ok(Description {
             names: linearization.motion_names(),
             coordinates: linearization.simulator().shape().coordinates,
             modes,
@@ -169,8 +171,8 @@ pub fn response<'py>(
             let frequencies = if let Some(given) = given {
                 given
             } else {
-                let (low, high) = linearization.range_of_interest()?;
-                machinist::linear_analysis::logarithmic_range(low, high, points)?
+                let Range { start, end } = linearization.range_of_interest()?;
+                machinist::linear_analysis::logarithmic_range(start, end, points)?
             };
             let response = linearization.response(&from, &to, &frequencies)?;
             let largest = linearization.largest(&from, &to, &response).ok().flatten();
@@ -276,7 +278,8 @@ pub fn design<'py>(
     let model = StateSpace::of_matrices(model, period)?;
     let weight = |(name, deviation)| Weight { name, deviation };
     let weights: Vec<Weight> = weights.into_iter().map(weight).collect();
-    let refused = |error: RegulatorError| Failure::input(error.to_string());
+    let refused =
+        |error: RegulatorError| Failure::Coded("InputError", error.code(), error.to_string());
     let answer = PyDict::new(py);
     let poles = |poles: &[[f64; 2]]| poles.iter().map(|[re, im]| (*re, *im)).collect::<Vec<_>>();
     if kind == "lqr" {

@@ -293,7 +293,8 @@ impl Machine {
         match run? {
             Ok(run) => Ok((Some(Run::new(run)), None)),
             Err(error @ SimulateError::Stopped { .. }) => {
-                let told = exception(py, "StoppedError", &error.to_string())?.into_value(py);
+                let told = exception(py, "StoppedError", Some(error.code()), &error.to_string())?
+                    .into_value(py);
                 let SimulateError::Stopped { time, kept, .. } = error else {
                     return Err(error.into());
                 };

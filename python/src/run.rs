@@ -40,14 +40,14 @@ struct Named {
 /// A run: times and numeric columns.
 #[pyclass(frozen, module = "machinist._machinist")]
 pub struct Run {
-    told: Told,
+    told: Description,
     columns: Vec<Named>,
     /// Times, then the columns.
     slots: Mutex<Vec<Slot>>,
 }
 
 /// All but the columns.
-struct Told {
+struct Description {
     machine: String,
     title: String,
     method: &'static str,
@@ -63,7 +63,7 @@ struct Told {
 
 impl Run {
     pub fn new(run: Trajectory) -> Self {
-        let told = Told {
+        let told = Description {
             energy_residual: run.energy_balance.as_ref().map(EnergyBalance::max_residual_relative),
             machine: run.scene,
             title: run.title,
@@ -120,7 +120,8 @@ impl Run {
 
     /// All other results as a dictionary.
     fn told<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let Told { machine, title, method, rtol, work, notes, events, stopped, .. } = &self.told;
+        let Description { machine, title, method, rtol, work, notes, events, stopped, .. } =
+            &self.told;
         let told = PyDict::new(py);
         told.set_item("machine", machine)?;
         told.set_item("title", title)?;

@@ -22,19 +22,19 @@ impl From<ScatterError> for Failure {
             ScatterError::UnknownSampler { .. } => "UnknownNameError",
             _ => "InputError",
         };
-        Self::Refused(class, error.to_string())
+        Self::Coded(class, error.code(), error.to_string())
     }
 }
 
 /// Source of the distributions: a file (true) or a name, if there is a spec, and texts by parameter.
-type Given = (Option<(bool, String)>, Vec<(String, String)>);
+type Sources = (Option<(bool, String)>, Vec<(String, String)>);
 
 /// Calls a function with the distributions and a run with the settings; releases the GIL.
 fn spread<T: Send>(
     py: Python<'_>,
     machine: &Machine,
     settings: &Bound<'_, PyDict>,
-    (spec, vary): Given,
+    (spec, vary): Sources,
     job: impl FnOnce(Spread<'_>, &Simulation<'_>) -> Result<T, String> + Send,
 ) -> Result<T, Failure> {
     let settings = Settings::of(settings)?;
@@ -62,7 +62,7 @@ pub fn scatter_design<'py>(
     py: Python<'py>,
     machine: &Machine,
     settings: &Bound<'py, PyDict>,
-    given: Given,
+    given: Sources,
     design: (String, usize, u64, bool),
 ) -> Result<Bound<'py, PyDict>, Failure> {
     let (sampler, samples, seed, with_indices) = design;
@@ -98,7 +98,7 @@ pub fn scatter_paths<'py>(
     py: Python<'py>,
     machine: &Machine,
     settings: &Bound<'py, PyDict>,
-    given: Given,
+    given: Sources,
     design: (usize, u64),
 ) -> Result<Bound<'py, PyAny>, Failure> {
     let design = Morris { dimensions: 0, paths: design.0, seed: design.1 };
@@ -109,7 +109,7 @@ pub fn scatter_paths<'py>(
 }
 
 /// mu*, half the width of its interval, mu, sigma, number.
-type Told = (f64, f64, f64, f64, usize);
+type EffectRow = (f64, f64, f64, f64, usize);
 
 /// Elementary effects of each parameter. `values` are those of one result on the paths of [`scatter_paths`].
 #[pyfunction]
@@ -117,7 +117,7 @@ pub fn scatter_effects(
     values: Vec<f64>,
     design: (usize, usize, u64),
     confidence: f64,
-) -> Result<Vec<Told>, Failure> {
+) -> Result<Vec<EffectRow>, Failure> {
     let (dimensions, paths, seed) = design;
     let design = Morris { dimensions, paths, seed };
     let values: Vec<Vec<f64>> = values.chunks_exact(dimensions + 1).map(<[f64]>::to_vec).collect();
@@ -136,7 +136,7 @@ pub fn scatter_linear(
     py: Python<'_>,
     machine: &Machine,
     settings: &Bound<'_, PyDict>,
-    given: Given,
+    given: Sources,
     of: Vec<String>,
 ) -> Result<Vec<Linear>, Failure> {
     let found = spread(py, machine, settings, given, |spread, run| {

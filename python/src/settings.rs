@@ -89,8 +89,9 @@ impl Settings {
             }
             "auto" => {
                 let choices = extracted::<String>(key, value, "choices of the method auto")?;
-                let read =
-                    choices.parse().map_err(|bad: BadChoice| Failure::input(bad.to_string()));
+                let read = choices.parse().map_err(|bad: BadChoice| {
+                    Failure::Coded("InputError", bad.code(), bad.to_string())
+                });
                 self.auto = Some(read?);
             }
             "max_steps" => self.max_steps = Some(count(key, value)?),

@@ -95,7 +95,8 @@ pub fn negative_inertias(
         machine.source.with(|simulator| {
             let first = settings.apply(Simulation::new(simulator))?;
             let (_, variants) = prepared(simulator, &settings, &names, &rows, &[], false)?;
-            Ok(first.negative_inertias(&variants))
+            let found = first.negative_inertias(&variants);
+            Ok(found.map(|found| (found.count, found.first, found.note)))
         })?
     })
 }

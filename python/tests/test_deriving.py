@@ -89,13 +89,14 @@ def test_every_mistake_has_its_place_and_the_text_around_it(tmp_path):
     error = told.value
     hints = ["did you mean `angle`?", "did you mean `mass`?"]
     assert [mistake.hint for mistake in error.mistakes] == hints
+    assert [mistake.code for mistake in error.mistakes] == ["spec::unknown-name"] * 2
     for mistake, name in zip(error.mistakes, ("bob.angel", "bob.mas"), strict=True):
         assert mistake.file == str(file)
         line = text.splitlines()[mistake.line - 1]
         assert line[mistake.column - 1 :][: mistake.length] == name
         assert name.removeprefix("bob.") in mistake.message and name in mistake.report
-    assert (error.file, error.line, error.hint) == (
-        str(file), error.mistakes[0].line, error.mistakes[0].hint,
+    assert (error.file, error.line, error.hint, error.code) == (
+        str(file), error.mistakes[0].line, error.mistakes[0].hint, error.mistakes[0].code,
     )  # fmt: skip
     assert str(error).startswith(f"{file}:{error.line}: ")
     again = pickle.loads(pickle.dumps(error))

@@ -81,7 +81,7 @@ def test_what_stops_a_run_is_raised_with_what_there_is_of_it(gin):
     with pytest.raises(machinist.StoppedError, match="limit of 300 steps") as told:
         gin.simulate(max_steps=300)
     error = told.value
-    assert "raise the limit" in error.hint
+    assert "raise the limit" in error.hint and error.code == "run::too-many-steps"
     assert 0 < error.run.t[-1] <= error.time < 2
     assert error.run.stopped.time == error.time
     kept = gin.simulate(max_steps=300, on_stop="keep")

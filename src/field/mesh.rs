@@ -129,7 +129,7 @@ fn mesh<R: Real>(
     if !(stretches..=MAX_ELEMENTS).contains(&elements) {
         let field = description.value.name.to_owned();
         let (least, most) = (stretches, MAX_ELEMENTS);
-        return Err(FieldError::Elements { field, least, most, found: elements });
+        return Err(FieldError::ElementCount { field, least, most, found: elements });
     }
     let counts = share(elements, &lengths(&description));
     let mut segments = Vec::new();

@@ -20,12 +20,13 @@ use crate::linear_analysis::{LinearError, Linearization, Point};
 use crate::sorting::sort_ascending;
 
 /// Reason why a simulator cannot be reduced.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "modal::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum ModalError {
     /// The number of eigenmodes is out of range.
     #[error("the number of eigenmodes is from 1 to {most}, not {found}")]
-    Modes {
+    ModeCount {
         /// Number of coordinates of the simulator.
         most: usize,
         /// Requested number.
@@ -35,6 +36,7 @@ pub enum ModalError {
     #[error("the mass matrix depends on the state, so there are no constant eigenmodes")]
     MovingMass,
     /// The simulator cannot be linearized at the start.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Linear(#[from] LinearError),
     /// Positions are left out of the state, so eigenmodes do not determine it.
@@ -49,6 +51,17 @@ pub enum ModalError {
     /// M and K have no modes.
     #[error("the mass matrix is not positive definite, or the stiffness not finite")]
     NoModes,
+}
+
+impl ModalError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Linear(error) => error.code(),
+            error => error.into(),
+        }
+    }
 }
 
 /// A simulator with given parameters, reduced to some of its eigenmodes. It has no parameters of
@@ -93,7 +106,7 @@ impl<'a> ModalSimulator<'a> {
             return Err(ModalError::Events);
         }
         if !(1..=n).contains(&modes) {
-            return Err(ModalError::Modes { most: n, found: modes });
+            return Err(ModalError::ModeCount { most: n, found: modes });
         }
         let mut state = vec![0.0; shape.states()];
         simulator.initial_state(parameters, &mut state);

@@ -4,7 +4,7 @@ use machinist_contract::{Quantity, Simulator};
 use serde::Serialize;
 
 use super::statistics::{Chance, Direction, Statistics, chance, statistics, students_t};
-use super::{ColumnResiduals, Fit, Fitted, Unknown};
+use super::{Bounds, ColumnResiduals, Fit, Fitted, Unknown};
 use crate::sorting::sort_descending;
 
 /// Relative error above which a parameter counts as not determined by the data.
@@ -93,11 +93,11 @@ pub struct OutputResidual {
 
 impl Fit<'_> {
     /// Computes statistics at the end of a search, and which unknowns are at a bound there.
-    pub(super) fn told(&self, fitted: &Fitted) -> (Statistics, Vec<bool>) {
+    pub(super) fn statistics_of(&self, fitted: &Fitted) -> (Statistics, Vec<bool>) {
         let Fitted { found, loss, .. } = fitted;
         let values = self.values(&found.at);
         let is_held = |(value, unknown): (&f64, &Unknown)| {
-            let (low, high) = unknown.bounds;
+            let Bounds { low, high } = unknown.bounds;
             *value <= low || *value >= high
         };
         let held: Vec<bool> = values.iter().zip(self.unknowns).map(is_held).collect();
@@ -121,7 +121,7 @@ impl Fit<'_> {
         let Fitted { found, scales, .. } = fitted;
         let simulator = self.simulation.simulator();
         let values = self.values(&found.at);
-        let (told, held) = self.told(fitted);
+        let (told, held) = self.statistics_of(fitted);
         let t = students_t(told.freedom);
         let parameter = |k: usize| {
             let (unknown, at) = (&self.unknowns[k], found.at[k]);
@@ -202,7 +202,7 @@ fn largest_of(fit: &Fit<'_>, name: &str) -> f64 {
 /// Returns the value of an unknown at a search coordinate, also beyond its bounds, where intervals
 /// may end.
 pub(super) fn unknown_value(unknown: &Unknown, inner: f64) -> f64 {
-    let free = (f64::NEG_INFINITY, f64::INFINITY);
+    let free = Bounds::NONE;
     if unknown.is_logarithmic() {
         inner.exp()
     } else {

@@ -14,6 +14,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::{DMatrix, DVector};
 
+use super::Bounds;
+
 /// Residuals and their derivatives, one row per residual.
 #[derive(Debug, Clone)]
 pub struct Evaluation {
@@ -55,7 +57,7 @@ impl Loss {
 #[derive(Debug, Clone, Copy)]
 pub struct Search<'a> {
     /// Lower and upper bound of each unknown; infinite where there is none.
-    pub bounds: &'a [(f64, f64)],
+    pub bounds: &'a [Bounds],
     /// Loss as a function of a residual.
     pub loss: Loss,
     /// Maximum number of steps.
@@ -114,7 +116,10 @@ pub fn least_squares(
     search: &Search<'_>,
 ) -> Result<Found, String> {
     let clipped = |at: Vec<f64>| -> Vec<f64> {
-        at.into_iter().zip(search.bounds).map(|(u, (low, high))| u.clamp(*low, *high)).collect()
+        at.into_iter()
+            .zip(search.bounds)
+            .map(|(u, bounds)| u.clamp(bounds.low, bounds.high))
+            .collect()
     };
     let at = clipped(start.to_vec());
     let evaluation = evaluate(&at)?;
@@ -146,7 +151,7 @@ pub fn least_squares(
             .at
             .iter()
             .zip(search.bounds)
-            .map(|(u, (low, high))| (low - u, high - u))
+            .map(|(u, Bounds { low, high })| (low - u, high - u))
             .collect();
         let damping = (lambda, &sizes[..]);
         let Some((step, is_cut)) = bounded_step(&jacobian, &residuals, free, damping, &room) else {
@@ -226,9 +231,9 @@ pub(super) fn weighed(evaluation: &Evaluation, loss: Loss) -> (DMatrix<f64>, DVe
 }
 
 /// Returns the unknowns that the gradient does not hold at a bound.
-fn free(at: &[f64], gradient: &DVector<f64>, bounds: &[(f64, f64)]) -> Vec<usize> {
+fn free(at: &[f64], gradient: &DVector<f64>, bounds: &[Bounds]) -> Vec<usize> {
     let is_held = |k: &usize| {
-        let (low, high) = bounds[*k];
+        let Bounds { low, high } = bounds[*k];
         at[*k] <= low && gradient[*k] > 0.0 || at[*k] >= high && gradient[*k] < 0.0
     };
     (0..at.len()).filter(|k| !is_held(k)).collect()
@@ -297,9 +302,9 @@ fn damped_step(
 mod tests {
     use super::*;
 
-    const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+    const FREE: Bounds = Bounds::NONE;
 
-    fn search(bounds: &[(f64, f64)]) -> Search<'_> {
+    fn search(bounds: &[Bounds]) -> Search<'_> {
         Search { bounds, loss: Loss::Squares, most: 200, interrupt: None }
     }
 
@@ -321,7 +326,7 @@ mod tests {
 
     #[test]
     fn a_bound_holds_and_the_rest_is_best_along_it() {
-        let bounds = [(f64::NEG_INFINITY, 0.5), FREE];
+        let bounds = [Bounds { high: 0.5, ..FREE }, FREE];
         let found = least_squares(valley, &[-1.2, 1.0], &search(&bounds)).unwrap();
         assert_eq!(found.end, End::Converged);
         let [first, second] = found.at[..] else { panic!() };
@@ -331,7 +336,7 @@ mod tests {
     /// The first steps from this start lead far out of bounds.
     #[test]
     fn a_search_within_narrow_bounds_goes_on_to_the_bottom() {
-        let bounds = [(0.0, 1.5), (0.9, 1.2)];
+        let bounds = [Bounds { low: 0.0, high: 1.5 }, Bounds { low: 0.9, high: 1.2 }];
         let found = least_squares(valley, &[0.2, 1.2], &search(&bounds)).unwrap();
         assert!(found.at.iter().all(|u| (u - 1.0).abs() < 1e-8), "{found:?}");
     }

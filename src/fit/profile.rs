@@ -22,7 +22,7 @@ use super::findings::quantity;
 use super::least_squares::weighed;
 use super::rounds::Counter;
 use super::statistics::students_t;
-use super::{End, Evaluation, Fit, Fitted, Found, Loss, Plan, Search, Unknown, scale_of};
+use super::{Bounds, End, Evaluation, Fit, Fitted, Found, Loss, Plan, Search, Unknown, scale_of};
 use crate::sorting::sort_ascending;
 
 /// Number of steps of a walk to t if tau grows linearly.
@@ -116,7 +116,7 @@ impl Fit<'_> {
         plan: &Plan<'_>,
         watch: &mut (dyn FnMut(usize, &Evaluation) + Send),
     ) -> Vec<Profile> {
-        let (told, _) = self.told(fitted);
+        let (told, _) = self.statistics_of(fitted);
         let (variance, t) = (told.deviation * told.deviation, students_t(told.freedom));
         let counter = Counter::new(watch);
         let mut sides = self.each(2 * which.len(), |fit, number| {
@@ -186,7 +186,7 @@ impl Walk<'_> {
 
     /// Returns the bound of the walk, in the search coordinate.
     fn bound(&self) -> f64 {
-        let (low, high) = self.unknown().inner_bounds();
+        let Bounds { low, high } = self.unknown().inner_bounds();
         if self.outwards < 0.0 { low } else { high }
     }
 
@@ -272,7 +272,7 @@ impl Walk<'_> {
     fn best_at(&self, held: f64, from: &Stand) -> Result<Stand, Halt> {
         let Walk { fit, fitted, plan, .. } = self;
         let mut bounds = fit.bounds();
-        bounds[self.held] = (held, held);
+        bounds[self.held] = Bounds { low: held, high: held };
         let moved = held - from.at[self.held];
         let straight: Vec<f64> =
             from.at.iter().zip(&from.tangent).map(|(u, slope)| u + slope * moved).collect();
@@ -306,7 +306,7 @@ impl Walk<'_> {
     /// Returns which other unknowns are not at a bound.
     fn is_free(&self, at: &[f64]) -> Vec<bool> {
         let bounds = self.fit.bounds();
-        let is_within = |(k, (u, (low, high))): (usize, (&f64, &(f64, f64)))| {
+        let is_within = |(k, (u, Bounds { low, high })): (usize, (&f64, &Bounds))| {
             k != self.held && low < u && u < high
         };
         at.iter().zip(&bounds).enumerate().map(is_within).collect()

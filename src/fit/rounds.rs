@@ -42,7 +42,10 @@ impl Plan<'_> {
 }
 
 /// Reason why nothing was found.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(
+    Debug, Clone, PartialEq, Eq, thiserror::Error, strum::IntoStaticStr, strum::VariantNames,
+)]
+#[strum(prefix = "fit::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Unsolved {
     /// The fit was interrupted before anything was found.
@@ -54,6 +57,14 @@ pub enum Unsolved {
         /// Reason for the first start.
         why: String,
     },
+}
+
+impl Unsolved {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 /// Result of a fit.

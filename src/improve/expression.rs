@@ -122,6 +122,15 @@ pub struct ExpressionError {
 }
 
 impl ExpressionError {
+    /// Code of this kind of error.
+    pub const CODE: &'static str = "improve::expression";
+
+    /// Returns the code of this kind of error.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        Self::CODE
+    }
+
     /// Creates an error without a hint.
     #[must_use]
     pub fn new(message: impl Into<String>, range: Range<usize>) -> Self {

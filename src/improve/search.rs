@@ -25,6 +25,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::evaluate::Branch;
 use super::quadratic::Quadratic;
+use crate::fit::Bounds;
 
 /// Branches of a value: the first is the value, the others are not greater.
 pub type Branches = Vec<Branch>;
@@ -42,7 +43,7 @@ pub struct Evaluation {
 #[derive(Debug, Clone, Copy)]
 pub struct Search<'a> {
     /// Lower and upper bound of each unknown; infinite where there is none.
-    pub bounds: &'a [(f64, f64)],
+    pub bounds: &'a [Bounds],
     /// Maximum number of steps.
     pub most: usize,
     /// Flag that ends the search at its current point.
@@ -95,7 +96,7 @@ const HEAVIEST: f64 = 1e5;
 
 impl Search<'_> {
     fn clipped(&self, at: &[f64]) -> Vec<f64> {
-        at.iter().zip(self.bounds).map(|(u, (low, high))| u.clamp(*low, *high)).collect()
+        at.iter().zip(self.bounds).map(|(u, bounds)| u.clamp(bounds.low, bounds.high)).collect()
     }
 
     fn is_interrupted(&self) -> bool {
@@ -294,7 +295,7 @@ fn steered(
     found: &Found,
     bend: &DMatrix<f64>,
     (weight, reach): (&mut f64, f64),
-    bounds: &[(f64, f64)],
+    bounds: &[Bounds],
 ) -> Option<Step> {
     const SHARE: f64 = 0.9;
     let mut own = step(found, bend, (*weight, reach), bounds)?;
@@ -315,7 +316,7 @@ fn step(
     found: &Found,
     bend: &DMatrix<f64>,
     (weight, reach): (f64, f64),
-    bounds: &[(f64, f64)],
+    bounds: &[Bounds],
 ) -> Option<Step> {
     let Evaluation { objective, constraints } = &found.evaluation;
     let (n, m) = (found.at.len(), constraints.len());
@@ -347,7 +348,7 @@ fn step(
         rows[(row, n + 1 + group)] = -1.0;
         row += 1;
     }
-    for (k, (low, high)) in bounds.iter().enumerate() {
+    for (k, Bounds { low, high }) in bounds.iter().enumerate() {
         rows[(row, k)] = -1.0;
         limits[row] = (found.at[k] - low).min(reach);
         rows[(row + 1, k)] = 1.0;
@@ -364,7 +365,7 @@ fn step(
     let z = z * weight;
     let mut d = solution.rows(0, n).into_owned();
     // Unknowns held by a bound are at it, to the last bit.
-    for (k, (low, high)) in bounds.iter().enumerate() {
+    for (k, Bounds { low, high }) in bounds.iter().enumerate() {
         let row = branches + m + 2 * k;
         let [below, above] = [d[k] + problem.limits[row], problem.limits[row + 1] - d[k]];
         if z[row] > below && found.at[k] - low <= reach {
@@ -392,7 +393,7 @@ fn step(
         .collect();
     // The reach of a step is not a bound.
     let of_bound = |k: usize, side: usize| {
-        let (low, high) = bounds[k];
+        let Bounds { low, high } = bounds[k];
         let room = if side == 0 { found.at[k] - low } else { high - found.at[k] };
         if room <= reach { rest[m + 2 * k + side] } else { 0.0 }
     };
@@ -447,11 +448,11 @@ mod tests {
         branches
     }
 
-    fn ask(bounds: &[(f64, f64)]) -> Search<'_> {
+    fn ask(bounds: &[Bounds]) -> Search<'_> {
         Search { bounds, most: 200, interrupt: None }
     }
 
-    const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+    const FREE: Bounds = Bounds::NONE;
 
     /// W. Hock, K. Schittkowski, Test Examples for Nonlinear Programming Codes, 1981.
     #[test]
@@ -497,7 +498,7 @@ mod tests {
             let constraints = vec![vec![branch(a + b + 2.0 * c - 3.0, &[1.0, 1.0, 2.0], 0.0)]];
             Ok(Evaluation { objective: vec![branch(f, &g, 0.0)], constraints })
         };
-        let positive = [(0.0, f64::INFINITY); 3];
+        let positive = [Bounds { low: 0.0, ..FREE }; 3];
         let found = search(evaluate, &[0.5; 3], &ask(&positive)).expect("it starts");
         assert!((found.evaluation.objective[0].value - 1.0 / 9.0).abs() < 1e-8, "{found:?}");
         assert!((found.multipliers[0] - 2.0 / 9.0).abs() < 1e-3);
@@ -563,9 +564,11 @@ mod tests {
                 Ok(Evaluation { objective, constraints: Vec::new() })
             }
         };
-        let found = search(evaluate(0.7), &[0.0], &ask(&[(-1.0, 5.0)])).expect("it starts");
+        let found = search(evaluate(0.7), &[0.0], &ask(&[Bounds { low: -1.0, high: 5.0 }]))
+            .expect("it starts");
         assert!((found.at[0] - 0.69).abs() < 1e-5, "{found:?}");
-        let found = search(evaluate(9.0), &[0.0], &ask(&[(-1.0, 0.25)])).expect("it starts");
+        let found = search(evaluate(9.0), &[0.0], &ask(&[Bounds { low: -1.0, high: 0.25 }]))
+            .expect("it starts");
         assert_eq!((found.end, found.at[0].to_bits()), (End::Converged, 0.25_f64.to_bits()));
         // The objective decreases by 2 (0.69 - 0.25) per unit by which the bound is relaxed.
         assert!((found.of_bounds[0] + 0.88).abs() < 1e-6, "{found:?}");

@@ -23,7 +23,7 @@ pub(super) type Direction = (Option<usize>, Vec<f64>);
 /// Returns dA along each direction, in the order of the pattern.
 ///
 /// # Errors
-/// [`LinearError::Unsettled`] where differences do not converge, as at a switching surface.
+/// [`LinearError::NotSmooth`] where differences do not converge, as at a switching surface.
 pub(super) fn changes(
     simulator: &dyn Simulator<f64>,
     point: &Point,
@@ -91,7 +91,7 @@ fn change(
     let allowed = SETTLED * largest.max(size * reach);
     // This includes NaN, which is never consistent.
     if best.iter().any(|(_, off)| *off > allowed) {
-        return Err(LinearError::Unsettled {
+        return Err(LinearError::NotSmooth {
             scene: simulator.name().to_owned(),
             parameter: parameter.map(|index| simulator.parameter(index).name.to_owned()),
         });

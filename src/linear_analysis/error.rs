@@ -7,10 +7,12 @@ use thiserror::Error;
 use crate::error::SimulateError;
 
 /// Error of a linear analysis.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "linear::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum LinearError {
     /// The run to the operating point was refused or stopped.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Simulate(#[from] SimulateError),
     /// The scene is too large for dense matrices, or for all shapes of a chain.
@@ -30,7 +32,7 @@ pub enum LinearError {
          accelerations or constraint forces, which have direct feedthrough. Hint: make the force a \
          parameter of the scene, with value 0 if need be, and name that"
     )]
-    AnswersAtOnce {
+    DirectFeedthrough {
         /// Name of the output.
         output: String,
         /// Name of the coordinate.
@@ -78,7 +80,7 @@ pub enum LinearError {
     },
     /// Projection onto the constraints fails.
     #[error("scene `{scene}` cannot be projected onto its constraint `{constraint}`")]
-    Lost {
+    OffConstraint {
         /// Name of the scene.
         scene: String,
         /// Name of the constraint.
@@ -125,7 +127,7 @@ pub enum LinearError {
          surface may be near",
         parameter.as_ref().map_or_else(String::new, |name| format!(" by `{name}`"))
     )]
-    Unsettled {
+    NotSmooth {
         /// Name of the scene.
         scene: String,
         /// Name of the parameter, if there is one.
@@ -142,7 +144,7 @@ pub enum LinearError {
     Eigenvalues,
     /// No quantity has this name.
     #[error("scene `{scene}` has no {kind} `{name}`{hint}")]
-    Unknown {
+    UnknownName {
         /// Name of the scene.
         scene: String,
         /// Kind of quantity.
@@ -154,7 +156,7 @@ pub enum LinearError {
     },
     /// A name is given twice.
     #[error("the {kind} `{name}` is given twice. Hint: name each {kind} once")]
-    Twice {
+    DuplicateName {
         /// Kind of name: `input`, `output`.
         kind: &'static str,
         /// The name.
@@ -202,6 +204,30 @@ pub enum LinearError {
         /// Number of points.
         points: usize,
     },
+}
+
+impl LinearError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Simulate(error) => error.code(),
+            error => error.into(),
+        }
+    }
+}
+
+impl LinearError {
+    /// Converts the error of a search for a start in equilibrium.
+    pub(crate) fn of_start(self) -> SimulateError {
+        match self {
+            Self::Simulate(error) => error,
+            error => SimulateError::NoEquilibrium(format!(
+                "{error}. Hint: give values nearer to equilibrium in [initial], or start from \
+                 those values"
+            )),
+        }
+    }
 }
 
 /// A rate that should be zero in equilibrium but is not.

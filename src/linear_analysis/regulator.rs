@@ -194,7 +194,11 @@ impl Design {
         for (index, weight) in weights.iter().enumerate() {
             check(whole, weight)?;
             if weights[..index].iter().any(|before| before.name == weight.name) {
-                return Err(LinearError::Twice { kind: "signal", name: weight.name.clone() }.into());
+                return Err(LinearError::DuplicateName {
+                    kind: "signal",
+                    name: weight.name.clone(),
+                }
+                .into());
             }
         }
         let of = |signals: &[Signal]| -> (Vec<usize>, Vec<f64>) {
@@ -286,7 +290,7 @@ fn check(model: &StateSpace, weight: &Weight) -> Result<(), RegulatorError> {
     let names = || model.inputs.iter().chain(&model.outputs).map(|signal| signal.name.as_str());
     if !names().any(|name| name == weight.name) {
         let hint = did_you_mean(&weight.name, names());
-        return Err(RegulatorError::Unknown { name: weight.name.clone(), hint });
+        return Err(RegulatorError::UnknownSignal { name: weight.name.clone(), hint });
     }
     if !(weight.deviation > 0.0 && weight.deviation.is_finite()) {
         let Weight { name, deviation } = weight.clone();

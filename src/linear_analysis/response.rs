@@ -1,6 +1,7 @@
 //! Frequency responses.
 
 use std::io;
+use std::ops::Range;
 
 use machinist_contract::{Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
@@ -58,14 +59,6 @@ impl Response {
         }
     }
 
-    /// Returns frequency \[rad/s\] and value of the largest amplitude in the table;
-    /// [`Linearization::largest`] also finds maxima between its frequencies.
-    #[must_use]
-    pub fn peak(&self) -> Option<(f64, f64)> {
-        let points = self.frequencies.iter().copied().zip(self.amplitudes.iter().copied());
-        points.max_by(|a, b| a.1.total_cmp(&b.1))
-    }
-
     /// Writes a table: a header with units, then one line per frequency.
     ///
     /// # Errors
@@ -102,7 +95,7 @@ impl Input {
     /// Creates the error for a force with feedthrough to an output.
     pub fn answers_at_once(&self, output: &str) -> LinearError {
         let coordinate = self.name.trim_start_matches(FORCE_ON).to_owned();
-        LinearError::AnswersAtOnce { output: output.to_owned(), coordinate }
+        LinearError::DirectFeedthrough { output: output.to_owned(), coordinate }
     }
 }
 
@@ -134,9 +127,9 @@ impl Linearization<'_> {
     /// and C are those of the allowed motions.
     ///
     /// # Errors
-    /// [`LinearError::Unknown`] for names, [`LinearError::NotFinite`] for derivatives,
+    /// [`LinearError::UnknownName`] for names, [`LinearError::NotFinite`] for derivatives,
     /// [`LinearError::Singular`] at an undamped resonance, [`LinearError::MovesConstraint`] for a
-    /// parameter that a constraint depends on, [`LinearError::AnswersAtOnce`] for a force with
+    /// parameter that a constraint depends on, [`LinearError::DirectFeedthrough`] for a force with
     /// feedthrough to the output.
     pub fn response(
         &self,
@@ -165,13 +158,13 @@ impl Linearization<'_> {
     ///
     /// # Errors
     /// As for [`Linearization::modes`].
-    pub fn range_of_interest(&self) -> Result<(f64, f64), LinearError> {
+    pub fn range_of_interest(&self) -> Result<Range<f64>, LinearError> {
         let modes = self.modes()?;
         let sizes = modes.iter().filter(|mode| mode.kind != ModeKind::Free);
         let (low, high) = sizes
             .map(super::Mode::natural_frequency)
             .fold((f64::INFINITY, 0.0_f64), |(low, high), size| (low.min(size), high.max(size)));
-        Ok(if high > 0.0 { (low / BEYOND, high * BEYOND) } else { (1.0 / BEYOND, BEYOND) })
+        Ok(if high > 0.0 { low / BEYOND..high * BEYOND } else { 1.0 / BEYOND..BEYOND })
     }
 
     /// Returns the largest growth rate of an eigenmode \[1/s\], or `None` if none grows. Only in
@@ -206,7 +199,7 @@ impl Linearization<'_> {
         }
         let parameters = (0..shape.parameters).map(|index| self.simulator.parameter(index).name);
         let coordinates = (0..shape.coordinates).map(|index| self.simulator.coordinate(index).name);
-        Err(LinearError::Unknown {
+        Err(LinearError::UnknownName {
             scene: self.simulator.name().to_owned(),
             kind: "parameter or coordinate",
             name: name.to_owned(),

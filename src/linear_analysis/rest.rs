@@ -155,7 +155,7 @@ impl<'a> Solver<'a> {
         });
         match lost {
             None => Ok(next),
-            Some(Lost(index)) => Err(LinearError::Lost {
+            Some(Lost(index)) => Err(LinearError::OffConstraint {
                 scene: self.simulator.name().to_owned(),
                 constraint: self.simulator.constraint(index).name.to_owned(),
             }),

@@ -81,7 +81,7 @@ impl PointSlopes {
     /// nothing depends on, stay unchanged.
     ///
     /// # Errors
-    /// [`LinearError::Unknown`] if a name is not a parameter, [`LinearError::LosesEquilibrium`] if
+    /// [`LinearError::UnknownName`] if a name is not a parameter, [`LinearError::LosesEquilibrium`] if
     /// no equilibrium remains when a parameter changes, and the errors of [`Simulation::run`] with
     /// sensitivities.
     pub fn of<N: AsRef<str>>(
@@ -95,7 +95,7 @@ impl PointSlopes {
         let parameter = |index: usize| simulator.parameter(index);
         let parameters = by.iter().map(|name| {
             position(name.as_ref(), shape.parameters, parameter).ok_or_else(|| {
-                LinearError::Unknown {
+                LinearError::UnknownName {
                     scene: simulator.name().to_owned(),
                     kind: "parameter",
                     name: name.as_ref().to_owned(),

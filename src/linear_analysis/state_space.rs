@@ -97,9 +97,9 @@ impl Linearization<'_> {
     /// output of the scene or a state.
     ///
     /// # Errors
-    /// [`LinearError::Unknown`] for names, [`LinearError::Twice`] for a name given twice,
+    /// [`LinearError::UnknownName`] for names, [`LinearError::DuplicateName`] for a name given twice,
     /// [`LinearError::NotFinite`] for derivatives, [`LinearError::MovesConstraint`] for a parameter
-    /// that a constraint depends on, [`LinearError::AnswersAtOnce`] for a force on a coordinate with
+    /// that a constraint depends on, [`LinearError::DirectFeedthrough`] for a force on a coordinate with
     /// feedthrough to an output, [`LinearError::TooLarge`] for more than
     /// [`MAX_STATES`](super::MAX_STATES) states.
     pub fn state_space(
@@ -194,7 +194,7 @@ impl Linearization<'_> {
         let shape = self.simulator.shape();
         let outputs = (0..shape.outputs).map(|index| self.simulator.output(index).name);
         let states = (0..shape.states()).map(|index| self.simulator.state(index).name);
-        LinearError::Unknown {
+        LinearError::UnknownName {
             scene: self.simulator.name().to_owned(),
             kind: "output or state",
             name: name.to_owned(),
@@ -217,7 +217,7 @@ fn require_once<S: AsRef<str>>(kind: &'static str, names: &[S]) -> Result<(), Li
     });
     match twice {
         None => Ok(()),
-        Some((_, name)) => Err(LinearError::Twice { kind, name: name.as_ref().to_owned() }),
+        Some((_, name)) => Err(LinearError::DuplicateName { kind, name: name.as_ref().to_owned() }),
     }
 }
 

@@ -12,7 +12,7 @@ use machinist_contract::taylor::{Bends, TaylorSeries};
 
 use super::exact::Exact;
 use super::explicit::ExplicitSteps;
-use super::one_step::{Left, OneStep, drive};
+use super::one_step::{OneStep, ResumePoint, drive};
 use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
 use super::tableau::{DOP853, Pair, RODAS5P, TSIT5};
@@ -21,7 +21,7 @@ use super::{ExplicitMethod, ImplicitMethod, Integrator, Samples, Sealed, Stopped
 use ringing::{LENIENT, rings};
 use rival::Rival;
 use stiffness::{
-    Doubt, Evidence, LOOKS_EVERY, LOOKS_OF_PAIR_EVERY, STIFF_STEPS, SpectralRadius, Strain,
+    Evidence, LOOKS_EVERY, LOOKS_OF_PAIR_EVERY, Retry, STIFF_STEPS, SpectralRadius, Strain,
     TRANSIENT, is_worth_beginning, worth,
 };
 
@@ -220,7 +220,7 @@ impl<'a> Choice<'a> {
         }
         let gives_way = |_: &TaylorSteps<'_>| false;
         let left = self.alternate(&mut method, stretch, (state, samples), (look, gives_way))?;
-        let Some(Left { time: from, .. }) = left else { return Ok(()) };
+        let Some(ResumePoint { time: from, .. }) = left else { return Ok(()) };
         stretch.system.note(format!(
             "dop853 instead of taylor from t = {from:.6} s on: the solution has no power series \
              there, or one with terms that are not finite"
@@ -256,7 +256,7 @@ impl<'a> Choice<'a> {
         };
         // Pairs continue anywhere, and give way to series alone.
         let left = choice.alternate(&mut method, stretch, (state, samples), (look, gives_way))?;
-        let (Some(Left { time: from, .. }), Some(series)) = (left, self.rival) else {
+        let (Some(ResumePoint { time: from, .. }), Some(series)) = (left, self.rival) else {
             return Ok(());
         };
         stretch.system.note(format!(
@@ -276,12 +276,12 @@ impl<'a> Choice<'a> {
         stretch: &Stretch<'_>,
         (state, samples): (&mut [f64], &mut Samples<'_>),
         (mut look, mut gives_way): (impl FnMut(&M, f64) -> Option<f64>, impl FnMut(&M) -> bool),
-    ) -> Result<Option<Left>, Stopped> {
+    ) -> Result<Option<ResumePoint>, Stopped> {
         let mut changes = 0;
         let mut patience = STIFF_STEPS;
-        // Doubt about leaving the implicit method, and whether this is why it is tried.
-        let (mut doubt, mut is_doubted) = (None::<Doubt>, false);
-        let mut left = Left { time: stretch.from, step: 0.0 };
+        // Retry about leaving the implicit method, and whether this is why it is tried.
+        let (mut retry, mut is_doubted) = (None::<Retry>, false);
+        let mut left = ResumePoint { time: stretch.from, step: 0.0 };
         let mut is_explicit = !self.is_stiff_from_the_start;
         if is_explicit {
             left.step = explicit.first_step();
@@ -295,7 +295,7 @@ impl<'a> Choice<'a> {
                     seen = looked_at.unwrap_or(seen);
                     let is_stiff =
                         looked_at.is_some_and(|strain| evidence.grows(strain > self.limit));
-                    let is_due = doubt.as_mut().is_some_and(|doubt| doubt.grows(seen / self.limit));
+                    let is_due = retry.as_mut().is_some_and(|retry| retry.grows(seen / self.limit));
                     is_doubted = is_due && !is_stiff;
                     is_cut_short = method.is_cut_short() || !is_stiff && gives_way(method);
                     is_stiff || is_due || is_cut_short
@@ -337,10 +337,10 @@ impl<'a> Choice<'a> {
             let states = stretch.system.states();
             let step = (at.time - left.time) / steps as f64;
             let was_right = step > worth(states) * left.step;
-            doubt.get_or_insert_with(|| Doubt::new(states)).begin(is_doubted && !was_right);
+            retry.get_or_insert_with(|| Retry::new(states)).begin(is_doubted && !was_right);
             is_explicit = true;
             explicit.begin(at.time, state);
-            left = Left { step: explicit.own_step().unwrap_or(at.step), ..at };
+            left = ResumePoint { step: explicit.own_step().unwrap_or(at.step), ..at };
             if explicit.is_cut_short() {
                 return Ok(Some(left));
             }
@@ -352,10 +352,10 @@ impl<'a> Choice<'a> {
     fn implicit_stretch(
         &self,
         stretch: &Stretch<'_>,
-        from: Left,
+        from: ResumePoint,
         (state, samples): (&mut [f64], &mut Samples<'_>),
         leave: &mut dyn FnMut(bool) -> bool,
-    ) -> Result<Option<Left>, Stopped> {
+    ) -> Result<Option<ResumePoint>, Stopped> {
         let simulator = stretch.system.simulator();
         let mut radius = SpectralRadius::new(simulator);
         let mut evidence = Evidence::of(STIFF_STEPS);
@@ -380,10 +380,10 @@ impl<'a> Choice<'a> {
 }
 
 /// Returns a method that has begun, and its first step: the given one, unless it has zero length.
-fn begun<M: OneStep>(mut method: M, from: Left, state: &[f64]) -> (M, Left) {
+fn begun<M: OneStep>(mut method: M, from: ResumePoint, state: &[f64]) -> (M, ResumePoint) {
     method.begin(from.time, state);
     let step = if from.step > 0.0 { from.step } else { method.first_step() };
-    (method, Left { step, ..from })
+    (method, ResumePoint { step, ..from })
 }
 
 /// Series of a machine, and whether a run by them is likely to be right and fastest.

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use super::Method;
+use crate::method_table::Method;
 
 /// Choices of [`Method::Auto`].
 ///
@@ -61,16 +61,17 @@ pub enum ImplicitMethod {
 }
 
 /// A choice of `auto` that cannot be read.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "auto::", serialize_all = "kebab-case")]
 pub enum BadChoice {
     /// A part of the text is not of this form.
     #[error(
         "`{0}` is not a choice of auto: give exact, explicit, implicit, loosest or loosest_kept, as in `explicit=tsit5`"
     )]
-    Unknown(String),
+    UnknownKey(String),
     /// A value is invalid.
     #[error("`{value}` is not a value of {key}: {known}")]
-    Value {
+    BadValue {
         /// Key.
         key: &'static str,
         /// Value as given.
@@ -78,6 +79,14 @@ pub enum BadChoice {
         /// Values that are known.
         known: &'static str,
     },
+}
+
+impl BadChoice {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 impl Default for Auto {
@@ -114,7 +123,7 @@ impl FromStr for Auto {
     fn from_str(text: &str) -> Result<Self, BadChoice> {
         let mut choices = Self::default();
         for part in text.split(',').map(str::trim).filter(|part| !part.is_empty()) {
-            let unknown = || BadChoice::Unknown(part.to_owned());
+            let unknown = || BadChoice::UnknownKey(part.to_owned());
             let (key, value) = part.split_once('=').ok_or_else(unknown)?;
             choices.set(key.trim(), value.trim()).ok_or_else(unknown)??;
         }
@@ -126,7 +135,7 @@ impl Auto {
     /// Sets one choice; `None` if there is none of this name.
     fn set(&mut self, key: &str, value: &str) -> Option<Result<(), BadChoice>> {
         const SHARES: &str = "numbers above 0 and at most 1";
-        let bad = |key, known| BadChoice::Value { key, value: value.to_owned(), known };
+        let bad = |key, known| BadChoice::BadValue { key, value: value.to_owned(), known };
         let tolerance = || value.parse().ok().filter(|part| *part > 0.0 && *part <= 1.0);
         let known = match key {
             "exact" => {

@@ -99,14 +99,14 @@ impl System<'_> {
         state: &mut [f64],
     ) -> Result<Impulses, Stopped> {
         let mut impulses = Impulses::default();
-        let happened = watch.happened();
+        let record = watch.record();
         if self.simulator().shape().coordinates == 0 {
             return Ok(impulses);
         }
-        if happened.applied.is_empty() {
-            self.pass_kinks((watch, &happened.passed), front, state, &mut impulses)?;
+        if record.applied.is_empty() {
+            self.pass_kinks((watch, &record.passed), front, state, &mut impulses)?;
         } else {
-            self.pass_at_events(front, &happened.applied, state, &mut impulses)?;
+            self.pass_at_events(front, &record.applied, state, &mut impulses)?;
         }
         if impulses.has_moved {
             let states = (&front.state[..], &*state);

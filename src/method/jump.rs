@@ -38,7 +38,7 @@ impl System<'_> {
     /// one in `front` of it. Returns whether it moved, or let friction go.
     ///
     /// # Errors
-    /// [`StopCause::Jerked`] if a constraint that holds in some modes only would have to pull
+    /// [`StopCause::SpeedJumps`] if a constraint that holds in some modes only would have to pull
     /// along.
     pub(crate) fn take_up(
         &self,
@@ -95,7 +95,7 @@ impl System<'_> {
         let mode = mode as usize;
         let mut there = state[..self.states()].to_vec();
         there[mode] = Constraint::OPEN;
-        constraints.follow(&constraints.led(behind, &there), behind, &mut there);
+        constraints.follow(&constraints.prescribed(behind, &there), behind, &mut there);
         there[mode] = state[mode];
         let begins = self.reopen(mode, behind, &mut there);
         state[mode] = there[mode];
@@ -111,9 +111,9 @@ impl System<'_> {
     ) -> Result<bool, Stopped> {
         let Some(constraints) = self.constraints() else { return Ok(false) };
         let states = self.states();
-        let led = constraints.led(behind, &state[..states]);
+        let prescribed = constraints.prescribed(behind, &state[..states]);
         let mut after = state[..states].to_vec();
-        constraints.follow(&led, behind, &mut after);
+        constraints.follow(&prescribed, behind, &mut after);
         let StepTolerance { rtol, atol, .. } = allowed;
         let moved = |index: usize| (after[index] - state[index]).abs();
         let is_noticed =
@@ -141,7 +141,10 @@ impl System<'_> {
                 return Ok(true);
             }
             let constraint = constraints.name(row).to_owned();
-            return Err(Stopped { time: front.next_up(), cause: StopCause::Jerked { constraint } });
+            return Err(Stopped {
+                time: front.next_up(),
+                cause: StopCause::SpeedJumps { constraint },
+            });
         }
         let energy = |state: &[f64]| simulator.energy(behind, state, self.parameters()).total();
         let gained = energy(&after) - energy(&state[..states]);

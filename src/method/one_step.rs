@@ -184,7 +184,7 @@ impl Trial {
 
 /// Point at which [`drive`] was told to end before the end of the stretch.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Left {
+pub(super) struct ResumePoint {
     /// Time reached \[s\].
     pub(super) time: f64,
     /// The next step it would have tried \[s\].
@@ -196,11 +196,11 @@ pub(super) struct Left {
 pub(super) fn drive<M: OneStep>(
     method: &mut M,
     stretch: &Stretch<'_>,
-    from: Left,
+    from: ResumePoint,
     state: &mut [f64],
     samples: &mut Samples<'_>,
     mut leave: impl FnMut(&M, f64) -> bool,
-) -> Result<Option<Left>, Stopped> {
+) -> Result<Option<ResumePoint>, Stopped> {
     require_possible_tolerance(stretch, state)?;
     let mut control = Control::from(from);
     let mut kept = Kept::new(state);
@@ -248,7 +248,7 @@ pub(super) fn drive<M: OneStep>(
                 Ending::Change { time: behind } => {
                     begin_behind(method, stretch, &mut kept, (behind, state));
                     control.begin(behind, method.own_step().unwrap_or(tried));
-                    if stretch.leaps_to_end(behind, state, samples) {
+                    if stretch.ends_within_rounding(behind, state, samples) {
                         return Ok(None);
                     }
                     stretch.require_fewer_passes(behind)?;
@@ -296,7 +296,7 @@ pub(super) fn drive<M: OneStep>(
         state.copy_from_slice(&kept.end);
         enter_counts(stretch, now, state);
         if arrives || is_enough {
-            return Ok((!arrives).then_some(Left { time: now, step: control.step }));
+            return Ok((!arrives).then_some(ResumePoint { time: now, step: control.step }));
         }
         stretch.require_wanted(now, state)?;
         if let Some(cause) = stretch.leads_nowhere(control.step, now, &kept.end) {
@@ -335,7 +335,7 @@ fn is_over(
     if !is_too_small(control.step, control.time) {
         return Ok(false);
     }
-    if leaps(stretch, kept, (control.time, state), samples) {
+    if ends_within_rounding(stretch, kept, (control.time, state), samples) {
         return Ok(true);
     }
     Err(explain(stretch, trial, (control.time, &kept.end)))
@@ -343,7 +343,7 @@ fn is_over(
 
 /// Returns whether only rounding is left of the stretch after the last step; the state is then at
 /// its end.
-fn leaps(
+fn ends_within_rounding(
     stretch: &Stretch<'_>,
     kept: &Kept,
     (time, state): (f64, &mut [f64]),
@@ -351,7 +351,7 @@ fn leaps(
 ) -> bool {
     state.copy_from_slice(&kept.end);
     enter_counts(stretch, time, state);
-    stretch.leaps_to_end(time, state, samples)
+    stretch.ends_within_rounding(time, state, samples)
 }
 
 /// Begins a segment after a change.
@@ -397,7 +397,7 @@ pub(super) fn drive_all<M: OneStep>(
     samples: &mut Samples<'_>,
 ) -> Result<(), Stopped> {
     method.begin(stretch.from, state);
-    let start = Left { time: stretch.from, step: method.first_step() };
+    let start = ResumePoint { time: stretch.from, step: method.first_step() };
     drive(method, stretch, start, state, samples, |_, _| false).map(|_| ())
 }
 

@@ -369,7 +369,7 @@ impl<'a> Tangents<'a> {
     }
 
     /// Takes one Euler step, exact to rounding where it is short to rounding.
-    pub(crate) fn leap(&self, stretch: &Stretch<'_>, state: &[f64]) {
+    pub(crate) fn euler_step(&self, stretch: &Stretch<'_>, state: &[f64]) {
         let start = &mut self.inner.borrow_mut().start;
         let mut rate = vec![0.0; start.len()];
         self.rate(stretch, stretch.from, state, start, &mut rate);

@@ -129,7 +129,7 @@ impl<'a> Stretch<'a> {
 
     /// Moves the state to the end if only rounding is left after `time` and the state hardly moves;
     /// returns whether it does.
-    pub(super) fn leaps_to_end(
+    pub(super) fn ends_within_rounding(
         &self,
         time: f64,
         state: &mut [f64],
@@ -138,7 +138,7 @@ impl<'a> Stretch<'a> {
         let rest = Stretch { from: time, ..*self };
         let is_over = rest.is_trivial() && rest.hardly_moves(state);
         if is_over {
-            rest.leap(state, samples);
+            rest.euler_step(state, samples);
         }
         is_over
     }
@@ -154,11 +154,11 @@ impl<'a> Stretch<'a> {
     }
 
     /// Takes one Euler step over the whole stretch, exact to rounding on a trivial one.
-    pub(super) fn leap(&self, state: &mut [f64], samples: &mut Samples<'_>) {
+    pub(super) fn euler_step(&self, state: &mut [f64], samples: &mut Samples<'_>) {
         let mut rate = vec![0.0; state.len()];
         self.rate(self.from, state, &mut rate);
         if let Some(tangents) = self.system.tangents() {
-            tangents.leap(self, state);
+            tangents.euler_step(self, state);
             tangents.sample_start(samples, self.until);
         }
         for (value, rate) in state.iter_mut().zip(&rate) {

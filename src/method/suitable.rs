@@ -2,8 +2,8 @@
 
 use machinist_contract::Simulator;
 
-use super::Method;
 use crate::error::{Feature, Unsuitable};
+use crate::method_table::Method;
 
 impl Method {
     /// Returns whether the method can run this simulator. `taylor` needs the series that emitted

@@ -6,39 +6,19 @@ use std::time::{Duration, Instant};
 use super::Stopped;
 #[cfg(feature = "implicit")]
 use super::exact::Known;
-use super::held::Held;
 use super::milestone::Milestone;
 use super::patience::Patience;
 use super::sliding::Slide;
 use crate::constraints::Constraints;
 use crate::error::StopCause;
+use crate::held::Held;
 use crate::method::reverse::Log;
 use crate::method::sensitivity::Tangents;
+use crate::trajectory::Work;
 use machinist_contract::{Simulator, SparsityPattern};
-use serde::Serialize;
 
 /// Energy supplied, energy dissipated, energy passed.
 pub(crate) const FLOWS: usize = 3;
-
-/// Cost of a run. Evaluations are counted here, at the simulator, and not taken from what a solver
-/// reports.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-pub struct Work {
-    /// Steps accepted.
-    pub steps: u64,
-    /// Steps tried and rejected for their error.
-    pub rejected: u64,
-    /// Evaluations of the right-hand side.
-    pub rate_evaluations: u64,
-    /// Evaluations of its Jacobian.
-    pub jacobian_evaluations: u64,
-    /// Factorizations of a step's matrix.
-    pub factorizations: u64,
-    /// Newton iterations, each with one solution of a factored system.
-    pub newton_iterations: u64,
-    /// Events that happened.
-    pub switches: u64,
-}
 
 /// y' = f(t, y) of one simulator at fixed parameters, y = \[q, q', z\], optionally followed by
 /// three quadratures of its power balance:

@@ -3,7 +3,8 @@
 use machinist_contract::Simulator;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 
-use super::{Auto, Method};
+use super::Auto;
+use crate::method_table::Method;
 
 /// Ratio of the tolerances of both runs of an error estimate. With methods of order 5 and 8 the second run takes
 /// 4^(1/5) = 1.3 and 4^(1/8) = 1.2 times the steps of the first, and an error that is proportional

@@ -20,10 +20,10 @@ mod counters;
 mod crossing;
 mod happening;
 mod hosted;
-mod led;
 mod noise;
 mod passing;
 mod polynomial;
+mod prescribed;
 mod relations;
 mod settle;
 mod silent;
@@ -43,8 +43,8 @@ use crate::trajectory::Switch;
 use clear::ClearBox;
 use counters::Counters;
 pub(crate) use hosted::Memory;
-use led::Turn;
 use passing::{Guard, Outcome, Parts, Step, Zero};
+use prescribed::Turn;
 use relations::{Change, Relations};
 pub(super) use settle::is_beyond;
 use watched::{Sources, Watched};
@@ -99,7 +99,7 @@ struct Inner {
     /// between by more than rounding.
     unresolved: Vec<usize>,
     switches: Vec<Switch>,
-    happened: Happened,
+    record: EventRecord,
     /// State before the last change, if sensitivities are carried.
     front: Option<Front>,
 }
@@ -115,7 +115,7 @@ pub(crate) struct Front {
 
 /// Changes that happened at one time.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Happened {
+pub(crate) struct EventRecord {
     /// Guards that crossed zero: those of armed events and of kinks.
     pub(crate) passed: Vec<usize>,
     /// Events that were applied, in order, including those that other events caused.
@@ -153,7 +153,7 @@ enum Passed {
     GoesOn,
     /// The event left the modes in which it is armed. If other events lead back to these modes, the
     /// guard has not crossed in them.
-    Left,
+    Disarmed,
 }
 
 /// Side of a guard.
@@ -217,7 +217,7 @@ impl<'a> Watch<'a> {
             latest,
             unresolved: vec![0; system.simulator().events()],
             switches: Vec::new(),
-            happened: Happened::default(),
+            record: EventRecord::default(),
             front: None,
         };
         let (inner, sources) =
@@ -383,12 +383,12 @@ impl<'a> Watch<'a> {
 
     /// Returns whether relations changed at the last stop of the run.
     pub(super) fn has_changed_relations(&self) -> bool {
-        self.inner.borrow().happened.passed.iter().any(|index| self.is_kink(*index))
+        self.inner.borrow().record.passed.iter().any(|index| self.is_kink(*index))
     }
 
     /// Returns whether the relations that changed last compare nothing that depends on the state.
     pub(super) fn changes_with_time(&self, time: f64, state: &[f64]) -> bool {
-        let passed = self.inner.borrow().happened.passed.clone();
+        let passed = self.inner.borrow().record.passed.clone();
         let simulator = self.system.simulator();
         let kinks = passed.iter().filter_map(|index| Some(self.watched[*index].kink()?.0));
         let kinks: Vec<usize> = kinks.collect();
@@ -403,8 +403,8 @@ impl<'a> Watch<'a> {
     }
 
     /// Returns the changes at the last stop for events, or of the modes at the start.
-    pub(crate) fn happened(&self) -> Happened {
-        self.inner.borrow().happened.clone()
+    pub(crate) fn record(&self) -> EventRecord {
+        self.inner.borrow().record.clone()
     }
 
     /// Returns a guard and its rate at a state.

@@ -6,10 +6,12 @@ use super::MAX_UNKNOWNS;
 use crate::error::{SimulateError, StopCause};
 
 /// Reason why no periodic motion was found.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "cycle::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum CycleError {
     /// A run was refused or stopped.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Simulate(#[from] SimulateError),
     /// A setting is out of range.
@@ -123,6 +125,17 @@ pub enum CycleError {
         /// Its value after a period.
         to: f64,
     },
+}
+
+impl CycleError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Simulate(error) => error.code(),
+            error => error.into(),
+        }
+    }
 }
 
 impl CycleError {

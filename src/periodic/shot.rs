@@ -127,9 +127,9 @@ fn has_differences(error: &SimulateError) -> bool {
             cause,
             StopCause::Chattering { .. }
                 | StopCause::InertiaJumps
-                | StopCause::MovedPosition { .. }
+                | StopCause::ProjectedPosition { .. }
                 | StopCause::Grazing { .. }
-                | StopCause::AtOnce { .. }
+                | StopCause::CoincidentEvents { .. }
         ),
         _ => false,
     }

@@ -7,11 +7,23 @@ use crate::constraints::{consistent, require_independent};
 use crate::dense::dense;
 use crate::error::SimulateError;
 #[cfg(feature = "linear")]
-use crate::linear_analysis::{Point, growth, steady_start};
+use crate::linear_analysis::{LinearError, Point, growth, steady_start};
 use crate::method::System;
 use crate::method::sensitivity::{By, Tangents};
 #[cfg(feature = "linear")]
 use crate::method::{StepTolerance, Stopped};
+
+/// Variants with a motion whose kinetic energy decreases with speed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct NegativeInertias {
+    /// Number of these variants.
+    pub count: usize,
+    /// Index of the first.
+    pub first: usize,
+    /// Note on the first, as of [`Simulation::negative_inertia`].
+    pub note: String,
+}
 
 impl Simulation<'_> {
     pub(super) fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
@@ -77,7 +89,7 @@ impl Simulation<'_> {
         let guess = Point { time: self.from, state, parameters: parameters.to_vec() };
         let settle = |state: &mut Vec<f64>| self.settle(state);
         let found = steady_start(self.simulator, guess, named, &settle);
-        Ok(found.map_err(SimulateError::no_equilibrium)?.state)
+        Ok(found.map_err(LinearError::of_start)?.state)
     }
 
     #[cfg(not(feature = "linear"))]
@@ -165,15 +177,15 @@ impl Simulation<'_> {
         is_whole.then(|| self.negative_inertia_at(&state)).flatten()
     }
 
-    /// Returns how many variants, each with all its parameters, have such a motion, the index of
-    /// the first, and its note; `None` if there are none.
+    /// Returns which variants, each with all its parameters, have such a motion; `None` if there
+    /// are none.
     #[must_use]
-    pub fn negative_inertias(&self, variants: &[Vec<f64>]) -> Option<(usize, usize, String)> {
+    pub fn negative_inertias(&self, variants: &[Vec<f64>]) -> Option<NegativeInertias> {
         let told = |all: &Vec<f64>| self.clone().parameters(all).negative_inertia();
         let mut found =
             variants.iter().enumerate().filter_map(|(index, all)| Some((index, told(all)?)));
         let (first, note) = found.next()?;
-        Some((1 + found.count(), first, note))
+        Some(NegativeInertias { first, note, count: 1 + found.count() })
     }
 
     pub(super) fn negative_inertia_at(&self, state: &[f64]) -> Option<String> {

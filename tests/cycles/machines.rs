@@ -326,7 +326,7 @@ fn a_branch_passes_sixteen_folds() {
         Keep::Needed,
     );
     let cycle = CycleSettings {
-        period: machinist::periodic::Period::Given(TAU),
+        period: machinist::periodic::Period::Fixed(TAU),
         settle: 600.0,
         points: 101,
         ..CycleSettings::default()

@@ -22,7 +22,7 @@ fn the_winder_decays_over_its_growth_as_its_closed_form() {
     let period = TAU * 0.05 / 5.5;
     let settings = BranchSettings {
         cycle: CycleSettings {
-            period: Period::Given(period),
+            period: Period::Fixed(period),
             settle: 2.0,
             points: 101,
             ..CycleSettings::default()
@@ -57,7 +57,7 @@ fn the_winder_decays_over_its_growth_as_its_closed_form() {
 fn the_gin_under_load_is_as_stable_as_its_linearization() {
     let period = load_period();
     let settings = CycleSettings {
-        period: Period::Given(period),
+        period: Period::Fixed(period),
         settle: 3.0,
         points: 101,
         ..CycleSettings::default()
@@ -91,7 +91,7 @@ fn the_loaded_gin_vibrates_as_two_masses_with_the_order_of_its_load() {
     let period = load_period();
     let run = Simulation::new(&SawGin).rtol(1e-11).method(Method::Dop853);
     let settings = CycleSettings {
-        period: Period::Given(period),
+        period: Period::Fixed(period),
         settle: 3.0,
         points: 201,
         ..CycleSettings::default()
@@ -119,12 +119,12 @@ fn the_loaded_gin_vibrates_as_two_masses_with_the_order_of_its_load() {
 fn a_period_that_the_excitation_does_not_have_is_refused() {
     let run = Simulation::new(&SawGin).rtol(1e-9).method(Method::Dop853);
     let settings = CycleSettings {
-        period: Period::Given(60.0 / 735.0),
+        period: Period::Fixed(60.0 / 735.0),
         settle: 2.0,
         ..CycleSettings::default()
     };
     let error = cycle(&run, &settings).expect_err("another period");
     assert!(matches!(error, CycleError::OtherExcitation { .. }), "{error}");
-    let multiple = CycleSettings { period: Period::Given(load_period()), multiple: 3, ..settings };
+    let multiple = CycleSettings { period: Period::Fixed(load_period()), multiple: 3, ..settings };
     assert!(cycle(&run, &multiple).is_ok());
 }

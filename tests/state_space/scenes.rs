@@ -451,7 +451,7 @@ fn a_sampled_model_follows_the_run_of_the_machine() {
 fn a_test_force_shows_the_feedthrough_to_accelerations() {
     let crane = of_text(CRANE, Keep::Needed);
     let refused = at_start(&crane).state_space(&["ball.x"], &["acceleration"]);
-    assert!(matches!(refused, Err(LinearError::AnswersAtOnce { .. })), "{refused:?}");
+    assert!(matches!(refused, Err(LinearError::DirectFeedthrough { .. })), "{refused:?}");
 
     // The rod stands at an angle of arcsin 3/5 from the vertical, so its force turns with it.
     let tilted = CRANE.to_owned() + "\n[initial]\n\"ball.x\" = 0.42\n\"trolley.x\" = 0\n";
@@ -579,7 +579,7 @@ fn designs_that_do_not_exist_are_refused_with_the_motion() {
     let unknown = refused(&[weight("pul", 1.0), weight("way", 1.0)]);
     assert!(unknown.to_string().contains("`pull`"), "{unknown}");
     let twice = at_start(&crane).state_space(&["pull", "pull"], &["way"]).expect_err("twice");
-    assert!(matches!(twice, LinearError::Twice { .. }));
+    assert!(matches!(twice, LinearError::DuplicateName { .. }));
     let bad = model.sampled(0.0, Hold::Zoh).expect_err("no period");
     assert!(matches!(bad, LinearError::BadPeriod { .. }));
     let again = model.sampled(0.1, Hold::Zoh).expect("samples").sampled(0.1, Hold::Zoh);

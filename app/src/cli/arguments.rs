@@ -26,7 +26,7 @@ use super::settings::{TIME_LIMIT, time_limit, with_method, with_parameters};
 use crate::config;
 #[cfg(feature = "derive")]
 use crate::deriving;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::Failure;
 
 /// Options for the derivation of a spec.
 #[cfg(feature = "derive")]
@@ -363,7 +363,7 @@ impl RunArgs {
             let names = states.clone().map(|index| simulator.state(index).name);
             let Some(index) = names.clone().position(|known| known == name) else {
                 let message = format!("--atol: there is no state `{}`", name.escape_debug());
-                return Err(Failure::input(message, did_you_mean(name, names)));
+                return Err(Failure::unknown(message, name, names));
             };
             amount.check(name, simulator.state(index).unit)?;
             all[index] = amount.value;

@@ -21,7 +21,7 @@ use super::output::{
 };
 use super::range::{Range, range};
 use super::scene::Scene;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
 use crate::parquet;
@@ -167,7 +167,7 @@ impl CycleCommand {
             Some(Excitation::Parameter(name)) => Period::Parameter(name.clone()),
             Some(Excitation::Time(amount)) => {
                 amount.check("--period", "s")?;
-                Period::Given(amount.value)
+                Period::Fixed(amount.value)
             }
         };
         Ok(CycleSettings {
@@ -193,7 +193,7 @@ impl CycleCommand {
                     simulator.name(),
                     name.escape_debug()
                 );
-                Err(Failure::input(message, did_you_mean(name, known)))
+                Err(Failure::unknown(message, name, known))
             }
         }
     }
@@ -269,7 +269,7 @@ impl CycleCommand {
         }
         text.push_str(&columns(&rows, 1));
         text.push_str(&events(&found.motion));
-        text.extend(["\n", &told(found), "\n\n"]);
+        text.extend(["\n", &describe(found), "\n\n"]);
         text.push_str(&multipliers(simulator, found));
         text.push_str(&notes_told(&found.notes, "--json"));
         for file in [&self.out, &self.plot].into_iter().flatten() {
@@ -316,7 +316,7 @@ fn events(motion: &Trajectory) -> String {
 }
 
 /// Describes the stability.
-fn told(found: &Cycle) -> String {
+fn describe(found: &Cycle) -> String {
     let largest = found.nontrivial().map(|multiplier| multiplier.modulus).fold(0.0, f64::max);
     let size = number(largest, 6);
     match found.stability {

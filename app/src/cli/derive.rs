@@ -11,6 +11,7 @@ use super::arguments::SourceArgs;
 use super::output::{columns, print};
 use super::scene::SceneSource;
 use super::specs::{Cost, costs};
+use super::table::{hanging, width_of_terminal};
 use crate::deriving::{self, Purpose};
 use crate::failure::Failure;
 
@@ -38,7 +39,9 @@ impl Derive {
         } else if self.json {
             print(&format!("{:#}\n", as_json(&derivation)))
         } else {
-            print(&as_text(&derivation))
+            // A file keeps each equation on a line.
+            let text = as_text(&derivation);
+            print(&width_of_terminal().map_or(text.clone(), |width| hanging(&text, width)))
         }
     }
 }

@@ -126,7 +126,7 @@ impl EstimatorArgs {
 
     /// Returns the options as they stand on a command line, with the deviations of a fit.
     #[cfg(feature = "derive")]
-    pub fn told(&self) -> Result<String, Failure> {
+    pub fn describe(&self) -> Result<String, Failure> {
         if !self.is_given() {
             return Ok(String::new());
         }

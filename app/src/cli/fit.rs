@@ -20,7 +20,7 @@ use super::arguments::{RunArgs, SceneArgs};
 use super::output::{print, require_ending, require_picture};
 use super::rewrite::{FoundValue, write_scene};
 use super::scene::Scene;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::{ErrorCode, Failure};
 use crate::interrupt;
 use crate::number::number;
 use crate::progress::spinner;
@@ -185,7 +185,7 @@ impl FitCommand {
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
             return print(&format!("{text}\n"));
         }
-        let mut text = answer.told(scene);
+        let mut text = answer.describe(scene);
         for file in [&self.out, &self.plot, &self.plot_profiles].into_iter().flatten() {
             text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }
@@ -199,7 +199,9 @@ impl FitCommand {
             End::Converged => Ok(()),
             // Residuals within the errors of the runs cannot get smaller.
             End::Stuck if answer.is_exact() => Ok(()),
-            End::Interrupted => Err(Failure::unsuccessful("the fit was interrupted", more)),
+            End::Interrupted => {
+                Err(Failure::ended(ErrorCode::Interrupted, "the fit was interrupted", more))
+            }
             End::Steps => {
                 let message = format!("the fit has not converged after {} steps", self.steps);
                 Err(Failure::unsuccessful(message, format!("{more}; `--steps` allows more")))
@@ -296,7 +298,7 @@ impl FitCommand {
                 name.escape_debug()
             );
             let known = measured.columns.iter().map(|(column, _)| column.as_str());
-            return Err(Failure::input(message, did_you_mean(name, known)));
+            return Err(Failure::unknown(message, name, known));
         }
         let is_new = |(name, _): &&(String, Sigma)| {
             is_measured(name) && setup.sigma.iter().all(|(other, _)| other != name)
@@ -326,9 +328,10 @@ impl FitCommand {
         }
         match self.sigma.iter().find(|(name, _)| !known.contains(&name.as_str())) {
             None => Ok(()),
-            Some((name, _)) => Err(Failure::input(
+            Some((name, _)) => Err(Failure::unknown(
                 format!("--sigma {}: there are no data for it", name.escape_debug()),
-                did_you_mean(name, known.into_iter()),
+                name,
+                known.into_iter(),
             )),
         }
     }
@@ -343,7 +346,7 @@ impl FitCommand {
             let known = unknowns.iter().map(|unknown| unknown.name.as_str());
             known.clone().position(|other| other == name).ok_or_else(|| {
                 let message = format!("--profile {}: it is not fitted", name.escape_debug());
-                Failure::input(message, did_you_mean(name, known))
+                Failure::unknown(message, name, known)
             })
         };
         names.iter().map(place).collect()

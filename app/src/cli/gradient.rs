@@ -86,7 +86,7 @@ impl GradientCommand {
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
             return print(&format!("{text}\n"));
         }
-        print(&self.told(&answer, &scene, &remarks))
+        print(&self.describe(&answer, &scene, &remarks))
     }
 
     fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
@@ -123,7 +123,7 @@ impl GradientCommand {
         }
     }
 
-    fn told(&self, answer: &Answer<'_>, scene: &Scene, remarks: &str) -> String {
+    fn describe(&self, answer: &Answer<'_>, scene: &Scene, remarks: &str) -> String {
         let how = if answer.in_reverse { "in reverse" } else { "by sensitivities" };
         let mut text = format!(
             "{}: {} ({})\n{}, rtol {:e}, {} steps; {how}{remarks}\n{} = {} {}\n\n",

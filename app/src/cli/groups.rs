@@ -24,7 +24,7 @@ pub const GROUPS: [(&str, &[&str]); 6] = [
     ),
     ("Decide", &["sweep", "scatter", "fit", "improve"]),
     ("Share", &["gen", "compile", "fmu", "import"]),
-    ("Look", &["show", "list", "parts", "schema", "explain", "derive", "watch"]),
+    ("Look", &["show", "list", "parts", "schema", "explain", "explain-error", "derive", "watch"]),
     ("Project", &["bench", "stability", "studies", "cache", "completions"]),
 ];
 

@@ -23,7 +23,7 @@ use super::output::{draw_file, print, require_ending, require_picture};
 use super::rewrite::{FoundValue, write_scene};
 use super::scene::Scene;
 use super::settings::for_numbers;
-use crate::failure::Failure;
+use crate::failure::{ErrorCode, Failure};
 use crate::interrupt;
 use crate::number::number;
 use crate::progress::spinner;
@@ -202,7 +202,7 @@ impl Improve {
             let told = match &sizes {
                 Some(sizes) => Ok(sizes.clone()),
                 None => improvement
-                    .told(&improvement.values(&start))
+                    .numbers_at(&improvement.values(&start))
                     .map(|told| improvement.sizes(&told)),
             };
             let found = told.map_err(|error| error.to_string()).and_then(|told| {
@@ -238,9 +238,11 @@ impl Improve {
                 }
                 Ok(Searched { found, sizes, lost, runs })
             }
-            _ if is_interrupted => {
-                Err(Failure::unsuccessful("the search was interrupted at its start", ""))
-            }
+            _ if is_interrupted => Err(Failure::ended(
+                ErrorCode::Interrupted,
+                "the search was interrupted at its start",
+                "",
+            )),
             _ => {
                 let why = lost.1.unwrap_or_default();
                 let message = format!("no start can be simulated: {why}");
@@ -255,7 +257,7 @@ impl Improve {
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
             return print(&format!("{text}\n"));
         }
-        let mut text = answer.told(scene);
+        let mut text = answer.describe(scene);
         for file in [&self.out, &self.plot].into_iter().flatten() {
             text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }
@@ -265,7 +267,9 @@ impl Improve {
     fn verdict(&self, found: &Found) -> Result<(), Failure> {
         let more = "the values above are the best so far";
         match found.end {
-            End::Interrupted => Err(Failure::unsuccessful("the search was interrupted", more)),
+            End::Interrupted => {
+                Err(Failure::ended(ErrorCode::Interrupted, "the search was interrupted", more))
+            }
             _ if !found.is_feasible() => {
                 let missed: Vec<&str> = found
                     .evaluation
@@ -312,6 +316,7 @@ pub(super) fn wrong(option: &str, text: &str, error: &ExpressionError) -> Failur
     let range = error.range.clone();
     let length = range.end.max(range.start + 1) - range.start;
     let mut diagnostic = MietteDiagnostic::new(format!("{option}: {}", error.message))
+        .with_code(error.code())
         .with_label(LabeledSpan::new(Some("here".to_owned()), range.start, length));
     if !error.help.is_empty() {
         diagnostic = diagnostic.with_help(error.help.clone());
@@ -386,5 +391,5 @@ fn draw(
 /// Returns the values before the search; `None` if the start cannot be simulated.
 fn before(improvement: &Improvement<'_>) -> Option<Values> {
     let starts: Vec<f64> = improvement.unknowns.iter().map(|unknown| unknown.start).collect();
-    improvement.told(&starts).ok()
+    improvement.numbers_at(&starts).ok()
 }

@@ -111,7 +111,7 @@ impl Where {
             Err(error) => error,
         };
         let asks_for_forces =
-            matches!(failed, LinearError::AnswersAtOnce { .. } | LinearError::Singular { .. });
+            matches!(failed, LinearError::DirectFeedthrough { .. } | LinearError::Singular { .. });
         let forces = coordinates_among(scene.simulator(), inputs);
         if !asks_for_forces || forces.is_empty() {
             return Err(failed.into());

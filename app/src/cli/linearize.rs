@@ -102,7 +102,7 @@ impl Linearize {
             &inputs,
             |scene, linearization, inputs| {
                 let model = linearization.state_space(inputs, &self.outputs)?;
-                self.told(scene, model, self.at.described(linearization))
+                self.describe(scene, model, self.at.described(linearization))
             },
             |linearization, inputs| linearization.state_space(inputs, &self.outputs).map(drop),
         )?;
@@ -130,7 +130,7 @@ impl Linearize {
         if self.json {
             return Ok(along.json()? + "\n");
         }
-        let mut text = along.told();
+        let mut text = along.describe();
         if let Some(file) = &self.out {
             text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }
@@ -138,7 +138,7 @@ impl Linearize {
     }
 
     /// Completes the model and returns the answer, after writing the file.
-    fn told(&self, scene: &Scene, model: StateSpace, place: String) -> Result<String, Failure> {
+    fn describe(&self, scene: &Scene, model: StateSpace, place: String) -> Result<String, Failure> {
         let model = match self.sample {
             Some(period) => model.sampled(period, self.hold.into())?,
             None => model,
@@ -158,7 +158,7 @@ impl Linearize {
         if self.json {
             return Ok(answer.json()? + "\n");
         }
-        let mut text = table::told(&answer, &designs);
+        let mut text = table::describe(&answer, &designs);
         if let Some(file) = &self.out {
             text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }

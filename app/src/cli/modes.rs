@@ -107,7 +107,7 @@ impl Modes {
             text.push_str(&doubts(&linearization, &modes));
         }
         if let Some(slopes) = &slopes {
-            text.push_str(&slopes.told(&linearization, &modes));
+            text.push_str(&slopes.describe(&linearization, &modes));
         }
         if let Some(file) = &self.plot {
             text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
@@ -178,7 +178,7 @@ impl Slopes<'_> {
     }
 
     /// Formats a table for each parameter, with the reasons for missing modes.
-    fn told(&self, linearization: &Linearization<'_>, modes: &[Mode]) -> String {
+    fn describe(&self, linearization: &Linearization<'_>, modes: &[Mode]) -> String {
         let shown = |value: f64| number(value, 6);
         let mut text = String::new();
         let point = linearization.point();

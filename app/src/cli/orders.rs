@@ -13,7 +13,7 @@ use super::output::{
     write_file,
 };
 use super::scene::Scene;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::Failure;
 use crate::number::number;
 use crate::orders::{Blocks, Waterfall, integrated, is_angle, times_at};
 use crate::plot::{Heat, plot_cuts, plot_heat};
@@ -190,7 +190,7 @@ impl OrderArgs {
             let names: Vec<&str> = known().map(|column| column.name.as_str()).collect();
             let over = over.escape_debug();
             let message = format!("scene `{}` has no output or state `{over}`", run.scene);
-            Failure::input(message, did_you_mean(&over.to_string(), names.into_iter()))
+            Failure::unknown(message, &over.to_string(), names.into_iter())
         })?;
         let Some(is_angle) = is_angle(column) else {
             let message = format!("`{over}` is in {}, not in rad or rad/s", column.unit);

@@ -111,7 +111,7 @@ fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
 /// Returns why the run stopped early and the notes of the method, such as which one `auto` chose
 /// and why, each on a line. `whole` names the option that gives all notes.
 pub fn remarks(trajectory: &Trajectory, whole: &str) -> String {
-    lines(trajectory.stopped.iter().map(told), &trajectory.notes, whole)
+    lines(trajectory.stopped.iter().map(describe), &trajectory.notes, whole)
 }
 
 /// Formats notes on runs, each on a line.
@@ -127,7 +127,7 @@ pub fn remark_beside(trajectory: &Trajectory) {
     }
 }
 
-fn told(stop: &Stop) -> String {
+fn describe(stop: &Stop) -> String {
     format!("stopped early, at {} s: {}", stop.time, stop.cause)
 }
 

@@ -10,7 +10,7 @@ use machinist::trajectory::{Column, ColumnKind};
 use super::arguments::{MachineArgs, RunArgs};
 use super::fit::data::{named, reader};
 use super::output::{draw_file, print, require_picture};
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::Failure;
 use crate::plot::{plot_over, subtitle};
 use crate::progress::during;
 
@@ -128,7 +128,7 @@ impl PlotCommand {
             columns.iter().find(|column| column.name == *name).ok_or_else(|| {
                 let known = columns.iter().map(|column| column.name.as_str());
                 let message = format!("there is no column of numbers `{}`", name.escape_debug());
-                Failure::input(message, did_you_mean(name, known))
+                Failure::unknown(message, name, known)
             })
         };
         let across = self.over.as_ref().map_or(Ok(&columns[0]), find)?;

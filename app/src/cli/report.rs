@@ -8,7 +8,7 @@ use super::arguments::{DeriveArgs, TimeArgs};
 use super::generate::EMITTED;
 use super::output::{print, write_file};
 use super::scene;
-use crate::failure::Failure;
+use crate::failure::{ErrorCode, Failure};
 use crate::report::{self, Extent};
 
 #[derive(Debug, Args)]
@@ -63,7 +63,7 @@ impl Report {
             Ok(())
         } else {
             let message = "some checks failed; the page and `machinist verify` say which";
-            Err(Failure::unsuccessful(message, ""))
+            Err(Failure::ended(ErrorCode::CheckFailed, message, ""))
         }
     }
 }

@@ -66,11 +66,11 @@ impl FrequencyResponse {
         input: &str,
         to_standard_output: bool,
     ) -> Result<(), Failure> {
-        let (lowest, highest) = match self.range {
-            Some(range) => range,
+        let range = match self.range {
+            Some((lowest, highest)) => lowest..highest,
             None => linearization.range_of_interest()?,
         };
-        let frequencies = logarithmic_range(lowest, highest, self.points)?;
+        let frequencies = logarithmic_range(range.start, range.end, self.points)?;
         let response = linearization.response(input, &self.output, &frequencies)?;
         let remark = linearization.growth().ok().flatten().map(|growth| {
             let growth = number(growth, 3);

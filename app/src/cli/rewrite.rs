@@ -5,6 +5,8 @@ use std::path::Path;
 #[cfg(feature = "derive")]
 use super::amount::Amount;
 use super::arguments::SceneArgs;
+#[cfg(not(feature = "derive"))]
+use crate::failure::ErrorCode;
 use crate::failure::Failure;
 
 /// Value found for a parameter, or for the start of a state.
@@ -87,5 +89,9 @@ pub fn write_scene<'a>(
     file: &Path,
 ) -> Result<(), Failure> {
     let message = format!("--out {}: this program was built without specs", file.display());
-    Err(Failure::input(message, "take the values from the table, or `--json`"))
+    Err(Failure::coded(
+        ErrorCode::NotBuiltIn,
+        message,
+        "take the values from the table, or `--json`",
+    ))
 }

@@ -6,7 +6,6 @@ mod fixed;
 
 use std::path::{Path, PathBuf};
 
-use crate::failure::did_you_mean;
 use clap::Args;
 use machinist::error::StopCause;
 use machinist::field::ModalSimulator;
@@ -157,7 +156,7 @@ impl RunCommand {
         if let Some(unknown) = self.columns.iter().find(|name| trajectory.find(name).is_none()) {
             let known = trajectory.columns.iter().map(|column| column.name.as_str());
             let message = format!("there is no column `{unknown}`");
-            return Err(Failure::input(message, did_you_mean(unknown, known)));
+            return Err(Failure::unknown(message, unknown, known));
         }
         let trajectory = self.chosen_columns(trajectory);
         if !self.write(scene, format, &trajectory, &self.columns)? {
@@ -370,9 +369,10 @@ impl RunCommand {
         let known = known.iter().copied().chain(derivatives.iter().map(String::as_str));
         match self.columns.iter().find(|name| !known.clone().any(|known| known == *name)) {
             None => Ok(()),
-            Some(name) => Err(Failure::input(
+            Some(name) => Err(Failure::unknown(
                 format!("scene `{}` has no column `{}`", simulator.name(), name.escape_debug()),
-                did_you_mean(name, known),
+                name,
+                known,
             )),
         }
     }

@@ -176,7 +176,7 @@ impl ScatterCommand {
     pub fn execute(&self) -> Result<(), Failure> {
         self.check_options()?;
         let sampler = Sampler::from_name(&self.sampler).map_err(|error| {
-            Failure::input(format!("--sampler: {error}"), "known are sobol, random and latin")
+            Failure::at("--sampler", error, "known are sobol, random and latin")
         })?;
         let scene = self.scene.load()?;
         let simulator = scene.simulator();
@@ -287,7 +287,7 @@ impl ScatterCommand {
         let columns = ran.columns(scene.simulator(), inputs, results, plan);
         if parquet::is_named(file) {
             let of = ("scatter", self.scene.scene.as_str(), scene);
-            parquet::write_table(file, &columns, of, self.told(inputs, results))
+            parquet::write_table(file, &columns, of, self.describe(inputs, results))
         } else {
             write_file(file, |out| parquet::write_csv(&columns, out))
         }
@@ -312,9 +312,10 @@ impl ScatterCommand {
         let of = ("scatter", self.scene.scene.as_str(), scene);
         // Points of other samplers than Latin hypercubes begin with those of fewer samples.
         let is_free = |name: &str| name == "samples" && self.sampler != "latin";
-        let columns = parquet::read_table(file, of, self.told(inputs, results), |name, a, b| {
-            a == b || is_free(name)
-        })?;
+        let columns =
+            parquet::read_table(file, of, self.describe(inputs, results), |name, a, b| {
+                a == b || is_free(name)
+            })?;
         runs::outcomes_of(&columns, inputs, results, plan).ok_or_else(|| {
             let message = format!("--resume: {} has other columns", file.display());
             Failure::input(message, "give another --out")
@@ -322,10 +323,10 @@ impl ScatterCommand {
     }
 
     /// Returns the settings that determine the numbers besides the machine.
-    fn told(&self, inputs: &Inputs, results: &Results) -> serde_json::Value {
+    fn describe(&self, inputs: &Inputs, results: &Results) -> serde_json::Value {
         let mut told = serde_json::json!({
             "results": results.names(),
-            "parameters": inputs.told(),
+            "parameters": inputs.describe(),
             "sampler": self.sampler,
             "samples": self.samples,
             "seed": self.seed,
@@ -345,7 +346,7 @@ impl ScatterCommand {
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
             return print(&format!("{text}\n"));
         }
-        let mut text = answer.told();
+        let mut text = answer.describe();
         for file in [&self.out, &self.plot].into_iter().flatten() {
             text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }

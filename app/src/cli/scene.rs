@@ -17,7 +17,7 @@ use machinist_studies::double_double::{Twin, precise};
 use super::arguments::Code;
 #[cfg(feature = "derive")]
 use crate::deriving::{self, Request};
-use crate::failure::Failure;
+use crate::failure::{ErrorCode, Failure};
 #[cfg(feature = "derive")]
 use crate::freeze::admit;
 use crate::spec_source::SpecSource;
@@ -47,7 +47,7 @@ impl SceneSource {
         let bytes = fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
         let stamped = read(&bytes).map_err(|error| {
             let help = "compile it again from its spec with `machinist compile`";
-            Failure::input(format!("{}: {error}", path.display()), help)
+            Failure::at(path.display(), error, help)
         })?;
         Ok(Self::Model(Box::new(stamped)))
     }
@@ -359,7 +359,11 @@ fn derived(source: &SpecSource, _keep_all: bool) -> Result<Model, Failure> {
 #[cfg(not(feature = "derive"))]
 pub fn cannot_derive(source: &SpecSource) -> Failure {
     let message = format!("{source}: this program was built without the feature `derive`");
-    Failure::input(message, "give a model file, written by `machinist compile` of a full build")
+    Failure::coded(
+        ErrorCode::NotBuiltIn,
+        message,
+        "give a model file, written by `machinist compile` of a full build",
+    )
 }
 
 /// Hint for fields that cannot be discretized as wanted.
@@ -471,12 +475,16 @@ fn unknown(name: &str) -> Failure {
     let message = format!("there is no scene `{}`", name.escape_debug());
     let file = format!("{name}.toml");
     if Path::new(&file).is_file() {
-        return Failure::input(message, format!("there is a file of this name: write `{file}`"));
+        return Failure::coded(
+            ErrorCode::UnknownName,
+            message,
+            format!("there is a file of this name: write `{file}`"),
+        );
     }
     let names = scenes::NAMES.iter().chain(scenes::FIELD_NAMES).copied();
     let hint = did_you_mean(name, names.chain(machines().map(|[name, _]| name)));
     let help = format!(
         "{hint}\n`machinist list` shows all scenes; a path that ends in `.toml` names a scene file"
     );
-    Failure::input(message, help.trim_start())
+    Failure::coded(ErrorCode::UnknownName, message, help.trim_start())
 }

@@ -15,7 +15,7 @@ use super::output::{
     columns, draw_file, print, remarks, require_picture, require_table, write_file,
 };
 use super::scene::Scene;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
 use crate::parquet;
@@ -159,7 +159,7 @@ impl Sensitivity {
     }
 
     fn stopped(&self, error: SimulateError) -> Failure {
-        if let SimulateError::Stopped { cause: StopCause::AtOnce { .. }, .. } = &error {
+        if let SimulateError::Stopped { cause: StopCause::CoincidentEvents { .. }, .. } = &error {
             let help = format!("`--parameters` selects parameters of {}", self.scene.scene);
             return Failure::unsuccessful(error, help);
         }
@@ -185,13 +185,14 @@ impl Sensitivity {
         }
         match self.outputs.iter().find(|name| !known.contains(&name.as_str())) {
             None => Ok(self.outputs.clone()),
-            Some(name) => Err(Failure::input(
+            Some(name) => Err(Failure::unknown(
                 format!(
                     "scene `{}` has no output or state `{}`",
                     simulator.name(),
                     name.escape_debug()
                 ),
-                did_you_mean(name, known.into_iter()),
+                name,
+                known.into_iter(),
             )),
         }
     }

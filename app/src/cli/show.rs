@@ -10,7 +10,7 @@ use clap::Args;
 
 use super::output::print;
 use super::scene::SceneSource;
-use super::table::{SECTION, columns_of_section as columns};
+use super::table::{SECTION, columns_of_section as columns, paragraph};
 use crate::failure::Failure;
 use crate::number::{exact, number};
 use crate::spec_source::SpecSource;
@@ -56,12 +56,13 @@ fn of_spec(source: &SpecSource) -> Result<Description, Failure> {
 }
 
 fn as_text(scene: &Description) -> String {
-    let mut text = format!("{}: {}\n", scene.scene, scene.title);
+    let mut text = paragraph(&format!("{}: {}", scene.scene, scene.title));
     if !scene.doc.trim().is_empty() {
-        let _ = write!(text, "\n{}\n", scene.doc.trim());
+        text.push('\n');
+        text.extend(scene.doc.trim().lines().map(paragraph));
     }
     if !scene.source.trim().is_empty() {
-        let _ = writeln!(text, "Source: {}", scene.source.trim());
+        text.push_str(&paragraph(&format!("Source: {}", scene.source.trim())));
     }
     let mut section = |heading: &str, rows: String| {
         if !rows.is_empty() {

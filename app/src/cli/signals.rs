@@ -4,7 +4,7 @@ use machinist::trajectory::{Column, ColumnKind, Trajectory};
 
 use super::arguments::SpanArgs;
 use super::scene::Scene;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::Failure;
 
 /// Returns the columns with these names, or all outputs, or all states if there are none. Their
 /// values must be finite; `what` names the analysis that needs them.
@@ -37,7 +37,7 @@ fn chosen<'t>(run: &'t Trajectory, names: &[String]) -> Result<Vec<&'t Column>, 
             let names = known.iter().map(|column| column.name.as_str());
             let message =
                 format!("scene `{}` has no output or state `{}`", run.scene, name.escape_debug());
-            Failure::input(message, did_you_mean(name, names))
+            Failure::unknown(message, name, names)
         })
     };
     names.iter().map(find).collect()

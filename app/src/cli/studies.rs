@@ -67,11 +67,11 @@ impl Ledger {
                 writeln!(out)
             });
         }
-        print(&self.told(&rows))
+        print(&self.describe(&rows))
     }
 
     /// Formats the items of each study: the numbers as a table, and verdicts below their items.
-    fn told(&self, rows: &[LedgerRow]) -> String {
+    fn describe(&self, rows: &[LedgerRow]) -> String {
         let width = width();
         let mut text = String::new();
         let mut study = "";
@@ -98,7 +98,7 @@ impl Ledger {
             }
             text.push_str(&indented(&row.verdict, "    ", width));
             if self.long {
-                let place = format!("computed in {}; {}", row.place, row.held.told());
+                let place = format!("computed in {}; {}", row.place, row.held.describe());
                 text.push_str(&indented(&place, "    ", width));
             }
         }

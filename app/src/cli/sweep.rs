@@ -3,8 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
-use crate::failure::did_you_mean;
 use clap::Args;
+use machinist::simulate::NegativeInertias;
 use machinist::sweep::{VariantRun, Wanted};
 use machinist::{SimulateError, Simulation};
 use machinist_contract::Simulator;
@@ -82,7 +82,7 @@ impl Sweep {
             Some(file) if parquet::is_named(file) => {
                 let of = ("sweep", self.scene.scene.as_str(), &scene);
                 let columns = table.columns(scene.simulator());
-                let told = self.told(scene.simulator(), &variants);
+                let told = self.describe(scene.simulator(), &variants);
                 parquet::write_table(file, &columns, of, told)?;
             }
             Some(file) => write_file(file, |out| table.write(scene.simulator(), out))?,
@@ -100,7 +100,7 @@ impl Sweep {
     /// Warns on standard error about variants with a negative mass.
     fn tell_of_negative_inertias(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) {
         let run = self.settings().adjust(Simulation::new(simulator));
-        if let Some((count, first, note)) = run.negative_inertias(variants) {
+        if let Some(NegativeInertias { count, first, note, .. }) = run.negative_inertias(variants) {
             let (all, row) = (variants.len(), first + 1);
             eprintln!("machinist: {count} of {all} variants, the first in row {row}: {note}");
         }
@@ -139,13 +139,14 @@ impl Sweep {
         }
         let place = |name: &String| {
             known.iter().position(|known| known == name).ok_or_else(|| {
-                Failure::input(
+                Failure::unknown(
                     format!(
                         "scene `{}` has no output or state `{}`",
                         simulator.name(),
                         name.escape_debug()
                     ),
-                    did_you_mean(name, known.iter().copied()),
+                    name,
+                    known.iter().copied(),
                 )
             })
         };
@@ -175,7 +176,7 @@ impl Sweep {
 
     /// Returns the settings that determine the numbers besides the machine, as the Python package
     /// writes them.
-    fn told(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) -> Value {
+    fn describe(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) -> Value {
         let names: Vec<&str> = self.parameter.iter().map(|range| range.name.as_str()).collect();
         let axes = self.parameter.iter().map(|range| {
             (0..self.count).map(|index| range.value(index, self.count)).collect::<Vec<f64>>()

@@ -16,9 +16,30 @@ const BETWEEN: &str = "  ";
 /// Returns the width of standard output in characters: that of its terminal, or the one that the
 /// variable `COLUMNS` names, or 100.
 pub fn width() -> usize {
+    width_of_terminal().unwrap_or(ELSEWHERE)
+}
+
+/// Returns the width of the terminal, or the one that the variable `COLUMNS` names, if any.
+pub fn width_of_terminal() -> Option<usize> {
     let named = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse::<usize>().ok());
     let of_terminal = || terminal_size_of(stdout()).map(|(Width(width), _)| usize::from(width));
-    named.or_else(of_terminal).unwrap_or(ELSEWHERE).max(NARROWEST)
+    named.or_else(of_terminal).map(|width| width.max(NARROWEST))
+}
+
+/// Wraps the lines that are wider, with the space before them and four more before what follows.
+pub fn hanging(text: &str, width: usize) -> String {
+    let line = |line: &str| {
+        let (space, content) = line.split_at(line.len() - line.trim_start().len());
+        if length(line) <= width {
+            return format!("{line}\n");
+        }
+        let room = width.saturating_sub(space.len() + 4).max(1);
+        let lines = wrapped(content, room);
+        let first = lines.first().map(|first| format!("{space}{first}\n"));
+        let others = lines.iter().skip(1).map(|line| format!("{space}    {line}\n"));
+        first.into_iter().chain(others).collect()
+    };
+    text.lines().map(line).collect()
 }
 
 /// Aligns lines of cells as columns: the first `left` of them flush left, the others flush right.

@@ -15,7 +15,7 @@ use super::amount::in_si;
 use super::arguments::{MachineArgs, RunArgs};
 use super::output::print;
 use super::table::{indented, rows, width};
-use crate::failure::Failure;
+use crate::failure::{ErrorCode, Failure};
 use crate::progress::during;
 use estimator::EstimatorRuns;
 pub use machine::Changes;
@@ -61,21 +61,21 @@ impl Verify {
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
             print(&format!("{text}\n"))?;
         } else {
-            print(&self.told(&verdicts))?;
+            print(&self.describe(&verdicts))?;
         }
         let Tally { checked, passed, .. } = Tally::of(&verdicts);
         match checked - passed {
             0 => Ok(()),
             failed => {
                 let message = format!("{failed} of {checked} checks failed");
-                Err(Failure::unsuccessful(message, ""))
+                Err(Failure::ended(ErrorCode::CheckFailed, message, ""))
             }
         }
     }
 
     /// Formats the verdicts. Reasons of tolerances and references are long and left out unless asked
     /// for, but not the reasons of checks that failed or were not done.
-    fn told(&self, verdicts: &[Verdict]) -> String {
+    fn describe(&self, verdicts: &[Verdict]) -> String {
         let (width, space) = (width(), " ".repeat(6));
         let first = verdicts.first().map(|verdict| &verdict.scene);
         let has_scenes = verdicts.iter().any(|verdict| Some(&verdict.scene) != first);

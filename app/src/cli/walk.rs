@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::amount::quantity;
 use super::output::{columns, draw_file, print, require_picture};
+use super::table::paragraph;
 use crate::failure::Failure;
 use crate::number::number;
 use crate::progress::during;
@@ -133,9 +134,7 @@ fn described(walk: &Walk) -> String {
         number(force, 4),
         number(1e3 * shape, 4)
     );
-    for line in walk.why() {
-        text.extend([line.as_str(), "\n"]);
-    }
+    text.extend(walk.why().iter().map(|line| paragraph(line)));
     text.push('\n');
     text.push_str(&columns(&table(walk), 1));
     let later = walk.later();
@@ -144,10 +143,9 @@ fn described(walk: &Walk) -> String {
     }
     let told = |stage: &Stage| {
         let (cost, change) = (number(walk.cost(stage), 2), walk.change(stage));
-        format!(
-            "\nStage {} would have cost {cost} times as much, and changed: {change}.\n",
-            stage.number
-        )
+        let number = stage.number;
+        let costs = format!("would have cost {cost} times as much, and changed: {change}.");
+        format!("\n{}", paragraph(&format!("Stage {number} {costs}")))
     };
     text.extend(later.iter().map(told));
     text
@@ -196,5 +194,7 @@ fn shares(map: &StabilityMap) -> String {
         .map(|condition| format!("{} {:.0} %", condition.name(), 100.0 * map.share(condition)))
         .collect();
     let found = found.join(", ");
-    format!("\nOver these radii and {from} to {to} m/s, a linear layer, worst phases: {found}\n")
+    let text =
+        format!("Over these radii and {from} to {to} m/s, a linear layer, worst phases: {found}");
+    format!("\n{}", paragraph(&text))
 }

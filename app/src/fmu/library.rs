@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use machinist_codegen::emit::c99::FmiVersion;
 
 use crate::cli::new::sources;
-use crate::failure::Failure;
+use crate::failure::{ErrorCode, Failure};
 
 /// Shared library for the platform that this program runs on.
 pub struct Library {
@@ -26,7 +26,7 @@ impl Library {
         let bytes = fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
         if !is_library(&bytes) {
             let message = format!("{}: not a shared library of this platform", path.display());
-            return Err(Failure::input(message, build()));
+            return Err(Failure::coded(ErrorCode::InvalidData, message, build()));
         }
         Ok(Self { bytes })
     }
@@ -90,7 +90,11 @@ fn built() -> Option<PathBuf> {
 
 fn missing() -> Failure {
     let message = format!("there is no `{}` beside this program", built_name());
-    Failure::input(message, format!("`--source` exports C99, which needs none; {}", build()))
+    Failure::coded(
+        ErrorCode::NotBuiltIn,
+        message,
+        format!("`--source` exports C99, which needs none; {}", build()),
+    )
 }
 
 /// Returns the command that builds the library.

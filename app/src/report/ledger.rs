@@ -82,7 +82,7 @@ fn table_of_numbers<'a>(rows: impl Iterator<Item = &'a LedgerRow>) -> Markup {
 fn reading(row: &LedgerRow) -> Markup {
     html! {
         (row.verdict)
-        div.held { (coded(row.place)) br; (coded(&row.held.told())) }
+        div.held { (coded(row.place)) br; (coded(&row.held.describe())) }
     }
 }
 

@@ -15,7 +15,7 @@ mod run;
 use std::collections::BTreeSet;
 
 use crate::scene::layout::{Layout, Scope, coordinate_spec};
-use crate::scene::massless::{self, Left};
+use crate::scene::massless::{self, Remaining};
 use crate::scene::names::{Flat, name};
 use crate::scene::parameters;
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
@@ -26,6 +26,7 @@ use crate::scene::system::{
 use crate::scene::typed::{integer, sum};
 use crate::spatial::mechanism::Mechanism;
 use crate::spatial::orientation::Orientations;
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
@@ -183,7 +184,9 @@ impl<'a> Assembler<'a> {
                         format!("unit {} has no input {}", quoted(&unit.name), quoted(&name.value));
                     let known = unit.inputs.iter().map(|input| input.name.value.as_str());
                     let help = did_you_mean(&name.value, known);
-                    self.mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
+                    self.mistakes.push(
+                        Mistake::new(Code::UnknownInput, name.span, message, "unknown").help(help),
+                    );
                 }
             }
         }
@@ -369,7 +372,7 @@ impl<'a> Assembler<'a> {
         if !self.mistakes.is_empty() {
             return;
         }
-        let Left { coordinates, undetermined } =
+        let Remaining { coordinates, undetermined } =
             massless::eliminate(system, &|index| self.is_unjoined(index));
         let [kinetic, _] = system.energies();
         let mut moving = vec![false; coordinates.len()];
@@ -434,7 +437,7 @@ impl<'a> Assembler<'a> {
                         ground), or describe the machine by fewer coordinates";
             (message, "moves without energy", help)
         };
-        self.mistakes.push(Mistake::new(span, message, label).help(help));
+        self.mistakes.push(Mistake::new(Code::NoInertia, span, message, label).help(help));
     }
 
     /// Checks that names of one kind stay distinct when flattened.
@@ -482,7 +485,8 @@ impl<'a> Assembler<'a> {
         for output in self.spec.outputs.iter().map(OutputSpec::name) {
             if self.spec.states.iter().any(|state| state.name.value == output.value) {
                 let message = format!("{} is both a state and an output", quoted(&output.value));
-                let mistake = Mistake::new(output.span, message, "given again");
+                let mistake =
+                    Mistake::new(Code::DuplicateName, output.span, message, "given again");
                 clashes.push(mistake.help("give the output another name"));
             }
         }

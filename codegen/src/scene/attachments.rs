@@ -5,6 +5,7 @@ use crate::scene::layout::{Attachment, Layout, Local, Scope};
 use crate::scene::resolve::{Resolver, Wanted};
 use crate::scene::system::Required;
 use crate::scene::typed::{Uses, integer, product, sum};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Dimension;
 use crate::spec::{Boundary, FieldSpec, Formula, InstanceSpec, SceneSpec, did_you_mean, quoted};
@@ -97,7 +98,8 @@ pub fn locate(
             let name = quoted(&unit.ports[a.port].name.value);
             let message = format!("port {name} is at the same point of the field");
             let help = "join all parts at one point of a field to one port";
-            mistakes.push(Mistake::new(*span, message, "same point").help(help));
+            mistakes
+                .push(Mistake::new(Code::InvalidJoint, *span, message, "same point").help(help));
         }
     }
     layout.attach(spec, found.into_iter().map(|(attachment, _)| attachment).collect());
@@ -120,7 +122,9 @@ fn choices(spec: &SceneSpec, mistakes: &mut Vec<Mistake>) {
             if !names().any(|name| name == at.field.value) {
                 let message = format!("unknown field {}", quoted(&at.field.value));
                 let help = did_you_mean(&at.field.value, names());
-                mistakes.push(Mistake::new(at.field.span, message, "unknown").help(help));
+                mistakes.push(
+                    Mistake::new(Code::UnknownName, at.field.span, message, "unknown").help(help),
+                );
             }
         }
     }
@@ -132,7 +136,10 @@ fn choices(spec: &SceneSpec, mistakes: &mut Vec<Mistake>) {
                 let (unit, field) = (quoted(&unit.name), quoted(&choice.field.value));
                 let message = format!("unit {unit} has no field {field}");
                 let help = did_you_mean(&choice.field.value, names());
-                mistakes.push(Mistake::new(choice.field.span, message, "unknown").help(help));
+                mistakes.push(
+                    Mistake::new(Code::UnknownName, choice.field.span, message, "unknown")
+                        .help(help),
+                );
             }
         }
         for name in names() {
@@ -140,7 +147,8 @@ fn choices(spec: &SceneSpec, mistakes: &mut Vec<Mistake>) {
                 let field = quoted(&format!("{}.{name}", instance.name.value));
                 let message = format!("the scene does not define the elements of {field}");
                 let help = format!("write fields = {{ {name} = {{ elements = 32, order = 4 }} }}");
-                let mistake = Mistake::new(instance.name.span, message, "lacks `fields`");
+                let mistake =
+                    Mistake::new(Code::InvalidField, instance.name.span, message, "lacks `fields`");
                 mistakes.push(mistake.help(help));
             }
         }
@@ -164,13 +172,20 @@ fn length(
         );
         let known = unit.parameters.iter().map(|parameter| parameter.name.value.as_str());
         let help = did_you_mean(&field.over.value, known);
-        return Err(Box::new(Mistake::new(field.over.span, message, "no parameter").help(help)));
+        return Err(Box::new(
+            Mistake::new(Code::InvalidField, field.over.span, message, "no parameter").help(help),
+        ));
     };
     let declared = &unit.parameters[number];
     if declared.unit.unit.dimension != Dimension::LENGTH {
         let message = "the length of a field must be in m";
         let label = format!("this parameter is in {}", declared.unit.unit.dimension);
-        return Err(Box::new(Mistake::new(field.over.span, message, label)));
+        return Err(Box::new(Mistake::new(
+            Code::DimensionMismatch,
+            field.over.span,
+            message,
+            label,
+        )));
     }
     let (over, scope) = (&field.over, Scope::Instance(index));
     let length = resolver.value(&over.value, over.span, scope)?.expr;
@@ -182,7 +197,7 @@ fn length(
     let span = own.map_or(declared.name.span, |(name, _)| name.span);
     let message =
         format!("a field must be longer than 0, but {} is {value} m", quoted(&field.over.value));
-    Err(Box::new(Mistake::new(span, message, "not a length")))
+    Err(Box::new(Mistake::new(Code::OutOfRange, span, message, "not a length")))
 }
 
 /// Returns the place of a port and its value, which lies on the field.
@@ -200,5 +215,5 @@ fn place(
         return Ok((typed.expr, x));
     }
     let message = format!("a port is on its field, from 0 to {length} m, but this one is at {x} m");
-    Err(Box::new(Mistake::new(at.span(), message, "outside of the field")))
+    Err(Box::new(Mistake::new(Code::OutOfRange, at.span(), message, "outside of the field")))
 }

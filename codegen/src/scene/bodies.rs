@@ -20,6 +20,7 @@ use crate::spatial::vector::{
     Matrix3, Vector, identity, multiplied, of_quaternion, sine_and_cosine, zero,
 };
 use crate::spec::body::{AxisSpec, BodySpec, Components, FrameSpec, RotationSpec};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::{Angular, Dimension};
 use crate::spec::{CoordinateSpec, Formula, ROUNDED_GYRATION, did_you_mean, quoted};
@@ -141,7 +142,8 @@ impl Resolver<'_> {
             Some(Tree::Failed(mistake)) => return Err(mistake.clone()),
             Some(Tree::Pending) => {
                 let message = "the motion of a frame depends on a frame of the same unit";
-                let mistake = Mistake::new(span, message, "back to itself");
+                let mistake =
+                    Mistake::new(Code::ForbiddenDependence, span, message, "back to itself");
                 return Err(Box::new(mistake.help("write it with coordinates")));
             }
             None => {}
@@ -176,7 +178,12 @@ impl Resolver<'_> {
                 name(first),
                 name(*other)
             );
-            let mistake = Mistake::new(spec.instances[*other].name.span, message, "a second");
+            let mistake = Mistake::new(
+                Code::DuplicateName,
+                spec.instances[*other].name.span,
+                message,
+                "a second",
+            );
             return Err(Box::new(mistake.help("leave one of them out")));
         }
         let what = "the acceleration of free fall";
@@ -269,7 +276,8 @@ impl Resolver<'_> {
             _ => Span { ..self.spec.name.span },
         };
         let message = "the axes of an inertia do not move relative to their frame";
-        let mistake = Mistake::new(span, message, "depends on a coordinate or time");
+        let mistake =
+            Mistake::new(Code::NoEffect, span, message, "depends on a coordinate or time");
         Err(Box::new(mistake.help("fix the body to a frame that moves")))
     }
 
@@ -307,7 +315,7 @@ impl Resolver<'_> {
                 did_you_mean(&name.value, names),
                 name.value
             );
-            Mistake::new(name.span, message, "unknown").help(help)
+            Mistake::new(Code::UnknownName, name.span, message, "unknown").help(help)
         })?;
         Ok(self.parts_of(instance, index))
     }
@@ -365,7 +373,12 @@ impl Resolver<'_> {
         let parts = values;
         let norm = sum(parts.iter().map(|part| product([part.clone(), part.clone()])));
         if norm.is_zero() {
-            let mistake = Mistake::new(span, "a quaternion of magnitude 0 is no rotation", "zero");
+            let mistake = Mistake::new(
+                Code::UndefinedValue,
+                span,
+                "a quaternion of magnitude 0 is no rotation",
+                "zero",
+            );
             return Err(Box::new(mistake.help("no rotation is [1, 0, 0, 0]")));
         }
         Ok(parts)
@@ -394,7 +407,12 @@ impl Resolver<'_> {
         let axis = self.components(&spec.axis, scope, Dimension::ONE, what, Uses::PARAMETERS)?;
         let norm = sum(axis.iter().map(|entry| product([entry.clone(), entry.clone()])));
         if norm.is_zero() {
-            let mistake = Mistake::new(spec.span, "an axis of length 0 has no direction", "zero");
+            let mistake = Mistake::new(
+                Code::UndefinedValue,
+                spec.span,
+                "an axis of length 0 has no direction",
+                "zero",
+            );
             return Err(Box::new(mistake.help("the axis of z is [0, 0, 1]")));
         }
         let half = Expr::Number(BigRational::new((-1).into(), 2.into()));
@@ -410,7 +428,7 @@ impl Resolver<'_> {
             return Ok(());
         }
         let message = "the motion of a frame depends on a part of an orientation";
-        let mistake = Mistake::new(span, message, "of a quaternion");
+        let mistake = Mistake::new(Code::ForbiddenDependence, span, message, "of a quaternion");
         Err(Box::new(mistake.help("turn a frame by `spherical`")))
     }
 
@@ -469,7 +487,7 @@ impl Resolver<'_> {
             evaluate(expr, &|id| values.get(id.0 as usize).copied().unwrap_or(f64::NAN))
         };
         let refuse = |message: String, label: &str| {
-            let mistake = Mistake::new(spec.name.span, message, label);
+            let mistake = Mistake::new(Code::InvalidInertia, spec.name.span, message, label);
             Err(Box::new(mistake.help(
                 "the inertia is about the centre of mass, as products J_xy = \
                                        -sum of m x y",
@@ -505,7 +523,7 @@ impl Resolver<'_> {
             return Ok(());
         };
         let message = format!("no body has the inertia of {name}: {why}");
-        let warning = Mistake::new(spec.name.span, message, "impossible");
+        let warning = Mistake::new(Code::InvalidInertia, spec.name.span, message, "impossible");
         self.warnings.push(warning.help("check its entries and their unit, kg m^2"));
         Ok(())
     }
@@ -517,7 +535,7 @@ fn without_states(expr: Expr, span: Span) -> Result<Expr, Box<Mistake>> {
         return Ok(expr);
     }
     let message = "the motion of a frame depends on a first-order state or mode";
-    let mistake = Mistake::new(span, message, "of a state");
+    let mistake = Mistake::new(Code::ForbiddenDependence, span, message, "of a state");
     Err(Box::new(mistake.help("write it with coordinates, time and parameters")))
 }
 
@@ -527,7 +545,7 @@ fn still(angle: &Expr, span: Span) -> Result<(), Box<Mistake>> {
         return Ok(());
     }
     let message = "the rotation at the start depends on a coordinate or time";
-    let mistake = Mistake::new(span, message, "moves");
+    let mistake = Mistake::new(Code::ForbiddenDependence, span, message, "moves");
     Err(Box::new(mistake.help("write it with parameters")))
 }
 

@@ -18,6 +18,7 @@ use crate::scene::resolve::Resolver;
 use crate::spatial::mechanism::{Frame, Kind, Mechanism};
 use crate::spatial::vector::{minus, multiplied, plus, rotation, times, transposed};
 use crate::spec::body::{FrameSpec, WORLD};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::{SceneSpec, UnitSpec, did_you_mean, quoted};
 
@@ -121,7 +122,7 @@ impl Resolver<'_> {
         let message = format!("nothing connects frame {path} with the world");
         let help = "join it to a part that leads to the world, such as `spatial/world`, by joints; \
                     a body that moves freely by `spatial/free`";
-        Mistake::new(name.span, message, "adrift").help(help)
+        Mistake::new(Code::UnconnectedFrame, name.span, message, "adrift").help(help)
     }
 
     /// Returns the steps along an edge, with the frames between them.
@@ -246,7 +247,10 @@ pub(super) fn find(unit: &UnitSpec, name: &Spanned<String>) -> Result<Option<usi
     found.map(Some).ok_or_else(|| {
         let message = format!("there is no frame {}", quoted(&name.value));
         let names = unit.frames.iter().map(|frame| frame.name.value.as_str()).chain([WORLD]);
-        Box::new(Mistake::new(name.span, message, "unknown").help(did_you_mean(&name.value, names)))
+        Box::new(
+            Mistake::new(Code::UnknownName, name.span, message, "unknown")
+                .help(did_you_mean(&name.value, names)),
+        )
     })
 }
 
@@ -267,7 +271,8 @@ fn refuse_loops(unit: &UnitSpec) -> Result<(), Box<Mistake>> {
                 let message = format!("frame {name} is its own parent, through other frames");
                 let help = "frames form a tree; close a loop by constraints between positions of \
                             two frames";
-                let mistake = Mistake::new(frame.name.span, message, "in a loop");
+                let mistake =
+                    Mistake::new(Code::CyclicDefinition, frame.name.span, message, "in a loop");
                 return Err(Box::new(mistake.help(help)));
             }
             path.push(index);

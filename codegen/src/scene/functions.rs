@@ -7,9 +7,10 @@ use crate::scene::resolve::{MAX_TERMS, Resolved, Resolver, not_zero};
 use crate::scene::spline::Course;
 use crate::scene::tables::course_of;
 use crate::scene::typed::{Typed, Uses, integer, power, product, reciprocal, select_less, sum};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::{Angular, Dimension};
-use crate::spec::expression::{Ast, Node};
+use crate::spec::expression::Ast;
 use crate::spec::{did_you_mean, quoted};
 use machinist_algebra::expr::{Expr, Function, Symbol};
 use machinist_model::evaluate::call;
@@ -132,7 +133,7 @@ impl Resolver<'_> {
                 let message = "the argument of this function must be dimensionless";
                 let label = format!("in {dimension}");
                 Err(Box::new(
-                    Mistake::new(x.span, message, label)
+                    Mistake::new(Code::DimensionMismatch, x.span, message, label)
                         .help("divide it by a quantity of its unit"),
                 ))
             }
@@ -188,7 +189,12 @@ impl Resolver<'_> {
         {
             let message =
                 format!("the arguments of `mod` differ in dimension: this is in {dimension}");
-            return Err(Box::new(Mistake::new(by.span, message, format!("in {other}"))));
+            return Err(Box::new(Mistake::new(
+                Code::DimensionMismatch,
+                by.span,
+                message,
+                format!("in {other}"),
+            )));
         }
         self.spend(x.terms.saturating_add(y.terms), span)?;
         let mut typed = Typed::over(&[&x, &x, &y, &y]);
@@ -209,7 +215,12 @@ impl Resolver<'_> {
             None => None,
             Some(dimension) => Some(dimension.power(1, 2).ok_or_else(|| {
                 let label = format!("in {dimension}");
-                Mistake::new(of.span, "this root has no dimension in SI units", label)
+                Mistake::new(
+                    Code::NoDimension,
+                    of.span,
+                    "this root has no dimension in SI units",
+                    label,
+                )
             })?),
         };
         typed.angular = x.angular.power(1, 2);
@@ -228,7 +239,12 @@ impl Resolver<'_> {
             None => None,
             Some(dimension) => Some(dimension.power(1, 3).ok_or_else(|| {
                 let label = format!("in {dimension}");
-                Mistake::new(of.span, "this root has no dimension in SI units", label)
+                Mistake::new(
+                    Code::NoDimension,
+                    of.span,
+                    "this root has no dimension in SI units",
+                    label,
+                )
             })?),
         };
         typed.angular = x.angular.power(1, 3);
@@ -254,7 +270,12 @@ impl Resolver<'_> {
         let (y, x) = (self.resolve(y, scope, allowed)?, self.resolve(x, scope, allowed)?);
         Self::agree(span, &y, &x)?;
         if y.value == Some(0.0) && x.value == Some(0.0) {
-            return Err(Box::new(Mistake::new(span, "`atan2(0, 0)` is undefined", "both are 0")));
+            return Err(Box::new(Mistake::new(
+                Code::UndefinedValue,
+                span,
+                "`atan2(0, 0)` is undefined",
+                "both are 0",
+            )));
         }
         self.spend(x.terms.saturating_add(y.terms).saturating_mul(5).saturating_add(8), span)?;
         let mut typed = Typed::over(&[&x, &y, &x, &y, &x, &y, &x, &y, &x, &y]);
@@ -296,11 +317,16 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
-    fn agree(span: Span, a: &Typed, b: &Typed) -> Result<(), Box<Mistake>> {
+    pub(super) fn agree(span: Span, a: &Typed, b: &Typed) -> Result<(), Box<Mistake>> {
         match a.dimension.zip(b.dimension) {
             Some((a, b)) if a != b => {
                 let message = format!("the preceding values are in {a}, but this one is in {b}");
-                Err(Box::new(Mistake::new(span, message, format!("in {b}"))))
+                Err(Box::new(Mistake::new(
+                    Code::DimensionMismatch,
+                    span,
+                    message,
+                    format!("in {b}"),
+                )))
             }
             _ => Ok(()),
         }
@@ -348,7 +374,8 @@ impl Resolver<'_> {
         let (time, at) = self.condition(t, at, scope, allowed)?;
         if time.expr != Expr::Symbol(Symbol::Time) || at.uses != Uses::default() {
             let message = "a step must be in `t`, at a time that depends on parameters only";
-            let mistake = Mistake::new(t.span.to(place), message, "not a step in time");
+            let mistake =
+                Mistake::new(Code::WrongArguments, t.span.to(place), message, "not a step in time");
             return Err(Box::new(mistake.help("otherwise write piecewise(x < x1, 0, 1)")));
         }
         self.spend(2, span)?;
@@ -359,123 +386,16 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
-    fn piecewise(
-        &mut self,
-        arguments: &[Ast],
-        span: Span,
-        scope: Scope,
-        allowed: Uses,
-    ) -> Resolved {
-        let mut parts: Vec<Typed> = Vec::new();
-        let mut conditions = Vec::new();
-        for pair in arguments.chunks(2) {
-            let [condition, value] = pair else { continue };
-            let Node::Less(t, at) = &condition.node else {
-                let mistake = Mistake::new(condition.span, "expected a condition", "not `a < b`");
-                return Err(Box::new(mistake.help("write piecewise(t < t1, a, x < x2, b, c)")));
-            };
-            conditions.push(self.condition(t, at, scope, allowed)?);
-            parts.push(self.piece(value, &parts, scope, allowed)?);
-        }
-        if let Some(last) = arguments.last() {
-            parts.push(self.piece(last, &parts, scope, allowed)?);
-        }
-        let bounds = conditions.iter().flat_map(|(time, at)| [time, at]);
-        let mut typed = Typed::over(&parts.iter().chain(bounds).collect::<Vec<_>>());
-        typed.depth += conditions.len();
-        typed.dimension = parts.iter().find_map(|part| part.dimension);
-        let angular = parts.iter().map(|part| part.angular).reduce(Angular::plus);
-        typed.angular = angular.unwrap_or_default();
-        if typed.depth > 400 {
-            let message = "piecewise has too many pieces";
-            return Err(Box::new(Mistake::new(span, message, "here").help("use a table")));
-        }
-        let mut values = parts.into_iter().map(|part| part.expr).rev();
-        let last = values.next().unwrap_or_else(|| integer(0));
-        typed.expr =
-            conditions.into_iter().rev().zip(values).fold(last, |otherwise, ((time, at), then)| {
-                select_less(time.expr, at.expr, then, otherwise)
-            });
-        Ok(typed)
-    }
-
-    /// Resolves a value of the same dimension as those before it.
-    fn piece(&mut self, ast: &Ast, before: &[Typed], scope: Scope, allowed: Uses) -> Resolved {
-        let value = self.resolve(ast, scope, allowed)?;
-        if let Some(known) = before.iter().find(|part| part.dimension.is_some()) {
-            Self::agree(ast.span, known, &value)?;
-        }
-        Ok(value)
-    }
-
-    /// Resolves a condition. It is `t < at` with `at` of parameters only, where the solver stops;
-    /// or `mode < number` for whole numbers, evaluated as `mode < number - 1/2`; or a comparison
-    /// of values of one dimension, whose difference becomes a guard.
-    fn condition(
-        &mut self,
-        t: &Ast,
-        at: &Ast,
-        scope: Scope,
-        allowed: Uses,
-    ) -> Result<(Typed, Typed), Box<Mistake>> {
-        let time = self.resolve(t, scope, allowed)?;
-        if self.is_mode(&time.expr) {
-            return self.mode_condition(time, at, scope);
-        }
-        let at_time = self.resolve(at, scope, allowed)?;
-        if time.expr != Expr::Symbol(Symbol::Time) || at_time.uses != Uses::default() {
-            Self::agree(at.span, &time, &at_time)?;
-            return Ok((time, at_time));
-        }
-        if let Some(dimension) = at_time.dimension
-            && dimension != Dimension::TIME
-        {
-            let message = format!("a time must be in s, but this is in {dimension}");
-            let mistake = Mistake::new(at.span, message, format!("in {dimension}"));
-            return Err(Box::new(mistake.help("write the unit of a number in brackets: 0.1 [s]")));
-        }
-        if !self.discontinuities.contains(&at_time.expr) {
-            self.discontinuities.push(at_time.expr.clone());
-        }
-        Ok((time, at_time))
-    }
-
-    /// Reports whether an expression is a mode.
-    fn is_mode(&self, expr: &Expr) -> bool {
-        let Expr::Symbol(Symbol::FirstOrder(id)) = expr else { return false };
-        let spec = self.spec;
-        let states = spec.instances.iter().flat_map(|instance| &spec.units[instance.unit].states);
-        states
-            .chain(&spec.states)
-            .enumerate()
-            .any(|(index, state)| index == id.0 as usize && state.is_mode)
-    }
-
-    fn mode_condition(
-        &mut self,
-        mode: Typed,
-        at: &Ast,
-        scope: Scope,
-    ) -> Result<(Typed, Typed), Box<Mistake>> {
-        let bound = self.resolve(at, scope, Uses::PARAMETERS)?;
-        let Expr::Number(number) = &bound.expr else {
-            let message = "a mode must be compared with an integer";
-            return Err(Box::new(Mistake::new(at.span, message, "not a number")));
-        };
-        if !number.is_integer() || bound.dimension.is_some_and(|d| d != Dimension::ONE) {
-            let message = "a mode must be compared with an integer";
-            return Err(Box::new(Mistake::new(at.span, message, "not an integer")));
-        }
-        let half = num_rational::BigRational::new(1.into(), 2.into());
-        let between = Typed { expr: Expr::Number(number - half), ..bound };
-        Ok((mode, between))
-    }
-
     /// Resolves dx/dt along the motion.
     fn rate(&mut self, of: &Ast, span: Span, scope: Scope, allowed: Uses) -> Resolved {
         if !allowed.velocity {
             let message = "a rate is a velocity, which is not allowed here";
-            return Err(Box::new(Mistake::new(span, message, "not allowed here")));
+            return Err(Box::new(Mistake::new(
+                Code::ForbiddenDependence,
+                span,
+                message,
+                "not allowed here",
+            )));
         }
         // The rate must use only what is allowed here.
         let velocity = allowed.acceleration;
@@ -495,7 +415,7 @@ impl Resolver<'_> {
                                        available here"
                     .to_owned(),
             };
-            Mistake::new(of.span, message, "its rate")
+            Mistake::new(Code::NoDerivative, of.span, message, "its rate")
                 .help("only expressions of coordinates and time have a rate here")
         })?;
         self.spend(terms, span)?;
@@ -503,7 +423,12 @@ impl Resolver<'_> {
         typed.dimension = match x.dimension {
             None => None,
             Some(dimension) => Some(dimension.over(Dimension::TIME).ok_or_else(|| {
-                Mistake::new(span, "this rate has no dimension in SI units", "beyond reason")
+                Mistake::new(
+                    Code::NoDimension,
+                    span,
+                    "this rate has no dimension in SI units",
+                    "beyond reason",
+                )
             })?),
         };
         typed.angular = x.angular;
@@ -529,16 +454,18 @@ fn like(x: &Typed, parts: &[&Typed]) -> Typed {
 fn unknown(function: &str, name: Span, span: Span, given: usize) -> Mistake {
     if PURE.iter().any(|(known, _)| *known == function) || WHOLE.contains(&function) {
         let message = format!("{function} takes one argument, not {given}");
-        return Mistake::new(span, message, "here");
+        return Mistake::new(Code::WrongArguments, span, message, "here");
     }
     if let Some((_, usage)) = OTHERS.iter().find(|(known, _)| *known == function) {
         let message = format!("{function}: wrong number or kind of arguments ({given} given)");
-        return Mistake::new(span, message, "here").help(format!("write {usage}"));
+        return Mistake::new(Code::WrongArguments, span, message, "here")
+            .help(format!("write {usage}"));
     }
     let known = PURE.iter().map(|(name, _)| *name).chain(OTHERS.iter().map(|(name, _)| *name));
     let known = known.chain(WHOLE.iter().copied());
     let message = format!("unknown function {}", quoted(function));
-    Mistake::new(name, message, "unknown").help(did_you_mean(function, known))
+    Mistake::new(Code::UnknownFunction, name, message, "unknown")
+        .help(did_you_mean(function, known))
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use crate::scene::ports::{dimension_of, ratio_of, require_ratio};
 use crate::scene::resolve::{Resolver, Wanted};
 use crate::scene::system::Required;
 use crate::scene::typed::{Uses, integer, product, reciprocal};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::{Formula, JointSpec, SceneSpec, quoted};
@@ -86,7 +87,12 @@ fn frames(
         [Some(one), Some(other)] => {
             if let Some(ratio) = &joint.ratio {
                 let message = "a joint of frames cannot have a ratio";
-                return Err(Box::new(Mistake::new(ratio.span(), message, "no multiple")));
+                return Err(Box::new(Mistake::new(
+                    Code::InvalidJoint,
+                    ratio.span(),
+                    message,
+                    "no multiple",
+                )));
             }
             Ok(Some([one, other]))
         }
@@ -96,7 +102,7 @@ fn frames(
             let message = format!(
                 "a joint must connect ports of the same kind: {frame} is a frame, {other_name} is not"
             );
-            Err(Box::new(Mistake::new(other.span, message, "not a frame")))
+            Err(Box::new(Mistake::new(Code::InvalidJoint, other.span, message, "not a frame")))
         }
     }
 }
@@ -129,7 +135,7 @@ fn refuse_idle(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) {
             names.join(" and "),
             quoted(&instance.name.value)
         );
-        let mistake = Mistake::new(instance.name.span, message, "joined to itself");
+        let mistake = Mistake::new(Code::NoEffect, instance.name.span, message, "joined to itself");
         mistakes.push(mistake.help("join its ends to different parts, or leave it out"));
     }
 }
@@ -172,7 +178,12 @@ fn edge(
             quoted(&second.value),
             other_kind.name()
         );
-        return Err(Box::new(Mistake::new(second.span, message, other_kind.name())));
+        return Err(Box::new(Mistake::new(
+            Code::InvalidJoint,
+            second.span,
+            message,
+            other_kind.name(),
+        )));
     }
     let dimension = dimension_of(spec, layout, port, slot);
     let other_dimension = dimension_of(spec, layout, other, other_slot);
@@ -180,7 +191,7 @@ fn edge(
         let (first, other) = (quoted(&first.value), quoted(&second.value));
         let message = format!("{first} is in {dimension}, {other} in {other_dimension}");
         let label = format!("in {other_dimension}");
-        return Err(Box::new(Mistake::new(second.span, message, label)));
+        return Err(Box::new(Mistake::new(Code::InvalidJoint, second.span, message, label)));
     }
     let of_joint = match &joint.ratio {
         Some(formula) => {
@@ -225,7 +236,10 @@ fn hold(spec: &SceneSpec, layout: &mut Layout, roots: &mut [usize], mistakes: &m
                 let message =
                     format!("a field of {} is joined to a fixed part", quoted(&name.value));
                 let help = "fix the end of the field instead: start = \"fixed\"";
-                mistakes.push(Mistake::new(name.span, message, "fixed by a joint").help(help));
+                mistakes.push(
+                    Mistake::new(Code::InvalidJoint, name.span, message, "fixed by a joint")
+                        .help(help),
+                );
             }
         }
     }
@@ -233,8 +247,12 @@ fn hold(spec: &SceneSpec, layout: &mut Layout, roots: &mut [usize], mistakes: &m
         && slots.clone().all(|slot| layout.is_fixed(slot))
         && let Some(instance) = spec.instances.first()
     {
-        let mistake =
-            Mistake::new(instance.name.span, "every coordinate is fixed", "nothing moves");
+        let mistake = Mistake::new(
+            Code::NothingMoves,
+            instance.name.span,
+            "every coordinate is fixed",
+            "nothing moves",
+        );
         mistakes.push(mistake.help("join one of them to something that is not fixed"));
     }
 }
@@ -258,10 +276,15 @@ fn unite(
     let span = first.span.to(second.span);
     let (first, second) = (quoted(&first.value), quoted(&second.value));
     let mistake = if before.iter().any(|other| pair(other) == pair(joint)) {
-        Mistake::new(span, format!("{first} and {second} are joined twice"), "joined before")
+        Mistake::new(
+            Code::JointLoop,
+            span,
+            format!("{first} and {second} are joined twice"),
+            "joined before",
+        )
     } else {
         let message = format!("the joint of {first} and {second} closes a loop");
-        Mistake::new(span, message, "already joined by other joints")
+        Mistake::new(Code::JointLoop, span, message, "already joined by other joints")
             .help("the ratios around a loop would have to agree; leave this joint out")
     };
     Err(Box::new(mistake))

@@ -11,6 +11,7 @@ use crate::scene::parameters::numbers;
 use crate::scene::system::Required;
 use crate::scene::typed::integer;
 use crate::spatial::orientation::Orientation;
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::{SceneSpec, UnitSpec, quoted};
@@ -135,7 +136,9 @@ impl Names {
             let message = format!("the name {} is given twice", quoted(&name.value));
             let help = "coordinates, velocities, accelerations, parameters, inputs, states, \
                         helpers, outputs and constraints share their names";
-            mistakes.push(Mistake::new(name.span, message, "given again").help(help));
+            mistakes.push(
+                Mistake::new(Code::DuplicateName, name.span, message, "given again").help(help),
+            );
             return;
         }
         self.order.push(name.value.clone());
@@ -220,7 +223,12 @@ impl Layout {
             let names = units[instance.unit].order.len();
             if size <= MAX_NAMES && size + names > MAX_NAMES {
                 let message = format!("a scene has at most {MAX_NAMES} named things");
-                mistakes.push(Mistake::new(instance.name.span, message, "too many from here on"));
+                mistakes.push(Mistake::new(
+                    Code::TooLarge,
+                    instance.name.span,
+                    message,
+                    "too many from here on",
+                ));
             }
             size += names;
         }

@@ -12,6 +12,7 @@ use crate::scene::layout::{
 use crate::scene::parameters;
 use crate::scene::resolve::{Resolved, Resolver, Wanted, beyond_reason, fits, sound};
 use crate::scene::typed::{Typed, Uses, product};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::{Angular, Dimension, Unit};
 use crate::spec::expression::{Ast, Literal, Node};
@@ -91,7 +92,10 @@ impl Resolver<'_> {
                     "a velocity" => "write it with coordinates, states, time and parameters",
                     _ => "write it with numbers and parameters",
                 };
-                Err(Box::new(Mistake::new(span, message, "not allowed here").help(help)))
+                Err(Box::new(
+                    Mistake::new(Code::ForbiddenDependence, span, message, "not allowed here")
+                        .help(help),
+                ))
             }
         }
     }
@@ -136,7 +140,10 @@ impl Resolver<'_> {
             let message = format!("{} belongs to the machine, not to the field", quoted(name));
             let help = "an expression along a field may use the field, x, t and parameters; join \
                         moving parts to a port";
-            return Err(Box::new(Mistake::new(span, message, "not of the field").help(help)));
+            return Err(Box::new(
+                Mistake::new(Code::ForbiddenDependence, span, message, "not of the field")
+                    .help(help),
+            ));
         }
         Ok(typed)
     }
@@ -159,7 +166,9 @@ impl Resolver<'_> {
             }
             let message = format!("unknown name {}", quoted(name));
             let help = did_you_mean(name, names.iter());
-            return Err(Box::new(Mistake::new(span, message, "unknown").help(help)));
+            return Err(Box::new(
+                Mistake::new(Code::UnknownName, span, message, "unknown").help(help),
+            ));
         };
         match (scope, local) {
             (scope, Local::Helper(index)) => {
@@ -202,7 +211,12 @@ impl Resolver<'_> {
                 self.leaf(symbol, Unit::default(), uses, span)
             }
             (Scope::Instance(instance), local) => self.motion(instance, local, span),
-            _ => Err(Box::new(Mistake::new(span, "this name has no value", "not a value"))),
+            _ => Err(Box::new(Mistake::new(
+                Code::WrongKindOfName,
+                span,
+                "this name has no value",
+                "not a value",
+            ))),
         }
     }
 
@@ -229,10 +243,22 @@ impl Resolver<'_> {
             Local::Slope(port, side) => return self.slope(instance, port, side, span),
             Local::Place | Local::Field(..) => {
                 let help = "use its value at a port, by the name of the port";
-                let mistake = Mistake::new(span, "a field has no single value", "along a field");
+                let mistake = Mistake::new(
+                    Code::WrongKindOfName,
+                    span,
+                    "a field has no single value",
+                    "along a field",
+                );
                 return Err(Box::new(mistake.help(help)));
             }
-            _ => return Err(Box::new(Mistake::new(span, "this name has no value", "not a value"))),
+            _ => {
+                return Err(Box::new(Mistake::new(
+                    Code::WrongKindOfName,
+                    span,
+                    "this name has no value",
+                    "not a value",
+                )));
+            }
         };
         let coordinate = &unit.coordinates[index];
         let declared = if order == 0 {
@@ -263,7 +289,12 @@ impl Resolver<'_> {
         let at = self.layout.attachment_of(instance, port);
         let Some((index, attachment)) = at.map(|index| (index, &self.layout.attachments[index]))
         else {
-            return Err(Box::new(Mistake::new(span, "this name has no value", "not a value")));
+            return Err(Box::new(Mistake::new(
+                Code::WrongKindOfName,
+                span,
+                "this name has no value",
+                "not a value",
+            )));
         };
         let outside = match side {
             Side::Before => attachment.place == Place::Start,
@@ -271,7 +302,12 @@ impl Resolver<'_> {
         };
         if outside {
             let message = "the field ends at this port";
-            return Err(Box::new(Mistake::new(span, message, "no field on this side")));
+            return Err(Box::new(Mistake::new(
+                Code::InvalidField,
+                span,
+                message,
+                "no field on this side",
+            )));
         }
         let declared = unit.fields[attachment.field].unit.unit;
         let dimension = declared.dimension.over(Dimension::LENGTH);
@@ -296,8 +332,12 @@ impl Resolver<'_> {
             Some(State::Done(done)) => Rc::clone(done),
             Some(State::Failed(mistake)) => return Err(mistake.clone()),
             Some(State::Pending) => {
-                let mistake =
-                    Mistake::new(span, "this definition refers to itself", "back to itself");
+                let mistake = Mistake::new(
+                    Code::CyclicDefinition,
+                    span,
+                    "this definition refers to itself",
+                    "back to itself",
+                );
                 return Err(Box::new(mistake.help("a helper cannot depend on itself")));
             }
             None => {
@@ -415,7 +455,7 @@ fn unbound(input: &InputSpec, instance: &InstanceSpec) -> Mistake {
         input.name.value, input.unit.text
     );
     let message = format!("input {name} of {of} is not bound");
-    Mistake::new(instance.name.span, message, "lacks an input").help(help)
+    Mistake::new(Code::UnboundInput, instance.name.span, message, "lacks an input").help(help)
 }
 
 /// Gives a named expression its declared unit.

@@ -16,6 +16,7 @@ use crate::scene::layout::{Layout, Scope, coordinate_spec};
 use crate::scene::resolve::Resolver;
 use crate::spatial::orientation::Orientation;
 use crate::spatial::vector::{Vector, cross};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::{SceneSpec, quoted};
 
@@ -173,7 +174,7 @@ fn refuse_rigid(edges: &[Edge], kinds: &[(bool, Option<Candidate>)]) -> Result<(
     for (edge, _) in edges.iter().zip(kinds).filter(|(_, (moves, _))| !moves) {
         if !join(&mut roots, edge.ends) {
             let message = "this closes a loop of frames without a joint";
-            let mistake = Mistake::new(edge.span, message, "a rigid loop");
+            let mistake = Mistake::new(Code::JointLoop, edge.span, message, "a rigid loop");
             return Err(Box::new(mistake.help("leave it out, or put a joint into the loop")));
         }
     }

@@ -68,7 +68,7 @@ impl Why {
 
 /// Result of [`eliminate`].
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Left {
+pub struct Remaining {
     /// For each coordinate that is left, its index in the scene.
     pub coordinates: Vec<usize>,
     /// Motions that remain without inertia.
@@ -79,9 +79,11 @@ pub struct Left {
 /// `is_unjoined` tells which coordinates of the scene are ports joined to nothing.
 ///
 /// Coordinates in constraints are left to these.
-pub fn eliminate(system: &mut LagrangianSystem, is_unjoined: &dyn Fn(usize) -> bool) -> Left {
-    let mut left =
-        Left { coordinates: (0..system.coordinates.len()).collect(), undetermined: Vec::new() };
+pub fn eliminate(system: &mut LagrangianSystem, is_unjoined: &dyn Fn(usize) -> bool) -> Remaining {
+    let mut left = Remaining {
+        coordinates: (0..system.coordinates.len()).collect(),
+        undetermined: Vec::new(),
+    };
     // Those of bodies are found once the mass matrix is derived.
     if !system.mechanisms.is_empty() || !system.orientations.is_empty() {
         return left;
@@ -125,7 +127,7 @@ fn checked_coordinates(system: &LagrangianSystem) -> Vec<Definition> {
         .collect()
 }
 
-impl Left {
+impl Remaining {
     /// Returns the first balance of forces that determines a motion, and lists the motions before
     /// it. These may be determined once others are gone.
     fn balance(

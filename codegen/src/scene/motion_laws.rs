@@ -23,6 +23,7 @@ use num_rational::BigRational;
 use crate::scene::layout::Scope;
 use crate::scene::resolve::{Resolved, Resolver};
 use crate::scene::typed::{Typed, Uses, integer, power, product, reciprocal, select_less, sum};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Angular;
 use crate::spec::expression::{Ast, Node};
@@ -97,7 +98,9 @@ impl Resolver<'_> {
             };
             let message = format!("this law takes {further} arguments after x, not {}", ends.len());
             let help = format!("write motion_law(\"...\", {usage}): slopes over x at 0 and at 1");
-            return Err(Box::new(Mistake::new(span, message, "here").help(help)));
+            return Err(Box::new(
+                Mistake::new(Code::WrongArguments, span, message, "here").help(help),
+            ));
         }
         let argument = self.number(x, scope, allowed)?;
         let mut given = Vec::new();
@@ -108,7 +111,7 @@ impl Resolver<'_> {
             && inflection.value.is_some_and(|value| value <= 0.0 || value >= 1.0)
         {
             let message = "the inflection of a law lies between 0 and 1";
-            let mistake = Mistake::new(ast.span, message, "outside");
+            let mistake = Mistake::new(Code::OutOfRange, ast.span, message, "outside");
             return Err(Box::new(
                 mistake.help("write the share of x at which it lies, such as 0.4"),
             ));
@@ -130,14 +133,19 @@ impl Resolver<'_> {
 
 fn law_of(ast: &Ast) -> Result<Law, Box<Mistake>> {
     let Node::Text(text) = &ast.node else {
-        let mistake = Mistake::new(ast.span, "the name of a law must be quoted", "not a text");
+        let mistake = Mistake::new(
+            Code::WrongArguments,
+            ast.span,
+            "the name of a law must be quoted",
+            "not a text",
+        );
         return Err(Box::new(mistake.help("write motion_law(\"modified sine\", x)")));
     };
     let found = LAWS.iter().find(|(name, _)| name == text);
     found.map(|(_, law)| *law).ok_or_else(|| {
         let message = format!("unknown motion law {}", quoted(text));
         let help = did_you_mean(text, LAWS.iter().map(|(name, _)| *name));
-        Box::new(Mistake::new(ast.span, message, "unknown").help(help))
+        Box::new(Mistake::new(Code::UnknownChoice, ast.span, message, "unknown").help(help))
     })
 }
 

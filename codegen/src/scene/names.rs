@@ -1,5 +1,6 @@
 //! The three spellings of a name.
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::quoted;
 use machinist_model::Name;
@@ -110,7 +111,9 @@ impl Flat {
         };
         let (ident, path, other) = (quoted(&name.ident), quoted(&name.path), quoted(&other));
         let message = format!("{path} and {other} are both called {ident} in emitted code");
-        Err(Box::new(Mistake::new(span, message, "clashes").help("rename one of them")))
+        Err(Box::new(
+            Mistake::new(Code::DuplicateName, span, message, "clashes").help("rename one of them"),
+        ))
     }
 }
 

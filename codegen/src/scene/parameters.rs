@@ -9,6 +9,7 @@ use crate::scene::layout::{Layout, Local, Scope, find_inside};
 use crate::scene::resolve::{Resolver, Wanted};
 use crate::scene::system::Required;
 use crate::scene::typed::{Typed, Uses};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
 use crate::spec::expression::{Ast, Node};
@@ -134,7 +135,9 @@ pub fn values(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) ->
             let message = format!("unit {unit_name} has no parameter {wanted}");
             let known = unit.parameters.iter().map(|parameter| parameter.name.value.as_str());
             let help = did_you_mean(name, known);
-            mistakes.push(Mistake::new(path.span, message, "unknown").help(help));
+            mistakes.push(
+                Mistake::new(Code::UnknownParameter, path.span, message, "unknown").help(help),
+            );
         }
     }
     numbers(spec).map(|(.., value)| value).collect()
@@ -163,7 +166,7 @@ pub fn check(
                 return Ok(());
             }
             let message = format!("parameter {} is {value} here", quoted(&name.value));
-            Err(Box::new(Mistake::new(ast.span, message, "not a finite number")))
+            Err(Box::new(Mistake::new(Code::OutOfRange, ast.span, message, "not a finite number")))
         });
         mistakes.extend(finite.err().map(|mistake| *mistake));
     }
@@ -189,6 +192,7 @@ impl Resolver<'_> {
         let parameter = declared(self.spec, scope, index);
         let Given::Expression(ast, whose) = given(self.spec, scope, index) else {
             return Err(Box::new(Mistake::new(
+                Code::NotConstant,
                 span,
                 "this parameter must be a number",
                 "a number",

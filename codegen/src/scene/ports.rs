@@ -4,6 +4,7 @@ use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Layout, Scope, coordinate_spec};
 use crate::scene::resolve::{Resolver, Wanted, beyond_reason};
 use crate::scene::typed::{Uses, integer};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Dimension;
 use crate::spec::{Formula, PortKind, PortSpec, SceneSpec};
@@ -56,5 +57,5 @@ pub fn require_ratio(
         return Ok(());
     }
     let message = format!("a ratio must be a number other than 0, but this one is {value}");
-    Err(Box::new(Mistake::new(formula.span(), message, "not a ratio")))
+    Err(Box::new(Mistake::new(Code::InvalidJoint, formula.span(), message, "not a ratio")))
 }

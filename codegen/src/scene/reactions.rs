@@ -13,6 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use machinist_algebra::cas::arithmetic::{call, negative, normal_form, product, sum};
 use machinist_algebra::expr::{ConstraintId, Expr, Function, Symbol};
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span};
 
 /// Q_0 and c_k.
@@ -34,7 +35,9 @@ pub(super) fn in_proportion(force: Expr, span: Span) -> Result<Expr, Box<Mistake
             "a force that depends on the force of a constraint must be in proportion to it";
         let help = "write it as a factor times the constraint force, or times its `abs`, its `max` \
                     with 0 or its `min` with 0";
-        return Err(Box::new(Mistake::new(span, message, "not in proportion").help(help)));
+        return Err(Box::new(
+            Mistake::new(Code::InvalidForce, span, message, "not in proportion").help(help),
+        ));
     };
     let terms = by.into_iter().map(|(id, factor)| product([factor, multiplier(id)]));
     Ok(sum(terms.chain([rest])))

@@ -15,6 +15,7 @@ use crate::scene::lookup::{Definition, State};
 use crate::scene::reactions::{in_proportion, signed};
 use crate::scene::spline::Course;
 use crate::scene::typed::{self, Typed, Uses, integer, product, sum};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::{Angular, Dimension, Unit};
 use crate::spec::expression::{Ast, MAX_NESTING, Node};
@@ -137,7 +138,9 @@ impl<'a> Resolver<'a> {
             );
             let help = "their signs are found by solving for each combination; where a constraint \
                         force keeps its sign, leave out `abs`";
-            return Err(Box::new(Mistake::new(ast.span, message, "one more").help(help)));
+            return Err(Box::new(
+                Mistake::new(Code::InvalidForce, ast.span, message, "one more").help(help),
+            ));
         }
         self.require_no_fields("a force", ast.span)?;
         Ok(Typed { expr, ..typed })
@@ -167,7 +170,7 @@ impl<'a> Resolver<'a> {
             format!("{what} depends on the force of a constraint, and the scene has fields");
         let help = "constraint forces are solved for without what fields add to the machine; use \
                     lumped masses and springs instead";
-        Err(Box::new(Mistake::new(span, message, "not with fields").help(help)))
+        Err(Box::new(Mistake::new(Code::InvalidForce, span, message, "not with fields").help(help)))
     }
 
     /// Resolves a name.
@@ -239,11 +242,16 @@ impl<'a> Resolver<'a> {
                 self.call(function, *span, arguments, ast.span, scope, allowed)
             }
             Node::Less(..) => Err(Box::new(
-                Mistake::new(ast.span, "a comparison is allowed only in piecewise", "not here")
-                    .help("write piecewise(t < t1, a, b)"),
+                Mistake::new(
+                    Code::Syntax,
+                    ast.span,
+                    "a comparison is allowed only in piecewise",
+                    "not here",
+                )
+                .help("write piecewise(t < t1, a, b)"),
             )),
             Node::Text(_) => Err(Box::new(
-                Mistake::new(ast.span, "a quoted text is not a value", "not here")
+                Mistake::new(Code::Syntax, ast.span, "a quoted text is not a value", "not here")
                     .help("only `table` and `motion_law` take texts"),
             )),
         };
@@ -313,12 +321,21 @@ impl<'a> Resolver<'a> {
         allowed: Uses,
     ) -> Resolved {
         let number = constant(exponent).ok_or_else(|| {
-            Mistake::new(exponent.span, "an exponent must be a number", "not a number")
-                .help("write exp(b*ln(a)) for a^b")
+            Mistake::new(
+                Code::NotConstant,
+                exponent.span,
+                "an exponent must be a number",
+                "not a number",
+            )
+            .help("write exp(b*ln(a)) for a^b")
         })?;
         let Some((numerator, denominator)) = typed::exponent(&number) else {
-            let mistake =
-                Mistake::new(exponent.span, "an exponent is at most 64 in magnitude", "too large");
+            let mistake = Mistake::new(
+                Code::OutOfRange,
+                exponent.span,
+                "an exponent is at most 64 in magnitude",
+                "too large",
+            );
             return Err(Box::new(mistake));
         };
         let part = self.resolve(base, scope, allowed)?;
@@ -331,8 +348,13 @@ impl<'a> Resolver<'a> {
             None | Some(Dimension::ONE) => Some(Dimension::ONE),
             Some(dimension) => Some(dimension.power(numerator, denominator).ok_or_else(|| {
                 let label = format!("the base is in {dimension}");
-                Mistake::new(exponent.span, "this power has no dimension in SI units", label)
-                    .help("exponents of a quantity with a dimension must be multiples of 1/840")
+                Mistake::new(
+                    Code::NoDimension,
+                    exponent.span,
+                    "this power has no dimension in SI units",
+                    label,
+                )
+                .help("exponents of a quantity with a dimension must be multiples of 1/840")
             })?),
         };
         typed.bits = part.bits.saturating_mul(u64::from(numerator.unsigned_abs().max(1)));
@@ -358,7 +380,7 @@ impl<'a> Resolver<'a> {
             return Ok(());
         }
         let message = format!("with helpers expanded, expressions nest deeper than {MAX_NESTING}");
-        Err(Box::new(Mistake::new(span, message, "too deep here")))
+        Err(Box::new(Mistake::new(Code::TooLarge, span, message, "too deep here")))
     }
 
     /// Counts leaves before they are created.
@@ -373,7 +395,7 @@ impl<'a> Resolver<'a> {
         } else {
             format!("with helpers expanded, the scene has more than {MAX_SCENE_TERMS} terms")
         };
-        Err(Box::new(Mistake::new(span, message, "grows beyond the limit here")))
+        Err(Box::new(Mistake::new(Code::TooLarge, span, message, "grows beyond the limit here")))
     }
 }
 
@@ -437,14 +459,20 @@ pub(super) fn fits(span: Span, part: &Typed, wanted: &Wanted) -> Result<(), Box<
         && dimension != wanted.dimension
     {
         let message = format!("{what} is in {}, but this term is in {dimension}", wanted.dimension);
-        let mistake = Mistake::new(span, message, format!("in {dimension}"));
+        let mistake =
+            Mistake::new(Code::DimensionMismatch, span, message, format!("in {dimension}"));
         let bare = part.value.is_some() && dimension == Dimension::ONE;
         let help = if bare { "write the unit of a number in brackets: 0.1 [s]" } else { "" };
         return Err(Box::new(mistake.help(help)));
     }
     if wanted.energy && part.angular.is_torque() {
         let message = format!("this term of {what} is a torque, not an energy");
-        let mistake = Mistake::new(span, message, "a stiffness per rad times a single angle");
+        let mistake = Mistake::new(
+            Code::NotAnEnergy,
+            span,
+            message,
+            "a stiffness per rad times a single angle",
+        );
         let help = "is a square missing? a spring stores stiffness*angle^2/2";
         return Err(Box::new(mistake.help(help)));
     }
@@ -457,7 +485,12 @@ fn same(span: Span, part: &Typed, before: &[Typed]) -> Result<(), Box<Mistake>> 
     match first.zip(part.dimension) {
         Some((first, this)) if first != this => {
             let message = format!("the preceding terms are in {first}, but this term is in {this}");
-            Err(Box::new(Mistake::new(span, message, format!("in {this}"))))
+            Err(Box::new(Mistake::new(
+                Code::DimensionMismatch,
+                span,
+                message,
+                format!("in {this}"),
+            )))
         }
         _ => Ok(()),
     }
@@ -469,7 +502,7 @@ pub(super) fn not_zero(part: &Typed, span: Span, what: &str) -> Result<(), Box<M
         return Ok(());
     }
     let label = if part.value.is_some() { "this is 0" } else { "this is always 0" };
-    Err(Box::new(Mistake::new(span, what, label)))
+    Err(Box::new(Mistake::new(Code::UndefinedValue, span, what, label)))
 }
 
 /// Rejects an expression that would grow too much by differentiation.
@@ -480,14 +513,19 @@ fn derivable(typed: Typed, span: Span) -> Resolved {
     }
     let message =
         format!("a second derivative of this would expand to more than {MAX_DERIVATIVE} terms");
-    let mistake = Mistake::new(span, message, "nests or multiplies too much");
+    let mistake = Mistake::new(Code::TooLarge, span, message, "nests or multiplies too much");
     Err(Box::new(mistake.help("replace a part of it by a state, a coordinate or a table")))
 }
 
 /// Rejects numbers beyond the range of `f64`.
 pub(super) fn sound(typed: Typed, span: Span) -> Resolved {
     if typed.value.is_some_and(|value| !value.is_finite()) {
-        return Err(Box::new(Mistake::new(span, "this is not a finite number", "not finite")));
+        return Err(Box::new(Mistake::new(
+            Code::UndefinedValue,
+            span,
+            "this is not a finite number",
+            "not finite",
+        )));
     }
     Ok(typed)
 }
@@ -497,9 +535,9 @@ fn guard_bits(bits: u64, most: u64, span: Span) -> Result<(), Box<Mistake>> {
         return Ok(());
     }
     let message = "nested powers exceed the range of exact numbers";
-    Err(Box::new(Mistake::new(span, message, "grows beyond the limit here")))
+    Err(Box::new(Mistake::new(Code::TooLarge, span, message, "grows beyond the limit here")))
 }
 
 pub(super) fn beyond_reason(span: Span) -> Mistake {
-    Mistake::new(span, "exponents of units are too large", "here")
+    Mistake::new(Code::NoDimension, span, "exponents of units are too large", "here")
 }

@@ -3,6 +3,7 @@
 use crate::scene::layout::Scope;
 use crate::scene::parameters::{self, Given};
 use crate::spec::CorrelationSpec;
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Diagnostics, Mistake, Span, Spanned};
 use crate::spec::spread::{Law, Spread};
 use crate::spec::{Declared, SceneSpec, did_you_mean, quoted};
@@ -52,7 +53,7 @@ pub(super) fn find(spec: &SceneSpec, mistakes: &mut Vec<Mistake>) -> Scatter {
             Ok(law) => found.parameters.push(Scattered { name, law }),
             Err(message) => {
                 let message = format!("distribution of {}: {message}", quoted(&name));
-                mistakes.push(Mistake::new(*span, message, "here"));
+                mistakes.push(Mistake::new(Code::InvalidDistribution, *span, message, "here"));
             }
         }
     }
@@ -130,14 +131,18 @@ fn check_name(spec: &SceneSpec, name: &Spanned<String>, mistakes: &mut Vec<Mista
         Some(Given::Expression(..)) => {
             let message = format!("parameter {} is given by an expression", quoted(&name.value));
             let help = "give distributions to the parameters in the expression";
-            mistakes.push(Mistake::new(name.span, message, "not a number").help(help));
+            mistakes.push(
+                Mistake::new(Code::WrongKindOfName, name.span, message, "not a number").help(help),
+            );
         }
         None => {
             let known: Vec<String> =
                 parameters::all(spec).map(|(scope, index)| path_of(spec, scope, index)).collect();
             let message = format!("the scene has no parameter {}", quoted(&name.value));
             let help = did_you_mean(&name.value, known.iter().map(String::as_str));
-            mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
+            mistakes.push(
+                Mistake::new(Code::UnknownParameter, name.span, message, "unknown").help(help),
+            );
         }
     }
 }
@@ -159,13 +164,16 @@ fn correlations(
             match place {
                 Some(place) if places.contains(&place) => {
                     let message = format!("{} is named twice", quoted(&name.value));
-                    mistakes.push(Mistake::new(name.span, message, "again"));
+                    mistakes.push(Mistake::new(Code::DuplicateName, name.span, message, "again"));
                 }
                 Some(place) => places.push(place),
                 None => {
                     let message = format!("{} has no distribution", quoted(&name.value));
                     let help = "give it one, in [scatter] or where it is declared";
-                    mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
+                    mistakes.push(
+                        Mistake::new(Code::InvalidDistribution, name.span, message, "unknown")
+                            .help(help),
+                    );
                 }
             }
         }
@@ -179,7 +187,8 @@ fn correlations(
     {
         let message = "the correlation matrix is not positive definite";
         let help = "these correlations contradict each other; smaller ones do not";
-        mistakes.push(Mistake::new(block.span, message, "here").help(help));
+        mistakes
+            .push(Mistake::new(Code::InvalidDistribution, block.span, message, "here").help(help));
     }
     matrix
 }
@@ -192,7 +201,7 @@ fn fill(
     mistakes: &mut Vec<Mistake>,
 ) {
     let mut refuse = |span: Span, message: String| {
-        mistakes.push(Mistake::new(span, message, "here"));
+        mistakes.push(Mistake::new(Code::InvalidDistribution, span, message, "here"));
     };
     for (i, row) in block.matrix.iter().enumerate() {
         for (j, entry) in row.iter().enumerate() {

@@ -4,6 +4,7 @@ use crate::scene::layout::Scope;
 use crate::scene::resolve::{Resolved, Resolver};
 use crate::scene::spline::{self, Course};
 use crate::scene::typed::{Typed, Uses};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::Angular;
 use crate::spec::expression::{Ast, Node};
@@ -21,21 +22,32 @@ impl Resolver<'_> {
         allowed: Uses,
     ) -> Resolved {
         let (Node::Text(path), Node::Text(name)) = (&file.node, &column.node) else {
-            let mistake =
-                Mistake::new(file.span.to(column.span), "a table needs two quoted texts", "here");
+            let mistake = Mistake::new(
+                Code::WrongArguments,
+                file.span.to(column.span),
+                "a table needs two quoted texts",
+                "here",
+            );
             return Err(Box::new(mistake.help("write table('file.csv', 'column', x)")));
         };
         let spec = self.spec;
         let found = spec.tables.iter().position(|t| t.spec == file.span.file && t.path == *path);
         let Some(index) = found else {
-            return Err(Box::new(Mistake::new(file.span, "this table was not read", "here")));
+            return Err(Box::new(Mistake::new(
+                Code::InvalidTable,
+                file.span,
+                "this table was not read",
+                "here",
+            )));
         };
         let columns = &spec.tables[index].columns;
         let place = columns.iter().skip(1).position(|c| c.name == *name).map(|place| place + 1);
         let Some(place) = place else {
             let message = format!("the table has no column {}", quoted(name));
             let help = did_you_mean(name, columns.iter().skip(1).map(|c| c.name.as_str()));
-            return Err(Box::new(Mistake::new(column.span, message, "unknown").help(help)));
+            return Err(Box::new(
+                Mistake::new(Code::UnknownName, column.span, message, "unknown").help(help),
+            ));
         };
         let argument = self.resolve(x, scope, allowed)?;
         let abscissa = &columns[0];
@@ -43,7 +55,12 @@ impl Resolver<'_> {
             let wanted = abscissa.unit.dimension;
             let message =
                 format!("the table's first column {} is in {wanted}", quoted(&abscissa.name));
-            return Err(Box::new(Mistake::new(x.span, message, "of another dimension")));
+            return Err(Box::new(Mistake::new(
+                Code::DimensionMismatch,
+                x.span,
+                message,
+                "of another dimension",
+            )));
         }
         let mut typed = Typed::over(&[&argument]);
         typed.dimension = Some(columns[place].unit.dimension);
@@ -81,7 +98,8 @@ impl Resolver<'_> {
              data, or \"linear\"; \"natural\" there keeps this curve without a warning"
         );
         let span = csv.rows[found.row].to(csv.rows[found.row + 1]);
-        let warning = Mistake::new(span, message, "between these rows").help(help);
+        let warning =
+            Mistake::new(Code::InvalidTable, span, message, "between these rows").help(help);
         if !self.warnings.contains(&warning) {
             self.warnings.push(warning);
         }
@@ -101,7 +119,7 @@ impl Resolver<'_> {
         let (x, y) = (&csv.columns[0], &csv.columns[column]);
         let Some(coefficients) = spline::through(course, &x.values, &y.values) else {
             let message = "this column cannot be interpolated: its numbers are too far apart";
-            return Err(Box::new(Mistake::new(span, message, "here")));
+            return Err(Box::new(Mistake::new(Code::InvalidTable, span, message, "here")));
         };
         let stem = csv.path.rsplit('/').next().unwrap_or_default().split('.').next();
         let stem = stem.unwrap_or_default();
@@ -129,13 +147,18 @@ pub(super) fn course_of(ast: &Ast) -> Result<Course, Box<Mistake>> {
     let known =
         [("natural", Course::Natural), ("linear", Course::Linear), ("monotone", Course::Monotone)];
     let Node::Text(text) = &ast.node else {
-        let mistake = Mistake::new(ast.span, "the interpolation must be quoted", "not a text");
+        let mistake = Mistake::new(
+            Code::WrongArguments,
+            ast.span,
+            "the interpolation must be quoted",
+            "not a text",
+        );
         return Err(Box::new(mistake.help("write \"linear\", \"monotone\" or \"natural\"")));
     };
     let found = known.iter().find(|(name, _)| name == text);
     found.map(|(_, course)| *course).ok_or_else(|| {
         let message = format!("unknown interpolation {}", quoted(text));
         let help = did_you_mean(text, known.iter().map(|(name, _)| *name));
-        Box::new(Mistake::new(ast.span, message, "unknown").help(help))
+        Box::new(Mistake::new(Code::UnknownChoice, ast.span, message, "unknown").help(help))
     })
 }

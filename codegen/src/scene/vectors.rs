@@ -8,6 +8,7 @@
 use crate::scene::layout::Scope;
 use crate::scene::resolve::{Resolved, Resolver};
 use crate::scene::typed::Uses;
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::expression::{Ast, Node};
 use crate::spec::quoted;
@@ -121,7 +122,7 @@ impl Resolver<'_> {
                 {
                     let message = "a product of vectors is written `dot(u, v)` or `cross(u, v)`";
                     let label = "not one vector among factors";
-                    return Err(Box::new(Mistake::new(span, message, label)));
+                    return Err(Box::new(Mistake::new(Code::InvalidVector, span, message, label)));
                 }
                 let mut all = Vec::new();
                 for (divides, factor) in factors {
@@ -168,7 +169,7 @@ impl Resolver<'_> {
 fn named(frame: &Ast, end: &str) -> Result<Ast, Box<Mistake>> {
     let Node::Name(instance, name) = &frame.node else {
         let message = "a frame is given by its name";
-        return Err(Box::new(Mistake::new(frame.span, message, "not a name")));
+        return Err(Box::new(Mistake::new(Code::InvalidVector, frame.span, message, "not a name")));
     };
     let node = Node::Name(instance.clone(), format!("{name}_{end}"));
     Ok(Ast { span: frame.span, node })
@@ -176,10 +177,12 @@ fn named(frame: &Ast, end: &str) -> Result<Ast, Box<Mistake>> {
 
 fn no_vector(span: Span) -> Mistake {
     let known = VECTORS.map(quoted).join(", ");
-    Mistake::new(span, "this is not a vector", "a number").help(format!("vectors are {known}"))
+    Mistake::new(Code::InvalidVector, span, "this is not a vector", "a number")
+        .help(format!("vectors are {known}"))
 }
 
 fn a_vector(span: Span) -> Mistake {
     let help = "write `dot(u, v)`, `norm(u)`, `x_of(u)`, `y_of(u)` or `z_of(u)`";
-    Mistake::new(span, "a vector is not a value", "three components").help(help)
+    Mistake::new(Code::InvalidVector, span, "a vector is not a value", "three components")
+        .help(help)
 }

@@ -7,6 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::expression::{Ast, Literal, Node};
 use crate::spec::fields::Findings;
@@ -34,7 +35,7 @@ pub fn unroll<'n>(
     if !counts.is_empty() {
         for name in names.filter(|name| name.value == INDEX) {
             let message = "`i` is reserved for the index of rows, as in `disc[i]`";
-            found.mistakes.push(Mistake::new(name.span, message, "rename this"));
+            found.mistakes.push(Mistake::new(Code::InvalidName, name.span, message, "rename this"));
         }
     }
     let mut unroll = Unroll { counts, found };
@@ -66,7 +67,12 @@ impl Unroll<'_> {
         let mut names = BTreeSet::new();
         if let Some(text) = all.iter().find(|text| !names.insert(text.name.value.as_str())) {
             let message = format!("there are two instances {}", quoted(&text.name.value));
-            self.found.mistakes.push(Mistake::new(text.name.span, message, "again"));
+            self.found.mistakes.push(Mistake::new(
+                Code::DuplicateName,
+                text.name.span,
+                message,
+                "again",
+            ));
         }
         *instances = all;
     }
@@ -125,7 +131,9 @@ impl Unroll<'_> {
             let Some(count) = self.counts.get(row) else {
                 let message = format!("{} is not a row of instances", quoted(row));
                 let help = format!("write count = 10 in [units.{row}]");
-                self.found.mistakes.push(Mistake::new(path.span, message, "one").help(help));
+                self.found.mistakes.push(
+                    Mistake::new(Code::WrongKindOfName, path.span, message, "one").help(help),
+                );
                 return Vec::new();
             };
             let own = 1 - offset..=count - offset;
@@ -137,7 +145,9 @@ impl Unroll<'_> {
         let Some(indices) = indices else { return vec![None] };
         if indices.is_empty() {
             let message = "no index `i` is valid for all of these rows";
-            let first = paths.first().map(|path| Mistake::new(path.span, message, "nowhere"));
+            let first = paths
+                .first()
+                .map(|path| Mistake::new(Code::OutOfRange, path.span, message, "nowhere"));
             self.found.mistakes.extend(first);
         }
         indices.map(Some).collect()

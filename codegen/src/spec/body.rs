@@ -1,6 +1,7 @@
 //! Frames and rigid bodies: `[frames.NAME]`, `[orientations.NAME]`, `[bodies.NAME]` and `gravity`
 //! of a unit.
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
 use crate::spec::fields::{Fields, Findings};
@@ -177,7 +178,12 @@ pub fn frame(entry: &Entry, found: &mut Findings) -> Option<FrameSpec> {
     let name = entry.key.clone();
     let mut fields = Fields::open(&entry.value, format!("frame {}", quoted(&name.value)), found);
     if name.value == WORLD {
-        let mistake = Mistake::new(name.span, "`world` is the frame that does not move", "taken");
+        let mistake = Mistake::new(
+            Code::InvalidName,
+            name.span,
+            "`world` is the frame that does not move",
+            "taken",
+        );
         fields.found().mistakes.push(mistake.help("choose another name"));
     }
     let parent = fields.take("parent").and_then(|tree| fields.as_text(tree, "parent"));
@@ -188,7 +194,7 @@ pub fn frame(entry: &Entry, found: &mut Findings) -> Option<FrameSpec> {
     let spherical = fields.take("spherical").and_then(|tree| fields.as_text(tree, "spherical"));
     if let (Some(_), Some(spherical)) = (&revolute, &spherical) {
         let message = "a frame has `revolute` or `spherical`, not both";
-        let mistake = Mistake::new(spherical.span, message, "besides");
+        let mistake = Mistake::new(Code::ConflictingKeys, spherical.span, message, "besides");
         fields.found().mistakes.push(mistake.help("put one of them into a frame between"));
     }
     let prismatic = fields
@@ -221,7 +227,7 @@ pub fn load(entry: &Entry, found: &mut Findings) -> Option<LoadSpec> {
     let doc = fields.text("doc");
     if force.is_none() && torque.is_none() {
         let message = format!("load {} has neither `force` nor `torque`", quoted(&name.value));
-        let mistake = Mistake::new(name.span, message, "no effect");
+        let mistake = Mistake::new(Code::NoEffect, name.span, message, "no effect");
         fields.found().mistakes.push(mistake.help("write force = [\"F\", 0, 0]"));
     }
     fields.close();
@@ -282,7 +288,12 @@ pub fn components_of<const N: usize>(
     let read: Vec<Formula> = items.iter().filter_map(|item| fields.as_formula(item, key)).collect();
     if items.len() != N {
         let message = format!("{} has {N} entries, {what}, not {}", quoted(key), items.len());
-        fields.found().mistakes.push(Mistake::new(tree.span, message, "wrong length"));
+        fields.found().mistakes.push(Mistake::new(
+            Code::WrongType,
+            tree.span,
+            message,
+            "wrong length",
+        ));
         return None;
     }
     read.try_into().ok()
@@ -351,7 +362,7 @@ fn rotation(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RotationSpec> 
             let help = "write { axis = [0, 0, 1], angle = \"a\" }, { sequence = \"zxz\", angles = \
                         [\"a\", \"b\", \"c\"] }, { roll_pitch_yaw = [0, 0, 1.57] } or { quaternion \
                         = [1, 0, 0, 0] }";
-            let mistake = Mistake::new(span, message, "not one of them");
+            let mistake = Mistake::new(Code::ConflictingKeys, span, message, "not one of them");
             fields.found().mistakes.push(mistake.help(help));
             None
         }
@@ -372,7 +383,9 @@ fn order_of(sequence: &Spanned<String>, found: &mut Findings) -> Option<[usize; 
     if order.is_none() {
         let message = format!("{} is not a sequence of axes", quoted(&sequence.value));
         let help = "write three letters of x, y and z without equal neighbours, such as \"zxz\"";
-        found.mistakes.push(Mistake::new(sequence.span, message, "unknown").help(help));
+        found
+            .mistakes
+            .push(Mistake::new(Code::UnknownChoice, sequence.span, message, "unknown").help(help));
     }
     order
 }

@@ -1,6 +1,7 @@
 //! Checks of a scene: references for its run.
 
 use crate::spec::array;
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::expression::Ast;
 use crate::spec::fields::{Fields, Findings};
@@ -89,7 +90,10 @@ fn reference(name: Span, fields: &mut Fields<'_>) -> Option<ReferenceSpec> {
             let label = if expression.or(values).or(csv).is_some() { "several" } else { "none" };
             let help = "write expression = \"...\", values = [[t, value], ...], or \
                         csv = \"file.csv\" with column = \"name\"";
-            fields.found().mistakes.push(Mistake::new(name, message, label).help(help));
+            fields
+                .found()
+                .mistakes
+                .push(Mistake::new(Code::ConflictingKeys, name, message, label).help(help));
             None
         }
     }
@@ -106,7 +110,12 @@ fn pairs(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<Vec<(Spanned<f
             return fields.wrong(row, "values", "a list of [t, value]");
         };
         let [time, value] = cells.as_slice() else {
-            let mistake = Mistake::new(row.span, "a row of `values` must be [t, value]", "here");
+            let mistake = Mistake::new(
+                Code::WrongType,
+                row.span,
+                "a row of `values` must be [t, value]",
+                "here",
+            );
             fields.found().mistakes.push(mistake.help("write values = [[t, value], ...]"));
             return None;
         };
@@ -114,13 +123,23 @@ fn pairs(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<Vec<(Spanned<f
         let value = fields.as_number(value, "values")?.value;
         if pairs.last().is_some_and(|(before, _)| before.value >= time.value) {
             let message = "the times of `values` must increase strictly";
-            fields.found().mistakes.push(Mistake::new(time.span, message, "not later"));
+            fields.found().mistakes.push(Mistake::new(
+                Code::InvalidTable,
+                time.span,
+                message,
+                "not later",
+            ));
             return None;
         }
         pairs.push((time, value));
     }
     if pairs.is_empty() {
-        fields.found().mistakes.push(Mistake::new(tree.span, "`values` is empty", "nothing here"));
+        fields.found().mistakes.push(Mistake::new(
+            Code::InvalidTable,
+            tree.span,
+            "`values` is empty",
+            "nothing here",
+        ));
         return None;
     }
     Some(pairs)
@@ -133,7 +152,12 @@ fn above_zero(key: &'static str, fields: &mut Fields<'_>) -> Option<f64> {
         return Some(number.value);
     }
     let message = format!("`{key}` is the maximum error and must be above 0");
-    fields.found().mistakes.push(Mistake::new(number.span, message, "not above 0"));
+    fields.found().mistakes.push(Mistake::new(
+        Code::OutOfRange,
+        number.span,
+        message,
+        "not above 0",
+    ));
     None
 }
 
@@ -146,6 +170,6 @@ fn source(fields: &mut Fields<'_>) -> Option<String> {
     }
     let message = "`source` must be one line naming the origin of the reference";
     let label = if line.is_empty() { "empty" } else { "several lines" };
-    fields.found().mistakes.push(Mistake::new(text.span, message, label));
+    fields.found().mistakes.push(Mistake::new(Code::WrongType, text.span, message, label));
     None
 }

@@ -4,6 +4,7 @@
 
 use std::collections::HashMap;
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::names::{did_you_mean, quoted};
 use crate::spec::{Acts, InstanceSpec, JointSpec, PortForceSpec, UnitSpec};
@@ -51,19 +52,21 @@ fn check_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) {
         let name = &connector.name;
         if ports().any(|port| port == name.value) {
             let message = format!("{} is both a port and a connector", quoted(&name.value));
-            mistakes.push(Mistake::new(name.span, message, "given again"));
+            mistakes.push(Mistake::new(Code::DuplicateName, name.span, message, "given again"));
         }
         for (index, port) in connector.ports.iter().enumerate() {
             if !ports().any(|known| known == port.value) {
                 let of = quoted(&unit.name);
                 let message = format!("unit {of} has no port {}", quoted(&port.value));
                 let help = did_you_mean(&port.value, ports());
-                mistakes.push(Mistake::new(port.span, message, "unknown").help(help));
+                mistakes.push(
+                    Mistake::new(Code::UnknownPort, port.span, message, "unknown").help(help),
+                );
             }
             if connector.ports[..index].iter().any(|before| before.value == port.value) {
                 let of = quoted(&name.value);
                 let message = format!("connector {of} has {} twice", quoted(&port.value));
-                mistakes.push(Mistake::new(port.span, message, "again"));
+                mistakes.push(Mistake::new(Code::DuplicateName, port.span, message, "again"));
             }
         }
     }
@@ -73,7 +76,7 @@ fn check_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) {
 fn of_several(port: &Spanned<String>, ports: &[String]) -> Mistake {
     let message = format!("a force acts on one port, but {} is a connector", quoted(&port.value));
     let help = format!("its ports are {}", ports.join(", "));
-    Mistake::new(port.span, message, "several ports").help(help)
+    Mistake::new(Code::WrongKindOfName, port.span, message, "several ports").help(help)
 }
 
 struct Ports<'a> {
@@ -122,7 +125,8 @@ impl Ports<'_> {
                     let inside = &self.units[instance.unit].inside.instances;
                     did_you_mean(part, inside.iter().map(|text| text.name.value.as_str()))
                 };
-                mistakes.push(Mistake::new(of.span, message, "unknown").help(help));
+                mistakes
+                    .push(Mistake::new(Code::UnknownPort, of.span, message, "unknown").help(help));
             }
         }
     }
@@ -136,7 +140,7 @@ impl Ports<'_> {
         }
         let message = format!("unit {} has no port {}", quoted(&unit.name), quoted(name));
         let help = did_you_mean(name, names_of(unit));
-        Some(Mistake::new(path.span, message, "unknown").help(help))
+        Some(Mistake::new(Code::UnknownPort, path.span, message, "unknown").help(help))
     }
 
     /// Splits a joint of connectors into joints of their ports, one by one.
@@ -158,7 +162,8 @@ impl Ports<'_> {
             && ports.len() > 1
         {
             let message = "a joint of connectors cannot have a ratio";
-            let mistake = Mistake::new(ratio.span(), message, "for which ports?");
+            let mistake =
+                Mistake::new(Code::InvalidJoint, ratio.span(), message, "for which ports?");
             return Err(Box::new(mistake.help("join their ports one by one")));
         }
         let pairs = ports.into_iter().zip(others).map(|(port, other)| JointSpec {
@@ -195,5 +200,5 @@ fn of_unlike_counts(paths: [&Spanned<String>; 2], ports: [&[String]; 2]) -> Mist
         count(ports[1])
     );
     let help = format!("{}; {}", ports[0].join(", "), ports[1].join(", "));
-    Mistake::new(second.span, message, count(ports[1])).help(help)
+    Mistake::new(Code::InvalidJoint, second.span, message, count(ports[1])).help(help)
 }

@@ -6,6 +6,7 @@
 use std::fmt;
 use std::ops::Range;
 
+use super::code::Code;
 use miette::{LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 
 /// Maximum number of errors reported for one spec.
@@ -58,6 +59,8 @@ pub struct Spanned<T> {
 /// A mistake at a span, before the text around it is attached.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Mistake {
+    /// Kind of the mistake.
+    pub code: Code,
     /// The mistake in one sentence.
     pub message: String,
     /// The span.
@@ -71,8 +74,13 @@ pub struct Mistake {
 impl Mistake {
     /// Returns a mistake at `span`.
     #[must_use]
-    pub fn new(span: Span, message: impl Into<String>, label: impl Into<String>) -> Self {
-        Mistake { message: message.into(), span, label: label.into(), help: String::new() }
+    pub fn new(
+        code: Code,
+        span: Span,
+        message: impl Into<String>,
+        label: impl Into<String>,
+    ) -> Self {
+        Mistake { code, message: message.into(), span, label: label.into(), help: String::new() }
     }
 
     /// Adds a hint.
@@ -86,10 +94,12 @@ impl Mistake {
 /// One error or warning of a spec, ready to be shown.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnostic {
+    /// Code of the kind of error, such as `spec::unknown-name`.
+    pub code: &'static str,
     /// The mistake in one sentence.
     pub message: String,
     /// Label of the file, `scenes/saw_gin.toml`.
-    pub file: String,
+    pub file: Box<str>,
     /// Line of the mistake, from 1; 0 if the file could not be read.
     pub line: usize,
     /// Column of the mistake in characters, from 1; 0 likewise.
@@ -97,7 +107,7 @@ pub struct Diagnostic {
     /// Label of the span.
     pub label: Box<str>,
     /// Hint for mending it.
-    pub help: Option<String>,
+    pub help: Option<Box<str>>,
     /// True for a warning: the spec is accepted as it is.
     pub is_warning: bool,
     source: Option<Box<Excerpt>>,
@@ -106,15 +116,21 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// Returns an error of a whole file, without an excerpt.
     #[must_use]
-    pub fn of_file(file: &str, message: impl Into<String>, help: impl Into<String>) -> Self {
+    pub fn of_file(
+        code: impl Into<&'static str>,
+        file: &str,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Self {
         let help = help.into();
         Diagnostic {
+            code: code.into(),
             message: message.into(),
-            file: file.to_owned(),
+            file: file.into(),
             line: 0,
             column: 0,
             label: Box::default(),
-            help: (!help.is_empty()).then_some(help),
+            help: (!help.is_empty()).then(|| help.into()),
             is_warning: false,
             source: None,
         }
@@ -123,7 +139,8 @@ impl Diagnostic {
     /// Returns the error that the system granted no thread to work on.
     #[must_use]
     pub fn no_thread() -> Self {
-        Diagnostic::of_file("", "the system could not start a thread to read the spec", "")
+        let message = "the system could not start a thread to read the spec";
+        Diagnostic::of_file(Code::TooLarge, "", message, "")
     }
 
     /// Returns the mistake with the text around it; `label` names the file.
@@ -134,12 +151,13 @@ impl Diagnostic {
         let before = &text[..start];
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
         Diagnostic {
+            code: mistake.code.name(),
             message: mistake.message.clone(),
-            file: label.to_owned(),
+            file: label.into(),
             line: before.matches('\n').count() + 1,
             column: before[line_start..].chars().count() + 1,
             label: mistake.label.as_str().into(),
-            help: (!mistake.help.is_empty()).then(|| mistake.help.clone()),
+            help: (!mistake.help.is_empty()).then(|| mistake.help.as_str().into()),
             is_warning: false,
             source: Some(Box::new(Excerpt::new(label, text, start..end))),
         }
@@ -256,6 +274,10 @@ impl fmt::Display for Diagnostic {
 impl std::error::Error for Diagnostic {}
 
 impl miette::Diagnostic for Diagnostic {
+    fn code<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        Some(Box::new(self.code))
+    }
+
     fn severity(&self) -> Option<miette::Severity> {
         Some(if self.is_warning { miette::Severity::Warning } else { miette::Severity::Error })
     }
@@ -289,20 +311,32 @@ impl Diagnostics {
         &self.errors
     }
 
+    /// Returns the code of the first error.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.errors[0].code
+    }
+
     /// Renders a report without colour, equal on all machines.
     #[must_use]
     pub fn render(&self) -> String {
-        let theme = miette::GraphicalTheme::unicode_nocolor();
-        let handler = miette::GraphicalReportHandler::new_themed(theme)
-            .with_width(WIDTH)
-            .without_syntax_highlighting();
-        let mut report = String::new();
-        // Writing to a string cannot fail. A partial report is still a report.
-        if handler.render_report(&mut report, self).is_err() {
-            report.push_str(&self.to_string());
-        }
-        report
+        render(self)
     }
+}
+
+/// Renders a report without colour, equal on all machines.
+#[must_use]
+pub fn render(of: &dyn miette::Diagnostic) -> String {
+    let theme = miette::GraphicalTheme::unicode_nocolor();
+    let handler = miette::GraphicalReportHandler::new_themed(theme)
+        .with_width(WIDTH)
+        .without_syntax_highlighting();
+    let mut report = String::new();
+    // Writing to a string cannot fail. A partial report is still a report.
+    if handler.render_report(&mut report, of).is_err() {
+        report.push_str(&of.to_string());
+    }
+    report
 }
 
 impl From<Diagnostic> for Diagnostics {
@@ -332,6 +366,10 @@ impl fmt::Display for Diagnostics {
 impl std::error::Error for Diagnostics {}
 
 impl miette::Diagnostic for Diagnostics {
+    fn code<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.single()?.code()
+    }
+
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
         match self.errors.as_slice() {
             [error] => error.help(),

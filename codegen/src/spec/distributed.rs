@@ -1,5 +1,6 @@
 //! Fields: `[fields.NAME]` of a unit, and the settings of a scene for them.
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::expression::Ast;
 use crate::spec::fields::{Fields, Findings};
@@ -132,7 +133,7 @@ fn choice<T: Copy>(
             did_you_mean(&text.value, known.iter().copied()),
             known.join(", ")
         );
-        let mistake = Mistake::new(text.span, message, "unknown");
+        let mistake = Mistake::new(Code::UnknownChoice, text.span, message, "unknown");
         fields.found().mistakes.push(mistake.help(help.trim_start()));
     }
     found.map(|(_, value)| Spanned { value: *value, span: text.span })
@@ -156,7 +157,12 @@ fn count(fields: &mut Fields<'_>, key: &'static str, most: f64) -> Option<usize>
         return Some(number.value as usize);
     }
     let message = format!("`{key}` must be an integer from 1 to {most}");
-    fields.found().mistakes.push(Mistake::new(number.span, message, "out of range"));
+    fields.found().mistakes.push(Mistake::new(
+        Code::OutOfRange,
+        number.span,
+        message,
+        "out of range",
+    ));
     None
 }
 

@@ -1,5 +1,6 @@
 //! Reading of modes and events.
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
 use crate::spec::expression::{Ast, Literal, Node};
@@ -66,7 +67,10 @@ fn direction(fields: &mut Fields<'_>) -> Option<Direction> {
     if known.is_none() {
         let message = format!("unknown direction {}", quoted(&text.value));
         let help = did_you_mean(&text.value, Direction::ALL.into_iter().map(Direction::name));
-        fields.found().mistakes.push(Mistake::new(text.span, message, "unknown").help(help));
+        fields
+            .found()
+            .mistakes
+            .push(Mistake::new(Code::UnknownChoice, text.span, message, "unknown").help(help));
     }
     known
 }
@@ -98,5 +102,5 @@ fn whole_number(tree: &Spanned<Tree>, key: &str, fields: &mut Fields<'_>) -> Opt
 
 fn no_whole_number(span: Span, what: &str) -> Mistake {
     let message = format!("{what} must be an integer");
-    Mistake::new(span, message, "not an integer")
+    Mistake::new(Code::WrongType, span, message, "not an integer")
 }

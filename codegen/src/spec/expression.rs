@@ -2,6 +2,7 @@
 //!
 //! Excluded: meanings of names and dimensions, which the scene resolves.
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
 use crate::spec::lexer::{self, Token};
@@ -227,7 +228,7 @@ impl<'a> Parser<'a> {
     fn nested(&mut self, rule: fn(&mut Self) -> Parsed) -> Parsed {
         if self.depth >= MAX_NESTING {
             let message = format!("the expression nests deeper than {MAX_NESTING}");
-            let mistake = Mistake::new(self.here(), message, "too deep here");
+            let mistake = Mistake::new(Code::TooLarge, self.here(), message, "too deep here");
             return Err(Box::new(mistake.help("move a part of it into a helper")));
         }
         self.depth += 1;
@@ -244,7 +245,12 @@ impl<'a> Parser<'a> {
             }
             Some(token) => Err(Box::new(Parser::unexpected(token))),
             None => {
-                let mistake = Mistake::new(open, "a closing parenthesis is missing", "opened here");
+                let mistake = Mistake::new(
+                    Code::Syntax,
+                    open,
+                    "a closing parenthesis is missing",
+                    "opened here",
+                );
                 Err(Box::new(mistake))
             }
         }
@@ -266,7 +272,7 @@ impl<'a> Parser<'a> {
     }
 
     fn missing(&self, message: &str) -> Mistake {
-        Mistake::new(self.end, message, "something is missing here")
+        Mistake::new(Code::Syntax, self.end, message, "something is missing here")
     }
 
     fn unexpected(token: &Spanned<Token>) -> Mistake {
@@ -292,7 +298,7 @@ impl<'a> Parser<'a> {
                 "it follows a number: 0.1 [s]",
             ),
         };
-        Mistake::new(token.span, message, "not expected").help(help)
+        Mistake::new(Code::Syntax, token.span, message, "not expected").help(help)
     }
 }
 

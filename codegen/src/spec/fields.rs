@@ -1,5 +1,6 @@
 //! Reading of tables: each key is requested once, and keys that are never requested are an error.
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::expression::{self, Ast, Literal, Text};
 use crate::spec::measure::{Measure, UnitError};
@@ -47,7 +48,12 @@ impl<'a> Fields<'a> {
             Tree::Table(entries) => entries.as_slice(),
             other => {
                 let message = format!("{what} must be a table, not {}", other.kind());
-                found.mistakes.push(Mistake::new(tree.span, message, "not a table"));
+                found.mistakes.push(Mistake::new(
+                    Code::WrongType,
+                    tree.span,
+                    message,
+                    "not a table",
+                ));
                 &[]
             }
         };
@@ -78,9 +84,9 @@ impl<'a> Fields<'a> {
             if !self.asked.contains(&key) {
                 let message = format!("unknown key {} in {}", quoted(key), self.what);
                 let help = did_you_mean(key, self.asked.iter().copied());
-                self.found
-                    .mistakes
-                    .push(Mistake::new(entry.key.span, message, "unknown").help(help));
+                self.found.mistakes.push(
+                    Mistake::new(Code::UnknownKey, entry.key.span, message, "unknown").help(help),
+                );
             }
         }
     }
@@ -106,7 +112,12 @@ impl<'a> Fields<'a> {
         }
         if value.is_none() {
             let message = format!("{} lacks `{key}`", self.what);
-            self.found.mistakes.push(Mistake::new(self.span, message, "it belongs here"));
+            self.found.mistakes.push(Mistake::new(
+                Code::MissingKey,
+                self.span,
+                message,
+                "it belongs here",
+            ));
         }
         value
     }
@@ -221,7 +232,12 @@ impl<'a> Fields<'a> {
             return scale.value;
         }
         let message = format!("`{key}` is a typical magnitude and must be above 0");
-        self.found.mistakes.push(Mistake::new(scale.span, message, "not above 0"));
+        self.found.mistakes.push(Mistake::new(
+            Code::OutOfRange,
+            scale.span,
+            message,
+            "not above 0",
+        ));
         1.0
     }
 
@@ -240,9 +256,10 @@ impl<'a> Fields<'a> {
             }
             Err(error) => {
                 let span = Text::of(tree).map_or(tree.span, |inner| inner.span(error.range));
-                self.found
-                    .mistakes
-                    .push(Mistake::new(span, error.message, "here").help(error.help));
+                self.found.mistakes.push(
+                    Mistake::new(Code::InvalidMeasure, span, error.message, "here")
+                        .help(error.help),
+                );
                 None
             }
         }
@@ -279,7 +296,7 @@ impl<'a> Fields<'a> {
         match &tree.value {
             Tree::Number { value: 0.0, text, .. } if is_written_as_more(text) => {
                 let message = format!("{} is too small for a double, but not 0", quoted(key));
-                let mistake = Mistake::new(tree.span, message, "would become 0");
+                let mistake = Mistake::new(Code::OutOfRange, tree.span, message, "would become 0");
                 self.found.mistakes.push(mistake.help("values range from about 1e-308 to 1e308"));
                 None
             }
@@ -288,7 +305,12 @@ impl<'a> Fields<'a> {
             }
             Tree::Number { .. } => {
                 let message = format!("{} must be a finite number", quoted(key));
-                self.found.mistakes.push(Mistake::new(tree.span, message, "not finite"));
+                self.found.mistakes.push(Mistake::new(
+                    Code::OutOfRange,
+                    tree.span,
+                    message,
+                    "not finite",
+                ));
                 None
             }
             _ => self.wrong(tree, key, "a number"),
@@ -340,7 +362,12 @@ impl<'a> Fields<'a> {
     pub fn wrong<T>(&mut self, tree: &Spanned<Tree>, key: &str, wanted: &str) -> Option<T> {
         let found = tree.value.kind();
         let message = format!("{} must be {wanted}, not {found}", quoted(key));
-        self.found.mistakes.push(Mistake::new(tree.span, message, format!("this is {found}")));
+        self.found.mistakes.push(Mistake::new(
+            Code::WrongType,
+            tree.span,
+            message,
+            format!("this is {found}"),
+        ));
         None
     }
 }

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::{Dimension, Unit};
 use crate::spec::event;
@@ -54,7 +55,12 @@ pub fn all(fields: &mut Fields<'_>, mut lists: Lists<'_>) -> Vec<FrictionSpec> {
         if let Some(owner) = owners.insert(written.prefix.clone(), name.value.clone()) {
             let message =
                 format!("frictions {} and {} share a prefix", quoted(&owner), quoted(&name.value));
-            let mistake = Mistake::new(name.span, message, "its parts would have the same names");
+            let mistake = Mistake::new(
+                Code::DuplicateName,
+                name.span,
+                message,
+                "its parts would have the same names",
+            );
             let help = "give each a `prefix` of its own, or leave it out: the name is the prefix";
             fields.found().mistakes.push(mistake.help(help));
             continue;
@@ -158,14 +164,15 @@ impl Written {
             && let Some(tree) = fields.take("breakaway")
         {
             let message = "`sliding` and `breakaway` have different directions";
-            let mistake = Mistake::new(tree.span, message, "of other directions");
+            let mistake =
+                Mistake::new(Code::ConflictingKeys, tree.span, message, "of other directions");
             let help = "give both in both directions, or both in `forward` alone";
             fields.found().mistakes.push(mistake.help(help));
         }
         let never_opens = always || is_one_way(&sliding);
         if let Some(idle) = idle.as_ref().filter(|_| never_opens) {
             let message = format!("friction {} never opens", quoted(&name.value));
-            let mistake = Mistake::new(idle.span, message, "never reached");
+            let mistake = Mistake::new(Code::NoEffect, idle.span, message, "never reached");
             let help = "leave out `idle`, or `always`; a contact that slides one way never opens";
             fields.found().mistakes.push(mistake.help(help));
         }

@@ -3,6 +3,7 @@
 //! Excluded: the units themselves, which are only named.
 
 use crate::spec::array;
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::distributed;
 use crate::spec::fields::{Fields, Findings};
@@ -62,7 +63,12 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
             return Some(Spanned { value: count.value as i64, span: count.span });
         }
         let message = format!("`count` must be an integer from 1 to {}", array::MOST);
-        fields.found().mistakes.push(Mistake::new(count.span, message, "out of range"));
+        fields.found().mistakes.push(Mistake::new(
+            Code::OutOfRange,
+            count.span,
+            message,
+            "out of range",
+        ));
         None
     });
     let unit = unit.filter(|unit| match check_unit_path(unit) {
@@ -114,7 +120,8 @@ fn ports(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<[Spanned<Strin
         return fields.wrong(tree, "connect", "a list of two ports");
     };
     let [first, second] = items.as_slice() else {
-        let mistake = Mistake::new(tree.span, "a joint must connect two ports", "not two");
+        let mistake =
+            Mistake::new(Code::WrongType, tree.span, "a joint must connect two ports", "not two");
         fields.found().mistakes.push(mistake.help("write connect = [\"a.port\", \"b.port\"]"));
         return None;
     };

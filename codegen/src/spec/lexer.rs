@@ -6,6 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One as _, Zero as _};
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::measure::{self, Measure};
 use crate::spec::names::quoted;
@@ -109,7 +110,12 @@ pub enum Token {
 pub fn tokens(text: &Text<'_>) -> Result<Vec<Spanned<Token>>, Box<Mistake>> {
     if text.value.len() > MAX_EXPRESSION {
         let span = text.span(0..0);
-        return Err(Box::new(Mistake::new(span, "an expression is at most 64 KiB long", "here")));
+        return Err(Box::new(Mistake::new(
+            Code::TooLarge,
+            span,
+            "an expression is at most 64 KiB long",
+            "here",
+        )));
     }
     let mut lexer = Lexer { text, at: 0 };
     let mut tokens = Vec::new();
@@ -310,7 +316,7 @@ impl Lexer<'_> {
     }
 
     fn mistake(&self, range: Range<usize>, message: String, label: &str, help: &str) -> Mistake {
-        Mistake::new(self.text.span(range), message, label).help(help)
+        Mistake::new(Code::Syntax, self.text.span(range), message, label).help(help)
     }
 }
 

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Diagnostics, FileId, Mistake, Spanned};
 use crate::spec::fields::Findings;
 use crate::spec::library::{LIBRARY, LibraryScene};
@@ -125,7 +126,8 @@ impl Loader<'_> {
             }
             if self.instances.len() >= MOST_INSTANCES {
                 let message = format!("a scene has at most {MOST_INSTANCES} instances");
-                let mistake = Mistake::new(text.name.span, message, "too many from here on");
+                let mistake =
+                    Mistake::new(Code::TooLarge, text.name.span, message, "too many from here on");
                 self.found.mistakes.push(mistake);
                 return;
             }
@@ -164,7 +166,9 @@ impl Loader<'_> {
         let names: Vec<String> = names.collect();
         let message = format!("unit {} contains itself", names[0]);
         let help = format!("one inside the other: {}", names.join(", "));
-        self.found.mistakes.push(Mistake::new(text.unit.span, message, "again").help(help));
+        self.found.mistakes.push(
+            Mistake::new(Code::CyclicDefinition, text.unit.span, message, "again").help(help),
+        );
     }
 
     /// Reports whether a unit comes with Machinist. Units of the scene's own file do not.
@@ -271,7 +275,9 @@ impl Loader<'_> {
     }
 
     fn refuse(&mut self, name: &Spanned<String>, message: String, help: &str) {
-        self.found.mistakes.push(Mistake::new(name.span, message, "used here").help(help));
+        self.found
+            .mistakes
+            .push(Mistake::new(Code::UnknownUnit, name.span, message, "used here").help(help));
     }
 }
 

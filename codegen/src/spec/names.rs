@@ -1,5 +1,6 @@
 //! Names allowed in specs.
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 
 /// Maximum number of characters of a name.
@@ -63,7 +64,7 @@ pub fn is_reserved(name: &str) -> bool {
 pub fn check(name: &Spanned<String>) -> Result<(), Mistake> {
     let text = name.value.as_str();
     let refuse = |message: String, label: &str, help: &str| {
-        Err(Mistake::new(name.span, message, label).help(help))
+        Err(Mistake::new(Code::InvalidName, name.span, message, label).help(help))
     };
     let rule = "a name is made of ASCII letters, digits and _, and starts with a letter";
     let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
@@ -146,7 +147,7 @@ pub fn check_scene(name: &Spanned<String>) -> Result<(), Mistake> {
         return Ok(());
     }
     let message = format!("a scene cannot be called {}: emitted code uses it", quoted(&name.value));
-    Err(Mistake::new(name.span, message, "reserved name")
+    Err(Mistake::new(Code::InvalidName, name.span, message, "reserved name")
         .help("add a word: names of two words do not clash"))
 }
 

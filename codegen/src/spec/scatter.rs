@@ -3,6 +3,7 @@
 //! Excluded: names and units of parameters, which [`crate::scene::scatter`] compares.
 
 use crate::spec::Value;
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::fields::{Fields, Findings};
 use crate::spec::inside::by_path;
@@ -38,7 +39,12 @@ pub fn value(fields: &mut Fields<'_>, tree: &Spanned<Tree>, key: &str) -> Option
         return fields.as_value(tree, key).map(|value| Toleranced { value, tolerance: None });
     };
     let Spread::Tolerance { centre: Some(centre), .. } = &spread else {
-        let mistake = Mistake::new(tree.span, "this tolerance has no value", "here");
+        let mistake = Mistake::new(
+            Code::InvalidDistribution,
+            tree.span,
+            "this tolerance has no value",
+            "here",
+        );
         fields.found().mistakes.push(mistake.help("write \"10 +- 0.5\""));
         return None;
     };
@@ -46,7 +52,8 @@ pub fn value(fields: &mut Fields<'_>, tree: &Spanned<Tree>, key: &str) -> Option
     let value = match &centre.unit {
         AmountUnit::OfParameter => Value::Number(centre.number),
         AmountUnit::Percent => {
-            let mistake = Mistake::new(tree.span, "a value is not in percent", "here");
+            let mistake =
+                Mistake::new(Code::InvalidMeasure, tree.span, "a value is not in percent", "here");
             fields.found().mistakes.push(mistake);
             return None;
         }
@@ -89,7 +96,7 @@ pub fn spread(
     .chain(coverage.as_ref().map(|coverage| ("coverage", coverage.span)))
     .collect();
     let mut refuse = |span: Span, message: String, help: &str| {
-        let mistake = Mistake::new(span, message, "here").help(help);
+        let mistake = Mistake::new(Code::InvalidDistribution, span, message, "here").help(help);
         fields.found().mistakes.push(mistake);
     };
     let Some(kind) = kind else {
@@ -156,7 +163,8 @@ fn kind(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<Spanned<Kind>> 
     let name = fields.as_text(tree, "distribution")?;
     let kind = Kind::of(&name.value);
     if kind.is_none() {
-        let mistake = Mistake::new(name.span, "unknown distribution", "unknown");
+        let mistake =
+            Mistake::new(Code::UnknownChoice, name.span, "unknown distribution", "unknown");
         let help = did_you_mean(&name.value, KINDS.into_iter());
         fields.found().mistakes.push(mistake.help(help));
     }
@@ -181,7 +189,12 @@ fn amount(tree: &Spanned<Tree>, key: &str, fields: &mut Fields<'_>) -> Option<Sp
     };
     if is_relative && amount.unit != AmountUnit::Percent {
         if amount.unit != AmountUnit::OfParameter {
-            let mistake = Mistake::new(span, "`relative_deviation` has no unit", "here");
+            let mistake = Mistake::new(
+                Code::InvalidDistribution,
+                span,
+                "`relative_deviation` has no unit",
+                "here",
+            );
             fields.found().mistakes.push(mistake.help("write 0.05 or \"5 %\""));
             return None;
         }
@@ -191,7 +204,8 @@ fn amount(tree: &Spanned<Tree>, key: &str, fields: &mut Fields<'_>) -> Option<Sp
 }
 
 fn mistake(text: &Text<'_>, error: SpreadError) -> Mistake {
-    Mistake::new(text.span(error.range), error.message, "here").help(error.help)
+    Mistake::new(Code::InvalidMeasure, text.span(error.range), error.message, "here")
+        .help(error.help)
 }
 
 /// Reads `[scatter]` of a scene: distributions as text, by `instance.parameter`.
@@ -226,7 +240,9 @@ fn correlation(tree: &Spanned<Tree>, found: &mut Findings) -> Option<Correlation
     fields.close();
     let count = parameters.len();
     let mut refuse = |span: Span, message: String, help: &str| {
-        found.mistakes.push(Mistake::new(span, message, "here").help(help));
+        found
+            .mistakes
+            .push(Mistake::new(Code::InvalidDistribution, span, message, "here").help(help));
         None
     };
     let help = "write coefficient = 0.5, or matrix = [[1, 0.5], [0.5, 1]]";

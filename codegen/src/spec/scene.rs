@@ -2,6 +2,7 @@
 
 use crate::spec::array;
 use crate::spec::check::check;
+use crate::spec::code::Code;
 use crate::spec::constraint::constraint;
 use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 use crate::spec::event;
@@ -181,7 +182,7 @@ fn starts_in_equilibrium(initial: &[Entry], fields: &mut Fields<'_>) -> bool {
         && text.value != EQUILIBRIUM
     {
         let message = format!("a start is `{FROM} = \"{EQUILIBRIUM}\"`, or values alone");
-        let mistake = Mistake::new(text.span, message, "no such start");
+        let mistake = Mistake::new(Code::UnknownChoice, text.span, message, "no such start");
         let help = did_you_mean(&text.value, std::iter::once(EQUILIBRIUM));
         fields.found().mistakes.push(mistake.help(help));
     }
@@ -196,7 +197,7 @@ fn is_from(entry: &Entry) -> bool {
 fn output(entry: &Entry, found: &mut Findings) -> Option<OutputSpec> {
     if entry.key.value == "time" {
         let message = "an output cannot be called `time`: that is the first column of results";
-        let mistake = Mistake::new(entry.key.span, message, "taken");
+        let mistake = Mistake::new(Code::InvalidName, entry.key.span, message, "taken");
         found.mistakes.push(mistake.help("choose another name"));
     }
     if let Tree::Table(_) = entry.value.value {
@@ -224,7 +225,12 @@ fn freeze(tree: &Spanned<Tree>, found: &mut Findings) -> (Vec<Spanned<String>>, 
         && !(tolerance.value > 0.0 && tolerance.value <= 1.0)
     {
         let message = "`tolerance` is a relative error and must be above 0 and at most 1";
-        found.mistakes.push(Mistake::new(tolerance.span, message, "out of range"));
+        found.mistakes.push(Mistake::new(
+            Code::OutOfRange,
+            tolerance.span,
+            message,
+            "out of range",
+        ));
     }
     (rigid, tolerance.map_or(0.0, |tolerance| tolerance.value))
 }
@@ -253,7 +259,7 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
     fields.close();
     let mut refuse = |good: bool, span: Span, message: &str, label: &str, help: String| {
         if !good {
-            found.mistakes.push(Mistake::new(span, message, label).help(help));
+            found.mistakes.push(Mistake::new(Code::InvalidRun, span, message, label).help(help));
         }
     };
     // Each is checked by itself, whether the others are present or not.
@@ -280,7 +286,8 @@ fn sampling(fields: &mut Fields<'_>) -> (Option<Formula>, Option<SamplingSpec>) 
         for key in ["until", "points", "spacing", "first"] {
             if let Some(other) = fields.take(key) {
                 let message = format!("a run has `times` or `{key}`, not both");
-                let mistake = Mistake::new(other.span, message, "besides `times`");
+                let mistake =
+                    Mistake::new(Code::ConflictingKeys, other.span, message, "besides `times`");
                 fields.found().mistakes.push(mistake.help("a run ends at the last of its times"));
             }
         }
@@ -289,7 +296,12 @@ fn sampling(fields: &mut Fields<'_>) -> (Option<Formula>, Option<SamplingSpec>) 
         };
         if !(2..=MAX_POINTS as usize).contains(&items.len()) {
             let message = "`times` must have 2 to 10 000 000 entries";
-            fields.found().mistakes.push(Mistake::new(tree.span, message, "out of range"));
+            fields.found().mistakes.push(Mistake::new(
+                Code::OutOfRange,
+                tree.span,
+                message,
+                "out of range",
+            ));
         }
         let times = items.iter().filter_map(|item| fields.as_formula(item, "times")).collect();
         return (None, Some(SamplingSpec::Listed(times)));
@@ -303,19 +315,21 @@ fn sampling(fields: &mut Fields<'_>) -> (Option<Formula>, Option<SamplingSpec>) 
         && !SPACINGS.contains(&spacing.value.as_str())
     {
         let help = did_you_mean(&spacing.value, SPACINGS.iter().copied());
-        let mistake = Mistake::new(spacing.span, "unknown spacing", "unknown").help(help);
+        let mistake = Mistake::new(Code::UnknownChoice, spacing.span, "unknown spacing", "unknown")
+            .help(help);
         fields.found().mistakes.push(mistake);
     }
     let first = fields.formula("first");
     match (&first, &spacing) {
         (None, Some(spacing)) if is_log => {
             let message = "logarithmic spacing needs `first`, the first time after the start";
-            let mistake = Mistake::new(spacing.span, message, "`first` is missing");
+            let mistake =
+                Mistake::new(Code::MissingKey, spacing.span, message, "`first` is missing");
             fields.found().mistakes.push(mistake.help("write first = 1e-3, in s"));
         }
         (Some(first), _) if !is_log => {
             let message = "`first` is used only with logarithmic spacing";
-            let mistake = Mistake::new(first.span(), message, "unused");
+            let mistake = Mistake::new(Code::NoEffect, first.span(), message, "unused");
             fields.found().mistakes.push(mistake.help("write spacing = \"log\" too"));
         }
         _ => {}
@@ -325,7 +339,12 @@ fn sampling(fields: &mut Fields<'_>) -> (Option<Formula>, Option<SamplingSpec>) 
         && !(points.value.fract() == 0.0 && (least..=MAX_POINTS).contains(&points.value))
     {
         let message = format!("`points` must be an integer from {least} to 10 000 000");
-        fields.found().mistakes.push(Mistake::new(points.span, message, "out of range"));
+        fields.found().mistakes.push(Mistake::new(
+            Code::OutOfRange,
+            points.span,
+            message,
+            "out of range",
+        ));
     }
     let points = points.map_or(DEFAULT_POINTS, |points| points.value as usize);
     let sampling = match first {

@@ -2,6 +2,7 @@
 
 use crate::spec::Formula;
 use crate::spec::body::{Components, RotationSpec, components_of, rotations, vector};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::quoted;
@@ -81,7 +82,10 @@ pub fn shape(entry: &Entry, found: &mut Findings) -> Option<ShapeSpec> {
         let message = format!("shape {} needs exactly one form", quoted(&name.value));
         let help = "write box = [x, y, z], cylinder = { length = 1, diameter = 0.1 }, sphere = \
                     diameter, rod = \"frame\" or spring = \"frame\"";
-        fields.found().mistakes.push(Mistake::new(name.span, message, "its form").help(help));
+        fields
+            .found()
+            .mistakes
+            .push(Mistake::new(Code::ConflictingKeys, name.span, message, "its form").help(help));
     }
     fields.close();
     Some(ShapeSpec { name, frame: frame?, centre, rotations, form: form?, doc })

@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use sha2::{Digest as _, Sha256};
 
+use super::code::Code;
 use crate::spec::Formula;
 use crate::spec::diagnostic::{Diagnostic, Diagnostics, FileId, Mistake, Span};
 
@@ -179,7 +180,9 @@ pub(super) fn folder_of(path: &Path) -> &Path {
 }
 
 fn read_text(path: &Path, label: &str) -> Result<String, Diagnostic> {
-    let refuse = |message: String, help: &str| Err(Diagnostic::of_file(label, message, help));
+    let refuse = |message: String, help: &str| {
+        Err(Diagnostic::of_file(Code::UnreadableFile, label, message, help))
+    };
     let metadata = match std::fs::metadata(path) {
         Ok(metadata) => metadata,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => {

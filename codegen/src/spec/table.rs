@@ -2,6 +2,7 @@
 
 use std::path::{Component, Path, PathBuf};
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
 use crate::spec::measure::Measure;
@@ -66,9 +67,9 @@ fn read(
     sources: &mut Sources,
 ) -> Result<(Vec<Column>, Vec<Span>), Mistake> {
     let found = locate(path, sources)?;
-    let file = sources
-        .read(&found)
-        .map_err(|error| Mistake::new(path.span, error.to_string(), "named here"))?;
+    let file = sources.read(&found).map_err(|error| {
+        Mistake::new(Code::InvalidTable, path.span, error.to_string(), "named here")
+    })?;
     let text = sources.get(file).text.clone();
     columns(&text, file)
 }
@@ -77,7 +78,7 @@ fn read(
 fn locate(path: &Spanned<String>, sources: &Sources) -> Result<PathBuf, Mistake> {
     let refuse = |message: &str| {
         let help = "the path must be relative to the spec and stay below its folder";
-        Err(Mistake::new(path.span, message, "not allowed").help(help))
+        Err(Mistake::new(Code::InvalidTable, path.span, message, "not allowed").help(help))
     };
     let spec = &sources.get(path.span.file).file.path;
     if spec.as_os_str().is_empty() {
@@ -94,7 +95,7 @@ fn locate(path: &Spanned<String>, sources: &Sources) -> Result<PathBuf, Mistake>
     // A symbolic link may lead anywhere, so the real path decides.
     let (Ok(real), Ok(real_folder)) = (joined.canonicalize(), folder.canonicalize()) else {
         let message = format!("there is no file {}", quoted(&path.value));
-        return Err(Mistake::new(path.span, message, "named here"));
+        return Err(Mistake::new(Code::InvalidTable, path.span, message, "named here"));
     };
     if !real.starts_with(real_folder) {
         return refuse("the path of a table leads out of the spec's folder");
@@ -132,7 +133,7 @@ fn columns(text: &str, file: FileId) -> Result<(Vec<Column>, Vec<Span>), Mistake
     }
     if columns.first().is_none_or(|x| x.values.len() < MIN_ROWS) {
         let message = format!("a table has at least {MIN_ROWS} rows below its header");
-        return Err(Mistake::new(Span::new(file, 0..0), message, "too short"));
+        return Err(Mistake::new(Code::InvalidTable, Span::new(file, 0..0), message, "too short"));
     }
     Ok((columns, rows))
 }
@@ -204,7 +205,7 @@ impl Line {
     }
 
     fn mistake(&self, cell: Option<usize>, message: String) -> Mistake {
-        Mistake::new(self.cell(cell), message, "here")
+        Mistake::new(Code::InvalidTable, self.cell(cell), message, "here")
     }
 }
 
@@ -216,5 +217,5 @@ fn csv_mistake(error: &csv::Error, text: &str, file: FileId) -> Mistake {
         }
         _ => "this is not a CSV file".to_owned(),
     };
-    Mistake::new(Span::new(file, at..at), message, "here")
+    Mistake::new(Code::InvalidTable, Span::new(file, at..at), message, "here")
 }

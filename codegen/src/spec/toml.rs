@@ -7,6 +7,7 @@ use std::ops::Range;
 
 use toml_edit::{Document, Item, Value};
 
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 
 /// A value of a TOML file.
@@ -76,7 +77,7 @@ pub fn parse(text: &str, file: FileId) -> Result<Spanned<Tree>, Mistake> {
             other => format!("not valid TOML: {}", first_line(other)),
         };
         let is_unit = is_unit_behind_number(text, range.start);
-        let mistake = Mistake::new(Span::new(file, range), message, "here");
+        let mistake = Mistake::new(Code::InvalidToml, Span::new(file, range), message, "here");
         if is_unit { mistake.help("quote a number with a unit: \"0.1 [s]\"") } else { mistake }
     })?;
     let reader = Reader { text, file };

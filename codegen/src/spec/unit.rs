@@ -2,6 +2,7 @@
 
 use crate::spec::array;
 use crate::spec::body;
+use crate::spec::code::Code;
 use crate::spec::constraint::constraint;
 use crate::spec::diagnostic::{FileId, Mistake, Spanned};
 use crate::spec::distributed::{self, AttachmentSpec};
@@ -147,7 +148,9 @@ fn symbol(name: &Spanned<String>, found: &mut Findings) -> Option<Symbol> {
         Ok(symbol) => Some(symbol),
         Err(help) => {
             let message = format!("there is no symbol {}", quoted(&name.value));
-            found.mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
+            found
+                .mistakes
+                .push(Mistake::new(Code::UnknownName, name.span, message, "unknown").help(help));
             None
         }
     }
@@ -204,7 +207,10 @@ fn ports(fields: &mut Fields<'_>) -> (Vec<PortSpec>, Vec<ExposedSpec>) {
         let message = format!("{} is not a port of a part inside", quoted(&of.value));
         let help = "write \"part.port\"; a port of the unit's own is a table, { kind = \"...\", \
                     coordinate = \"...\" }";
-        fields.found().mistakes.push(Mistake::new(of.span, message, "not part.port").help(help));
+        fields
+            .found()
+            .mistakes
+            .push(Mistake::new(Code::UnknownPort, of.span, message, "not part.port").help(help));
     }
     (ports, exposed)
 }
@@ -221,7 +227,7 @@ fn connectors(fields: &mut Fields<'_>) -> Vec<ConnectorSpec> {
             items.iter().filter_map(|item| fields.as_text(item, &entry.key.value)).collect();
         if ports.is_empty() {
             let message = format!("connector {} has no ports", quoted(&entry.key.value));
-            let mistake = Mistake::new(entry.value.span, message, "nothing here");
+            let mistake = Mistake::new(Code::WrongType, entry.value.span, message, "nothing here");
             fields.found().mistakes.push(mistake);
             continue;
         }
@@ -249,7 +255,9 @@ fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {
     let Some((_, value)) = PortKind::ALL.into_iter().find(|(name, _)| *name == kind.value) else {
         let message = format!("unknown kind of port {}", quoted(&kind.value));
         let help = did_you_mean(&kind.value, PortKind::ALL.into_iter().map(|(name, _)| name));
-        found.mistakes.push(Mistake::new(kind.span, message, "unknown").help(help));
+        found
+            .mistakes
+            .push(Mistake::new(Code::UnknownChoice, kind.span, message, "unknown").help(help));
         return None;
     };
     let kind = Spanned { value, span: kind.span };
@@ -380,7 +388,12 @@ pub fn acts(key: &'static str, fields: &mut Fields<'_>) -> Option<Acts> {
     };
     if fields.take(key).is_some() {
         let message = format!("a force has `{key}` or `along`, not both");
-        fields.found().mistakes.push(Mistake::new(along.span, message, "besides"));
+        fields.found().mistakes.push(Mistake::new(
+            Code::ConflictingKeys,
+            along.span,
+            message,
+            "besides",
+        ));
     }
     fields.as_expression(along, "along").map(Acts::Along)
 }

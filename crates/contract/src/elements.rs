@@ -3,6 +3,15 @@
 use crate::Real;
 use crate::field::{FieldPoint, FieldScene, MAX_POINTS};
 
+/// Division of a field into elements.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Division<'a, Places> {
+    /// Rule of each element.
+    pub rule: Rule<'a>,
+    /// x at all nodes \[m\].
+    pub places: Places,
+}
+
 /// Gauss-Lobatto points of the unit interval and their shape functions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rule<'a> {

@@ -110,7 +110,9 @@ pub fn places_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
 }
 
 /// Defines `Parameters<R>`, whose default holds the values of the rows, their number
-/// `PARAMETERS`, and what `simulator!` needs of them. A row is
+/// `PARAMETERS`, and what `simulator!` needs of them.
+///
+/// A row is
 ///
 /// ```text
 /// field: value, "unit", "spec.name", "meaning";
@@ -200,7 +202,9 @@ macro_rules! __parameter_rows {
     };
 }
 
-/// Defines `RELATION_ROWS`, the relations of a simulator. A row is
+/// Defines `RELATION_ROWS`, the relations of a simulator.
+///
+/// A row is
 ///
 /// ```text
 /// Branch [Rate, Event(0)];
@@ -216,7 +220,9 @@ macro_rules! relations {
     };
 }
 
-/// Defines `Outputs<R>`, their number `OUTPUTS`, and what `simulator!` needs of them. A row is
+/// Defines `Outputs<R>`, their number `OUTPUTS`, and what `simulator!` needs of them.
+///
+/// A row is
 ///
 /// ```text
 /// field: "unit", "spec.name", "meaning";
@@ -257,7 +263,9 @@ macro_rules! constants {
 }
 
 /// Defines the length `STATES` of the state, the index of each of its entries in the module
-/// `state`, and what `simulator!` needs of them. A row is
+/// `state`, and what `simulator!` needs of them.
+///
+/// A row is
 ///
 /// ```text
 /// INDEX: position, scale, "unit", "spec.name", "meaning";
@@ -308,7 +316,9 @@ macro_rules! coordinates {
 }
 
 /// Defines the events `EVENT_SHAPES`, their number `EVENTS`, and the number of values they reset,
-/// `RESETS`. A row is
+/// `RESETS`.
+///
+/// A row is
 ///
 /// ```text
 /// "spec.name": Rising, when [(mode, value), ..], sets [entry, ..], "meaning";
@@ -334,7 +344,9 @@ macro_rules! events {
     };
 }
 
-/// Defines the constraints `CONSTRAINT_SHAPES` and their number `CONSTRAINTS`. A row is
+/// Defines the constraints `CONSTRAINT_SHAPES` and their number `CONSTRAINTS`.
+///
+/// A row is
 ///
 /// ```text
 /// "spec.name": of_positions, "unit", "meaning";
@@ -353,7 +365,7 @@ macro_rules! constraints {
     };
 }
 
-/// Defines structural nonzeros, row by row:
+/// Defines structural nonzeros, row by row.
 ///
 /// ```text
 /// /// Nonzeros of M.

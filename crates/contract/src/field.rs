@@ -30,7 +30,7 @@
 //! equations", 1989; for the mass at the nodes, Cohen, "Higher-order numerical methods for
 //! transient wave equations", 2002.
 
-pub use crate::elements::{Element, Elements, Rule, Segment};
+pub use crate::elements::{Division, Element, Elements, Rule, Segment};
 use crate::{Quantity, Real, Simulator};
 
 /// Highest order of an element.

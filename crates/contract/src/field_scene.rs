@@ -2,7 +2,7 @@
 //! its fields.
 
 /// Implements [`FieldScene`](crate::field::FieldScene) by the modules of the fields, whose
-/// functions have the names of its methods:
+/// functions have the names of its methods.
 ///
 /// ```text
 /// field_scene! {

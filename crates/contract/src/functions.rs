@@ -4,7 +4,7 @@
 //! interpreters and compilers, and the signatures and docs of emitted code follow from this
 //! table. A new function takes a row here and an implementation.
 
-/// Calls a macro with the table of functions, after further arguments:
+/// Calls a macro with the table of functions, after further arguments.
 ///
 /// ```text
 /// for_each_function! { [my_macro] arguments }

@@ -56,7 +56,8 @@ pub enum Phase {
 }
 
 /// Reason why an instance refuses a call.
-#[derive(Debug, Error)]
+#[derive(Debug, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "fmu::", serialize_all = "kebab-case")]
 pub enum Refusal {
     /// The call is not allowed in the present mode.
     #[error("{call} is not allowed in {phase:?} mode")]
@@ -73,11 +74,23 @@ pub enum Refusal {
     #[error("{0}")]
     Argument(String),
     /// The run cannot start or continue.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Run(#[from] HostedError),
     /// A result is not finite. A shorter step may help.
     #[error("{0} is not a finite number")]
     NotFinite(String),
+}
+
+impl Refusal {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Run(error) => error.code(),
+            error => error.into(),
+        }
+    }
 }
 
 impl Refusal {

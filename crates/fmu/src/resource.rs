@@ -43,7 +43,8 @@ impl Export {
 }
 
 /// Reason why an archive's resources cannot be run.
-#[derive(Debug, Error)]
+#[derive(Debug, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "fmu::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum LoadError {
     /// A file cannot be read.
@@ -55,6 +56,7 @@ pub enum LoadError {
         error: io::Error,
     },
     /// A file is invalid.
+    #[strum(serialize = "")]
     #[error("{path}: {error}")]
     File {
         /// The file.
@@ -71,8 +73,21 @@ pub enum LoadError {
         found: String,
     },
     /// The model cannot be exported like that.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Unfit(#[from] Unfit),
+}
+
+impl LoadError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::File { error, .. } => error.code(),
+            Self::Unfit(error) => error.code(),
+            error => error.into(),
+        }
+    }
 }
 
 /// Returns the token that ties a description to its resources: a hash of the bytes of both files.

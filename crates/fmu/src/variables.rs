@@ -111,7 +111,8 @@ pub struct Variable {
 }
 
 /// Reason why a model cannot be exported as wanted.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "fmu::", serialize_all = "kebab-case")]
 pub enum Unfit {
     /// The scene has no fields to discretize.
     #[error("scene `{scene}` has no fields")]
@@ -120,6 +121,7 @@ pub enum Unfit {
         scene: String,
     },
     /// The fields cannot be discretized as wanted.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Cut(#[from] FieldError),
     /// The parameter does not exist.
@@ -138,6 +140,17 @@ pub enum Unfit {
         /// Use that forbids it.
         why: &'static str,
     },
+}
+
+impl Unfit {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Cut(error) => error.code(),
+            error => error.into(),
+        }
+    }
 }
 
 /// All variables of a model, by reference.

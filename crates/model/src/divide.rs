@@ -23,7 +23,7 @@ use builder::Builder;
 
 /// Division of a field into elements: the rule of each element, and x at all nodes for the
 /// parameters of the spec \[m\].
-pub type Division<'a> = (Rule<'a>, Vec<f64>);
+pub type Division<'a> = machinist_contract::field::Division<'a, Vec<f64>>;
 
 impl Model {
     /// Returns the machine with its fields divided into elements, one division for each field.
@@ -160,7 +160,7 @@ impl<'a> Whole<'a> {
         }
         let mut own = model.coordinates.len();
         let mut meshes = Vec::new();
-        for (field, (rule, places)) in model.fields.iter().zip(divisions) {
+        for (field, Division { rule, places }) in model.fields.iter().zip(divisions) {
             let mesh = Mesh::new(field, (*rule, places), own);
             own += mesh.owners.iter().filter(|owner| matches!(owner, Owner::Field(_))).count();
             meshes.push(mesh);

@@ -8,9 +8,11 @@
 //!       60..     content: generator, then the model, as postcard writes them
 //! ```
 //!
-//! The same model gives the same bytes on every machine. A file is checked when it is read: one
-//! that is cut off, altered or of another version is refused with the reason, and so is a model
-//! that breaks a rule of models.
+//! The same model gives the same bytes on every machine. Models of the previous version are
+//! converted. A file is checked when it is read: one that is cut off, altered or of any other
+//! version is refused with the reason, and so is a model that breaks a rule of models.
+
+mod previous;
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -37,14 +39,18 @@ pub struct Stamped {
 }
 
 /// Reason why bytes are not a model.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "model::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FileError {
     /// The bytes do not begin with the mark of models.
     #[error("this is not a model of Machinist")]
     Foreign,
     /// The bytes have another version of the format.
-    #[error("this model has version {found} of the format, but this program reads {VERSION}")]
+    #[error(
+        "this model has version {found} of the format, but this program reads {VERSION} and {}",
+        previous::VERSION
+    )]
     Version {
         /// Version in the header.
         found: u32,
@@ -71,18 +77,32 @@ pub enum FileError {
     Malformed(#[from] Malformed),
 }
 
+impl FileError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
+}
+
 /// Returns the bytes of a model.
 #[must_use]
 pub fn write(stamped: &Stamped) -> Vec<u8> {
     seal(MARK, stamped)
 }
 
-/// Reads a model from bytes.
+/// Reads a model from bytes, of this version of the format or the previous one.
 ///
 /// # Errors
-/// [`FileError`] if the bytes are not those of [`write()`].
+/// [`FileError`] if the bytes are not those of [`write()`], of this program or of one that wrote
+/// the previous version.
 pub fn read(bytes: &[u8]) -> Result<Stamped, FileError> {
-    let stamped: Stamped = open(MARK, bytes)?;
+    let stamped: Stamped = match open(MARK, bytes) {
+        Err(FileError::Version { found: previous::VERSION }) => {
+            open_version::<previous::Stamped>(MARK, bytes, previous::VERSION)?.into()
+        }
+        read => read?,
+    };
     stamped.model.validate()?;
     Ok(stamped)
 }
@@ -108,11 +128,20 @@ pub fn seal(mark: &[u8; 16], data: &impl Serialize) -> Vec<u8> {
 /// # Errors
 /// [`FileError`] if the bytes are not those of [`seal`] with the same mark.
 pub fn open<T: DeserializeOwned>(mark: &[u8; 16], bytes: &[u8]) -> Result<T, FileError> {
+    open_version(mark, bytes, VERSION)
+}
+
+/// Reads the data of a version of the format.
+fn open_version<T: DeserializeOwned>(
+    mark: &[u8; 16],
+    bytes: &[u8],
+    version: u32,
+) -> Result<T, FileError> {
     let rest = bytes.strip_prefix(mark).ok_or(FileError::Foreign)?;
     let cut_off = || FileError::Length { expected: HEADER as u64, found: bytes.len() as u64 };
-    let (version, rest) = rest.split_first_chunk().ok_or_else(cut_off)?;
-    let found = u32::from_le_bytes(*version);
-    if found != VERSION {
+    let (stored, rest) = rest.split_first_chunk().ok_or_else(cut_off)?;
+    let found = u32::from_le_bytes(*stored);
+    if found != version {
         return Err(FileError::Version { found });
     }
     let (length, rest) = rest.split_first_chunk().ok_or_else(cut_off)?;

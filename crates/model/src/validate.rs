@@ -18,6 +18,16 @@ pub struct Malformed {
     pub reason: String,
 }
 
+impl Malformed {
+    /// Returns the code of this kind of error, that of [`FileError::Malformed`].
+    ///
+    /// [`FileError::Malformed`]: crate::file::FileError::Malformed
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        "model::malformed"
+    }
+}
+
 /// Inputs that a tape may read.
 struct Room {
     time: bool,

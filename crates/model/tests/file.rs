@@ -5,7 +5,7 @@ mod support;
 use fastrand::Rng;
 use machinist_model::file::{FileError, MARK, Stamped, VERSION, read, seal, write};
 use machinist_model::{
-    Check, ClosedForm, Model, Node, NodeId, Op, Reference, StateKind, TableId, Tape,
+    Check, ClosedForm, Model, ModelSimulator, Node, NodeId, Op, Reference, StateKind, TableId, Tape,
 };
 use support::{matrix, model, random_tape, tape};
 
@@ -65,6 +65,41 @@ fn ten_thousand_flipped_bits_are_refused() {
             read(&damaged).expect_err("altered");
         }
     }
+}
+
+/// Three point masses on links, held level by their start: the links pull along themselves, so all
+/// masses fall freely.
+#[test]
+fn a_model_of_the_previous_version_is_read() {
+    let bytes = include_bytes!("models/version_9.model");
+    let of_before = read(bytes).expect("a model of version 9");
+    let model = &of_before.model;
+    assert_eq!((model.name.as_str(), model.constraints.len()), ("pendulum_constrained", 3));
+    assert!(model.drawing.is_none() && model.constraints.iter().all(|one| one.friction.is_none()));
+    assert_eq!(read(&write(&of_before)).as_ref(), Ok(&of_before), "written in this version");
+
+    let simulator = ModelSimulator::interpreted(model.clone());
+    let machine = simulator.single();
+    let named = |index: usize| machine.state(index).name.to_owned();
+    let state: Vec<f64> = (0..model.states.len())
+        .map(|index| match named(index).as_str() {
+            "first.x" => 1.0,
+            "second.x" => 1.7,
+            "third.x" => 2.1,
+            _ => 0.0,
+        })
+        .collect();
+    let p: Vec<f64> = model.parameters.iter().map(|parameter| parameter.value).collect();
+    let mut rate = vec![0.0; state.len()];
+    machine.rate(0.0, &state, &p, &mut rate);
+    for (index, rate) in rate.iter().enumerate() {
+        let wanted = if named(index).ends_with(".v_y") { -9.81 } else { 0.0 };
+        assert!((rate - wanted).abs() < 1e-12, "{}' = {rate}", named(index));
+    }
+
+    let mut damaged = bytes.to_vec();
+    damaged[100] ^= 1;
+    assert_eq!(read(&damaged), Err(FileError::Altered));
 }
 
 #[test]

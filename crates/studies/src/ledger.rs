@@ -10,12 +10,12 @@ mod motor;
 mod page;
 mod periodic;
 mod reed;
-mod reed_told;
+mod reed_statements;
 mod run_up;
-mod saw_gin_told;
+mod saw_gin_statements;
 mod shaft;
 mod winder;
-mod winder_told;
+mod winder_statements;
 
 use serde::Serialize;
 
@@ -64,7 +64,7 @@ pub enum Held {
 impl Held {
     /// Returns a description.
     #[must_use]
-    pub fn told(self) -> String {
+    pub fn describe(self) -> String {
         match self {
             Self::Verify(check) => format!("verify `{check}`"),
             Self::Test(name) => format!("test `{name}`"),
@@ -116,7 +116,7 @@ impl LedgerRow {
 }
 
 /// An equation or a figure without a number.
-struct Told {
+struct Statement {
     at: &'static str,
     figure: &'static str,
     verdict: &'static str,
@@ -124,7 +124,7 @@ struct Told {
     held: Held,
 }
 
-impl Told {
+impl Statement {
     fn row(&self, study: Study) -> LedgerRow {
         LedgerRow {
             figure: self.figure,
@@ -172,13 +172,13 @@ impl Parameter {
 /// verdicts of its rows.
 pub fn ledger() -> Result<Vec<LedgerRow>, CheckFailure> {
     let runs = run_up::Runs::new()?;
-    let mut rows = saw_gin_told::rows()?;
+    let mut rows = saw_gin_statements::rows()?;
     rows.extend(motor::rows()?);
     rows.extend(run_up::rows(&runs));
     rows.extend(shaft::rows()?);
-    rows.extend(winder_told::rows()?);
+    rows.extend(winder_statements::rows()?);
     rows.extend(winder::rows()?);
-    rows.extend(reed_told::rows()?);
+    rows.extend(reed_statements::rows()?);
     rows.extend(reed::rows()?);
     rows.extend(periodic::rows()?);
     Ok(rows)
@@ -199,7 +199,7 @@ pub fn render_ledger(rows: &[LedgerRow]) -> String {
             number(row.consistent),
             row.verdict.clone(),
             row.place.to_owned(),
-            row.held.told(),
+            row.held.describe(),
         ]
     });
     let header = [

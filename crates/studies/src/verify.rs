@@ -170,7 +170,8 @@ impl Tally {
 }
 
 /// Reason why nothing was checked.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "verify::", serialize_all = "kebab-case")]
 pub enum VerifyError {
     /// An override does not name a parameter of a verified scene.
     #[error("override `{0}`: no verified scene has this parameter; it is written scene.parameter")]
@@ -183,6 +184,14 @@ pub enum VerifyError {
         /// Value of the override.
         value: f64,
     },
+}
+
+impl VerifyError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 /// Runs every selected check, scene by scene, in the order of the tables.
@@ -347,26 +356,32 @@ struct Measured {
 }
 
 /// Reason why a check, or a row of the ledger, could not be done.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "verify::", serialize_all = "kebab-case")]
 pub enum CheckFailure {
     /// Its run was refused or stopped.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Simulate(#[from] SimulateError),
     /// Its linear analysis was refused or failed.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Linear(#[from] LinearError),
     /// Its fields cannot be divided into elements as requested.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Field(#[from] FieldError),
     /// Its modal reduction failed.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Modal(#[from] ModalError),
     /// No periodic motion was found.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Cycle(#[from] CycleError),
     /// The scene lacks a quantity.
     #[error("scene `{scene}` has no {kind} `{name}`")]
-    Unknown {
+    UnknownQuantity {
         /// Name of the scene.
         scene: &'static str,
         /// Kind: parameter, state, output or column.
@@ -380,6 +395,21 @@ pub enum CheckFailure {
     /// The motor has no single steady state.
     #[error("the equations of the steady state are singular")]
     Singular,
+}
+
+impl CheckFailure {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Simulate(error) => error.code(),
+            Self::Linear(error) => error.code(),
+            Self::Field(error) => error.code(),
+            Self::Modal(error) => error.code(),
+            Self::Cycle(error) => error.code(),
+            error => error.into(),
+        }
+    }
 }
 
 impl Check {

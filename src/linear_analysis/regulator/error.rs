@@ -5,10 +5,12 @@ use thiserror::Error;
 use super::{LinearError, MAX_STATES_OF_DESIGNS};
 
 /// Reason why there is no regulator or estimator.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(prefix = "regulator::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum RegulatorError {
     /// The model itself is at fault.
+    #[strum(serialize = "")]
     #[error(transparent)]
     Linear(#[from] LinearError),
     /// The model is too large.
@@ -19,7 +21,7 @@ pub enum RegulatorError {
     },
     /// No signal has this name.
     #[error("the model has no input or output `{name}`{hint}")]
-    Unknown {
+    UnknownSignal {
         /// Requested name.
         name: String,
         /// Nearest known name as a question, or empty.
@@ -86,4 +88,15 @@ pub enum RegulatorError {
          deviations that differ less, or leave fast states out of the model"
     )]
     Unsolved,
+}
+
+impl RegulatorError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Linear(error) => error.code(),
+            error => error.into(),
+        }
+    }
 }

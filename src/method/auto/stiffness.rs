@@ -129,23 +129,23 @@ impl Evidence {
     }
 }
 
-/// Doubt about leaving an implicit method because of its short steps.
+/// Retry about leaving an implicit method because of its short steps.
 ///
 /// An explicit method limited by stability may never show it. At tolerances near rounding, the
 /// rounding of a stiff force is an error of a step, and makes the step shorter than stability
 /// would. After very many steps near the stability limit, the implicit method is tried once more;
 /// it is soon left if its steps are short again.
-pub(super) struct Doubt {
+pub(super) struct Retry {
     steps: f64,
     enough: f64,
 }
 
-impl Doubt {
+impl Retry {
     pub(super) fn new(states: usize) -> Self {
         Self { steps: 0.0, enough: worth_beginning(states) }
     }
 
-    /// Continues with the explicit method; after a wrong doubt, the next one takes longer.
+    /// Continues with the explicit method; after a wrong retry, the next one takes longer.
     pub(super) fn begin(&mut self, was_wrong: bool) {
         self.steps = 0.0;
         if was_wrong {

@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::control::Control;
 use super::kept::Kept;
-use super::{Left, OneStep, Pace, Samples, Stopped, Stretch, Trial, begin_behind, drive};
+use super::{OneStep, Pace, ResumePoint, Samples, Stopped, Stretch, Trial, begin_behind, drive};
 use crate::constraints::{Constraints, Level};
 use crate::method::taylor::quadrature::Gauss;
 
@@ -58,7 +58,8 @@ pub(super) fn past<M: OneStep>(
     state.copy_from_slice(&kept.end);
     // The step is the whole step of a stretch that does not end near it.
     let ahead = Stretch { until: time + 4.0 * step, ..*stretch };
-    let Some(left) = drive(&mut passage, &ahead, Left { time, step }, state, samples, |_, _| true)?
+    let Some(left) =
+        drive(&mut passage, &ahead, ResumePoint { time, step }, state, samples, |_, _| true)?
     else {
         return Ok(Past::Event);
     };

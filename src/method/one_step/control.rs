@@ -1,6 +1,6 @@
 //! Step size control.
 
-use super::{End, Left, OneStep, Stopped, Stretch, is_too_small};
+use super::{End, OneStep, ResumePoint, Stopped, Stretch, is_too_small};
 use crate::method::tolerance::REFINEMENT;
 
 /// Step size control: after error e of step h and error e' of the previous one, the next step is
@@ -66,7 +66,7 @@ pub(super) struct Control {
 }
 
 impl Control {
-    pub(super) fn from(Left { time, step }: Left) -> Self {
+    pub(super) fn from(ResumePoint { time, step }: ResumePoint) -> Self {
         Self {
             time,
             step,
@@ -80,7 +80,7 @@ impl Control {
 
     /// Begins again at a time.
     pub(super) fn begin(&mut self, time: f64, step: f64) {
-        *self = Self { last_error: self.last_error, ..Self::from(Left { time, step }) };
+        *self = Self { last_error: self.last_error, ..Self::from(ResumePoint { time, step }) };
     }
 
     /// Shortens the first step of a segment as much as error control would at a tolerance

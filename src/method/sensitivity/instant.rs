@@ -21,7 +21,7 @@ use nalgebra::DMatrix;
 
 use super::Tangents;
 use crate::error::StopCause;
-use crate::method::{Front, Happened, Stopped, Stretch, System, Watch};
+use crate::method::{EventRecord, Front, Stopped, Stretch, System, Watch};
 
 /// Time of a change, and its derivatives.
 #[derive(Debug, Clone)]
@@ -51,7 +51,7 @@ impl Tangents<'_> {
     /// from `before` to `behind`. Relations are settled behind the jump.
     ///
     /// # Errors
-    /// [`StopCause::AtOnce`] if several things happen there that are moved apart.
+    /// [`StopCause::CoincidentEvents`] if several things happen there that are moved apart.
     pub(crate) fn jump(
         &self,
         system: &System<'_>,
@@ -95,7 +95,7 @@ impl Tangents<'_> {
         [before, behind]: [&[f64]; 2],
         after: &[f64],
     ) -> Result<(), Stopped> {
-        self.map(system, passing, shifts, before, (&Happened::default(), after))?;
+        self.map(system, passing, shifts, before, (&EventRecord::default(), after))?;
         self.shift(&vec![0.0; behind.len()], behind, shifts);
         Ok(())
     }
@@ -131,7 +131,7 @@ impl Tangents<'_> {
             return Ok(());
         }
         let mut found: Option<Vec<f64>> = None;
-        for guard in watch.happened().passed.into_iter().filter(|it| !watch.ends_slide(*it)) {
+        for guard in watch.record().passed.into_iter().filter(|it| !watch.ends_slide(*it)) {
             let shifts = self.shifts_of_guard(watch, &front, passing, guard)?;
             if let Some(others) = &found {
                 self.require_same(passing.time, others, &shifts)?;
@@ -160,13 +160,13 @@ impl Tangents<'_> {
         stretch: &Stretch<'_>,
         watch: &Watch<'_>,
         passing: &Passing<'_>,
-        happened: &Happened,
+        record: &EventRecord,
         after: &[f64],
     ) -> Result<(), Stopped> {
         let time = passing.time;
         let Some(front) = watch.front() else { return Ok(()) };
         let mut found: Option<Vec<f64>> = None;
-        for guard in happened.passed.iter().filter(|it| !watch.ends_slide(**it)) {
+        for guard in record.passed.iter().filter(|it| !watch.ends_slide(**it)) {
             let shifts = self.shifts_of_guard(watch, &front, passing, *guard)?;
             if let Some(others) = &found {
                 self.require_same(time, others, &shifts)?;
@@ -175,12 +175,12 @@ impl Tangents<'_> {
         }
         let shifts = match found {
             Some(shifts) => shifts,
-            None if happened.applied.is_empty() => return Ok(()),
+            None if record.applied.is_empty() => return Ok(()),
             // Caused by what happened just before.
             None => self.inner.borrow().latest.shifts.clone(),
         };
         let behind = rate_of(stretch, time, after);
-        self.map(stretch.system, passing, &shifts, &front.rate, (happened, after))?;
+        self.map(stretch.system, passing, &shifts, &front.rate, (record, after))?;
         let count = self.by.len();
         {
             let start = &mut self.inner.borrow_mut().start;
@@ -203,15 +203,15 @@ impl Tangents<'_> {
         system: &System<'_>,
         time: f64,
         before: &[f64],
-        happened: &Happened,
+        record: &EventRecord,
         after: &[f64],
     ) -> Result<(), Stopped> {
-        if happened.applied.is_empty() {
+        if record.applied.is_empty() {
             return Ok(());
         }
         let passing = Passing { time, before };
         let (shifts, rate) = (vec![0.0; self.by.len()], vec![0.0; before.len()]);
-        self.map(system, &passing, &shifts, &rate, (happened, after))
+        self.map(system, &passing, &shifts, &rate, (record, after))
     }
 
     /// Computes S = r_y (S + f dt/dp) + r_p + r_t dt/dp for the events, one after another.
@@ -221,7 +221,7 @@ impl Tangents<'_> {
         passing: &Passing<'_>,
         shifts: &[f64],
         rate: &[f64],
-        (happened, after): (&Happened, &[f64]),
+        (record, after): (&EventRecord, &[f64]),
     ) -> Result<(), Stopped> {
         let count = self.by.len();
         let simulator = self.simulator;
@@ -243,7 +243,7 @@ impl Tangents<'_> {
                     }
                 }
             }
-            for index in &happened.applied {
+            for index in &record.applied {
                 // New values use live relations, whatever is held.
                 let (function, live) = (DualFunction::Resets, &parameters[..self.parameters.len()]);
                 self.derivatives.on_duals(function, time, &state, live, &mut values);
@@ -338,7 +338,7 @@ impl Tangents<'_> {
             None => Ok(()),
             Some(direction) => {
                 let by = self.by[direction].quantity(self.simulator).name.to_owned();
-                Err(Stopped { time, cause: StopCause::AtOnce { by } })
+                Err(Stopped { time, cause: StopCause::CoincidentEvents { by } })
             }
         }
     }
@@ -376,7 +376,7 @@ fn put_back(
         let scale = simulator.state_scale(index).max(after[index].abs());
         if (after[index] - state[index].value).abs() > DRIFT * scale {
             let state = simulator.state(index).name.to_owned();
-            return Err(StopCause::MovedPosition { state });
+            return Err(StopCause::ProjectedPosition { state });
         }
     }
     let velocities: Vec<f64> = (0..n).map(|index| state[first + index].value).collect();

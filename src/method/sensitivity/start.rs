@@ -8,7 +8,7 @@ use super::{By, Tangents};
 use crate::constraints::{Constraints, Level, consistent};
 use crate::error::SimulateError;
 #[cfg(feature = "linear")]
-use crate::linear_analysis::{Point, steady_tangents};
+use crate::linear_analysis::{LinearError, Point, steady_tangents};
 
 /// The start of a run.
 pub(crate) struct Start<'s> {
@@ -95,7 +95,7 @@ impl Tangents<'_> {
             Ok(())
         };
         let found = steady_tangents(self.simulator, &point, named, (guess, &rates), &onto);
-        let found = found.map_err(SimulateError::no_equilibrium)?;
+        let found = found.map_err(LinearError::of_start)?;
         tangents.copy_from_slice(found.state.transpose().as_slice());
         Ok(found.is_determined)
     }

@@ -3,7 +3,7 @@
 
 use super::passing::{Outcome, is_wanted};
 use super::settle::is_beyond;
-use super::{ENDLESS, Happened, NO_TIME, Passed, ROUNDINGS, Side, Watch};
+use super::{ENDLESS, EventRecord, NO_TIME, Passed, ROUNDINGS, Side, Watch};
 use crate::error::StopCause;
 use crate::method::{Stopped, Stretch};
 use crate::trajectory::Switch;
@@ -86,7 +86,7 @@ impl Watch<'_> {
             return Ok(None);
         };
         let states = self.system.states();
-        self.inner.borrow_mut().happened = Happened::default();
+        self.inner.borrow_mut().record = EventRecord::default();
         self.keep_front(time, state);
         let guards_before = self.guards(time, state);
         let mut passed = vec![Passed::No; guards_before.len()];
@@ -113,7 +113,7 @@ impl Watch<'_> {
                 self.leave_surfaces(surfaces, (time, state), 0.0);
                 self.settle_relations((time, state), &[])?;
                 passed[index] =
-                    if self.is_armed(index, state) { Passed::GoesOn } else { Passed::Left };
+                    if self.is_armed(index, state) { Passed::GoesOn } else { Passed::Disarmed };
                 self.count(index, time)?;
                 if !self.is_approached(index, time, state) {
                     turned_back.push(index);
@@ -121,7 +121,7 @@ impl Watch<'_> {
             }
         }
         let all = passed.iter().enumerate().filter(|(_, passed)| **passed != Passed::No);
-        self.inner.borrow_mut().happened.passed = all.map(|(index, _)| index).collect();
+        self.inner.borrow_mut().record.passed = all.map(|(index, _)| index).collect();
         self.settle_after(time, state, &guards_before, &mut passed)?;
         self.settle_relations((time, state), &[])?;
         let guards = self.guards(time, state);
@@ -160,7 +160,7 @@ impl Watch<'_> {
             {
                 let residual = 4.0 * guards_before[index].abs();
                 *side = Side::Fresh { passed: !again.contains(&index), residual };
-            } else if passed[index] == Passed::Left || !(was_watched && is_same) {
+            } else if passed[index] == Passed::Disarmed || !(was_watched && is_same) {
                 *side = fresh(index);
             } else if guards[index] == 0.0 && matches!(side, Side::Known(_)) {
                 // Zero on the branch that relations took. One whose event has happened at this
@@ -201,7 +201,7 @@ impl Watch<'_> {
     ) -> Result<(), Stopped> {
         self.leave_surfaces(self.surfaces(time, before), (time, state), 0.0);
         self.settle_relations((time, state), &[])?;
-        let passed = self.inner.borrow().happened.passed.clone();
+        let passed = self.inner.borrow().record.passed.clone();
         let is_settled = |index: &usize| {
             self.is_kink(*index)
                 && (!self.watched[*index].is_border() || thrown_back.contains(index))
@@ -284,7 +284,7 @@ impl Watch<'_> {
     pub(super) fn count(&self, index: usize, time: f64) -> Result<(), Stopped> {
         let event = self.system.simulator().event(index).name.to_owned();
         self.system.count(|work| work.switches += 1);
-        self.inner.borrow_mut().happened.applied.push(index);
+        self.inner.borrow_mut().record.applied.push(index);
         self.count_one(time, &event)?;
         self.inner.borrow_mut().switches.push(Switch { time, event });
         Ok(())

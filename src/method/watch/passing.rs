@@ -49,7 +49,7 @@ pub(super) struct Parts {
     /// Ends of the stretch; a guard that jumps at one of them has not jumped within it.
     pub(super) ends: (f64, f64),
     /// Constraints that hold in modes and repeat others.
-    pub(super) led: Vec<usize>,
+    pub(super) prescribed: Vec<usize>,
     watched: Vec<Watched>,
     sources: Sources,
     state: Vec<f64>,
@@ -158,7 +158,7 @@ impl Parts {
         let events = system.simulator().events();
         Self {
             ends: (f64::NEG_INFINITY, f64::INFINITY),
-            led: Vec::new(),
+            prescribed: Vec::new(),
             sources: Sources::new(system.simulator()),
             state: vec![0.0; entries],
             start: Look::default(),
@@ -300,7 +300,7 @@ impl Parts {
     /// states from which steps start.
     fn follow(&mut self, system: &System<'_>, time: f64) {
         if let Some(constraints) = system.constraints().filter(|it| it.may_lead()) {
-            constraints.follow(&self.led, within(time, self.ends), &mut self.state);
+            constraints.follow(&self.prescribed, within(time, self.ends), &mut self.state);
         }
     }
 

@@ -85,7 +85,7 @@ impl Watch<'_> {
         let asked: Vec<bool> = of_events.map(|(index, side)| is_new(index, side)).collect();
         let mut happened = 0;
         let is_asked = |index: usize| asked[index];
-        self.let_go(time, state, |index| passed[index] = Passed::Left)?;
+        self.let_go(time, state, |index| passed[index] = Passed::Disarmed)?;
         // Relations alone begin no sticking, and may let prescribed speeds jump.
         if passed.iter().take(simulator.events()).any(|passed| *passed != Passed::No) {
             self.hold(time, state);
@@ -99,9 +99,9 @@ impl Watch<'_> {
             state.copy_from_slice(&trial.state);
             self.leave_surfaces(surfaces, (time, state), 0.0);
             self.settle_relations((time, state), &[])?;
-            passed[index] = Passed::Left;
+            passed[index] = Passed::Disarmed;
             self.count(index, time)?;
-            self.let_go(time, state, |index| passed[index] = Passed::Left)?;
+            self.let_go(time, state, |index| passed[index] = Passed::Disarmed)?;
             self.hold(time, state);
             happened += 1;
         }

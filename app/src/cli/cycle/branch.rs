@@ -74,7 +74,7 @@ impl CycleCommand {
             let text = text.map_err(|error| Failure::unsuccessful(error, ""))?;
             print(&format!("{text}\n"))?;
         } else if !to_standard_output {
-            print(&self.told(scene, &ranges))?;
+            print(&self.describe(scene, &ranges))?;
         }
         let Some(early) = found.iter().find(|branch| !branch.is_complete) else { return Ok(()) };
         let message = format!("the branch ends early: {}", early.end);
@@ -95,7 +95,7 @@ impl CycleCommand {
         }
     }
 
-    fn told(&self, scene: &Scene, all: &[Ranges<'_>]) -> String {
+    fn describe(&self, scene: &Scene, all: &[Ranges<'_>]) -> String {
         let simulator = scene.simulator();
         let Branch { parameter, unit, points, .. } = all[0].branch;
         let first = points.first().map(|point| &point.cycle.motion);
@@ -110,7 +110,7 @@ impl CycleCommand {
             if index > 0 {
                 text.push_str("\nTwice the period, from a flip: ");
             }
-            text.push_str(&ranges.told());
+            text.push_str(&ranges.describe());
         }
         for file in [&self.out, &self.plot].into_iter().flatten() {
             text.extend(["\nwrote ", &file.display().to_string()]);
@@ -164,7 +164,7 @@ fn plot(all: &[Ranges<'_>], title: &str, path: &Path) -> Result<(), crate::plot:
 }
 
 impl Ranges<'_> {
-    fn told(&self) -> String {
+    fn describe(&self) -> String {
         let Branch { parameter, unit, points, end, .. } = self.branch;
         let ranges = self;
         let mut text = format!("{} points\n\n", points.len());

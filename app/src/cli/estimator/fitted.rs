@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::Deserialize;
 
 use crate::cli::amount::Amount;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::{ErrorCode, Failure, did_you_mean};
 use crate::number::number;
 
 /// Probability below which residuals do not look like noise.
@@ -39,11 +39,15 @@ impl Fitted {
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let text = std::fs::read_to_string(path).map_err(|error| {
             let help = "`machinist fit ... --json > FILE` writes one";
-            Failure::input(format!("{}: {error}", path.display()), help)
+            Failure::coded(ErrorCode::File, format!("{}: {error}", path.display()), help)
         })?;
         serde_json::from_str(&text).map_err(|error| {
             let message = format!("{}: not the result of a fit: {error}", path.display());
-            Failure::input(message, "`machinist fit ... --json > FILE` writes one")
+            Failure::coded(
+                ErrorCode::InvalidData,
+                message,
+                "`machinist fit ... --json > FILE` writes one",
+            )
         })
     }
 

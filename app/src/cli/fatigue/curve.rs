@@ -5,7 +5,7 @@ use machinist::fatigue::{Curve, MeanStress, MinerRule};
 use machinist::trajectory::Column;
 
 use crate::cli::amount::Amount;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::Failure;
 
 /// S-N curve N = N_k (S/S_k)^-k of amplitudes S with mean zero.
 #[derive(Debug, Clone, Args)]
@@ -79,7 +79,7 @@ impl CurveArgs {
                 let message =
                     format!("--endurance: output `{}` is not counted", name.escape_debug());
                 let names = counted.iter().map(|column| column.name.as_str());
-                return Err(Failure::input(message, did_you_mean(name, names)));
+                return Err(Failure::unknown(message, name, names));
             }
             meant.try_for_each(|column| amount.check(&column.name, &column.unit))?;
         }
@@ -110,7 +110,7 @@ impl CurveArgs {
     }
 
     /// Describes the curve.
-    pub fn told(&self) -> String {
+    pub fn describe(&self) -> String {
         let Self { knee, slope, .. } = self;
         let rule = match self.miner {
             Rule::Original => "no damage below",

@@ -81,7 +81,7 @@ impl Signal {
                 .map(|CountedCycle { samples: [a, b], .. }| [times[*a.min(b)], times[*a.max(b)]])
                 .collect(),
             curve: args.of(&column.name),
-            told: args.told(),
+            told: args.describe(),
             cycles,
             equivalent,
             slope,

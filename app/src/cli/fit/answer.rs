@@ -126,7 +126,7 @@ impl Answer {
     }
 
     /// Formats the result for people.
-    pub fn told(&self, scene: &Scene) -> String {
+    pub fn describe(&self, scene: &Scene) -> String {
         let gaps =
             if self.gaps > 0 { format!(", {} gaps left out", self.gaps) } else { String::new() };
         let is_plain = |told: &ComparedExperiment| told.set.is_empty() && told.name == told.data;

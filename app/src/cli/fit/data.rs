@@ -7,7 +7,7 @@ use machinist::fit::{Measured, Noise};
 use machinist_contract::Simulator;
 
 use crate::cli::amount::conversion;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::{ErrorCode, Failure, did_you_mean};
 
 /// Interpretation of the columns of files.
 pub struct Reading<'r> {
@@ -52,7 +52,7 @@ impl Reading<'_> {
     pub fn read(&self, path: &Path) -> Result<File, Failure> {
         let text = fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?;
         self.read_text(&text).map_err(|Refusal(message, help)| {
-            Failure::input(format!("{}: {message}", path.display()), help)
+            Failure::coded(ErrorCode::InvalidData, format!("{}: {message}", path.display()), help)
         })
     }
 

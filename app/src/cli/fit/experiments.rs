@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 use super::noise::Sigma;
 use crate::cli::amount::Amount;
-use crate::failure::Failure;
+use crate::failure::{ErrorCode, Failure};
 
 /// Settings of a measured run before its file is read.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -37,7 +37,11 @@ pub fn read(path: &Path) -> Result<Vec<Setup>, Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut setups = parse::experiments(&text).map_err(|parse::Wrong { at, message, help }| {
         let line = text.get(..at).unwrap_or_default().matches('\n').count() + 1;
-        Failure::input(format!("{}, line {line}: {message}", path.display()), help)
+        Failure::coded(
+            ErrorCode::InvalidData,
+            format!("{}, line {line}: {message}", path.display()),
+            help,
+        )
     })?;
     for setup in &mut setups {
         setup.data = folder.join(&setup.data);
@@ -49,7 +53,11 @@ pub fn read(path: &Path) -> Result<Vec<Setup>, Failure> {
 #[cfg(not(feature = "derive"))]
 pub fn read(path: &Path) -> Result<Vec<Setup>, Failure> {
     let message = format!("--experiments {}: this program reads no TOML", path.display());
-    Err(Failure::input(message, "use `--data`, or a build with the feature `derive`"))
+    Err(Failure::coded(
+        ErrorCode::NotBuiltIn,
+        message,
+        "use `--data`, or a build with the feature `derive`",
+    ))
 }
 
 #[cfg(feature = "derive")]

@@ -1,12 +1,12 @@
 //! Unknowns of a fit, as the command line gives them.
 
-use machinist::fit::Unknown;
+use machinist::fit::{Bounds, Unknown};
 use machinist::{SimulateError, Simulation};
 use machinist_contract::Simulator;
 
 use crate::cli::amount::Amount;
 use crate::cli::range::ends;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::Failure;
 
 /// Name with optional bounds.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,13 +64,13 @@ pub fn unknowns(
                     name.escape_debug()
                 );
                 let known: Vec<&str> = parameters().chain(states()).collect();
-                return Err(Failure::input(message, did_you_mean(name, known.into_iter())));
+                return Err(Failure::unknown(message, name, known.into_iter()));
             }
         };
         if let Some([from, _]) = bounds {
             from.check_of(name, simulation)?;
         }
-        let bounds = bounds.as_ref().map(|[from, to]| (from.value, to.value));
+        let bounds = bounds.as_ref().map(|[from, to]| Bounds { low: from.value, high: to.value });
         found.push((Unknown::from(name, value, bounds), parameter.is_some()));
     }
     Ok(found)

@@ -86,7 +86,7 @@ impl Options {
             None => initial(&model),
         };
         let name = Path::new(scene).file_name().unwrap_or(scene.as_ref()).to_string_lossy();
-        let mut command = format!("machinist gen {name} -o .{}", estimator.told()?);
+        let mut command = format!("machinist gen {name} -o .{}", estimator.describe()?);
         if let Some(step) = self.step {
             command.extend([" --step ", step.name()]);
         }
@@ -117,7 +117,7 @@ impl Options {
                 Some(Width::F32) => Real::Float,
             },
             method,
-            command: format!("{}{}", self.command(scene, keep_all), estimator.told()?),
+            command: format!("{}{}", self.command(scene, keep_all), estimator.describe()?),
             inputs: self.inputs.clone(),
             start: start(&model)?,
             estimator: filter,

@@ -1,5 +1,6 @@
 //! Result of a search for a better design, for people and for programs.
 
+use machinist::fit::Bounds;
 use machinist::improve::{End, Improvement};
 use machinist_contract::Simulator;
 use serde::Serialize;
@@ -82,7 +83,7 @@ impl Answer {
     ) -> Result<Self, Failure> {
         let Searched { found, sizes, lost, runs } = searched;
         let values = improvement.values(&found.at);
-        let after = improvement.told(&values)?;
+        let after = improvement.numbers_at(&values)?;
         let before = before(improvement);
         let costs = improvement.costs(found, sizes);
         let limit = |k: usize| {
@@ -102,7 +103,7 @@ impl Answer {
         };
         let varied = |k: usize| {
             let (unknown, value) = (&improvement.unknowns[k], values[k]);
-            let (low, high) = unknown.bounds;
+            let Bounds { low, high } = unknown.bounds;
             let is_at_bound = value <= low || value >= high;
             let cost = found.of_bounds[k].abs() * sizes.objective / unknown.slope(value).abs();
             Varied {
@@ -149,7 +150,7 @@ impl Answer {
     }
 
     /// Formats the result for people.
-    pub fn told(&self, scene: &Scene) -> String {
+    pub fn describe(&self, scene: &Scene) -> String {
         let shown = |value: f64| number(value, 7);
         let Objective { expression, unit, is_greatest, before, after } = &self.objective;
         let unit = if unit == "1" { String::new() } else { format!(" {unit}") };

@@ -27,7 +27,7 @@ impl Along<'_> {
     }
 
     /// Formats the answer for people.
-    pub fn told(&self) -> String {
+    pub fn describe(&self) -> String {
         let mut text = format!("{}: {}\nlinear models along the run\n", self.scene, self.title);
         for (index, piece) in self.pieces.iter().enumerate() {
             let first = &piece.models[0];

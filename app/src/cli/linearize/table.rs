@@ -15,7 +15,7 @@ const DIGITS: usize = 6;
 const WIDEST: usize = 12;
 
 /// Formats the answer.
-pub fn told(answer: &Answer<'_>, designs: &Designs) -> String {
+pub fn describe(answer: &Answer<'_>, designs: &Designs) -> String {
     let model = answer.model;
     let mut text = format!("{}: {}\n{}", answer.scene(), answer.title, answer.place);
     if let Some(sampling) = model.sampling {

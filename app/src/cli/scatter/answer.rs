@@ -214,7 +214,7 @@ impl Answer {
     }
 
     /// Returns the answer for people.
-    pub fn told(&self) -> String {
+    pub fn describe(&self) -> String {
         let points = match self.sampler.as_str() {
             "sobol" => "Sobol points",
             "latin" => "Latin hypercubes",
@@ -226,7 +226,7 @@ impl Answer {
         let interval = format!("{} % interval", number(100.0 * self.confidence, 4));
         for result in &self.results {
             text.extend([format!("\n{} [{}], {} values\n", result.of, result.unit, result.count)]);
-            text.push_str(&result.told(&interval));
+            text.push_str(&result.describe(&interval));
         }
         if !self.limits.is_empty() {
             let header =
@@ -300,7 +300,7 @@ impl ResultOf {
         }
     }
 
-    fn told(&self, interval: &str) -> String {
+    fn describe(&self, interval: &str) -> String {
         let header = ["", "estimate", interval, ""].map(str::to_owned);
         let digits = self.digits();
         let exact = |name: &str, value: f64| {

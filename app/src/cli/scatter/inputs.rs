@@ -143,7 +143,7 @@ impl Inputs {
             spread::Law::Lognormal(mean, deviation) => Law::Lognormal { mean, deviation },
         };
         let distribution = Distribution::new(law)
-            .map_err(|error| Failure::input(format!("distribution of {name}: {error}"), ""))?;
+            .map_err(|error| Failure::at(format!("distribution of {name}"), error, ""))?;
         self.names.push(name.to_owned());
         self.units.push(run.simulator().parameter(place).unit.to_owned());
         self.distributions.push(distribution);
@@ -196,7 +196,7 @@ impl Inputs {
     }
 
     /// Describes the distributions for the record of a table.
-    pub fn told(&self) -> Value {
+    pub fn describe(&self) -> Value {
         let mut told = Map::new();
         for (name, distribution) in self.names.iter().zip(&self.distributions) {
             told.insert(name.clone(), format!("{:?}", distribution.law()).into());

@@ -16,7 +16,7 @@ use super::{Results, ScatterCommand};
 use crate::cli::improve::units;
 use crate::cli::scene::Scene;
 use crate::cli::variants::Variants;
-use crate::failure::{Failure, did_you_mean};
+use crate::failure::{ErrorCode, Failure};
 use crate::parquet::{Column, Values};
 use crate::progress::spinner;
 
@@ -228,7 +228,11 @@ impl<'a> Runner<'a> {
             return Err(Failure::unsuccessful(format!("every run has no result: {first}"), ""));
         }
         if outcomes.is_empty() {
-            return Err(Failure::unsuccessful("interrupted before the first run ended", ""));
+            return Err(Failure::ended(
+                ErrorCode::Interrupted,
+                "interrupted before the first run ended",
+                "",
+            ));
         }
         Ok(Ran { outcomes, stored, is_interrupted })
     }
@@ -308,9 +312,10 @@ fn wanted(
     let known = || outputs.iter().chain(&states).copied();
     match command.columns.iter().find(|name| known().all(|known| known != *name)) {
         None => Ok(command.columns.clone()),
-        Some(name) => Err(Failure::input(
+        Some(name) => Err(Failure::unknown(
             format!("--columns: there is no output or state `{}`", name.escape_debug()),
-            did_you_mean(name, known()),
+            name,
+            known(),
         )),
     }
 }

@@ -16,7 +16,10 @@ use machinist_algebra::expr::{CoordinateId, Expr, ParameterId, Symbol};
 use machinist_model::{What, Why};
 
 /// Reason why a unit cannot be approximated as rigid.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(
+    Debug, Clone, PartialEq, Eq, thiserror::Error, strum::IntoStaticStr, strum::VariantNames,
+)]
+#[strum(prefix = "freeze::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FreezeError {
     /// It has no spring.
@@ -37,6 +40,14 @@ pub enum FreezeError {
     /// Its coordinates would have to jump at the start.
     #[error("unit `{0}` cannot be frozen: its spring is not at rest at the start")]
     NotAtRest(String),
+}
+
+impl FreezeError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 /// Coordinate `a` follows coordinate `b` by a factor.

@@ -9,6 +9,7 @@ use crate::scene::names::Flat;
 use crate::scene::resolve::Wanted;
 use crate::scene::system::{Check, Coordinate, Definition, FirstOrderState, Parameter, Reference};
 use crate::scene::typed::{Uses, in_units_of};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::{Ast, Node};
@@ -87,7 +88,9 @@ impl Assembler<'_> {
             let known = names.chain(states.iter().map(String::as_str));
             let message = format!("there is no output or state {}", quoted(&of.value));
             let help = did_you_mean(&of.value, known);
-            return Err(Box::new(Mistake::new(of.span, message, "unknown").help(help)));
+            return Err(Box::new(
+                Mistake::new(Code::UnknownName, of.span, message, "unknown").help(help),
+            ));
         };
         let typed = self.resolver.expect_any(&ast, Scope::Scene)?;
         let (unit, doc) = self.alias(&ast)?;
@@ -97,7 +100,9 @@ impl Assembler<'_> {
                 "it is joined to another coordinate, or held: {}",
                 did_you_mean(&of.value, states.iter().map(String::as_str))
             );
-            return Err(Box::new(Mistake::new(of.span, message, "no state").help(help)));
+            return Err(Box::new(
+                Mistake::new(Code::UnknownName, of.span, message, "no state").help(help),
+            ));
         }
         let asked_for = outputs.iter().any(|output| output.quantity.name.path == of.value);
         if !self.spec.outputs.is_empty() && !asked_for {
@@ -158,7 +163,12 @@ impl Assembler<'_> {
                 let outside = rows.iter().find(|(t, _)| !(from..=until).contains(&t.value));
                 if let Some((time, _)) = outside {
                     let message = format!("this time is outside the run, {from} s to {until} s");
-                    return Err(Box::new(Mistake::new(time.span, message, "not within the run")));
+                    return Err(Box::new(Mistake::new(
+                        Code::OutOfRange,
+                        time.span,
+                        message,
+                        "not within the run",
+                    )));
                 }
                 let rows = rows.iter().map(|(time, value)| [time.value, *value]);
                 Ok(Reference::Values(rows.collect()))
@@ -211,7 +221,7 @@ impl Assembler<'_> {
         (of, dimension): (&str, Dimension),
     ) -> Result<Vec<[f64; 2]>, Box<Mistake>> {
         let refuse = |span: Span, message: String, label: &str, help: String| {
-            Err(Box::new(Mistake::new(span, message, label).help(help)))
+            Err(Box::new(Mistake::new(Code::InvalidTable, span, message, label).help(help)))
         };
         let mut read = self.spec.tables.iter();
         let table = read.find(|table| table.spec == csv.span.file && table.path == csv.value);

@@ -7,6 +7,7 @@ use crate::scene::layout::Scope;
 use crate::scene::names::{Flat, name};
 use crate::scene::system::{Constraint, Friction};
 use crate::scene::typed::Typed;
+use crate::spec::code::Code;
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Dimension;
 use crate::spec::{ConstraintSpec, quoted};
@@ -73,7 +74,10 @@ fn unfit(constraint: &ConstraintSpec, typed: &Typed) -> Option<Mistake> {
         Some(friction) => format!("the speed of friction {}", quoted(&friction.value)),
     };
     let refuse = |message: String, label: &str, help: &str| {
-        Some(Mistake::new(constraint.expression.span, message, label).help(help))
+        Some(
+            Mistake::new(Code::InvalidConstraint, constraint.expression.span, message, label)
+                .help(help),
+        )
     };
     let is_state = |symbol| matches!(symbol, Symbol::FirstOrder(_));
     let moves = |symbol| {

@@ -15,6 +15,7 @@ use crate::scene::layout::{FieldPart, Layout, Local, Scope};
 use crate::scene::resolve::Wanted;
 use crate::scene::system::{Attachment, Field, GeneralizedForce, Parameter};
 use crate::scene::typed::{Uses, integer, product, sum};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
@@ -58,7 +59,12 @@ impl Assembler<'_> {
         let expr = self.note(resolved);
         if profiles.insert((index, field, order), expr).is_some() {
             let message = format!("two initial values of {}", quoted(&name.value));
-            self.mistakes.push(Mistake::new(name.span, message, "given again"));
+            self.mistakes.push(Mistake::new(
+                Code::DuplicateName,
+                name.span,
+                message,
+                "given again",
+            ));
         }
         true
     }
@@ -124,7 +130,9 @@ impl Assembler<'_> {
         if let Some(name) = tunable.or(self.spec.rigid.first()) {
             let message = "a scene with fields does not support [tunable] and [freeze]";
             let help = "remove [tunable] and [freeze]";
-            self.mistakes.push(Mistake::new(name.span, message, "not with fields").help(help));
+            self.mistakes.push(
+                Mistake::new(Code::InvalidField, name.span, message, "not with fields").help(help),
+            );
         }
     }
 
@@ -142,7 +150,12 @@ impl Assembler<'_> {
             if link.factor.is_some() && !at.fixed {
                 let message = "two points of fields are joined with a ratio";
                 let help = "join them one to one, or put a gear with inertia between them";
-                let mistake = Mistake::new(port.name.span, message, "joined with a ratio");
+                let mistake = Mistake::new(
+                    Code::InvalidField,
+                    port.name.span,
+                    message,
+                    "joined with a ratio",
+                );
                 self.mistakes.push(mistake.help(help));
             }
             attachments.push(Attachment {
@@ -190,7 +203,8 @@ impl Assembler<'_> {
         let (Some(ast), Some(density)) = (&field.densities[0], density) else {
             let message = format!("field {} has no inertia", quoted(&field.name.value));
             let help = "give it a kinetic energy per length";
-            let mistake = Mistake::new(field.name.span, message, "lacks `kinetic`");
+            let mistake =
+                Mistake::new(Code::NoInertia, field.name.span, message, "lacks `kinetic`");
             self.mistakes.push(mistake.help(help));
             return;
         };
@@ -199,7 +213,12 @@ impl Assembler<'_> {
         self.refuse(ast, density, elsewhere, message);
         if !density.mentions(|symbol| symbol == RATE) {
             let message = "the kinetic energy per length does not depend on the rate";
-            self.mistakes.push(Mistake::new(ast.span, message, "without inertia"));
+            self.mistakes.push(Mistake::new(
+                Code::InvalidField,
+                ast.span,
+                message,
+                "without inertia",
+            ));
         }
         let tables = |expr: &Expr| {
             let mut found = false;
@@ -225,14 +244,20 @@ impl Assembler<'_> {
         if (three - 9.0 * one).abs() > 1e-9 * three.abs() {
             let message = "the kinetic energy per length must be quadratic in the rate";
             let help = "write inertia*rate^2/2, where inertia depends on x and parameters only";
-            let mistake = Mistake::new(ast.span, message, "not a quadratic form");
+            let mistake =
+                Mistake::new(Code::InvalidField, ast.span, message, "not a quadratic form");
             self.mistakes.push(mistake.help(help));
         }
     }
 
     fn refuse(&mut self, ast: &Ast, expr: &Expr, wrong: impl Fn(Symbol) -> bool, message: &str) {
         if expr.mentions(wrong) {
-            self.mistakes.push(Mistake::new(ast.span, message, "not of this form"));
+            self.mistakes.push(Mistake::new(
+                Code::InvalidField,
+                ast.span,
+                message,
+                "not of this form",
+            ));
         }
     }
 

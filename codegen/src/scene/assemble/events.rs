@@ -9,6 +9,7 @@ use crate::scene::names::{Flat, name};
 use crate::scene::resolve::Wanted;
 use crate::scene::system::Event;
 use crate::scene::typed::{Uses, integer, product, reciprocal};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::{EventSpec, FrictionSpec, Openings, did_you_mean, quoted};
@@ -72,7 +73,8 @@ impl Assembler<'_> {
             let what = if typed.value == Some(0.0) { "is always zero" } else { "never changes" };
             let name = quoted(&event.name.value);
             let message = format!("the guard of event {name} {what}");
-            let mistake = Mistake::new(event.guard.span, message, "of parameters only");
+            let mistake =
+                Mistake::new(Code::InvalidGuard, event.guard.span, message, "of parameters only");
             let help = "a guard must depend on time, coordinates, velocities or states";
             self.mistakes.push(mistake.help(help));
         }
@@ -90,7 +92,12 @@ impl Assembler<'_> {
             match self.mode(path, scope) {
                 Ok(id) if modes.iter().any(|(known, _)| *known == id) => {
                     let message = format!("mode {} is given twice", quoted(&path.value));
-                    self.mistakes.push(Mistake::new(path.span, message, "again"));
+                    self.mistakes.push(Mistake::new(
+                        Code::DuplicateName,
+                        path.span,
+                        message,
+                        "again",
+                    ));
                 }
                 Ok(id) => modes.push((id, *value)),
                 Err(mistake) => self.mistakes.push(*mistake),
@@ -117,7 +124,10 @@ impl Assembler<'_> {
                 let modes = unit.states.iter().filter(|state| state.is_mode);
                 let help = did_you_mean(name, modes.map(|state| state.name.value.as_str()));
                 let message = format!("{} is not a mode", quoted(&path.value));
-                Err(Box::new(Mistake::new(path.span, message, "not a mode").help(help)))
+                Err(Box::new(
+                    Mistake::new(Code::WrongKindOfName, path.span, message, "not a mode")
+                        .help(help),
+                ))
             }
         }
     }
@@ -143,7 +153,7 @@ impl Assembler<'_> {
             };
             if set.iter().any(|(known, _)| *known == symbol) {
                 let message = format!("{} is set twice by one event", quoted(&path.value));
-                let mistake = Mistake::new(path.span, message, "set again");
+                let mistake = Mistake::new(Code::DuplicateName, path.span, message, "set again");
                 self.mistakes.push(mistake.help("joined coordinates move together"));
             }
             set.push((symbol, value));
@@ -187,7 +197,8 @@ impl Assembler<'_> {
             (Scope::Instance(instance), None) => Ok((instance, &path.value)),
             (_, None) => {
                 let message = format!("an event cannot set {}", quoted(&path.value));
-                let mistake = Mistake::new(path.span, message, "not instance.name");
+                let mistake =
+                    Mistake::new(Code::WrongKindOfName, path.span, message, "not instance.name");
                 Err(Box::new(mistake.help("write \"instance.name\"")))
             }
             (Scope::Instance(own), Some(_))
@@ -195,7 +206,9 @@ impl Assembler<'_> {
             {
                 let message = "names with a dot are allowed in scenes and assemblies only";
                 let help = "an event of a unit can set only variables of the unit";
-                Err(Box::new(Mistake::new(path.span, message, "not in a unit").help(help)))
+                Err(Box::new(
+                    Mistake::new(Code::OutOfScope, path.span, message, "not in a unit").help(help),
+                ))
             }
             (Scope::Instance(own), Some((part, name))) => {
                 Ok((find_inside(self.spec, own, part, path.span)?, name))

@@ -14,6 +14,7 @@ use crate::scene::system::GeneralizedForce;
 use crate::scene::typed::{Uses, integer, product, sum};
 use crate::spatial::vector::{times, zero};
 use crate::spec::body::{Components, LoadSpec};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
@@ -152,7 +153,12 @@ impl Assembler<'_> {
         }
         if all.is_empty() {
             let message = format!("load {} acts on nothing that moves", quoted(&load.name.value));
-            return Err(Box::new(Mistake::new(load.frame.span, message, "fixed to the world")));
+            return Err(Box::new(Mistake::new(
+                Code::NoEffect,
+                load.frame.span,
+                message,
+                "fixed to the world",
+            )));
         }
         Ok(all)
     }
@@ -185,7 +191,7 @@ impl Assembler<'_> {
         let way = self.resolver.expect_any(along, scope)?;
         if let Some(what) = way.uses.beyond(Uses::PLACE) {
             let message = format!("the `along` of a force depends on {what}");
-            let mistake = Mistake::new(along.span, message, "not allowed here");
+            let mistake = Mistake::new(Code::InvalidForce, along.span, message, "not allowed here");
             return Err(Box::new(mistake.help("write it with coordinates, time and parameters")));
         }
         let dimension = way.dimension.and_then(|along| Dimension::ENERGY.over(along));
@@ -212,7 +218,7 @@ impl Assembler<'_> {
                     }
                     NoRate::Unknown(_) => "the derivative of this is not known".to_owned(),
                 };
-                Mistake::new(along.span, message, "along this")
+                Mistake::new(Code::NoDerivative, along.span, message, "along this")
             })?;
             if !slope.is_zero() {
                 forces.push((id, product(vec![slope, force.expr.clone()])));
@@ -220,7 +226,7 @@ impl Assembler<'_> {
         }
         if forces.is_empty() {
             let message = "the `along` of a force depends on no coordinate";
-            let mistake = Mistake::new(along.span, message, "does not move");
+            let mistake = Mistake::new(Code::InvalidForce, along.span, message, "does not move");
             return Err(Box::new(mistake.help("a force along it would do no work")));
         }
         Ok(forces)

@@ -13,6 +13,7 @@ use crate::scene::layout::Scope;
 use crate::scene::resolve::{MAX_TERMS, Wanted, beyond_reason};
 use crate::scene::system::GeneralizedForce;
 use crate::scene::typed::{integer, product, sum};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Dimension;
 use crate::spec::{FrictionSpec, quoted};
@@ -61,7 +62,9 @@ impl Assembler<'_> {
             let message = format!("the force of friction {name} is in {dimension}");
             let label = format!("this is {}", unit.unit.dimension);
             let help = "force times speed is a power: N for m/s, N m for rad/s";
-            return Err(Box::new(Mistake::new(unit.span, message, label).help(help)));
+            return Err(Box::new(
+                Mistake::new(Code::DimensionMismatch, unit.span, message, label).help(help),
+            ));
         }
         let wanted = Wanted::new(dimension, "the force of friction");
         let force = self.resolver.expect_force(&friction.slide, scope, wanted)?.expr;
@@ -69,7 +72,9 @@ impl Assembler<'_> {
             let rate = |symbol| Some(integer(i64::from(symbol == of)));
             let slope = along::slope_by(&speed.expr, MAX_TERMS, &rate);
             let what = "the derivative of this by a velocity is not known or too long";
-            slope.map_err(|_| Mistake::new(friction.speed.span, what, "how fast it slides"))
+            slope.map_err(|_| {
+                Mistake::new(Code::NoDerivative, friction.speed.span, what, "how fast it slides")
+            })
         };
         for symbol in speed.expr.symbols() {
             if let Symbol::Velocity(id) = symbol {

@@ -6,6 +6,7 @@ use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Local, Scope};
 use crate::scene::resolve::Wanted;
 use crate::scene::typed::{Uses, integer, product, reciprocal};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::{Formula, did_you_mean, quoted};
@@ -82,7 +83,8 @@ impl<'a> Assembler<'a> {
             if let Some((_, by)) = set.iter().find(|(known, _)| *known == key) {
                 if *by == scope {
                     let message = format!("two initial values of {}", quoted(&name.value));
-                    let mistake = Mistake::new(name.span, message, "given again");
+                    let mistake =
+                        Mistake::new(Code::DuplicateName, name.span, message, "given again");
                     self.mistakes.push(mistake.help("joined coordinates start together"));
                 }
                 continue;
@@ -139,13 +141,14 @@ impl<'a> Assembler<'a> {
             && let Some((name, _)) = spec.guess.first()
         {
             let message = "guesses are allowed only in scenes with constraints";
-            let mistake = Mistake::new(name.span, message, "a guess");
+            let mistake = Mistake::new(Code::InvalidStart, name.span, message, "a guess");
             self.mistakes.push(mistake.help("give the value in [initial]"));
         }
         for Entry { scope, name, .. } in self.entries().iter().filter(|entry| !entry.is_given) {
             if let Ok((Target::State(_), _)) = self.target(name, *scope) {
                 let message = format!("{} is not a coordinate or velocity", quoted(&name.value));
-                let mistake = Mistake::new(name.span, message, "a first-order state");
+                let mistake =
+                    Mistake::new(Code::WrongKindOfName, name.span, message, "a first-order state");
                 self.mistakes.push(mistake.help("constraints do not change it: use [initial]"));
             }
         }
@@ -210,7 +213,7 @@ impl<'a> Assembler<'a> {
         let value = evaluate(expr, &|id: ParameterId| self.values[id.0 as usize]);
         if !value.is_finite() {
             let message = format!("{what} must be a finite number, but this is {value}");
-            self.mistakes.push(Mistake::new(span, message, "not finite"));
+            self.mistakes.push(Mistake::new(Code::UndefinedValue, span, message, "not finite"));
         }
     }
 
@@ -225,7 +228,7 @@ impl<'a> Assembler<'a> {
         }
         if scope == Scope::Scene && !path.value.contains('.') {
             let message = format!("{} cannot have an initial value", quoted(&path.value));
-            let mistake = Mistake::new(path.span, message, "not instance.name");
+            let mistake = Mistake::new(Code::InvalidStart, path.span, message, "not instance.name");
             return Err(Box::new(mistake.help("write \"instance.name\" = value")));
         }
         let (instance, name) = self.owner(path, scope)?;
@@ -269,12 +272,14 @@ impl<'a> Assembler<'a> {
                 let known = coordinates.chain(unit.states.iter().map(|state| &state.name.value));
                 let help = did_you_mean(name, known.map(String::as_str));
                 let label = "no coordinate, velocity or state";
-                return Err(Box::new(Mistake::new(path.span, message, label).help(help)));
+                return Err(Box::new(
+                    Mistake::new(Code::InvalidStart, path.span, message, label).help(help),
+                ));
             }
         };
         if self.layout.is_held(self.layout.slot(instance, index)) {
             let message = format!("{} is fixed, by its unit or by a joint", quoted(&path.value));
-            let mistake = Mistake::new(path.span, message, "fixed at zero");
+            let mistake = Mistake::new(Code::InvalidStart, path.span, message, "fixed at zero");
             return Err(Box::new(mistake.help("leave it out")));
         }
         let link = self.layout.link(instance, index);
@@ -284,7 +289,9 @@ impl<'a> Assembler<'a> {
         {
             let message = format!("{} takes its initial value from its field", quoted(&path.value));
             let help = "give the field's initial value, an expression of x";
-            return Err(Box::new(Mistake::new(path.span, message, "part of a field").help(help)));
+            return Err(Box::new(
+                Mistake::new(Code::InvalidStart, path.span, message, "part of a field").help(help),
+            ));
         }
         let target = Target::Coordinate(link.id.0 as usize, order, link.factor.clone());
         let coordinate = &unit.coordinates[index];

@@ -5,6 +5,7 @@ use crate::scene::layout::{Local, Scope, find_instance};
 use crate::scene::resolve::Wanted;
 use crate::scene::system::Definition;
 use crate::scene::typed::{Uses, in_units_of};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::expression::{Ast, Node};
 use crate::spec::measure::in_coherent_units;
@@ -167,7 +168,9 @@ impl Assembler<'_> {
             _ => {
                 let message = "an output in quotes must be a name, not an expression";
                 let help = "write { expression = \"...\", unit = \"...\" }";
-                Err(Box::new(Mistake::new(of.span, message, "not a name").help(help)))
+                Err(Box::new(
+                    Mistake::new(Code::WrongType, of.span, message, "not a name").help(help),
+                ))
             }
         }
     }
@@ -180,7 +183,7 @@ impl Assembler<'_> {
             .chain(self.spec.instances.iter().map(|instance| instance.name.value.as_str()));
         let message = format!("unknown name {}", quoted(name));
         let help = crate::spec::did_you_mean(name, known);
-        Err(Box::new(Mistake::new(span, message, "unknown").help(help)))
+        Err(Box::new(Mistake::new(Code::UnknownName, span, message, "unknown").help(help)))
     }
 }
 

@@ -3,6 +3,7 @@
 
 use crate::scene::assemble::Assembler;
 use crate::scene::layout::{Local, Scope, find_instance};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::{did_you_mean, quoted};
 use machinist_model::Freeze;
@@ -17,7 +18,12 @@ impl Assembler<'_> {
             match self.tunable_parameter(name) {
                 Ok(index) if tunable[index] => {
                     let message = format!("parameter {} is listed twice", quoted(&name.value));
-                    self.mistakes.push(Mistake::new(name.span, message, "listed again"));
+                    self.mistakes.push(Mistake::new(
+                        Code::DuplicateName,
+                        name.span,
+                        message,
+                        "listed again",
+                    ));
                 }
                 Ok(index) => tunable[index] = true,
                 Err(mistake) => self.mistakes.push(*mistake),
@@ -34,7 +40,7 @@ impl Assembler<'_> {
                 self.mistakes.push(*mistake);
             } else if freeze.rigid.contains(&name.value) {
                 let message = format!("{} is frozen twice", quoted(&name.value));
-                self.mistakes.push(Mistake::new(name.span, message, "again"));
+                self.mistakes.push(Mistake::new(Code::DuplicateName, name.span, message, "again"));
             } else {
                 freeze.rigid.push(name.value.clone());
             }
@@ -56,7 +62,7 @@ impl Assembler<'_> {
                 return Ok(id.0 as usize);
             }
             let message = format!("{} is given by an expression", quoted(&path.value));
-            let mistake = Mistake::new(path.span, message, "follows others");
+            let mistake = Mistake::new(Code::WrongKindOfName, path.span, message, "follows others");
             return Err(Box::new(mistake.help("list the parameters that it depends on")));
         }
         let known =
@@ -70,6 +76,8 @@ impl Assembler<'_> {
             }
             _ => did_you_mean(name, known),
         };
-        Err(Box::new(Mistake::new(path.span, message, label).help(help.trim_start())))
+        Err(Box::new(
+            Mistake::new(Code::WrongKindOfName, path.span, message, label).help(help.trim_start()),
+        ))
     }
 }

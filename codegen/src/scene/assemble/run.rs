@@ -5,6 +5,7 @@ use crate::scene::evaluate::evaluate;
 use crate::scene::layout::Scope;
 use crate::scene::resolve::Wanted;
 use crate::scene::typed::Uses;
+use crate::spec::code::Code;
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Dimension;
 use crate::spec::{Formula, SamplingSpec};
@@ -24,7 +25,8 @@ impl Assembler<'_> {
         // Written so that NaN is rejected.
         if !(from.is_finite() && until.is_finite() && until > from) {
             let label = if until <= from { "too early" } else { "not a time" };
-            let mistake = Mistake::new(end.span(), "a run must end after its start", label);
+            let mistake =
+                Mistake::new(Code::InvalidRun, end.span(), "a run must end after its start", label);
             self.mistakes.push(mistake.help(format!("it goes from {from} s to {until} s")));
         }
         self.run.until = until;
@@ -49,7 +51,7 @@ impl Assembler<'_> {
             let time = self.time(formula, "a time of the run");
             if !(time.is_finite() && time >= self.run.from && time > before) {
                 let message = "the times of a run must increase from its start";
-                let mistake = Mistake::new(formula.span(), message, "too early");
+                let mistake = Mistake::new(Code::InvalidRun, formula.span(), message, "too early");
                 let help = format!("this is at {time} s, the start at {} s", self.run.from);
                 self.mistakes.push(mistake.help(help));
                 return;
@@ -66,7 +68,8 @@ impl Assembler<'_> {
         let (from, until) = (self.run.from, self.run.until);
         if !(first > 0.0 && first < until - from) {
             let message = "`first` must be after the start and before the end";
-            let mistake = Mistake::new(formula.span(), message, "not within the run");
+            let mistake =
+                Mistake::new(Code::InvalidRun, formula.span(), message, "not within the run");
             self.mistakes.push(mistake.help(format!("it is {first} s of {} s", until - from)));
             return;
         }

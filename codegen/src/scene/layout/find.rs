@@ -1,6 +1,7 @@
 //! Instances, ports and coordinates by their names.
 
 use super::{Layout, Local, Names};
+use crate::spec::code::Code;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::{Dimension, Unit};
 use crate::spec::{
@@ -24,7 +25,10 @@ pub fn find_instance(spec: &SceneSpec, name: &str, span: Span) -> Result<usize, 
     found.ok_or_else(|| {
         let message = format!("unknown instance {}", quoted(name));
         let names = spec.instances.iter().map(|instance| instance.name.value.as_str());
-        Box::new(Mistake::new(span, message, "unknown").help(did_you_mean(name, names)))
+        Box::new(
+            Mistake::new(Code::UnknownInstance, span, message, "unknown")
+                .help(did_you_mean(name, names)),
+        )
     })
 }
 
@@ -39,14 +43,19 @@ pub fn find_inside(
     if !unit.is_assembly() {
         let message = "names with a dot are allowed in scenes and assemblies only";
         let help = "a unit sees only its own names: use an input, bound by the scene";
-        return Err(Box::new(Mistake::new(span, message, "not in a unit").help(help)));
+        return Err(Box::new(
+            Mistake::new(Code::OutOfScope, span, message, "not in a unit").help(help),
+        ));
     }
     let whole = format!("{}.{path}", spec.instances[assembly].name.value);
     let found = spec.instances.iter().position(|instance| instance.name.value == whole);
     found.ok_or_else(|| {
         let message = format!("there is no {} inside {}", quoted(path), quoted(&unit.name));
         let names = unit.inside.instances.iter().map(|text| text.name.value.as_str());
-        Box::new(Mistake::new(span, message, "unknown").help(did_you_mean(path, names)))
+        Box::new(
+            Mistake::new(Code::UnknownInstance, span, message, "unknown")
+                .help(did_you_mean(path, names)),
+        )
     })
 }
 
@@ -57,7 +66,7 @@ fn find<'a>(
 ) -> Result<(usize, &'a PortSpec), Box<Mistake>> {
     let Some((instance, port)) = path.value.rsplit_once('.') else {
         let message = format!("{} is not a port", quoted(&path.value));
-        let mistake = Mistake::new(path.span, message, "not instance.port");
+        let mistake = Mistake::new(Code::WrongKindOfName, path.span, message, "not instance.port");
         return Err(Box::new(mistake.help("write a port as instance.port")));
     };
     let instance = find_instance(spec, instance, path.span)?;
@@ -66,7 +75,7 @@ fn find<'a>(
     found.map(|found| (instance, found)).ok_or_else(|| {
         let message = format!("unit {} has no port {}", quoted(&unit.name), quoted(port));
         let help = did_you_mean(port, port_names(unit));
-        Box::new(Mistake::new(path.span, message, "unknown").help(help))
+        Box::new(Mistake::new(Code::UnknownPort, path.span, message, "unknown").help(help))
     })
 }
 
@@ -98,7 +107,7 @@ pub fn find_port<'a>(
     let unit = &spec.units[unit_index];
     if found.kind.value == PortKind::Frame {
         let message = format!("{} is a frame, which has no coordinate", quoted(&path.value));
-        let mistake = Mistake::new(path.span, message, "a frame");
+        let mistake = Mistake::new(Code::WrongKindOfName, path.span, message, "a frame");
         return Err(Box::new(mistake.help("join it to another frame")));
     }
     match layout.units[unit_index].get(&found.coordinate.value) {
@@ -108,7 +117,7 @@ pub fn find_port<'a>(
                 let message = format!("{} is at a fixed end", quoted(&path.value));
                 let help = "an end has one boundary condition: remove this one, or leave the end \
                             free";
-                let mistake = Mistake::new(path.span, message, "fixed already");
+                let mistake = Mistake::new(Code::InvalidJoint, path.span, message, "fixed already");
                 return Err(Box::new(mistake.help(help)));
             }
             Ok((found, slot))
@@ -121,7 +130,8 @@ pub fn find_port<'a>(
 pub fn unknown_coordinate(name: &Spanned<String>, unit: &UnitSpec) -> Mistake {
     let message = format!("unknown coordinate {}", quoted(&name.value));
     let names = unit.coordinates.iter().map(|c| c.name.value.as_str());
-    Mistake::new(name.span, message, "unknown").help(did_you_mean(&name.value, names))
+    Mistake::new(Code::UnknownName, name.span, message, "unknown")
+        .help(did_you_mean(&name.value, names))
 }
 
 /// Checks that a port's coordinate exists and has the dimension of its kind.
@@ -140,7 +150,12 @@ pub(super) fn check_port(
     };
     if unit.coordinates[index].orientation.is_some() {
         let message = "a part of an orientation cannot be the coordinate of a port";
-        let mistake = Mistake::new(port.coordinate.span, message, "part of a quaternion");
+        let mistake = Mistake::new(
+            Code::WrongKindOfName,
+            port.coordinate.span,
+            message,
+            "part of a quaternion",
+        );
         mistakes.push(mistake.help("a joint that turns about one axis has an angle"));
         return;
     }
@@ -158,6 +173,6 @@ pub(super) fn check_port(
         let kind = port.kind.value.name();
         let message = format!("the coordinate of a port of kind {kind} must be {wanted}");
         let label = format!("its coordinate is in {dimension}");
-        mistakes.push(Mistake::new(port.kind.span, message, label));
+        mistakes.push(Mistake::new(Code::DimensionMismatch, port.kind.span, message, label));
     }
 }

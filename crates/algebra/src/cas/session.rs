@@ -15,7 +15,10 @@ use std::panic::resume_unwind;
 use super::{Algebra, Cas};
 
 /// Reason why a session failed.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[derive(
+    Debug, thiserror::Error, miette::Diagnostic, strum::IntoStaticStr, strum::VariantNames,
+)]
+#[strum(prefix = "algebra::", serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum CasError {
     /// The lock shared by all processes could not be taken.
@@ -41,6 +44,14 @@ pub enum CasError {
     /// The thread could not be started, or it has ended.
     #[error("the thread that runs the algebra has ended")]
     Gone,
+}
+
+impl CasError {
+    /// Returns the code of this kind of error, which never changes; the book explains it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
 }
 
 /// Environment variable of child processes, whose parent has already printed the notice on

@@ -245,7 +245,7 @@ impl Step {
                     let event = jump.is_some();
                     return Ok(Stepped { standing, parameters, event, early });
                 }
-                Reached::Left => {
+                Reached::Interrupted => {
                     let Reply { parameters: set, end } = reply.take();
                     if let Some(end) = end {
                         until = until.min(end.max(standing.time));

@@ -73,7 +73,7 @@ pub struct Translator<'a> {
 }
 
 /// Arguments of a piece.
-struct Given {
+struct Arguments {
     /// Times of the lanes of a short program, as one value.
     time: Option<Value>,
     /// Pointers by region, and to the workspace.
@@ -87,7 +87,7 @@ struct Piece<'a, 'b> {
     isa: &'a dyn TargetIsa,
     /// Signatures of called functions.
     signatures: HashMap<Thunk, SigRef>,
-    given: Given,
+    given: Arguments,
     pointer: Type,
     /// Values of this piece that are not in memory.
     values: HashMap<StepId, Value>,
@@ -161,9 +161,9 @@ impl Translator<'_> {
         if self.lanes == 2 { types::F64X2 } else { types::F64 }
     }
 
-    fn given(&self, block: Block, at: &mut FuncCursor<'_>, pointer: Type) -> Given {
+    fn given(&self, block: Block, at: &mut FuncCursor<'_>, pointer: Type) -> Arguments {
         let all = at.func.dfg.block_params(block).to_vec();
-        let mut given = Given { time: None, pointers: [None; POINTERS.len()] };
+        let mut given = Arguments { time: None, pointers: [None; POINTERS.len()] };
         let mut note = |regions: &[usize], values: &[Value]| {
             for (region, value) in regions.iter().zip(values) {
                 given.pointers[*region] = Some(*value);

@@ -31,7 +31,7 @@ fn line(row: &LedgerRow) -> String {
         number(row.consistent),
         row.verdict.clone(),
         row.place.to_owned(),
-        row.held.told(),
+        row.held.describe(),
     ];
     format!("| {} |\n", cells.map(|cell| cell.replace('|', "\\|")).join(" | "))
 }

@@ -36,7 +36,7 @@ fn modulus(cycle: &Cycle) -> f64 {
 }
 
 fn settings(period: f64, settle: f64) -> CycleSettings {
-    CycleSettings { period: Period::Given(period), settle, points: 101, ..CycleSettings::default() }
+    CycleSettings { period: Period::Fixed(period), settle, points: 101, ..CycleSettings::default() }
 }
 
 /// The gin after its run-up, under a load that varies as sin(pi w2 t).
@@ -83,7 +83,7 @@ fn gin_under_load() -> Result<[LedgerRow; 2], CheckFailure> {
 
 /// Returns mean and first harmonic of a column over a period.
 fn harmonics(motion: &Trajectory, name: &str) -> Result<(f64, Complex64), CheckFailure> {
-    let values = motion.column(name).ok_or_else(|| CheckFailure::Unknown {
+    let values = motion.column(name).ok_or_else(|| CheckFailure::UnknownQuantity {
         scene: "saw_gin",
         kind: "output",
         name: name.to_owned(),
@@ -109,7 +109,7 @@ fn winder_over_growth(
         let names = run.parameter_values().iter().enumerate();
         let mut all = names.map(|(at, value)| (run.simulator().parameter(at).name, *value));
         let found = all.find(|(known, _)| *known == name);
-        found.map(|(_, value)| value).ok_or_else(|| CheckFailure::Unknown {
+        found.map(|(_, value)| value).ok_or_else(|| CheckFailure::UnknownQuantity {
             scene: scene.name(),
             kind: "parameter",
             name: name.to_owned(),

@@ -71,7 +71,7 @@ fn every_row_is_whole_and_is_held_by_what_there_is() {
             Held::Verify(check) => checks.iter().any(|name| name == check),
             Held::Test(name) => tests.iter().any(|known| known == name),
         };
-        assert!(is_held, "{about} is held by {}, which there is not", row.held.told());
+        assert!(is_held, "{about} is held by {}, which there is not", row.held.describe());
         let says = |line: &&str| {
             [row.at, row.figure, row.verdict.as_str()]
                 .iter()

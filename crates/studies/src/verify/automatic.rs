@@ -113,7 +113,7 @@ pub fn verify_machine(subject: &Subject<'_>) -> Vec<Verdict> {
     let scene = subject.simulation.simulator().name();
     let run = match own::with_times(subject).run() {
         Ok(run) => run,
-        Err(error) => return vec![runs_to_its_end(scene, Some(told(&error)))],
+        Err(error) => return vec![runs_to_its_end(scene, Some(describe(&error)))],
     };
     let visit = Visit::new(subject, &run);
     let mut verdicts = vec![runs_to_its_end(scene, None)];
@@ -165,9 +165,9 @@ impl Outcome {
     /// Returns the result of a row that needs a run which stopped.
     fn without_run(error: &SimulateError) -> Self {
         match error {
-            _ if is_too_slow(error) => Self::TooSlow(told(error)),
-            SimulateError::Stopped { .. } => Self::Undone(told(error)),
-            _ => Self::Skipped(told(error)),
+            _ if is_too_slow(error) => Self::TooSlow(describe(error)),
+            SimulateError::Stopped { .. } => Self::Undone(describe(error)),
+            _ => Self::Skipped(describe(error)),
         }
     }
 }
@@ -177,7 +177,7 @@ fn is_too_slow(error: &SimulateError) -> bool {
 }
 
 /// Returns why a run stopped; for one that took too long, how far it came.
-fn told(error: &SimulateError) -> String {
+fn describe(error: &SimulateError) -> String {
     match error {
         SimulateError::Stopped {
             method,

@@ -367,7 +367,7 @@ impl Machine {
     }
 
     fn unknown(&self, kind: &'static str, name: &str) -> CheckFailure {
-        CheckFailure::Unknown { scene: self.name, kind, name: name.to_owned() }
+        CheckFailure::UnknownQuantity { scene: self.name, kind, name: name.to_owned() }
     }
 
     /// Returns y' at a point.

@@ -81,7 +81,7 @@ fn sensitivity<'t>(
     of: &str,
     by: &str,
 ) -> Result<&'t [f64], CheckFailure> {
-    let missing = || CheckFailure::Unknown {
+    let missing = || CheckFailure::UnknownQuantity {
         scene: machine.name(),
         kind: "column",
         name: format!("d({of})/d({by})"),

@@ -4,7 +4,7 @@ use machinist::trajectory::EnergyBalance;
 use machinist::{Method, Trajectory};
 
 use super::visit::Visit;
-use super::{Found, Outcome, Row, is_too_slow, states, told};
+use super::{Found, Outcome, Row, describe, is_too_slow, states};
 
 pub(super) const DRIFT_BEFORE: Row = Row {
     name: "off the constraints before being put back",
@@ -86,7 +86,7 @@ impl References {
             match run.with_energy_balance(found.runs.is_empty()).run() {
                 Ok(run) => found.runs.push(run),
                 Err(error) => {
-                    found.failures.push(told(&error));
+                    found.failures.push(describe(&error));
                     found.is_too_slow |= is_too_slow(&error);
                 }
             }

@@ -1,6 +1,6 @@
 //! The reed's equations, figures and parameters.
 
-use super::{Held, LedgerRow, Parameter, Study, Told};
+use super::{Held, LedgerRow, Parameter, Statement, Study};
 use crate::verify::CheckFailure;
 use crate::verify::machine::reed_beat_up;
 
@@ -19,7 +19,7 @@ const STRESSES: Held = Held::Verify(
 );
 
 pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
-    let mut rows: Vec<LedgerRow> = TOLD.iter().map(|told| told.row(Study::Reed)).collect();
+    let mut rows: Vec<LedgerRow> = STATEMENTS.iter().map(|told| told.row(Study::Reed)).collect();
     let machine = reed_beat_up();
     for parameter in PARAMETERS {
         rows.push(parameter.row(Study::Reed, &machine)?);
@@ -27,15 +27,15 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
     Ok(rows)
 }
 
-const TOLD: &[Told] = &[
-    Told {
+const STATEMENTS: &[Statement] = &[
+    Statement {
         at: "figure 1",
         figure: "half of the shaft, its drive and its reed",
         verdict: "consistent; x = l is the middle of a symmetric shaft",
         place: "`reed_beat_up`, drawn on its report page",
         held: STEADY,
     },
-    Told {
+    Statement {
         at: "introduction",
         figure: "combined bending and torsion, named as the example",
         verdict: "the study derives torsion only, and the scene models torsion only: a density of \
@@ -44,7 +44,7 @@ const TOLD: &[Told] = &[
         place: "`reed_beat_up`, torsion",
         held: STEADY,
     },
-    Told {
+    Statement {
         at: "(1), (2)",
         figure: "shaft and reed",
         verdict: "printed: rotational stiffnesses times R, whose dimensions disagree, Cp and b \
@@ -53,21 +53,21 @@ const TOLD: &[Told] = &[
         place: "`reed_beat_up`; units `loom_shaft`, `reed`",
         held: STEADY,
     },
-    Told {
+    Statement {
         at: "(3)",
         figure: "initial state at rest",
         verdict: "same in both readings",
         place: "`reed_beat_up`",
         held: Held::Verify("reed_beat_up: angles from rest over 4 ms, 24 elements of order 4"),
     },
-    Told {
+    Statement {
         at: "(4), (9)",
         figure: "no torque at x = -0",
         verdict: "same in both readings: the drive's spring acts at x = 0 itself",
         place: "unit `loom_shaft`, port `driven`",
         held: STEADY,
     },
-    Told {
+    Statement {
         at: "(5), (10)",
         figure: "u = 0 at x = l",
         verdict: "printed, as is phi(xi1) = 0 below (12); but A follows from phi'(xi1) = 0, which \
@@ -75,7 +75,7 @@ const TOLD: &[Told] = &[
         place: "unit `loom_shaft`, a free end",
         held: SHAPES,
     },
-    Told {
+    Statement {
         at: "(6), (7)",
         figure: "dimensionless equations",
         verdict: "consistent with L = G Jp/C0, T = L sqrt(rho/G), alpha = Ir/(T^2 C0): the same \
@@ -84,14 +84,14 @@ const TOLD: &[Told] = &[
         place: "`reed_beat_up` with parameters of 1, beta, alpha, b2",
         held: SCALED,
     },
-    Told {
+    Statement {
         at: "(8)",
         figure: "initial state at rest, scaled",
         verdict: "same in both readings",
         place: "`reed_beat_up`",
         held: SCALED,
     },
-    Told {
+    Statement {
         at: "(11), (12)",
         figure: "separation of variables",
         verdict: "same in both readings for a reed held still; a moving reed is a \
@@ -99,14 +99,14 @@ const TOLD: &[Told] = &[
         place: "`closed_form::reed`",
         held: SHAPES,
     },
-    Told {
+    Statement {
         at: "(13), (14)",
         figure: "mode shapes on both sides of the reed",
         verdict: "same in both readings; the study's A once has B instead of beta",
         place: "`closed_form::reed`",
         held: Held::Test("mode_shapes_are_orthogonal"),
     },
-    Told {
+    Statement {
         at: "after (15)",
         figure: "orthogonality of the shapes",
         verdict: "printed: from 0 to 1, the norm from 0 to xi1; consistent: to xi1, with alpha \
@@ -115,7 +115,7 @@ const TOLD: &[Told] = &[
         place: "`closed_form::reed`",
         held: Held::Test("mode_shapes_are_orthogonal"),
     },
-    Told {
+    Statement {
         at: "(16)",
         figure: "equations of the modal amplitudes",
         verdict: "printed: lambda_i instead of lambda_i^2, and the reed's acceleration instead of \
@@ -123,14 +123,14 @@ const TOLD: &[Told] = &[
         place: "`closed_form::reed`, `ReedTransient`",
         held: Held::Verify("reed_beat_up: angles from rest over 4 ms, 24 elements of order 4"),
     },
-    Told {
+    Statement {
         at: "(17)",
         figure: "equation of the reed",
         verdict: "printed: phi_i(xi1) instead of phi_i(xi0), -u0 instead of +u0, and no C2",
         place: "`reed_beat_up`; `closed_form::reed`",
         held: Held::Verify("reed_beat_up: angles from rest over 4 ms, 24 elements of order 4"),
     },
-    Told {
+    Statement {
         at: "results",
         figure: "method of truncation",
         verdict: "consistent: an option sets the number of eigenmodes",
@@ -139,14 +139,14 @@ const TOLD: &[Told] = &[
             "reed_beat_up: angles by 57 of 66 modes against 8 elements of order 8, over 3 ms",
         ),
     },
-    Told {
+    Statement {
         at: "figure 2",
         figure: "angles of reed and shaft for C2 = 0.5 C1 and C1",
         verdict: "plotted for a fell that only pushes and for one that also pulls; numbers below",
         place: "the report's studies page; `reed_beat_up_one_sided`, `reed_beat_up`",
         held: CELLS,
     },
-    Told {
+    Statement {
         at: "figure 3",
         figure: "stress on both sides of the reed, torque over section modulus",
         verdict: "plotted likewise; the section modulus is Jp/R",

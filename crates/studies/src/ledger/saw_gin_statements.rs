@@ -1,6 +1,6 @@
 //! The saw gin's equations, figures and parameters.
 
-use super::{Held, LedgerRow, Parameter, Study, Told};
+use super::{Held, LedgerRow, Parameter, Statement, Study};
 use crate::verify::CheckFailure;
 use crate::verify::machine::{motor_run_up, saw_gin, saw_gin_shaft};
 
@@ -11,7 +11,7 @@ const WAVES: Held =
 const RIGHT_HAND_SIDE: Held = Held::Verify("saw_gin: right-hand side at 1000 random states");
 
 pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
-    let mut rows: Vec<LedgerRow> = TOLD.iter().map(|told| told.row(Study::SawGin)).collect();
+    let mut rows: Vec<LedgerRow> = STATEMENTS.iter().map(|told| told.row(Study::SawGin)).collect();
     for (machine, parameters) in
         [(motor_run_up(), MOTOR), (saw_gin(), AGGREGATE), (saw_gin_shaft(), CYLINDER)]
     {
@@ -22,15 +22,15 @@ pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
     Ok(rows)
 }
 
-const TOLD: &[Told] = &[
-    Told {
+const STATEMENTS: &[Statement] = &[
+    Statement {
         at: "(1)",
         figure: "rotor and saw cylinder on an elastic coupling, i = 1",
         verdict: "same in both readings",
         place: "`two_mass`, `saw_gin`; units `coupling`, `rotor`",
         held: Held::Verify("two_mass: transient under a harmonic load"),
     },
-    Told {
+    Statement {
         at: "(1), 4.1, (9)",
         figure: "the load, given in three forms",
         verdict: "sin(w2 t + phi20) under (1), sin(pi w2 t + phi20) in 4.1, cos(pi w2 t + phi20) \
@@ -38,7 +38,7 @@ const TOLD: &[Told] = &[
         place: "unit `technological_load`",
         held: RIGHT_HAND_SIDE,
     },
-    Told {
+    Statement {
         at: "(2)",
         figure: "motor with flux linkages in synchronous axes",
         verdict: "printed: 78.54 1/s instead of 2 pi 50, 220 V instead of the amplitude 220 sqrt \
@@ -47,7 +47,7 @@ const TOLD: &[Told] = &[
         place: "`motor_run_up`, `saw_gin`; printed `saw_gin_as_printed`",
         held: Held::Verify("motor_run_up: flux transient at 76.97 rad/s"),
     },
-    Told {
+    Statement {
         at: "(3)",
         figure: "fitted law of the cylinder's acceleration, 200 e^(2.05 t) cos 75 t",
         verdict: "printed: a fit to one run, which grows without bound; consistent: the \
@@ -55,7 +55,7 @@ const TOLD: &[Told] = &[
         place: "`closed_form::printed_laws`; output `cylinder_acceleration` of `saw_gin`",
         held: Held::Verify("saw_gin_as_printed: printed law of acceleration at 1.844 s"),
     },
-    Told {
+    Statement {
         at: "(4)",
         figure: "moment balance of a shaft element dx",
         verdict: "consistent for rho = dJ/dx; the text before (4) has rho = dJ/dx dx, one dx too \
@@ -63,21 +63,21 @@ const TOLD: &[Told] = &[
         place: "units `shaft`, `saw_shaft`, as an energy density",
         held: WAVES,
     },
-    Told {
+    Statement {
         at: "(5), (6)",
         figure: "torque and twist of a section, M = G I phi_x",
         verdict: "same in both readings",
         place: "`saw_gin_shaft`, output `shaft_torque`",
         held: SHAFT,
     },
-    Told {
+    Statement {
         at: "(7), (8)",
         figure: "wave equation of the shaft under a distributed load",
         verdict: "same in both readings; the Kelvin-Voigt damping of the scenes is ours",
         place: "`saw_gin_shaft`, `shaft_step_torque`",
         held: WAVES,
     },
-    Told {
+    Statement {
         at: "(10), (11)",
         figure: "law (3) prescribed as the acceleration of every section",
         verdict: "printed only: the acceleration should follow from an equation of motion; (11) \
@@ -86,14 +86,14 @@ const TOLD: &[Told] = &[
         place: "`closed_form::printed_laws`",
         held: Held::Test("printed_formulas_satisfy_the_printed_equation"),
     },
-    Told {
+    Statement {
         at: "(12), (13)",
         figure: "integrals over x with two constants",
         verdict: "same in both readings, given (11)",
         place: "`closed_form::printed_laws`",
         held: Held::Test("angle_is_the_integral_of_the_slope"),
     },
-    Told {
+    Statement {
         at: "(14), (15)",
         figure: "slope and angle with both constants zero",
         verdict: "printed only: with phi_x = 0 at the driven end no torque enters the shaft; \
@@ -101,7 +101,7 @@ const TOLD: &[Told] = &[
         place: "`closed_form::printed_laws`; outputs `slope`, `twist` of `saw_gin_shaft`",
         held: Held::Test("formula_as_printed_stays_below_the_figures"),
     },
-    Told {
+    Statement {
         at: "figure 1",
         figure: "dynamic model: motor, coupling, distributed cylinder",
         verdict: "consistent: the distributed shaft carries the inertia J2",
@@ -110,28 +110,28 @@ const TOLD: &[Told] = &[
             "saw_gin_shaft: speeds and torques over the run-up with a shaft 1e6 times as stiff",
         ),
     },
-    Told {
+    Statement {
         at: "figure 2",
         figure: "reactive moments on an element, M+ = -M",
         verdict: "same in both readings; both moments follow from one energy, so no sign is chosen",
         place: "unit `shaft`; ports of a field",
         held: SHAFT,
     },
-    Told {
+    Statement {
         at: "figure 3",
         figure: "acceleration of the cylinder over time",
         verdict: "duration and peak in both readings below",
         place: "`saw_gin`, `saw_gin_as_printed`, on their report pages",
         held: Held::Verify("saw_gin: run-up and loading, state after 2 s"),
     },
-    Told {
+    Statement {
         at: "figure 4",
         figure: "acceleration along the shaft over time",
         verdict: "printed: by (3) the same at every x; consistent: varies along x, number below",
         place: "`saw_gin_shaft`, plotted along x on its report page",
         held: Held::Verify("saw_gin_shaft: twist of the shaft under both steady loads"),
     },
-    Told {
+    Statement {
         at: "(9)",
         figure: "load distributed over the shaft's length",
         verdict: "printed: it grows with x, and its integral is the load times l/(2 R dphi2); \
@@ -139,7 +139,7 @@ const TOLD: &[Told] = &[
         place: "unit `saw_shaft`; `closed_form::printed_laws`",
         held: Held::Verify("saw_gin_shaft: integrals of the even and the growing load density"),
     },
-    Told {
+    Statement {
         at: "figures 5, 6",
         figure: "slope over time for several x; angle along x at 1.8 s",
         verdict: "the report plots (14), (15) as printed beside the consistent twist; largest \
@@ -147,7 +147,7 @@ const TOLD: &[Told] = &[
         place: "the report's studies page; `closed_form::printed_laws`; `saw_gin_shaft`",
         held: Held::Verify("saw_gin_as_printed: relative twist, density J, load halved"),
     },
-    Told {
+    Statement {
         at: "section 4.1",
         figure: "Runge-Kutta method with an error of dt^4",
         verdict: "printed: the classical method with fixed steps; here: error-controlled methods \
@@ -155,7 +155,7 @@ const TOLD: &[Told] = &[
         place: "methods `tsit5`, `dop853`, `rodas5p`, `radau`, `taylor`",
         held: Held::Test("every_method_converges_at_its_order_at_the_ends_of_steps_and_between"),
     },
-    Told {
+    Statement {
         at: "section 1",
         figure: "starting torque of 1.5 to 6 times the rated one, 2 for this motor",
         verdict: "2 is the ratio of breakdown torque to rated torque; the starting torque is \
@@ -164,7 +164,7 @@ const TOLD: &[Told] = &[
         place: "`motor_run_up`",
         held: Held::Verify("motor_run_up: starting torque"),
     },
-    Told {
+    Statement {
         at: "section 5",
         figure: "conclusion: twist of the shaft is considerable",
         verdict: "not confirmed: 0.07 deg/m in the consistent reading; the report's studies page \

@@ -1,6 +1,6 @@
 //! The winder's equations, figures and ranges.
 
-use super::{Held, LedgerRow, Study, Told, digits};
+use super::{Held, LedgerRow, Statement, Study, digits};
 use crate::closed_form::winding_pair::DESIGN_SHARE;
 use crate::verify::CheckFailure;
 use crate::verify::machine::winder_full;
@@ -27,7 +27,7 @@ const CONDITIONS: Held = Held::Test("each_condition_fails_where_it_does_by_hand"
 const BAND: Held = Held::Test("the_band_of_the_closed_form_is_where_the_map_is_stable");
 
 pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
-    let mut rows: Vec<LedgerRow> = TOLD.iter().map(|told| told.row(Study::Winder)).collect();
+    let mut rows: Vec<LedgerRow> = STATEMENTS.iter().map(|told| told.row(Study::Winder)).collect();
     rows.extend(ranges()?);
     rows.push(tenth()?);
     rows.extend(stated()?);
@@ -146,22 +146,22 @@ fn stated() -> Result<Vec<LedgerRow>, CheckFailure> {
     ])
 }
 
-const TOLD: &[Told] = &[
-    Told {
+const STATEMENTS: &[Statement] = &[
+    Statement {
         at: "(1), (2)",
         figure: "equilibrium of forces and moments",
         verdict: "same in both readings",
         place: "equilibrium of every scene; `winder_linkage`",
         held: HOLDER,
     },
-    Told {
+    Statement {
         at: "figure 1",
         figure: "friction winding pair, layer b = R - Rmin",
         verdict: "same in both readings; R is a state that grows with every turn",
         place: "`winder_full`, unit `winding_pair`",
         held: GROWTH,
     },
-    Told {
+    Statement {
         at: "(3)",
         figure: "speed of the package, w0 (R0/R) (1 - nu)",
         verdict: "same in both readings; the study gives no law for the elastic slip nu; ours is \
@@ -171,7 +171,7 @@ const TOLD: &[Told] = &[
                 outputs `slip`",
         held: GROWTH,
     },
-    Told {
+    Statement {
         at: "(4), (5), (6)",
         figure: "adhesion while the drum accelerates and brakes",
         verdict: "same in both readings; the magnitude of Pn R + MA + Mk + JA e replaces the two \
@@ -179,35 +179,35 @@ const TOLD: &[Told] = &[
         place: "`winder_full`, parameter `acceleration`; `closed_form::winding_pair`",
         held: SPEEDING,
     },
-    Told {
+    Statement {
         at: "before (7)",
         figure: "P = N f, Mk = N k, MA = N fA r",
         verdict: "laws, not parameters, in both readings; one product is printed as N:f",
         place: "unit `winding_pair`",
         held: LEAST,
     },
-    Told {
+    Statement {
         at: "before (7)",
         figure: "deliberate slip against rope winding",
         verdict: "accelerations beyond (6) trigger an event: the package slips",
         place: "`winder_full`, parameter `acceleration`",
         held: SPEEDING,
     },
-    Told {
+    Statement {
         at: "(7)",
         figure: "tension that a pressure sustains at constant speed",
         verdict: "same in both readings",
         place: "`winder_full`; `closed_form::winding_pair`",
         held: LEAST,
     },
-    Told {
+    Statement {
         at: "(8)",
         figure: "rule of practice, Pn <= 0.9 N f",
         verdict: "same in both readings; the share of one tenth is examined below",
         place: "`winder_walk::map`",
         held: Held::Test("a_large_package_is_held_by_the_rule_of_practice"),
     },
-    Told {
+    Statement {
         at: "figures 2, 3, 4",
         figure: "holder at work, filling, and at work in an unstable position",
         verdict: "consistent; the study gives no dimensions, so all are ours",
@@ -216,7 +216,7 @@ const TOLD: &[Told] = &[
             "winder_linkage: places of post, plate, cylinder, rod and bobbin along the run",
         ),
     },
-    Told {
+    Statement {
         at: "(9)",
         figure: "mobility of the mechanism",
         verdict: "printed with minus signs instead of multiplications; two equations have the \
@@ -226,7 +226,7 @@ const TOLD: &[Told] = &[
             "winder_linkage: mobility of five positions, by rank and by Gruebler's count",
         ),
     },
-    Told {
+    Statement {
         at: "section 3",
         figure: "vibration can move the mechanism out of its working position",
         verdict: "consistent: with the disturbances at 5.5 m/s the bobbin leaves the drum; \
@@ -234,7 +234,7 @@ const TOLD: &[Told] = &[
         place: "`winder_full`",
         held: Held::Verify("winder_full: losses of contact and touches in that time"),
     },
-    Told {
+    Statement {
         at: "section 3",
         figure: "irregular shape or mounting of the bobbin as a disturbance",
         verdict: "consistent: a force once per package turn, besides the drum's once and twice \
@@ -242,7 +242,7 @@ const TOLD: &[Told] = &[
         place: "parameter `package_force` of the scenes; `machinist studies walk --package`",
         held: Held::Test("an_irregular_package_shakes_every_stage_once_a_turn_of_its_own"),
     },
-    Told {
+    Statement {
         at: "section 3",
         figure: "a turning drum pulls the mechanism into its stable position",
         verdict: "consistent: the drum drags the bobbin by friction, which acts at the axle of a \
@@ -251,7 +251,7 @@ const TOLD: &[Told] = &[
         place: "`drives/winder_turning_drum`, parameters `lift`, `direction`",
         held: Held::Test("a_drum_that_begins_to_turn_pulls_the_post_onto_its_stop"),
     },
-    Told {
+    Statement {
         at: "(9), (10)",
         figure: "moments about O at rest and at work",
         verdict: "printed with several signs at once; consistent: the positions of the forces \
@@ -259,14 +259,14 @@ const TOLD: &[Told] = &[
         place: "`closed_form::bobbin_holder`",
         held: HOLDER,
     },
-    Told {
+    Statement {
         at: "after (10)",
         figure: "P = N k/R at rest, P = N f at work",
         verdict: "laws in both readings",
         place: "`winder_holder_drop`, parameter `grip`",
         held: LAWS,
     },
-    Told {
+    Statement {
         at: "(11), (12)",
         figure: "reaction Q of the stop, MO of weights and spring",
         verdict: "(11) divides the moments of N and P twice by hO, the arm of Q; (13), (14) \
@@ -274,7 +274,7 @@ const TOLD: &[Told] = &[
         place: "`closed_form::bobbin_holder`",
         held: LAWS,
     },
-    Told {
+    Statement {
         at: "figures 5, 6",
         figure: "simple mechanisms, bobbin above and below the drum",
         verdict: "consistent; one lever about C; only the sign of the weights differs",
@@ -283,7 +283,7 @@ const TOLD: &[Told] = &[
             "pressure_over_the_growth_of_a_package_is_the_balance_of_moments_about_the_lever",
         ),
     },
-    Told {
+    Statement {
         at: "(15)",
         figure: "pressure N from the spring, the thread and the weights",
         verdict: "the arm of F is printed hp, that of P; N grows with R as the package lifts the \
@@ -294,7 +294,7 @@ const TOLD: &[Told] = &[
             "winder_linkage: forces at contact and stop while the package grows from 30 to 60 mm",
         ),
     },
-    Told {
+    Statement {
         at: "(16)",
         figure: "weight reduced to the bobbin's axis; the mass is taken from it",
         verdict: "a reduced weight is linear in lbc/lab; a mass that preserves the kinetic energy \
@@ -302,14 +302,14 @@ const TOLD: &[Told] = &[
         place: "units `bobbin_holder`, `bobbin_holder_as_printed`",
         held: Held::Test("the_mass_by_weights_is_not_the_mass_by_kinetic_energy"),
     },
-    Told {
+    Statement {
         at: "(17)",
         figure: "no equation",
         verdict: "the study prints no equation with this number",
         place: "nowhere",
         held: Held::Test("every_row_is_whole_and_is_held_by_what_there_is"),
     },
-    Told {
+    Statement {
         at: "figure 7, (18)",
         figure: "one mass on layer and spring under F(t) and Y(t)",
         verdict: "printed: the layer's viscosity acts on q' alone; consistent: on q' - Y', since \
@@ -319,28 +319,28 @@ const TOLD: &[Told] = &[
             "winder_linear_as_printed: transient under force and drum shape, as printed",
         ),
     },
-    Told {
+    Statement {
         at: "(19)",
         figure: "motion as a sum of harmonics",
         verdict: "same in both readings for the steady part; the motion also has transients",
         place: "`closed_form::winder`",
         held: Held::Verify("winder_linear: transient under force and drum shape"),
     },
-    Told {
+    Statement {
         at: "after (21)",
         figure: "largest amplitude as the sum of all amplitudes",
         verdict: "same in both readings; some phases attain this bound",
         place: "`closed_form::winder`",
         held: Held::Test("no_phases_exceed_the_sum_of_amplitudes_and_some_reach_it"),
     },
-    Told {
+    Statement {
         at: "(23), (24)",
         figure: "conditions of tension with N - dN",
         verdict: "same in both readings",
         place: "`winder_walk::map`",
         held: CONDITIONS,
     },
-    Told {
+    Statement {
         at: "(25)",
         figure: "shift of the equilibrium, factor 1 + delta",
         verdict: "the study says that delta grows with load and speed, without numbers; here 10 \
@@ -348,21 +348,21 @@ const TOLD: &[Told] = &[
         place: "`winder_walk::map`",
         held: Held::Test("vibration_narrows_the_band_from_both_sides"),
     },
-    Told {
+    Statement {
         at: "(26), figure 8",
         figure: "window [Nmin] + dN <= N <= [Nmax] - dN over R",
         verdict: "same in both readings; plotted for the bench winder on the report's studies page",
         place: "`winder_walk::map`; `studies::conclusions`",
         held: BAND,
     },
-    Told {
+    Statement {
         at: "stages",
         figure: "third stage: all nonlinearities",
         verdict: "consistent: loss of contact, stick-slip friction, growth of the package",
         place: "`winder_full`",
         held: Held::Test("the_bench_speed_needs_the_full_model_which_finds_contact_lost"),
     },
-    Told {
+    Statement {
         at: "section 5",
         figure: "conclusion: keep clear of resonances, never lose contact",
         verdict: "consistent: the report's studies page gives the speed and pressures that \

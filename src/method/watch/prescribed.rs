@@ -43,8 +43,9 @@ impl Watch<'_> {
     pub(super) fn look_who_is_led(&self, time: f64, state: &[f64]) {
         let states = &state[..self.system.states()];
         let constraints = self.constraints().filter(|constraints| constraints.holds_in_modes());
-        let led = constraints.map_or_else(Vec::new, |constraints| constraints.led(time, states));
-        self.inner.borrow_mut().parts.led.clone_from(&led);
+        let prescribed =
+            constraints.map_or_else(Vec::new, |constraints| constraints.prescribed(time, states));
+        self.inner.borrow_mut().parts.prescribed.clone_from(&prescribed);
     }
 
     /// Returns the largest number of corrections of an event time. It is larger where a part may be
@@ -57,7 +58,7 @@ impl Watch<'_> {
     pub(super) fn followed(&self, inner: &Inner, time: f64, state: &[f64]) -> Vec<f64> {
         let mut there = state.to_vec();
         if let Some(constraints) = self.constraints().filter(|it| it.may_lead()) {
-            constraints.follow(&inner.parts.led, time, &mut there);
+            constraints.follow(&inner.parts.prescribed, time, &mut there);
         }
         there
     }
@@ -68,13 +69,19 @@ impl Watch<'_> {
         let constraints = self.constraints().filter(|constraints| constraints.holds_in_modes());
         let Some(constraints) = constraints else { return false };
         let mut there = end.to_vec();
-        constraints.follow(&inner.parts.led, until, &mut there);
+        constraints.follow(&inner.parts.prescribed, until, &mut there);
         let (guard, _) = inner.parts.at(self.system, until, &there, index);
         guard.abs() <= inner.parts.rounding(index)
     }
 
     /// Returns the time after which repeated constraints are violated, if that is soon.
-    fn goes_otherwise(&self, led: &[usize], time: f64, state: &[f64], within: f64) -> Option<f64> {
+    fn goes_otherwise(
+        &self,
+        prescribed: &[usize],
+        time: f64,
+        state: &[f64],
+        within: f64,
+    ) -> Option<f64> {
         /// Share of the run.
         const SOON: f64 = 1e-6;
         const FINEST: f64 = 1e-13;
@@ -83,15 +90,15 @@ impl Watch<'_> {
         let constraints = self.constraints()?;
         let size = self.span.max(time.abs());
         let mut there = state.to_vec();
-        constraints.follow(led, time, &mut there);
-        let now = constraints.left_behind(led, time, &there);
+        constraints.follow(prescribed, time, &mut there);
+        let now = constraints.left_behind(prescribed, time, &there);
         let least = FINEST * size;
         if now > OTHERWISE {
             return Some(least);
         }
         let off = |span: f64| {
-            let later = self.later(led, (time, &there), span);
-            constraints.left_behind(led, time + span, &later)
+            let later = self.later(prescribed, (time, &there), span);
+            constraints.left_behind(prescribed, time + span, &later)
         };
         let most = within.max(SOON * size);
         let halvings = (most / least).log2() as i32;
@@ -103,13 +110,13 @@ impl Watch<'_> {
     }
 
     /// Returns the state after a short time, without the constraints that repeat others.
-    fn later(&self, led: &[usize], (time, state): (f64, &[f64]), by: f64) -> Vec<f64> {
+    fn later(&self, prescribed: &[usize], (time, state): (f64, &[f64]), by: f64) -> Vec<f64> {
         let states = self.system.states();
         let mut rate = vec![0.0; states];
         self.system.state_rate(time, &state[..states], &mut rate);
         let mut later: Vec<f64> = state.iter().zip(&rate).map(|(y, f)| y + by * f).collect();
         if let Some(constraints) = self.constraints() {
-            constraints.follow(led, time + by, &mut later);
+            constraints.follow(prescribed, time + by, &mut later);
         }
         later
     }
@@ -134,19 +141,22 @@ impl Watch<'_> {
             let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
             let found = crate::constraints::mobility(simulator, parameters, time, &state[..states]);
             let redundant = found.map_or_else(Vec::new, |mobility| mobility.redundant);
-            let led = constraints.led(time, &state[..states]);
+            let prescribed = constraints.prescribed(time, &state[..states]);
             let within = self.inner.borrow().turn.as_ref().map_or(0.0, |turn| turn.moves_within);
-            let after =
-                if led.is_empty() { None } else { self.goes_otherwise(&led, time, state, within) };
+            let after = if prescribed.is_empty() {
+                None
+            } else {
+                self.goes_otherwise(&prescribed, time, state, within)
+            };
             let is_refused = |index: usize| !redundant[index].in_modes || after.is_some();
             let Some(first) = (0..redundant.len()).find(|index| is_refused(*index)) else {
                 for redundant in redundant {
                     self.system.note(redundant.shares());
                 }
-                self.inner.borrow_mut().parts.led = led;
+                self.inner.borrow_mut().parts.prescribed = prescribed;
                 return Ok(());
             };
-            let released = after.and_then(|after| self.release(time, state, &led, after));
+            let released = after.and_then(|after| self.release(time, state, &prescribed, after));
             let Some((index, after)) = released else {
                 let (constraint, why) =
                     (redundant[first].constraint.clone(), redundant[first].why());
@@ -165,7 +175,7 @@ impl Watch<'_> {
         &self,
         time: f64,
         state: &[f64],
-        led: &[usize],
+        prescribed: &[usize],
         after: f64,
     ) -> Option<(usize, Vec<f64>)> {
         let constraints = self.constraints()?;
@@ -180,8 +190,9 @@ impl Watch<'_> {
             else {
                 continue;
             };
-            let left = constraints.led(time, &behind[..self.system.states()]);
-            if left.len() >= led.len() || !self.goes_on(time, (state, &behind), &left, after) {
+            let left = constraints.prescribed(time, &behind[..self.system.states()]);
+            if left.len() >= prescribed.len() || !self.goes_on(time, (state, &behind), &left, after)
+            {
                 continue;
             }
             if !self.lets_others_go(time, (state, &behind)) {
@@ -198,13 +209,13 @@ impl Watch<'_> {
         &self,
         time: f64,
         (before, behind): (&[f64], &[f64]),
-        led: &[usize],
+        prescribed: &[usize],
         after: f64,
     ) -> bool {
         // Guards other than those of speeds may be less sharp.
         const LONGER: f64 = 8.0;
         let after = LONGER * after;
-        let later = self.later(led, (time, behind), after);
+        let later = self.later(prescribed, (time, behind), after);
         let (guards, guards_later) = (self.guards(time, behind), self.guards(time + after, &later));
         let is_new = |index: &usize| {
             self.sets_its_mode(*index)
@@ -244,9 +255,10 @@ impl Watch<'_> {
         if !is_led || time >= stretch.until {
             return false;
         }
-        let led = self.inner.borrow().parts.led.clone();
+        let prescribed = self.inner.borrow().parts.prescribed.clone();
         let begins = self.begin_to_rest(time, state);
-        let ends = !led.is_empty() && self.goes_otherwise(&led, time, state, 0.0).is_some();
+        let ends =
+            !prescribed.is_empty() && self.goes_otherwise(&prescribed, time, state, 0.0).is_some();
         if begins.is_empty() && !ends && !self.is_undetermined(time, state) {
             return false;
         }
@@ -261,7 +273,7 @@ impl Watch<'_> {
         };
         let inner = &mut *self.inner.borrow_mut();
         let mut there = state.to_vec();
-        constraints.follow(&inner.parts.led, time, &mut there);
+        constraints.follow(&inner.parts.prescribed, time, &mut there);
         let guards = self.guards(time, &there);
         let events = 0..self.system.simulator().events();
         let at_zero = events.filter(|index| {
@@ -293,10 +305,10 @@ impl Watch<'_> {
             let behind = &behind[..self.system.states()];
             let found = crate::constraints::mobility(simulator, parameters, time, behind);
             let is_led = found.is_some_and(|found| found.redundant.iter().any(|it| it.is_led));
-            let led = constraints.led(time, behind);
+            let prescribed = constraints.prescribed(time, behind);
             is_led
-                && led.len() > inner.parts.led.len()
-                && self.goes_otherwise(&led, time, behind, 0.0).is_none()
+                && prescribed.len() > inner.parts.prescribed.len()
+                && self.goes_otherwise(&prescribed, time, behind, 0.0).is_none()
         };
         at_zero.iter().copied().filter(|index| begins(*index)).collect()
     }
@@ -312,10 +324,10 @@ impl Watch<'_> {
         let constraints = self.constraints().filter(|it| it.may_lead())?;
         let mut state = method.end().to_vec();
         let from = inner.time;
-        constraints.follow(&inner.parts.led, until, &mut state);
-        if constraints.left_behind(&inner.parts.led, until, &state) > OTHERWISE {
+        constraints.follow(&inner.parts.prescribed, until, &mut state);
+        if constraints.left_behind(&inner.parts.prescribed, until, &state) > OTHERWISE {
             let has_moved = |time: f64, state: &[f64]| {
-                constraints.left_behind(&inner.parts.led, time, state) > ALIKE
+                constraints.left_behind(&inner.parts.prescribed, time, state) > ALIKE
             };
             let time = self.first_time(inner, method, (from, until), has_moved).0;
             return Some(Turn { time, begins: Vec::new(), moves_within: until - time });
@@ -350,7 +362,7 @@ impl Watch<'_> {
         let mut state = method.end().to_vec();
         let is_so_at = |time: f64, state: &mut Vec<f64>| {
             if let Some(constraints) = self.constraints() {
-                constraints.follow(&inner.parts.led, time, state);
+                constraints.follow(&inner.parts.prescribed, time, state);
             }
             is_so(time, state)
         };

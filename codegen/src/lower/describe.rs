@@ -54,7 +54,11 @@ pub fn describe(equations: &EquationsOfMotion) -> Model {
 fn reduction(equations: &EquationsOfMotion) -> Reduction {
     let mut reduction = equations.reduction.clone();
     for constraint in equations.system.constraints.iter().filter(|one| one.is_dropped) {
-        let instead = "the constraints it follows from carry its force";
+        let instead = if equations.system.shares_redundant {
+            "it shares its force with the constraints it follows from"
+        } else {
+            "the constraints it follows from carry its force"
+        };
         reduction.add(What::Constraint, &constraint.name.path, Why::Redundant, instead);
     }
     reduction

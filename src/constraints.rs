@@ -11,6 +11,7 @@
 //! M dv + G^T nu = 0,  G dv = -g'     likewise
 //! ```
 
+mod energy;
 mod lasting;
 mod led;
 mod mobility;
@@ -24,6 +25,7 @@ use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 use crate::method::Held;
+pub(crate) use energy::EnergyLevel;
 pub use lasting::{Lasting, lasting};
 
 pub use mobility::{Mobility, Redundant, mobility};

@@ -259,6 +259,7 @@ impl Problem<'_> {
                 from = stretch.until;
                 stretch.require_uninterrupted(stretch.from)?;
                 stretch.require_finite_rate(state)?;
+                self.system.keep_energy_of(stretch.within(stretch.from), state);
                 if stretch.is_trivial() {
                     stretch.leap(state, samples);
                     continue;

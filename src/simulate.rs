@@ -12,6 +12,7 @@ mod notes;
 mod sampling;
 #[cfg(feature = "linear")]
 mod shooting;
+mod small;
 mod start;
 mod table;
 mod undefined;
@@ -35,6 +36,7 @@ pub(crate) use checked::require_admitted;
 pub use differentiate::Differentiated;
 pub use gradient::{Gradient, Pull, Slope};
 use sampling::Sampling;
+use small::Sized;
 use table::Table;
 
 /// Maximum number of output times of a run.
@@ -95,6 +97,7 @@ pub fn parameter_defaults(simulator: &dyn Simulator<f64>) -> Vec<f64> {
 /// ```
 #[derive(Clone)]
 #[must_use = "a simulation does nothing until it is `run`"]
+#[expect(clippy::struct_excessive_bools, reason = "settings that do not depend on each other")]
 pub struct Simulation<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: Vec<f64>,
@@ -108,12 +111,15 @@ pub struct Simulation<'a> {
     sampling: Sampling,
     rtol: f64,
     atol: Option<Vec<f64>>,
+    /// Scales of states as an earlier run has measured them, instead of those of the spec.
+    sizes: Vec<(usize, f64)>,
     /// True for the second run of an error estimate.
     is_refined: bool,
     method: Option<Method>,
     auto: Auto,
     max_steps: usize,
     energy_balance: bool,
+    keeps_energy: bool,
     sensitivities: Vec<By>,
     controls_sensitivities: bool,
     patience: Patience<'a>,
@@ -134,11 +140,13 @@ impl<'a> Simulation<'a> {
             sampling: Sampling::of(&defaults),
             rtol: defaults.rtol,
             atol: None,
+            sizes: Vec::new(),
             is_refined: false,
             method: None,
             auto: Auto::default(),
             max_steps: MAX_STEPS,
             energy_balance: false,
+            keeps_energy: false,
             sensitivities: Vec::new(),
             controls_sensitivities: true,
             patience: Patience::default(),
@@ -358,6 +366,14 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// Projects the states of a conservative machine with constraints onto its energy after each
+    /// step, along with the constraints. Over long runs the energy then keeps the value of the start
+    /// to rounding, and so does the pace of the motion.
+    pub fn with_constant_energy(mut self, wanted: bool) -> Self {
+        self.keeps_energy = wanted;
+        self
+    }
+
     /// Requests the derivatives of all states and outputs by these parameters, or by the initial
     /// values of these states: columns `d(output)/d(parameter)` of the trajectory, in the unit of
     /// the numerator over that of the denominator.
@@ -432,7 +448,7 @@ impl<'a> Simulation<'a> {
     pub fn run(&self) -> Result<Trajectory, SimulateError> {
         let asked = self.chosen_method()?;
         let method = self.method_for_sensitivities(asked)?;
-        self.run_by(method, asked, None)
+        self.run_resized(|simulation| simulation.run_sized(method, asked, None))
     }
 
     /// Runs by `method` instead of the requested one, and logs its steps if `log` is given.
@@ -442,16 +458,28 @@ impl<'a> Simulation<'a> {
         asked: Method,
         log: Option<&Log>,
     ) -> Result<Trajectory, SimulateError> {
+        self.run_sized(method, asked, log).map(|sized| sized.trajectory)
+    }
+
+    /// Does the same, and measures the states.
+    fn run_sized(
+        &self,
+        method: Method,
+        asked: Method,
+        log: Option<&Log>,
+    ) -> Result<Sized, SimulateError> {
         if !method.is_compiled_in() {
             return Err(NotCompiledIn::of(method).into());
         }
         let times = self.checked_times()?;
         let parameters = self.checked_parameters()?;
         method.check(self.simulator)?;
+        self.check_constant_energy()?;
         let mut initial = self.checked_initial_state()?;
         let system = System::new(self.simulator, parameters, self.energy_balance)
             .within(self.patience)
             .logged(log)
+            .keeping_energy(self.keeps_energy)
             .with_tangents(self.tangents(&initial)?);
         if method != asked {
             system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));
@@ -487,7 +515,12 @@ impl<'a> Simulation<'a> {
         }
         let energy_at_start = self.total_energy(&problem.initial[..states]);
         let Some(Stopped { time, cause }) = stopped else {
-            return Ok(self.trajectory(method, &system, &times, run, energy_at_start));
+            let stepped = system.has_stepped();
+            let sizes = if stepped { Self::sizes(&system, &run.rows) } else { Vec::new() };
+            let StepTolerance { rtol, atol, .. } = &problem.tolerance;
+            let scales = atol.iter().map(|atol| atol / rtol).collect();
+            let trajectory = self.trajectory(method, &system, &times, run, energy_at_start);
+            return Ok(Sized { trajectory, sizes, scales });
         };
         let cause = self.with_parameters(cause, &problem.initial[..states]);
         let mut kept = self.trajectory(method, &system, &times, run, energy_at_start);

@@ -104,8 +104,14 @@ impl Found {
                 &run.clone().rtol(tolerance),
                 &reference,
             );
-            let found = run.run_to_accuracy(tolerance).expect("a run");
             let name = format!("{name} to {tolerance:e}");
+            let found = match run.run_to_accuracy(tolerance) {
+                Ok(found) => found,
+                Err(error) => {
+                    self.unmet.push(format!("{name}: {error}"));
+                    continue;
+                }
+            };
             if let Some(reason) = found.shortfall {
                 self.unmet.push(format!("{name}: {reason}"));
             } else if let Some((off, column)) = relative_error(&found.trajectory, &reference) {

@@ -113,6 +113,7 @@ pub struct Simulation<'a> {
     atol: Option<Vec<f64>>,
     /// Scales of states as an earlier run has measured them, instead of those of the spec.
     sizes: Vec<(usize, f64)>,
+    holds_small: bool,
     /// True for the second run of an error estimate.
     is_refined: bool,
     method: Option<Method>,
@@ -141,6 +142,7 @@ impl<'a> Simulation<'a> {
             rtol: defaults.rtol,
             atol: None,
             sizes: Vec::new(),
+            holds_small: true,
             is_refined: false,
             method: None,
             auto: Auto::default(),
@@ -300,6 +302,13 @@ impl<'a> Simulation<'a> {
     /// Sets the absolute tolerance of every state, each in its unit.
     pub fn atol(mut self, atol: &[f64]) -> Self {
         self.atol = Some(atol.to_vec());
+        self
+    }
+
+    /// Sets whether a run is repeated if states without a scale of their own turn out to be far below
+    /// it, so that their errors are relative to their size; true unless set. Sweeps repeat no runs.
+    pub fn with_small_states_held(mut self, wanted: bool) -> Self {
+        self.holds_small = wanted;
         self
     }
 

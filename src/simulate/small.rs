@@ -74,7 +74,7 @@ impl Simulation<'_> {
     /// tolerance, relative to their size, is above the rounding of the largest state.
     fn small(&self, run: &Sized) -> Vec<(usize, f64)> {
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
-        if self.atol.is_some() {
+        if self.atol.is_some() || !self.holds_small {
             return Vec::new();
         }
         let is_open = |index: usize| {

@@ -11,6 +11,7 @@
 //! M dv + G^T nu = 0,  G dv = -g'     likewise
 //! ```
 
+mod energy;
 mod lasting;
 mod mobility;
 mod prescribed;
@@ -24,6 +25,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::held::Held;
 pub use crate::trajectory::Drift;
+pub(crate) use energy::EnergyLevel;
 pub use lasting::{Lasting, lasting};
 
 use mobility::NOTHING;

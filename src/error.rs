@@ -132,6 +132,14 @@ pub enum SimulateError {
         /// Its absolute tolerance, in the unit of the state.
         value: f64,
     },
+    /// A constant energy was requested of a run that cannot keep it.
+    #[error("scene `{scene}` cannot be projected onto its energy: {why}")]
+    NoConstantEnergy {
+        /// Name of the scene.
+        scene: String,
+        /// Reason.
+        why: &'static str,
+    },
     /// The end of the run is not after its start.
     #[error("the run goes from {from} s until {until} s, but must end after it starts")]
     BadSpan {

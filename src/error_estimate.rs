@@ -9,7 +9,7 @@
 //! ```
 //!
 //! and no less than the rounding of the largest value. A ratio above r overestimates it by at most
-//! a third. The estimate covers the integration in time alone: not the elements of a field, the
+//! twice. The estimate covers the integration in time alone: not the elements of a field, the
 //! digits of a parameter, or the spec itself.
 
 use crate::error::SimulateError;

@@ -230,6 +230,7 @@ impl Problem<'_> {
                 from = stretch.until;
                 stretch.require_uninterrupted(stretch.from)?;
                 stretch.require_finite_rate(state)?;
+                self.system.keep_energy_of(stretch.within(stretch.from), state);
                 if stretch.is_trivial() {
                     stretch.euler_step(state, samples);
                     continue;

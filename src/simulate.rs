@@ -12,6 +12,7 @@ mod notes;
 mod sampling;
 #[cfg(feature = "linear")]
 mod shooting;
+mod small;
 mod start;
 mod table;
 mod undefined;
@@ -36,6 +37,7 @@ pub(crate) use checked::require_admitted;
 pub use differentiate::Differentiated;
 pub use gradient::{Gradient, Pull, Slope};
 use sampling::Sampling;
+use small::Sized;
 pub use start::NegativeInertias;
 use table::Table;
 
@@ -94,6 +96,7 @@ pub fn parameter_defaults(simulator: &dyn Simulator<f64>) -> Vec<f64> {
 /// ```
 #[derive(Clone)]
 #[must_use = "a simulation does nothing until it is `run`"]
+#[expect(clippy::struct_excessive_bools, reason = "settings that do not depend on each other")]
 pub struct Simulation<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: Vec<f64>,
@@ -107,12 +110,16 @@ pub struct Simulation<'a> {
     sampling: Sampling,
     rtol: f64,
     atol: Option<Vec<f64>>,
+    /// Scales of states as an earlier run has measured them, instead of those of the spec.
+    sizes: Vec<(usize, f64)>,
+    holds_small: bool,
     /// True for the second run of an error estimate.
     is_refined: bool,
     method: Option<Method>,
     auto: Auto,
     max_steps: usize,
     energy_balance: bool,
+    keeps_energy: bool,
     sensitivities: Vec<By>,
     controls_sensitivities: bool,
     patience: Patience<'a>,
@@ -133,11 +140,14 @@ impl<'a> Simulation<'a> {
             sampling: Sampling::of(&defaults),
             rtol: defaults.rtol,
             atol: None,
+            sizes: Vec::new(),
+            holds_small: true,
             is_refined: false,
             method: None,
             auto: Auto::default(),
             max_steps: MAX_STEPS,
             energy_balance: false,
+            keeps_energy: false,
             sensitivities: Vec::new(),
             controls_sensitivities: true,
             patience: Patience::default(),
@@ -294,6 +304,13 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// Sets whether a run is repeated if states without a scale of their own turn out to be far below
+    /// it, so that their errors are relative to their size; true unless set. Sweeps repeat no runs.
+    pub fn with_small_states_held(mut self, wanted: bool) -> Self {
+        self.holds_small = wanted;
+        self
+    }
+
     /// Returns the same run at another relative tolerance; absolute tolerances are scaled by the
     /// same factor.
     pub fn at_tolerance(mut self, rtol: f64) -> Self {
@@ -354,6 +371,14 @@ impl<'a> Simulation<'a> {
     /// it.
     pub fn with_energy_balance(mut self, wanted: bool) -> Self {
         self.energy_balance = wanted;
+        self
+    }
+
+    /// Projects the states of a conservative machine with constraints onto its energy after each
+    /// step, along with the constraints. Over long runs the energy then keeps the value of the start
+    /// to rounding, and so does the pace of the motion.
+    pub fn with_constant_energy(mut self, wanted: bool) -> Self {
+        self.keeps_energy = wanted;
         self
     }
 
@@ -431,7 +456,7 @@ impl<'a> Simulation<'a> {
     pub fn run(&self) -> Result<Trajectory, SimulateError> {
         let asked = self.chosen_method()?;
         let method = self.method_for_sensitivities(asked)?;
-        self.run_by(method, asked, None)
+        self.run_resized(|simulation| simulation.run_sized(method, asked, None))
     }
 
     /// Runs by `method` instead of the requested one, and logs its steps if `log` is given.
@@ -441,16 +466,28 @@ impl<'a> Simulation<'a> {
         asked: Method,
         log: Option<&Log>,
     ) -> Result<Trajectory, SimulateError> {
+        self.run_sized(method, asked, log).map(|sized| sized.trajectory)
+    }
+
+    /// Does the same, and measures the states.
+    fn run_sized(
+        &self,
+        method: Method,
+        asked: Method,
+        log: Option<&Log>,
+    ) -> Result<Sized, SimulateError> {
         if !method.is_compiled_in() {
             return Err(NotCompiledIn::of(method).into());
         }
         let times = self.checked_times()?;
         let parameters = self.checked_parameters()?;
         method.check(self.simulator)?;
+        self.check_constant_energy()?;
         let mut initial = self.checked_initial_state()?;
         let system = System::new(self.simulator, parameters, self.energy_balance)
             .within(self.patience)
             .logged(log)
+            .keeping_energy(self.keeps_energy)
             .with_tangents(self.tangents(&initial)?);
         if method != asked {
             system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));
@@ -486,7 +523,12 @@ impl<'a> Simulation<'a> {
         }
         let energy_at_start = self.total_energy(&problem.initial[..states]);
         let Some(Stopped { time, cause }) = stopped else {
-            return Ok(self.trajectory(method, &system, &times, run, energy_at_start));
+            let stepped = system.has_stepped();
+            let sizes = if stepped { Self::sizes(&system, &run.rows) } else { Vec::new() };
+            let StepTolerance { rtol, atol, .. } = &problem.tolerance;
+            let scales = atol.iter().map(|atol| atol / rtol).collect();
+            let trajectory = self.trajectory(method, &system, &times, run, energy_at_start);
+            return Ok(Sized { trajectory, sizes, scales });
         };
         let cause = self.with_parameters(cause, &problem.initial[..states]);
         let mut kept = self.trajectory(method, &system, &times, run, energy_at_start);

@@ -277,8 +277,8 @@ impl<'a> Sweep<'a> {
     }
 
     fn simulation(&self, parameters: &[f64]) -> Simulation<'a> {
-        let run = (self.each)(Simulation::new(self.machine.single()));
-        (self.of_variant)(run.parameters(parameters))
+        let run = Simulation::new(self.machine.single()).with_small_states_held(false);
+        (self.of_variant)((self.each)(run).parameters(parameters))
     }
 
     /// Runs a chunk in lanes; returns `None` if the machine has no Taylor series.

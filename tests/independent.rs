@@ -138,3 +138,57 @@ fn emitted_fields_are_what_their_densities_say() {
         assert_small(name, &deviation(&written_out, &simulator));
     }
 }
+
+/// Returns an arm of links that turn about z and y in turn, with rotations and places as helpers that
+/// use those of the link before.
+fn arm_by_helpers(links: usize) -> String {
+    let mut text =
+        "[scene]\nname = \"arm\"\n[units.c]\nunit = \"c\"\n[run]\nuntil = 1\n".to_owned();
+    let (mut helpers, mut kinetic, mut potential) = (String::new(), Vec::new(), Vec::new());
+    for link in 1..=links {
+        text.extend([format!(
+            "[define.c.coordinates.q{link}]\nunit = \"rad\"\nvelocity = \"w{link}\"\n"
+        )]);
+        let (c, s) = (format!("cos(q{link})"), format!("sin(q{link})"));
+        let before = |row: usize, column: usize| match (link, row == column) {
+            (1, is_one) => u8::from(is_one).to_string(),
+            _ => format!("r{}_{row}{column}", link - 1),
+        };
+        let [first, last] = if link % 2 == 1 { [1, 2] } else { [3, 1] };
+        for row in 1..=3 {
+            for column in 1..=3 {
+                let [a, b] = [first, last].map(|column| before(row, column));
+                let entry = if column == first {
+                    format!("{a}*{c} + {b}*{s}")
+                } else if column == last {
+                    format!("{b}*{c} - {a}*{s}")
+                } else {
+                    before(row, column)
+                };
+                helpers.extend([format!(
+                    "r{link}_{row}{column} = {{ expression = \"{entry}\", unit = \"1\" }}\n"
+                )]);
+            }
+            let place = if link == 1 { String::new() } else { format!("p{}_{row} + ", link - 1) };
+            helpers.extend([format!(
+                "p{link}_{row} = {{ expression = \"{place}0.4 [m]*r{link}_{row}1 + 0.1 [m]*r{link}_{row}3\", unit = \"m\" }}\n"
+            )]);
+        }
+        let squares = [1, 2, 3].map(|row| format!("der(p{link}_{row})^2"));
+        kinetic.push(format!("1.5 [kg]*({})/2 + 0.2 [kg m^2]*w{link}^2/2", squares.join(" + ")));
+        potential.push(format!("1.5 [kg]*9.81 [m/s^2]*p{link}_3"));
+    }
+    let (kinetic, potential) = (kinetic.join(" + "), potential.join(" + "));
+    format!(
+        "{text}[define.c.helpers]\n{helpers}[define.c.energy]\nkinetic = \"{kinetic}\"\npotential = \"{potential}\"\n"
+    )
+}
+
+/// Written out, a helper of its last link would have thousands of terms.
+#[test]
+fn an_arm_by_helpers_of_each_other_moves_as_its_energies_say() {
+    let system = system_of(&arm_by_helpers(5));
+    let model = pipeline::compile(system.clone(), Keep::Needed);
+    let model = ModelSimulator::new(model.unwrap_or_else(|errors| panic!("{}", errors.render())));
+    assert_small("arm", &deviation(&system, model.single()));
+}

@@ -401,6 +401,11 @@ potential = "0.8 [kg]*9.81 [m/s^2]*bz/2"
 expression = "sqrt((ax - bx)^2 + (ay - 0.2 [m])^2 + bz^2) - 0.45 [m]"
 "#;
 
+/// Returns this machine.
+pub fn by_hand() -> ModelSimulator {
+    closed(BY_HAND).0
+}
+
 #[test]
 fn a_linkage_with_balls_moves_as_its_energies_by_hand_say() {
     let (machine, dropped, system) = closed(&rssr());

@@ -1,6 +1,6 @@
 //! States that move far less than their absolute tolerance assumes are reported.
 
-use machinist::Simulation;
+use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Describe as _;
 use machinist_model::ModelSimulator;
@@ -95,5 +95,72 @@ fn bristles_are_weighed_by_what_they_do_wherever_they_stand_in_the_state() {
         let scene = block(more, keep);
         assert_eq!(scene.shape().positions, positions, "{more}");
         assert_eq!(told(&scene, |run| run), [""; 0], "{more}");
+    }
+}
+
+/// Returns an oscillator with a spring that hardens at amplitudes of a size, and a flux that follows
+/// it: x = size X(t) with the same X for every size.
+fn of_size(size: f64) -> ModelSimulator {
+    let text = format!(
+        r#"
+        [scene]
+        name = "hard_spring"
+        [units.s]
+        unit = "s"
+        [initial]
+        "s.x" = {size:e}
+        [run]
+        until = 20.0
+        points = 101
+        rtol = 1e-6
+        method = "auto"
+        [define.s.coordinates.x]
+        unit = "m"
+        [define.s.states.flux]
+        unit = "m"
+        rate = "(x - flux)/1 [s]"
+        [define.s.energy]
+        kinetic = "1 [kg]*x_dot^2/2"
+        potential = "1 [N/m]*(x^2/2 + x^4/(4*({size:e} [m])^2))"
+        [[define.s.forces]]
+        coordinate = "x"
+        expression = "-0.1 [N/m]*flux"
+        "#
+    );
+    of_text(&text, Keep::All)
+}
+
+#[test]
+fn errors_are_relative_to_the_size_of_a_state_whatever_its_scale() {
+    let exact = Simulation::new(&of_size(1.0)).method(Method::Dop853).rtol(1e-13).run();
+    let exact = exact.expect("it swings");
+    let error = |size: f64, method: Method| {
+        let run = Simulation::new(&of_size(size)).method(method).run().expect("it swings");
+        let of = |name: &str| {
+            let [found, wanted] = [&run, &exact].map(|run| run.column(name).expect("a state"));
+            let off = found.iter().zip(wanted).map(|(a, b)| (a / size - b).abs());
+            off.fold(0.0, f64::max) / wanted.iter().map(|value| value.abs()).fold(0.0, f64::max)
+        };
+        ["s.x", "s.x_dot", "s.flux"].map(of).into_iter().fold(0.0, f64::max)
+    };
+    let machine = of_size(1.0);
+    let is_possible = |method: &&Method| method.is_compiled_in() && method.check(&machine).is_ok();
+    let methods: Vec<&Method> = Method::ALL.iter().filter(is_possible).collect();
+    assert!(methods.len() >= 6, "{methods:?}");
+    for method in methods.into_iter().filter(|method| **method != Method::Exact) {
+        let allowed = 20.0 * error(1.0, *method).max(1e-6);
+        // Down to a thousandth of its scale, a state may have three digits less.
+        for (size, less) in [
+            (1e-8, 1.0),
+            (1e-6, 1.0),
+            (1e-5, 1.0),
+            (1e-4, 1.0),
+            (1e-2, 1e3),
+            (1e2, 1.0),
+            (1e4, 1.0),
+        ] {
+            let (found, allowed) = (error(size, *method), less * allowed);
+            assert!(found <= allowed, "{method} {size:e}: {found:e} above {allowed:e}");
+        }
     }
 }

@@ -21,6 +21,7 @@ mod classics;
 mod clutched_chains;
 mod complex_step;
 mod conserves;
+mod constant_energy;
 mod constrained_fields;
 mod constraints;
 mod contacts;

@@ -23,7 +23,8 @@ fn one_by_one<'a, S: Sweepable>(
     each: impl Fn(Simulation<'a>) -> Simulation<'a>,
 ) -> Vec<Vec<f64>> {
     let runs = values.iter().map(|value| {
-        let simulation = each(Simulation::new(machine.single())).parameter(name, *value);
+        let simulation = each(Simulation::new(machine.single())).with_small_states_held(false);
+        let simulation = simulation.parameter(name, *value);
         let run = simulation.expect("a parameter").run().expect("a run");
         let shape = machine.single().shape();
         let columns = run.columns[..shape.states() + shape.outputs].iter();
@@ -99,6 +100,7 @@ fn auto_in_lanes_gives_the_bits_of_single_runs() {
     let steps: Vec<u64> = all.run().iter().map(|run| run.as_ref().expect("a run").steps).collect();
     let alone = spread(1e3, 1e9, 75).into_iter().map(|stiffness| {
         let run = Simulation::new(&saw_gin::SawGin).until(0.3).points(4).rtol(1e-6);
+        let run = run.with_small_states_held(false);
         let run = run.method(Method::Auto).parameter("coupling.stiffness", stiffness);
         run.expect("a parameter").run().expect("a run")
     });

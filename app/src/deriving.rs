@@ -234,7 +234,7 @@ fn dropped_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting) ->
     let others: Vec<String> = repeats.iter().map(|name| format!("`{name}`")).collect();
     format!(
         "constraint `{constraint}` of {} follows from {} everywhere: it is redundant and dropped, \
-         and these carry its force",
+         and these carry its force unless `share_redundant` is set",
         model.name,
         others.join(", ")
     )

@@ -1,6 +1,7 @@
 //! The scripts of a live page in Node, if there is one, compared with the engine: the same motion,
 //! and the same events in the same order.
 
+#[path = "../../tests/common/machines.rs"]
 mod machines;
 
 use std::io::Write as _;

@@ -232,7 +232,7 @@ fn units_of_another_dimension_are_refused_with_a_hint() {
         ("5 msec", "`ms`"),
         ("5 µs", "`us`"),
         ("2S", "`s`"),
-        ("1 MS", "`ms`"),
+        ("1 MS", "`ms` or `mS`"),
     ] {
         let words = format!("did you mean {meant}?");
         refused(&["run", "two_mass", "--until", typed], &[&words]);

@@ -125,6 +125,44 @@ fn hinges_that_contradict_each_other_are_refused() {
     }
 }
 
+/// Both hinges at the height of their own: their forces in the same direction are equal, 2 z counts
+/// twice.
+#[test]
+fn hinges_share_forces_if_asked_to() {
+    let outputs = "\
+        a = { expression = \"door.lower_x\", unit = \"N\" }\n\
+        b = { expression = \"door.upper_x\", unit = \"N\" }\n\
+        c = { expression = \"door.lower_z\", unit = \"N\" }\n\
+        d = { expression = \"door.upper_z\", unit = \"N\" }\n\
+        phi = \"door.phi\"";
+    let spec = |share: &str| {
+        door(UPPER)
+            .replace("name = \"door\"", &format!("name = \"door\"\n{share}"))
+            .replace("phi = \"door.phi\"", outputs)
+    };
+    let forces = |share: &str| {
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::write(folder.path().join("door.toml"), spec(share)).expect("written");
+        let verify = answer(machinist(&folder, &["verify", "door.toml", "--algebra", "plain"]));
+        assert!(verify.contains(" 0 failed") && !verify.contains("not checked"), "{verify}");
+        let table = answer(run(&folder, &["--columns", "a,b,c,d,phi", "--out", "-"]));
+        let row = |row: &str| {
+            row.split(',').skip(1).map(|cell| cell.parse().expect("a number")).collect()
+        };
+        table.lines().skip(1).map(row).collect::<Vec<Vec<f64>>>()
+    };
+    let (alone, shared) = (forces(""), forces("share_redundant = true"));
+    let weight = 20.0 * 9.81;
+    for (alone, shared) in alone.iter().zip(&shared) {
+        let [a, b, c, d, phi] = shared[..] else { panic!("{shared:?}") };
+        assert!((phi - alone[4]).abs() < 1e-9, "{phi}");
+        assert!((a - alone[0] / 2.0).abs() < 1e-6 && (a - b).abs() < 1e-9, "{a} {b} {alone:?}");
+        // c + 2 d = m g with c^2 + d^2 least.
+        assert!((c - weight / 5.0).abs() < 1e-6 && (d - 2.0 * c).abs() < 1e-6, "{c} {d}");
+        assert!(alone[1] == 0.0 && (alone[2] - weight).abs() < 1e-6, "{alone:?}");
+    }
+}
+
 /// The constraint follows from others only at the start; elsewhere it jams the door.
 #[test]
 fn what_follows_from_others_only_at_the_start_is_refused() {

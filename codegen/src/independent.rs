@@ -12,6 +12,7 @@ mod compare;
 pub mod elements;
 mod formula;
 mod hyper;
+mod least;
 mod lift;
 mod motion;
 mod random;

@@ -15,6 +15,7 @@ mod needed;
 mod nonzeros;
 mod reactions;
 mod share;
+mod shared_forces;
 pub mod structure;
 pub mod substitute;
 

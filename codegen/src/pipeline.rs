@@ -298,18 +298,36 @@ fn carried(equations: &EquationsOfMotion) -> Result<(), Diagnostics> {
     let dropped = equations.system.constraints.iter().enumerate().filter(|(_, one)| one.is_dropped);
     for (index, constraint) in dropped {
         let its = Symbol::Multiplier(ConstraintId(index as u32));
-        let reads = |exprs: &[Expr]| exprs.iter().any(|expr| expr.mentions(|symbol| symbol == its));
+        // Any of the forces may be shared.
+        let is_shared = equations.system.shares_redundant;
+        let is_its = |symbol: Symbol| match symbol {
+            Symbol::Multiplier(_) => is_shared || symbol == its,
+            _ => false,
+        };
+        let reads = |exprs: &[Expr]| exprs.iter().any(|expr| expr.mentions(is_its));
         let what = match (reads(&equations.forcing), reads(&equations.rates)) {
             (true, _) => "a force",
             (_, true) => "a rate",
             _ => continue,
         };
-        let message = format!(
-            "{what} depends on the force of constraint `{}`, which is dropped because it follows \
-             from others",
-            constraint.name.path
-        );
-        let help = "these carry its force: read theirs instead, or leave them out";
+        let name = &constraint.name.path;
+        let (message, help) = if is_shared {
+            (
+                format!(
+                    "{what} depends on a constraint force, but `share_redundant` shares those of \
+                     constraint `{name}` with others"
+                ),
+                "leave `share_redundant` out, so that the others carry its force",
+            )
+        } else {
+            (
+                format!(
+                    "{what} depends on the force of constraint `{name}`, which is dropped because \
+                     it follows from others"
+                ),
+                "these carry its force: read theirs instead, or leave them out",
+            )
+        };
         return Err(Diagnostic::of_file(Code::InvalidForce, "", message, help).into());
     }
     Ok(())

@@ -99,6 +99,8 @@ pub struct SceneSpec {
     pub doc: String,
     /// Source of the equations.
     pub source: String,
+    /// True if redundant constraints share forces with those from which they follow.
+    pub shares_redundant: bool,
     /// The units in use, in the order of their first mention.
     pub units: Vec<UnitSpec>,
     /// Instances of units, each followed by the instances inside it.

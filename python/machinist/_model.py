@@ -276,6 +276,7 @@ class Model:
         max_steps: int | None = None,
         equilibrium: bool | None = None,
         energy_balance: bool = False,
+        constant_energy: bool = False,
         error: bool = False,
         accuracy: float | None = None,
         sensitivities: Sequence[str] = (),
@@ -293,6 +294,8 @@ class Model:
         :param auto: choices of the method auto, such as "explicit=tsit5,implicit=radau".
         :param equilibrium: whether to start in the equilibrium near the initial state.
         :param energy_balance: integrate the power balance along with the run.
+        :param constant_energy: project a conservative machine with constraints onto its energy
+            after each step.
         :param error: repeat the run at a tighter tolerance to estimate `run.error`.
         :param accuracy: tighten `rtol` until the estimated error of every column is at most this
             fraction of its largest value; a note gives the reason if this fails.
@@ -310,6 +313,8 @@ class Model:
         )  # fmt: skip
         if energy_balance:
             settings["energy_balance"] = True
+        if constant_energy:
+            settings["constant_energy"] = True
         if error:
             settings["error"] = True
         if sensitivities:

@@ -31,6 +31,7 @@ pub struct Settings {
     max_steps: Option<usize>,
     equilibrium: Option<bool>,
     energy_balance: bool,
+    constant_energy: bool,
     /// True to estimate the error.
     error: bool,
     /// Target error of the result, as a fraction of the largest value of a column.
@@ -97,6 +98,7 @@ impl Settings {
             "max_steps" => self.max_steps = Some(count(key, value)?),
             "equilibrium" => self.equilibrium = Some(extracted(key, value, "true or false")?),
             "energy_balance" => self.energy_balance = extracted(key, value, "true or false")?,
+            "constant_energy" => self.constant_energy = extracted(key, value, "true or false")?,
             "error" => self.error = extracted(key, value, "true or false")?,
             "accuracy" => self.accuracy = Some(number(key, value)?),
             "sensitivities" => self.sensitivities = extracted(key, value, "a list of names")?,
@@ -149,6 +151,7 @@ impl Settings {
         run = self.auto.into_iter().fold(run, Simulation::auto);
         run = self.max_steps.into_iter().fold(run, Simulation::max_steps);
         run = self.time_limit.into_iter().fold(run, Simulation::time_limit);
+        run = run.with_constant_energy(self.constant_energy);
         Ok(run.with_energy_balance(self.energy_balance))
     }
 

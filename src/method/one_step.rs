@@ -316,6 +316,7 @@ fn accept(
     stretch.watch.map_or(Ok(()), |watch| watch.pass(method, now))?;
     stretch.system.count_step();
     stretch.require_bounded(now, end)?;
+    stretch.system.measure(end);
     constrain_tangents(stretch, now, end);
     sample(method, stretch, (now, end), scratch, samples)?;
     method.accept();

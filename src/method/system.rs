@@ -9,7 +9,7 @@ use super::exact::Known;
 use super::milestone::Milestone;
 use super::patience::Patience;
 use super::sliding::Slide;
-use crate::constraints::Constraints;
+use crate::constraints::{Constraints, EnergyLevel};
 use crate::error::StopCause;
 use crate::held::Held;
 use crate::method::reverse::Log;
@@ -39,9 +39,13 @@ pub struct System<'a> {
     states: usize,
     with_flows: bool,
     constraints: Option<Constraints<'a>>,
+    /// Energy that steps keep, if they keep it.
+    energy_level: Option<EnergyLevel>,
     tangents: Option<Tangents<'a>>,
     log: Option<&'a Log>,
     work: Cell<Work>,
+    /// Largest absolute value of every state at ends of steps.
+    sizes: RefCell<Vec<f64>>,
     notes: RefCell<Vec<String>>,
     patience: Patience<'a>,
     /// Start of the run, if its time is limited.
@@ -77,9 +81,11 @@ impl<'a> System<'a> {
             constants,
             states,
             with_flows,
+            energy_level: None,
             tangents: None,
             log: None,
             work: Cell::default(),
+            sizes: RefCell::new(vec![0.0; states]),
             notes: RefCell::default(),
             patience: Patience::default(),
             began: None,
@@ -125,6 +131,21 @@ impl<'a> System<'a> {
         Self { tangents, ..self }
     }
 
+    /// Returns the system with steps that keep the energy of their start, if wanted.
+    pub(crate) fn keeping_energy(self, is_wanted: bool) -> Self {
+        Self { energy_level: is_wanted.then(EnergyLevel::default), ..self }
+    }
+
+    /// Keeps the energy of a state at the start of a stretch. Events may change it.
+    pub(super) fn keep_energy_of(&self, time: f64, state: &[f64]) {
+        if let (Some(level), Some(constraints)) = (&self.energy_level, &self.constraints) {
+            if self.simulator.events() > 0 {
+                level.end();
+            }
+            level.begin(constraints, time, &state[..self.states]);
+        }
+    }
+
     /// Returns the system with a log of its steps.
     pub(crate) fn logged(self, log: Option<&'a Log>) -> Self {
         Self { log, ..self }
@@ -156,13 +177,18 @@ impl<'a> System<'a> {
         self.constraints.as_ref()
     }
 
-    /// Projects a state onto the constraints, if there are any.
+    /// Projects a state onto the constraints, if there are any, and onto the energy of the run if
+    /// its steps keep it.
     pub(crate) fn constrain(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
         let Some(constraints) = &self.constraints else { return Ok(()) };
         constraints.project(time, state).map_err(|lost| {
             let constraint = constraints.name(lost.0).to_owned();
             Stopped { time, cause: StopCause::OffConstraint { constraint } }
-        })
+        })?;
+        if let Some(level) = &self.energy_level {
+            constraints.put_onto_energy(level, time, state);
+        }
+        Ok(())
     }
 
     /// Returns the parameters and slots, as steps hold them.
@@ -326,6 +352,18 @@ impl<'a> System<'a> {
     pub fn count_step(&self) {
         self.has_stepped.set(true);
         self.count(|work| work.steps += 1);
+    }
+
+    /// Measures the states at the end of a step.
+    pub(super) fn measure(&self, state: &[f64]) {
+        for (size, value) in self.sizes.borrow_mut().iter_mut().zip(state) {
+            *size = size.max(value.abs());
+        }
+    }
+
+    /// Returns the largest absolute value of every state at ends of steps.
+    pub(crate) fn sizes(&self) -> Vec<f64> {
+        self.sizes.borrow().clone()
     }
 
     /// Returns whether there was such a step: there is none if everything was solved in closed

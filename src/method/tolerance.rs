@@ -7,9 +7,9 @@ use super::Auto;
 use crate::method_table::Method;
 
 /// Ratio of the tolerances of both runs of an error estimate. With methods of order 5 and 8 the second run takes
-/// 4^(1/5) = 1.3 and 4^(1/8) = 1.2 times the steps of the first, and an error that is proportional
-/// to a power of the tolerance between 0.8 and 1.2 is overestimated by a tenth at most.
-pub const REFINEMENT: f64 = 4.0;
+/// 2^(1/5) = 1.15 and 2^(1/8) = 1.09 times the steps of the first, and an error that is proportional
+/// to a power of the tolerance between 0.8 and 1.2 is off by a seventh at most.
+pub const REFINEMENT: f64 = 2.0;
 
 /// Tolerances of the steps of a run, made once from those requested. Everything that compares an
 /// error uses these: error control, events, relations, projection and notes.

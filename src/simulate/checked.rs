@@ -30,6 +30,24 @@ impl Simulation<'_> {
         Ok(&self.parameters)
     }
 
+    /// Refuses to keep the energy of a machine that does not conserve it.
+    pub(super) fn check_constant_energy(&self) -> Result<(), SimulateError> {
+        let conserves = self.simulator.conserves_energy(&self.parameters) == Some(true);
+        let why = if !self.keeps_energy {
+            return Ok(());
+        } else if !conserves {
+            "power is supplied or dissipated, or may be"
+        } else if self.simulator.constraints() == 0 {
+            "it has no constraints"
+        } else if !self.sensitivities.is_empty() {
+            "sensitivities are not projected"
+        } else {
+            return Ok(());
+        };
+        let scene = self.simulator.name().to_owned();
+        Err(SimulateError::NoConstantEnergy { scene, why })
+    }
+
     pub(super) fn checked_jumps(&self) -> Result<Vec<f64>, SimulateError> {
         let count = self.simulator.shape().discontinuities;
         let mut jumps = vec![0.0; count];
@@ -63,7 +81,8 @@ impl Simulation<'_> {
             return Err(SimulateError::BadTolerance(self.rtol));
         }
         let scaled = || {
-            let scales = scales(self.simulator, &self.parameters, self.from, initial);
+            let mut scales = scales(self.simulator, &self.parameters, self.from, initial);
+            self.sizes.iter().for_each(|(index, size)| scales[*index] = *size);
             scales.iter().map(|scale| self.rtol * scale).collect()
         };
         let atol = self.atol.clone().unwrap_or_else(scaled);

@@ -1,6 +1,7 @@
 //! Notes on the tolerance of a run and on the size of its states.
 
 use super::Simulation;
+use super::small::SMALL;
 use crate::error::SimulateError;
 use crate::method::tolerance::step_rtol;
 use crate::method::{Method, StepTolerance, System};
@@ -9,10 +10,6 @@ use crate::method::{Method, StepTolerance, System};
 /// shaft of 96 nodes without damping (`reed_beat_up`) was off by 16 times its motion at a product
 /// of 0.9, and by a hundredth at 0.006.
 const ADDS_UP: f64 = 0.1;
-
-/// Fraction of a state's scale below which a note reports that all of its motion is small: it then
-/// has three digits less than requested.
-const SMALL: f64 = 1e-3;
 
 impl Simulation<'_> {
     /// Returns the method of the run and the relative tolerance of its steps.
@@ -51,30 +48,37 @@ impl Simulation<'_> {
     fn note_small(&self, system: &System<'_>, tolerance: &StepTolerance, rows: &[f64]) {
         /// Apparent motion of a state at rest, due to rounding.
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
-        const SHOWN: usize = 3;
         let width = system.len();
         let largest = |index: usize| {
             let values = rows.iter().skip(index).step_by(width);
             values.map(|value| value.abs()).filter(|value| value.is_finite()).fold(0.0, f64::max)
         };
         let scale = |index: usize| tolerance.atol[index] / tolerance.rtol;
-        let small: Vec<String> = (0..system.states())
+        let small: Vec<(usize, f64, f64)> = (0..system.states())
             .filter(|index| !self.simulator.is_mode(*index))
-            .map(|index| (self.simulator.state(index), scale(index), largest(index)))
+            .map(|index| (index, scale(index), largest(index)))
             .filter(|(_, scale, most)| (ROUNDING * scale..SMALL * scale).contains(most))
-            .map(|(state, scale, most)| {
-                format!("`{}` (at most {most:.1e} {}, scale {scale:e})", state.name, state.unit)
-            })
             .collect();
         if small.is_empty() {
             return;
         }
-        let more = if small.len() > SHOWN { ", ..." } else { "" };
         system.note(format!(
-            "errors of {}{more} are controlled to {:e} of the scale, which is much larger than the \
-             motion: give a `scale` of its size in the spec, or a lower `rtol`",
-            small.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", "),
+            "errors of {} are controlled to {:e} of the scale, which is much larger than the motion: \
+             give a `scale` of its size in the spec, or a lower `rtol`",
+            self.listed(&small),
             tolerance.rtol
         ));
+    }
+
+    /// Lists the first few of some states with their scales and largest values.
+    pub(super) fn listed(&self, states: &[(usize, f64, f64)]) -> String {
+        const SHOWN: usize = 3;
+        let of = |(index, scale, most): &(usize, f64, f64)| {
+            let state = self.simulator.state(*index);
+            format!("`{}` (at most {most:.1e} {}, scale {scale:e})", state.name, state.unit)
+        };
+        let more = if states.len() > SHOWN { ", ..." } else { "" };
+        let shown: Vec<String> = states.iter().take(SHOWN).map(of).collect();
+        format!("{}{more}", shown.join(", "))
     }
 }

@@ -239,6 +239,9 @@ pub struct RunArgs {
     /// `exact=no`, `loosest=` and `loosest_kept=` tolerances of steps
     #[arg(long, value_name = "CHOICES", conflicts_with = "method")]
     pub auto: Option<machinist::method::Auto>,
+    /// Project states of a conservative machine with constraints onto its energy after each step
+    #[arg(long)]
+    pub constant_energy: bool,
     /// Maximum number of steps of each run. Default: ten million
     #[arg(long, value_name = "NUMBER")]
     pub max_steps: Option<NonZeroUsize>,
@@ -331,6 +334,7 @@ impl RunArgs {
             Some(choices) => run.auto(choices),
             None => with_method(run, self.method().as_deref())?,
         };
+        run = run.with_constant_energy(self.constant_energy);
         run = self.max_steps.into_iter().fold(run, |run, steps| run.max_steps(steps.get()));
         Ok(self.time.time_limit.into_iter().fold(run, Simulation::time_limit))
     }
@@ -394,13 +398,14 @@ impl RunArgs {
 
     /// Returns an option that only matters if the machine moves, if one is given.
     pub fn given_for_motion(&self) -> Option<&'static str> {
-        let Self { span, rtol, atol, method, auto, max_steps, time } = self;
+        let Self { span, rtol, atol, method, auto, constant_energy, max_steps, time } = self;
         let given = [
             ("--until", span.until.is_some()),
             ("--rtol", rtol.is_some()),
             ("--atol", !atol.is_empty()),
             ("--method", method.is_some()),
             ("--auto", auto.is_some()),
+            ("--constant-energy", *constant_energy),
             ("--max-steps", max_steps.is_some()),
             ("--time-limit", time.time_limit.is_some()),
         ];

@@ -14,7 +14,8 @@ use machinist_contract::Real;
 
 use super::formula::{Formula, pi};
 use super::hyper::Hyper;
-use super::rounded::Rounded;
+use super::least::least;
+use super::rounded::{Rounded, product, sum};
 use super::solve::inverse;
 use crate::scene::system::LagrangianSystem;
 use machinist_model::Table;
@@ -100,6 +101,8 @@ pub struct Machine<R> {
     rates: Vec<Formula<Rounded<R>>>,
     is_mode: Vec<bool>,
     constraints: Vec<Held<R>>,
+    /// True if redundant constraints share forces with the others.
+    shares_redundant: bool,
     /// Potentials of springs that are approximated as rigid.
     rigid: Vec<Formula<Rounded<R>>>,
 }
@@ -149,6 +152,7 @@ impl<R: Real> Machine<R> {
             rates: system.first_order.iter().map(|z| Formula::new(&z.rate)).collect(),
             is_mode: system.first_order.iter().map(|z| z.is_mode).collect(),
             constraints: held.collect(),
+            shares_redundant: system.shares_redundant,
             rigid: springs.map(|spring| Formula::new(&spring.potential)).collect(),
         }
     }
@@ -161,6 +165,7 @@ impl<R: Real> Machine<R> {
         // into from none.
         let mut motion = self.motion_at_signs(place, None)?;
         if !self.reads_reactions {
+            motion.multipliers = self.shared(place, motion.multipliers)?;
             return Some(self.with_rates(place, motion));
         }
         let mut signs = self.negative(&motion);
@@ -173,6 +178,28 @@ impl<R: Real> Machine<R> {
             signs = found;
         }
         None
+    }
+
+    /// Returns constraint forces shared with redundant constraints, if the scene asks for that: the
+    /// least of all with the same effect.
+    fn shared(&self, place: &Place<R>, forces: Vec<Rounded<R>>) -> Option<Vec<Rounded<R>>> {
+        let is_redundant = |k: &usize| self.constraints[*k].is_dropped;
+        let (redundant, others): (Vec<usize>, Vec<usize>) =
+            (0..forces.len()).partition(is_redundant);
+        if !self.shares_redundant || redundant.is_empty() {
+            return Some(forces);
+        }
+        let kept: Vec<usize> =
+            others.into_iter().filter(|k| self.constraints[*k].when.is_empty()).collect();
+        let [own, more] = [&kept, &redundant]
+            .map(|rows| rows.iter().map(|k| self.normal(*k, place)).collect::<Vec<_>>());
+        let whole: Vec<Rounded<R>> = kept.iter().map(|k| forces[*k]).collect();
+        let (own, others) = least(&own, &more, &whole, self.to_f64)?;
+        let mut shared = forces;
+        for (k, force) in kept.iter().zip(own).chain(redundant.iter().zip(others)) {
+            shared[*k] = force;
+        }
+        Some(shared)
     }
 
     /// Returns a motion with the rates of first-order states, which may read constraint forces.
@@ -516,21 +543,9 @@ fn length(vector: &[f64]) -> f64 {
     vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
 }
 
-/// Returns the product of a row and a column.
-fn product<R: Real>(row: &[R], column: &[Rounded<R>]) -> Rounded<R> {
-    sum(row.iter().zip(column).map(|(factor, part)| Rounded {
-        value: *factor * part.value,
-        size: factor.abs() * part.size,
-    }))
-}
-
 fn signed<R: Real>(part: Option<Rounded<R>>, sign: f64) -> Rounded<R> {
     let part = part.unwrap_or(Rounded::literal(0.0));
     if sign < 0.0 { -part } else { part }
-}
-
-fn sum<R: Real>(parts: impl Iterator<Item = Rounded<R>>) -> Rounded<R> {
-    parts.fold(Rounded::literal(0.0), |sum, part| sum + part)
 }
 
 fn coordinate(i: usize) -> Symbol {

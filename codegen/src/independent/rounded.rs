@@ -156,6 +156,18 @@ impl<R: Real> Real for Rounded<R> {
     }
 }
 
+pub fn sum<R: Real>(parts: impl Iterator<Item = Rounded<R>>) -> Rounded<R> {
+    parts.fold(Rounded::literal(0.0), |sum, part| sum + part)
+}
+
+/// Returns the product of a row and a column.
+pub fn product<R: Real>(row: &[R], column: &[Rounded<R>]) -> Rounded<R> {
+    sum(row.iter().zip(column).map(|(factor, part)| Rounded {
+        value: *factor * part.value,
+        size: factor.abs() * part.size,
+    }))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

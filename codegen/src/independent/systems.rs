@@ -363,6 +363,7 @@ impl Recipe {
             title: String::new(),
             doc: String::new(),
             source: String::new(),
+            shares_redundant: false,
             coordinates: coordinates.collect(),
             first_order: std::iter::once(mode).chain(states).collect(),
             parameters: parameters.collect(),

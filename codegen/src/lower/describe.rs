@@ -56,6 +56,8 @@ fn reduction(equations: &EquationsOfMotion) -> Reduction {
     for constraint in equations.system.constraints.iter().filter(|one| one.is_dropped) {
         let instead = if constraint.expr.is_zero() {
             "it is zero in any position"
+        } else if equations.system.shares_redundant {
+            "it shares its force with the constraints it follows from"
         } else {
             "the constraints it follows from carry its force"
         };

@@ -199,7 +199,7 @@ impl<'a> Build<'a> {
         for (coordinate, node) in system.coordinates.iter().zip(accelerations) {
             graph.name(*node, &format!("{}_dot", coordinate.velocity.name.ident));
         }
-        let multipliers = negative.iter().map(|node| graph.neg(*node)).collect::<Vec<_>>();
+        let multipliers = super::shared_forces::shared(&mut graph, equations, negative, lower);
         for (constraint, node) in system.constraints.iter().zip(&multipliers) {
             graph.name(*node, &constraint.name.ident);
         }

@@ -93,6 +93,7 @@ pub fn assemble(
         title: spec.title.clone(),
         doc: or_of_units(&spec.doc, spec, |unit| &unit.doc),
         source: or_of_units(&spec.source, spec, |unit| &unit.source),
+        shares_redundant: spec.shares_redundant,
         coordinates,
         first_order,
         parameters,

@@ -2,7 +2,8 @@
 
 use std::rc::Rc;
 
-use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
+use machinist_algebra::cas::arithmetic;
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Function, Symbol};
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
@@ -371,12 +372,15 @@ impl Resolver<'_> {
         let unit = |instance: usize| &spec.units[spec.instances[instance].unit];
         match definition {
             Definition::Helper(Scope::Scene | Scope::Profile, index) => {
-                self.named(&spec.helpers[index], Scope::Scene, "helper", Uses::GUARD)
+                self.named(&spec.helpers[index], Scope::Scene, "helper", Uses::GUARD).map(shared)
             }
             Definition::Helper(
                 scope @ (Scope::Instance(instance) | Scope::Density(instance, _)),
                 index,
-            ) => self.named(&unit(instance).helpers[index], scope, "helper", Uses::GUARD),
+            ) => {
+                let helper = &unit(instance).helpers[index];
+                self.named(helper, scope, "helper", Uses::GUARD).map(shared)
+            }
             Definition::Output(instance, index) => {
                 let output = &unit(instance).outputs[index];
                 self.named(output, Scope::Instance(instance), "output", Uses::ANYTHING)
@@ -463,6 +467,43 @@ fn declared(mut typed: Typed, unit: &Declared) -> Typed {
     typed.dimension = Some(unit.unit.dimension);
     typed.angular = Angular::of(unit.unit, typed.uses.moves());
     typed
+}
+
+/// Returns a long helper of the motion as a shared part: written out wherever it is used, helpers that
+/// use each other, such as the places along an arm, would grow exponentially. Parts that may switch
+/// stay visible.
+fn shared(mut typed: Typed) -> Typed {
+    /// Number of leaves from which on a helper is shared.
+    const LONG: usize = 64;
+    let moves = |symbol| matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_));
+    if typed.terms < LONG || !typed.expr.mentions(moves) || !is_smooth(&typed.expr) {
+        return typed;
+    }
+    typed.expr = arithmetic::normal_form(&typed.expr).shared();
+    (typed.terms, typed.depth) = (1, 0);
+    typed
+}
+
+fn is_smooth(expr: &Expr) -> bool {
+    let mut is_smooth = true;
+    expr.visit(&mut |part| {
+        is_smooth &= match part {
+            Expr::Call(function, _) => !matches!(
+                function,
+                Function::Abs | Function::Floor | Function::SelectLess | Function::Table { .. }
+            ),
+            Expr::Symbol(symbol) => matches!(
+                symbol,
+                Symbol::Pi
+                    | Symbol::Time
+                    | Symbol::Coordinate(_)
+                    | Symbol::Velocity(_)
+                    | Symbol::Parameter(_)
+            ),
+            _ => true,
+        }
+    });
+    is_smooth
 }
 
 /// Counts the leaves of an expression.

@@ -105,8 +105,8 @@ pub struct Constraint {
     pub is_of_positions: bool,
     /// Modes and the values they must have for the constraint to hold; empty if it always holds.
     pub when: Vec<(FirstOrderId, i32)>,
-    /// True if the constraint is redundant and never holds. Others carry its force, unless it is zero
-    /// in any position.
+    /// True if the constraint is redundant and the motion is computed without it. Others carry its
+    /// force, or share it, unless it is zero in any position.
     pub is_dropped: bool,
     /// The declared friction that holds it, with a limited force.
     pub friction: Option<Friction>,
@@ -325,6 +325,8 @@ pub struct LagrangianSystem {
     pub doc: String,
     /// Source of the equations.
     pub source: String,
+    /// True if redundant constraints share forces with those from which they follow.
+    pub shares_redundant: bool,
     /// q.
     pub coordinates: Vec<Coordinate>,
     /// z.

@@ -38,6 +38,8 @@ pub struct Fields<'a> {
     /// The span of the table, for missing keys.
     pub span: Span,
     what: String,
+    /// False if another value stands in place of the table, which is reported.
+    is_table: bool,
     found: &'a mut Findings,
 }
 
@@ -57,7 +59,9 @@ impl<'a> Fields<'a> {
                 &[]
             }
         };
-        Fields { entries, asked: Vec::new(), required: Vec::new(), span: tree.span, what, found }
+        let is_table = matches!(tree.value, Tree::Table(_));
+        let (asked, required) = (Vec::new(), Vec::new());
+        Fields { entries, asked, required, span: tree.span, what, is_table, found }
     }
 
     /// Opens no table, for a single value.
@@ -68,6 +72,7 @@ impl<'a> Fields<'a> {
             required: Vec::new(),
             span,
             what: String::new(),
+            is_table: true,
             found,
         }
     }
@@ -110,7 +115,7 @@ impl<'a> Fields<'a> {
         if !self.required.contains(&key) {
             self.required.push(key);
         }
-        if value.is_none() {
+        if value.is_none() && self.is_table {
             let message = format!("{} lacks `{key}`", self.what);
             self.found.mistakes.push(Mistake::new(
                 Code::MissingKey,

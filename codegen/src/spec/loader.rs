@@ -61,6 +61,7 @@ fn read(sources: Sources, file: FileId, folder: Option<&Path>) -> Result<SceneSp
             title: header.title,
             doc: header.doc,
             source: header.source,
+            shares_redundant: header.shares_redundant,
             units,
             instances,
             joints,

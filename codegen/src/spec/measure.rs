@@ -57,9 +57,11 @@ const FACTORED: &[(&str, i64, i64, i32, &str)] = &[
     ("um", 1, 1_000_000, 0, "m"),
     ("mm", 1, 1000, 0, "m"),
     ("cm", 1, 100, 0, "m"),
+    ("dm", 1, 10, 0, "m"),
     ("km", 1000, 1, 0, "m"),
     ("inch", 127, 5000, 0, "m"),
     ("l", 1, 1000, 0, "m^3"),
+    ("ml", 1, 1_000_000, 0, "m^3"),
     ("us", 1, 1_000_000, 0, "s"),
     ("ms", 1, 1000, 0, "s"),
     ("min", 60, 1, 0, "s"),
@@ -67,34 +69,59 @@ const FACTORED: &[(&str, i64, i64, i32, &str)] = &[
     ("d", 86400, 1, 0, "s"),
     ("kHz", 1000, 1, 0, "Hz"),
     ("MHz", 1_000_000, 1, 0, "Hz"),
+    ("GHz", 1_000_000_000, 1, 0, "Hz"),
+    ("urad", 1, 1_000_000, 0, "rad"),
+    ("mrad", 1, 1000, 0, "rad"),
     ("deg", 1, 180, 1, "rad"),
     ("rev", 2, 1, 1, "rad"),
     ("rpm", 1, 30, 1, "rad/s"),
+    ("ug", 1, 1_000_000_000, 0, "kg"),
+    ("mg", 1, 1_000_000, 0, "kg"),
     ("g", 1, 1000, 0, "kg"),
     ("t", 1000, 1, 0, "kg"),
+    ("uN", 1, 1_000_000, 0, "N"),
     ("mN", 1, 1000, 0, "N"),
     ("kN", 1000, 1, 0, "N"),
     ("MN", 1_000_000, 1, 0, "N"),
+    ("mJ", 1, 1000, 0, "J"),
     ("kJ", 1000, 1, 0, "J"),
     ("MJ", 1_000_000, 1, 0, "J"),
     ("kWh", 3_600_000, 1, 0, "J"),
+    ("uW", 1, 1_000_000, 0, "W"),
     ("mW", 1, 1000, 0, "W"),
     ("kW", 1000, 1, 0, "W"),
     ("MW", 1_000_000, 1, 0, "W"),
+    ("GW", 1_000_000_000, 1, 0, "W"),
+    ("hPa", 100, 1, 0, "Pa"),
     ("kPa", 1000, 1, 0, "Pa"),
     ("MPa", 1_000_000, 1, 0, "Pa"),
     ("GPa", 1_000_000_000, 1, 0, "Pa"),
+    ("mPa", 1, 1000, 0, "Pa"),
     ("bar", 100_000, 1, 0, "Pa"),
+    ("mbar", 100, 1, 0, "Pa"),
+    ("uV", 1, 1_000_000, 0, "V"),
     ("mV", 1, 1000, 0, "V"),
     ("kV", 1000, 1, 0, "V"),
+    ("uA", 1, 1_000_000, 0, "A"),
     ("mA", 1, 1000, 0, "A"),
     ("kA", 1000, 1, 0, "A"),
+    ("uohm", 1, 1_000_000, 0, "ohm"),
     ("mohm", 1, 1000, 0, "ohm"),
     ("kohm", 1000, 1, 0, "ohm"),
+    ("Mohm", 1_000_000, 1, 0, "ohm"),
+    ("nH", 1, 1_000_000_000, 0, "H"),
     ("uH", 1, 1_000_000, 0, "H"),
     ("mH", 1, 1000, 0, "H"),
+    ("pF", 1, 1_000_000_000_000, 0, "F"),
     ("nF", 1, 1_000_000_000, 0, "F"),
     ("uF", 1, 1_000_000, 0, "F"),
+    ("mF", 1, 1000, 0, "F"),
+    ("mS", 1, 1000, 0, "S"),
+    ("mT", 1, 1000, 0, "T"),
+    ("mWb", 1, 1000, 0, "Wb"),
+    ("mC", 1, 1000, 0, "C"),
+    ("mK", 1, 1000, 0, "K"),
+    ("mmol", 1, 1000, 0, "mol"),
 ];
 
 /// Symbols of temperatures with an offset, which are not units here.
@@ -487,6 +514,36 @@ mod tests {
             assert!(Measure::coherent(text).is_err(), "{text}");
         }
         assert_eq!(Measure::coherent("N mm").unwrap_err().range, 2..4);
+    }
+
+    #[test]
+    fn prefixes_are_powers_of_ten() {
+        let prefixes = [
+            ('p', -12),
+            ('n', -9),
+            ('u', -6),
+            ('m', -3),
+            ('c', -2),
+            ('d', -1),
+            ('h', 2),
+            ('k', 3),
+            ('M', 6),
+            ('G', 9),
+        ];
+        let mut prefixed = 0;
+        for (symbol, ..) in
+            FACTORED.iter().filter(|(symbol, ..)| !["min", "cd", "d"].contains(symbol))
+        {
+            let (first, rest) = symbol.split_at(1);
+            let Ok(base) = Measure::parse(rest) else { continue };
+            let prefix = prefixes.iter().find(|(letter, _)| first.starts_with(*letter));
+            let Some((_, exponent)) = prefix else { continue };
+            let wanted = 10f64.powi(*exponent) * base.factor.to_f64();
+            assert!((factor(symbol) / wanted - 1.0).abs() < 1e-14, "{symbol}");
+            assert_eq!(Measure::parse(symbol).expect("known").unit, base.unit, "{symbol}");
+            prefixed += 1;
+        }
+        assert!(prefixed > 50, "{prefixed}");
     }
 
     #[test]

@@ -72,6 +72,7 @@ pub struct Header {
     pub title: String,
     pub doc: String,
     pub source: String,
+    pub shares_redundant: bool,
 }
 
 /// Reads a scene.
@@ -152,10 +153,11 @@ fn header(tree: &Spanned<Tree>, found: &mut Findings) -> Option<Header> {
         fields.found().mistakes.push(mistake);
     }
     let [title, doc, source] = ["title", "doc", "source"].map(|key| fields.text(key));
+    let shares_redundant = fields.flag("share_redundant");
     fields.close();
     let name = name.filter(|_| present)?;
     let title = if title.is_empty() { name.value.replace('_', " ") } else { title };
-    Some(Header { name, title, doc, source })
+    Some(Header { name, title, doc, source, shares_redundant })
 }
 
 fn force(tree: &Spanned<Tree>, found: &mut Findings) -> Option<PortForceSpec> {

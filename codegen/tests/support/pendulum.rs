@@ -81,6 +81,7 @@ pub fn pendulum_system() -> LagrangianSystem {
         title: "Damped pendulum".to_owned(),
         doc: "A point mass on a rod.\n\nIts torque follows a table with a lag.".to_owned(),
         source: "Worked out on paper.".to_owned(),
+        shares_redundant: false,
         coordinates: vec![Coordinate {
             position: quantity("arm.phi", "rad", "angle from the vertical"),
             velocity: quantity("arm.phi_dot", "rad/s", "speed of arm.phi"),

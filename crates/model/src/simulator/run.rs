@@ -12,9 +12,10 @@ use crate::room::with_room;
 use crate::series::{SeriesEvaluator, TaylorTape, recurrences};
 use crate::{Model, Table, Tape};
 
-/// Number of calls that are interpreted before a tape is compiled. They take between a third and a
-/// half of the compile time, whatever the length of the tape.
-const CALLS_AT_FIRST: u32 = 10_000;
+/// Number of calls that are interpreted before a tape is compiled. They take between two thirds and
+/// all of the compile time, whatever the length of the tape, so that a run takes at most twice the time
+/// that it would take if the number of its calls were known.
+const CALLS_AT_FIRST: u32 = 20_000;
 
 /// The same for series, a call of which computes about twenty orders.
 const SERIES_AT_FIRST: u32 = 1000;

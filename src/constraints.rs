@@ -28,7 +28,6 @@ pub use crate::trajectory::Drift;
 pub(crate) use energy::EnergyLevel;
 pub use lasting::{Lasting, lasting};
 
-use mobility::NOTHING;
 pub use mobility::{Mobility, Redundant, mobility};
 use saddle::Saddle;
 pub use start::start;
@@ -37,6 +36,9 @@ pub(crate) use start::{consistent, free_moves, require_independent};
 /// Number of coordinates and constraints from which on the matrix of a projection is factored as a
 /// sparse one.
 const MANY: usize = 48;
+
+/// Size of a row of G, relative to the largest, that counts as rounding.
+const ROUNDING: f64 = 1e-14;
 
 /// Constraints of a simulator at given parameters.
 pub struct Constraints<'a> {
@@ -377,9 +379,7 @@ impl<'a> Constraints<'a> {
     }
 
     /// Returns each residual divided by the sum of the effects of its coordinates, when each moves
-    /// by its typical size or, if larger, by its own value. Rounding of terms as large as the largest
-    /// effect does not count: the distance of a linkage from its plane is a difference of positions
-    /// in it.
+    /// by its typical size or, if larger, by its own value.
     pub(crate) fn relative(
         &self,
         level: Level,
@@ -387,6 +387,21 @@ impl<'a> Constraints<'a> {
         residual: &DVector<f64>,
         state: &[f64],
     ) -> Vec<f64> {
+        let mut sizes = self.effects(level, slopes, state);
+        // No coordinate changes such a constraint, apart from rounding.
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        for size in sizes.iter_mut().filter(|size| **size <= ROUNDING * largest) {
+            *size = largest;
+        }
+        let off = |(residual, size): (&f64, f64)| {
+            if *residual == 0.0 { 0.0 } else { residual.abs() / size }
+        };
+        residual.iter().zip(sizes).map(off).collect()
+    }
+
+    /// Returns the sums of the effects of coordinates on the constraints, when each moves by its
+    /// typical size or, if larger, by its own value.
+    fn effects(&self, level: Level, slopes: &[f64], state: &[f64]) -> Vec<f64> {
         let scales = self.scales(level);
         let first = self.first(level);
         let mut sizes = vec![0.0; self.count];
@@ -395,14 +410,7 @@ impl<'a> Constraints<'a> {
             let (row, column) = (*row as usize, *column as usize);
             sizes[row] += slope.abs() * scales[column].max(state[first + column].abs());
         }
-        let largest = sizes.iter().copied().fold(0.0, f64::max);
-        let off = |(residual, size): (&f64, f64)| {
-            let beyond = residual.abs() - f64::EPSILON * largest;
-            // No coordinate changes a constraint of no size.
-            let size = if size <= NOTHING * largest { largest } else { size };
-            if beyond <= 0.0 { 0.0 } else { beyond / size }
-        };
-        residual.iter().zip(sizes).map(off).collect()
+        sizes
     }
 
     /// Returns the modes of frictions that stick although their speeds differ from zero by more than

@@ -155,6 +155,7 @@ fn variants_in_lanes_keep_to_the_tolerances_of_single_runs() {
         let mut stopped = 0;
         for (found, stiffness) in sweep.expect("a parameter").run().iter().zip(&stiffnesses) {
             let alone = each(Simulation::new(&saw_gin::SawGin))
+                .with_small_states_held(false)
                 .parameter("coupling.stiffness", *stiffness)
                 .and_then(|run| run.run());
             let (found, alone) = match (found, alone) {

@@ -3,7 +3,7 @@
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
-use super::{Constraints, Level};
+use super::{Constraints, Level, ROUNDING};
 
 /// Bound of the remainder of a row of length 1 that counts as rounding.
 pub(super) const NOTHING: f64 = 1e-9;
@@ -166,7 +166,7 @@ fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
     for row in always.into_iter().chain(modal) {
         let mut line = scaled(row);
         let mut length = line.norm();
-        if length <= NOTHING * longest {
+        if length <= longest * if in_modes(&row) { ROUNDING } else { NOTHING } {
             line.fill(0.0);
             length = 0.0;
         }

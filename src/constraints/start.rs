@@ -222,8 +222,29 @@ impl Constraints<'_> {
         let slopes = self.slopes(time, state);
         [Level::Positions, Level::Velocities].into_iter().all(|level| {
             let residual = self.residual(level, time, state);
-            self.relative(level, &slopes, &residual, state)[row] <= NOTHING
+            self.off_by(level, &slopes, &residual, state)[row] <= NOTHING
         })
+    }
+
+    /// Returns how far constraints are off, relative to the effects of their coordinates. Rounding of
+    /// terms as large as the largest effect does not count: the distance of a linkage from its plane
+    /// is a difference of positions in it.
+    fn off_by(
+        &self,
+        level: Level,
+        slopes: &[f64],
+        residual: &DVector<f64>,
+        state: &[f64],
+    ) -> Vec<f64> {
+        let sizes = self.effects(level, slopes, state);
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        let off = |(residual, size): (&f64, f64)| {
+            let beyond = residual.abs() - f64::EPSILON * largest;
+            // No coordinate changes a constraint of no size.
+            let size = if size <= NOTHING * largest { largest } else { size };
+            if beyond <= 0.0 { 0.0 } else { beyond / size }
+        };
+        residual.iter().zip(sizes).map(off).collect()
     }
 
     /// Solves one level of all constraints except those of some rows; returns the constraint with
@@ -288,7 +309,7 @@ impl Constraints<'_> {
         let slopes = self.slopes(time, state);
         let worst = self.worst(level, &slopes, &residual, state)?;
         // Redundant constraints of files agree no better than their numbers are rounded.
-        let off = self.relative(level, &slopes, &residual, state)[worst];
+        let off = self.off_by(level, &slopes, &residual, state)[worst];
         let agrees = off <= NOTHING && !repeated_rows(self, &self.filled(&slopes)).is_empty();
         (!agrees).then_some(worst)
     }
@@ -302,7 +323,7 @@ impl Constraints<'_> {
         state: &[f64],
     ) -> Option<usize> {
         const ROUNDING: f64 = 1e-13;
-        let off = self.relative(level, slopes, residual, state);
+        let off = self.off_by(level, slopes, residual, state);
         let worst = largest_of(&off);
         if worst <= ROUNDING {
             return None;

@@ -281,7 +281,7 @@ impl<'a> Choice<'a> {
     ) -> Result<Option<ResumePoint>, Stopped> {
         let mut changes = 0;
         let mut patience = STIFF_STEPS;
-        // Retry about leaving the implicit method, and whether this is why it is tried.
+        // When the implicit method is tried once more, and whether this is why it is tried.
         let (mut retry, mut is_doubted) = (None::<Retry>, false);
         let mut left = ResumePoint { time: stretch.from, step: 0.0 };
         let mut is_explicit = !self.is_stiff_from_the_start;

@@ -129,7 +129,7 @@ impl Evidence {
     }
 }
 
-/// Retry about leaving an implicit method because of its short steps.
+/// Decides when an explicit method retries the implicit one that it left because of short steps.
 ///
 /// An explicit method limited by stability may never show it. At tolerances near rounding, the
 /// rounding of a stiff force is an error of a step, and makes the step shorter than stability

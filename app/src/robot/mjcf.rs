@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Isometry3, Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
 
-use super::shapes::{Shape, isometry, pose, together};
+use super::shapes::{Shape, isometry, pose, together, turn_of_z};
 use super::tree::{
     Closure, Inertial, Joint, Limits, Link, Mimic, Motion, Pose, Robot, RobotError, WORLD,
 };
@@ -189,13 +189,7 @@ impl<'a, 'input> Model<'a, 'input> {
                     let axes = Matrix3::from_columns(&[*x, *y, x.cross(&y)]);
                     UnitQuaternion::from_matrix(&axes)
                 }
-                ("zaxis", 3) => {
-                    let half_turn =
-                        UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI);
-                    let way =
-                        UnitQuaternion::rotation_between(&Vector3::z(), &*unit(&values, key)?);
-                    way.unwrap_or(half_turn)
-                }
+                ("zaxis", 3) => turn_of_z(&*unit(&values, key)?),
                 _ => return Err(wrong(key)),
             });
         }
@@ -223,27 +217,29 @@ impl<'a, 'input> Model<'a, 'input> {
 
     /// Reads a connection of two bodies, or a joint that follows another.
     fn equality(&mut self, node: Node<'a, 'input>) -> Read<()> {
-        let reader = Reader { document: self.reader.document };
         let kind = node.tag_name().name();
         let is_between_sites = node.has_attribute("site1");
         match kind {
             "connect" if !is_between_sites => {
-                let anchor = reader.exactly::<3>(node, "anchor")?.unwrap_or_default();
-                self.connect(
-                    node,
-                    Motion::Rolls,
-                    Isometry3::translation(anchor[0], anchor[1], anchor[2]),
-                )
+                let ends = self.ends(node)?;
+                let [one, other] = &ends;
+                let [x, y, z] = self.reader.exactly(node, "anchor")?.unwrap_or_default();
+                let place = Isometry3::translation(x, y, z);
+                let there = self.within(one, other) * place;
+                self.connect(node, Motion::Rolls, &ends, [place, there]);
+                Ok(())
             }
             "weld" if !is_between_sites => {
-                let relative = reader.exactly::<7>(node, "relpose")?;
-                let given = relative.and_then(|[x, y, z, w, i, j, k]| {
+                let ends = self.ends(node)?;
+                let [one, other] = &ends;
+                let given = self.reader.exactly(node, "relpose")?.and_then(|relative| {
+                    let [x, y, z, w, i, j, k] = relative;
                     let turn = UnitQuaternion::try_new(Quaternion::new(w, i, j, k), 0.0)?;
                     Some(Isometry3::from_parts(Vector3::new(x, y, z).into(), turn))
                 });
-                let [one, other] = self.ends(node)?;
-                let place = given.unwrap_or(self.at_zero(&one).inverse() * self.at_zero(&other));
-                self.connect(node, Motion::Fixed, place)
+                let place = given.unwrap_or_else(|| self.within(other, one));
+                self.connect(node, Motion::Fixed, &ends, [place, Isometry3::identity()]);
+                Ok(())
             }
             "joint" => self.follow(node),
             _ => {
@@ -269,23 +265,22 @@ impl<'a, 'input> Model<'a, 'input> {
         Ok([of("body1")?, of("body2")?])
     }
 
-    /// Connects two bodies at a place of the first, where the second is at the start.
+    /// Connects two bodies at places in their frames.
     fn connect(
         &mut self,
         node: Node<'a, 'input>,
         motion: Motion,
-        place: Isometry3<f64>,
-    ) -> Read<()> {
-        let [one, other] = self.ends(node)?;
+        [one, other]: &[String; 2],
+        places: [Isometry3<f64>; 2],
+    ) {
         let name = node.attribute("name").map_or_else(|| self.free_name("loop"), str::to_owned);
-        let there = match motion {
-            Motion::Fixed => Isometry3::identity(),
-            _ => self.at_zero(&other).inverse() * self.at_zero(&one) * place,
-        };
-        let joint = Joint::plain(&name, self.reader.line(node), motion, [&one, &other]);
-        let poses = [place, there].map(|at| pose(&at));
-        self.robot.closures.push(Closure { joint, poses });
-        Ok(())
+        let joint = Joint::plain(&name, self.reader.line(node), motion, [one, other]);
+        self.robot.closures.push(Closure { joint, poses: places.map(|at| pose(&at)) });
+    }
+
+    /// Returns the pose of a body in the frame of another, with all joints at zero.
+    fn within(&self, body: &str, frame: &str) -> Isometry3<f64> {
+        self.at_zero(frame).inverse() * self.at_zero(body)
     }
 
     /// Returns the pose of a link in the world with all joints at zero.

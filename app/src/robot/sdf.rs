@@ -7,13 +7,12 @@ mod frames;
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
-use std::f64::consts::PI;
 use std::iter;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
 
-use super::shapes::{Shape, pose};
+use super::shapes::{Shape, pose, turn_of_z};
 use super::tree::{
     Closure, Inertial, Joint, Limits, Link, Mimic, Motion, Robot, RobotError, Visual, WORLD,
 };
@@ -242,10 +241,7 @@ impl Reader<'_, '_> {
         let mut along = UnitQuaternion::identity();
         if matches!(motion, Motion::Turns | Motion::Slides) {
             self.along(self.part(*node, "axis")?, frames, &mut joint)?;
-            let axis = Vector3::from(joint.axis);
-            // Opposite directions have no unique rotation between them.
-            let turn = UnitQuaternion::rotation_between(&Vector3::z(), &axis);
-            along = turn.unwrap_or_else(|| UnitQuaternion::from_euler_angles(PI, 0.0, 0.0));
+            along = turn_of_z(&Vector3::from(joint.axis));
         }
         if joint.mimic.is_some() {
             let message = format!("joint `{name}` follows another and closes a loop");

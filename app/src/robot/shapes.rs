@@ -74,6 +74,13 @@ impl Shape {
     }
 }
 
+/// Returns the shortest rotation of the z axis into a direction.
+pub fn turn_of_z(into: &Vector3<f64>) -> UnitQuaternion<f64> {
+    // That into the opposite direction is not unique.
+    let half_turn = || UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI);
+    UnitQuaternion::rotation_between(&Vector3::z(), into).unwrap_or_else(half_turn)
+}
+
 /// Returns a pose as a position and a rotation.
 pub fn isometry(pose: &Pose) -> Isometry3<f64> {
     let [roll, pitch, yaw] = pose.rpy;

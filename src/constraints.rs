@@ -387,21 +387,19 @@ impl<'a> Constraints<'a> {
         residual: &DVector<f64>,
         state: &[f64],
     ) -> Vec<f64> {
-        let mut sizes = self.effects(level, slopes, state);
-        // No coordinate changes such a constraint, apart from rounding.
-        let largest = sizes.iter().copied().fold(0.0, f64::max);
-        for size in sizes.iter_mut().filter(|size| **size <= ROUNDING * largest) {
-            *size = largest;
-        }
-        let off = |(residual, size): (&f64, f64)| {
-            if *residual == 0.0 { 0.0 } else { residual.abs() / size }
-        };
-        residual.iter().zip(sizes).map(off).collect()
+        self.relative_beyond([ROUNDING, 0.0], level, slopes, residual, state)
     }
 
-    /// Returns the sums of the effects of coordinates on the constraints, when each moves by its
-    /// typical size or, if larger, by its own value.
-    fn effects(&self, level: Level, slopes: &[f64], state: &[f64]) -> Vec<f64> {
+    /// Returns each residual beyond a rounding, divided likewise. Both bounds, of effects that are
+    /// none and of the rounding, are relative to the largest effect.
+    fn relative_beyond(
+        &self,
+        [nothing, rounding]: [f64; 2],
+        level: Level,
+        slopes: &[f64],
+        residual: &DVector<f64>,
+        state: &[f64],
+    ) -> Vec<f64> {
         let scales = self.scales(level);
         let first = self.first(level);
         let mut sizes = vec![0.0; self.count];
@@ -410,7 +408,14 @@ impl<'a> Constraints<'a> {
             let (row, column) = (*row as usize, *column as usize);
             sizes[row] += slope.abs() * scales[column].max(state[first + column].abs());
         }
-        sizes
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        let off = |(residual, size): (&f64, f64)| {
+            let beyond = residual.abs() - rounding * largest;
+            // No coordinate changes a constraint of no size.
+            let size = if size <= nothing * largest { largest } else { size };
+            if beyond <= 0.0 { 0.0 } else { beyond / size }
+        };
+        residual.iter().zip(sizes).map(off).collect()
     }
 
     /// Returns the modes of frictions that stick although their speeds differ from zero by more than

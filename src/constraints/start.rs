@@ -236,15 +236,7 @@ impl Constraints<'_> {
         residual: &DVector<f64>,
         state: &[f64],
     ) -> Vec<f64> {
-        let sizes = self.effects(level, slopes, state);
-        let largest = sizes.iter().copied().fold(0.0, f64::max);
-        let off = |(residual, size): (&f64, f64)| {
-            let beyond = residual.abs() - f64::EPSILON * largest;
-            // No coordinate changes a constraint of no size.
-            let size = if size <= NOTHING * largest { largest } else { size };
-            if beyond <= 0.0 { 0.0 } else { beyond / size }
-        };
-        residual.iter().zip(sizes).map(off).collect()
+        self.relative_beyond([NOTHING, f64::EPSILON], level, slopes, residual, state)
     }
 
     /// Solves one level of all constraints except those of some rows; returns the constraint with

@@ -11,9 +11,14 @@
 //! least of several runs, in turn with and without the estimate. Scenes whose run takes less than
 //! [`SHORT`] are counted by themselves: there the start of the program is what is measured.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
+
+#[path = "../tests/common/specs.rs"]
+mod specs;
+
+use specs::specs_in;
 
 /// Time of a run below which the start of the program takes most of it.
 const SHORT: Duration = Duration::from_millis(30);
@@ -98,21 +103,4 @@ fn measured(program: &Path, name: String, file: &Path, rtol: &str) -> Option<Sce
         with = with.min(run(&[])?);
     }
     Some(Scene { name, with, without })
-}
-
-/// Returns all specs of a folder and its subfolders, sorted.
-fn specs_in(folder: &Path) -> Vec<PathBuf> {
-    let (mut folders, mut files) = (vec![folder.to_owned()], Vec::new());
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).expect("a folder") {
-            let path = entry.expect("an entry").path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|ending| ending == "toml") {
-                files.push(path);
-            }
-        }
-    }
-    files.sort();
-    files
 }

@@ -13,6 +13,11 @@ use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_contract::Describe;
 use machinist_model::{Model, ModelSimulator};
 
+#[path = "common/specs.rs"]
+mod specs;
+
+pub use specs::specs_in;
+
 /// Returns the folder `specs/scenes`.
 pub fn folder_of_specs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes")
@@ -29,23 +34,6 @@ pub fn scenes_to_try(variable: &str, some: &[&str]) -> Vec<String> {
         return specs_in(&folder).into_iter().map(name).collect();
     }
     some.iter().map(|name| (*name).to_owned()).collect()
-}
-
-/// Returns the files of all scenes of a folder and its subfolders, sorted.
-pub fn specs_in(folder: &Path) -> Vec<PathBuf> {
-    let (mut folders, mut files) = (vec![folder.to_owned()], Vec::new());
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).expect("a folder") {
-            let path = entry.expect("an entry").path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|ending| ending == "toml") {
-                files.push(path);
-            }
-        }
-    }
-    files.sort();
-    files
 }
 
 /// Models of scenes of the folder `specs/scenes` that tests have requested.

@@ -35,6 +35,7 @@ mod radau;
 pub(crate) mod reverse;
 #[cfg(feature = "implicit")]
 mod rosenbrock;
+mod saturating;
 pub(crate) mod sensitivity;
 pub(crate) mod sliding;
 #[cfg(feature = "implicit")]

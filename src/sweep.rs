@@ -6,7 +6,6 @@
 //! of this changes a result: to the last bit, every variant equals a run of its own, for any number
 //! of threads.
 
-use machinist_contract::taylor::Bends;
 use machinist_contract::{F64x2, SideBySide, Simulator};
 
 use crate::error::{SimulateError, StopCause};
@@ -264,8 +263,8 @@ impl<'a> Sweep<'a> {
         match simulation.method_and_step_rtol().ok()? {
             // Lanes do not monitor events or switching surfaces.
             (Method::Taylor, rtol) => {
-                let is_smooth = single.events() + single.kinks() == 0
-                    && single.taylor()?.bends() != Bends::Corners;
+                let is_smooth =
+                    single.events() + single.kinks() == 0 && !single.taylor()?.has_corners();
                 (rtol >= LEAST_RTOL && is_smooth).then_some(Method::Taylor)
             }
             #[cfg(feature = "implicit")]

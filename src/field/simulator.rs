@@ -142,6 +142,10 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
     fn inertia_has_corners(&self) -> bool {
         self.scene().inertia_has_corners()
     }
+    fn saturations(&self) -> usize {
+        self.scene().saturations()
+    }
+
     fn relations(&self) -> usize {
         self.scene().relations()
     }
@@ -477,6 +481,12 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
     fn kink_rates(&self, time: R, state: &[R], parameters: &[R], rates: &mut [R]) {
         self.of_scene((time, state, parameters), |scene, state, p| {
             scene.kink_rates(time, state, p, rates);
+        });
+    }
+
+    fn saturating_arguments(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        self.of_scene((time, state, parameters), |scene, state, p| {
+            scene.saturating_arguments(time, state, p, values);
         });
     }
 

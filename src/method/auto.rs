@@ -8,7 +8,7 @@ mod rival;
 mod stiffness;
 
 use machinist_contract::Simulator;
-use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::taylor::TaylorSeries;
 
 use super::exact::Exact;
 use super::explicit::ExplicitSteps;
@@ -401,7 +401,7 @@ impl<'a> Series<'a> {
     fn of(simulator: &'a dyn Simulator<f64>, rtol: f64) -> Self {
         let Some(series) = simulator.taylor() else { return Self::None };
         let order = TaylorSteps::order_for(rtol);
-        if series.bends() == Bends::Corners {
+        if series.has_corners() {
             Self::MissesCorners(series)
         } else if series.series_workspace(order) > 2 * MANY_SUMS * order {
             // For every sum, two factors are kept from order to order.

@@ -374,6 +374,20 @@ impl OneStep for ExplicitSteps<'_> {
         }
     }
 
+    /// Takes the cubic through the states and rates at both ends.
+    fn sketch(&mut self, time: f64, state: &mut [f64]) {
+        let theta = (time - self.time) / self.step;
+        let rest = 1.0 - theta;
+        let last = (self.pair.rows.len() - 1) * self.width;
+        let (first, last) = (&self.stages[..self.size], &self.stages[last..][..self.size]);
+        let ends = self.start.iter().zip(&self.end).zip(first.iter().zip(last));
+        for (state, ((start, end), (first, last))) in state.iter_mut().zip(ends) {
+            let chord = end - start;
+            let bow = rest * (self.step * first - chord) - theta * (self.step * last - chord);
+            *state = start + theta * (chord + rest * bow);
+        }
+    }
+
     /// Uses the rates of the stages, which lie all over the step; twice the largest covers those in
     /// between.
     fn reach(&mut self, _within: [f64; 2], _start: &[f64], reach: &mut [f64]) {

@@ -1,6 +1,7 @@
 //! The driver of all one-step methods: step sizes, samples, limits and failures. A method itself
 //! only tries steps.
 
+mod bends;
 mod change_point;
 mod control;
 mod ending;
@@ -41,6 +42,17 @@ pub(crate) trait OneStep {
 
     /// Computes the state at `time` within the current step.
     fn interpolate(&mut self, time: f64, state: &mut [f64]);
+
+    /// Computes the state at `time` within the current step, less accurately if that saves
+    /// evaluations of the rate.
+    fn sketch(&mut self, time: f64, state: &mut [f64]) {
+        self.interpolate(time, state);
+    }
+
+    /// Returns whether the method itself checks its steps where functions that were flat bend.
+    fn sees_bends(&self) -> bool {
+        false
+    }
 
     /// Computes the states at several times within the current step, one after another.
     fn interpolate_each(&mut self, times: &[f64], states: &mut [f64]) {
@@ -168,11 +180,8 @@ pub(crate) enum Trial {
     Error(f64),
     /// A value of the `index`-th state is not finite.
     NotFinite { what: &'static str, index: usize },
-    /// The equations of the step could not be solved; `shrink` times the step may work.
-    #[cfg_attr(
-        not(any(feature = "implicit", test)),
-        expect(dead_code, reason = "only implicit methods solve")
-    )]
+    /// The equations of the step could not be solved, or it passes over a bend; `shrink` times the
+    /// step may work.
     Unsolved { shrink: f64 },
 }
 
@@ -203,7 +212,7 @@ pub(super) fn drive<M: OneStep>(
 ) -> Result<Option<ResumePoint>, Stopped> {
     require_possible_tolerance(stretch, state)?;
     let mut control = Control::from(from);
-    let mut kept = Kept::new(state);
+    let mut kept = Kept::with_bends(method, stretch, state);
     loop {
         let time = control.time;
         let longest = stretch.watch.map_or(f64::INFINITY, Watch::longest_step);
@@ -214,7 +223,7 @@ pub(super) fn drive<M: OneStep>(
         method.is_last(arrives);
         // On every pass, whatever its result.
         stretch.require_uninterrupted(time)?;
-        let trial = attempt(method, stretch, samples, (tried, now));
+        let trial = attempt(method, stretch, samples, &mut kept, [time, tried, now]);
         let pace = method.pace();
         // On every pass, whatever its result.
         stretch.require_uninterrupted(time)?;
@@ -368,12 +377,13 @@ fn begin_behind(
 }
 
 /// Tries a step that ends at `now`. Its error includes that of samples between its ends, and of
-/// sensitivities.
-fn attempt(
-    method: &mut dyn OneStep,
+/// sensitivities. If functions bend within it, it shall end there.
+fn attempt<M: OneStep>(
+    method: &mut M,
     stretch: &Stretch<'_>,
     samples: &Samples<'_>,
-    (step, now): (f64, f64),
+    kept: &mut Kept,
+    [time, step, now]: [f64; 3],
 ) -> Trial {
     let mut trial = method.attempt(step);
     let is_sampled = samples.next_until(now).is_some_and(|at| at < now);
@@ -383,6 +393,11 @@ fn attempt(
     {
         let between = method.error_between(is_sampled);
         trial = Trial::Error(if between <= error { error } else { between });
+    }
+    if trial.is_good()
+        && let Some(bend) = kept.first_bend(method, stretch, [time, now])
+    {
+        return Trial::Unsolved { shrink: (bend - time) / step };
     }
     match (trial, stretch.system.tangents()) {
         (Trial::Error(error), Some(tangents)) if error <= 1.0 => tangents.carry(method, error),

@@ -90,6 +90,12 @@ impl<'a> Stretch<'a> {
         self.system.state_rate(self.within(time), state, rate);
     }
 
+    /// Evaluates the arguments of functions that saturate at `time` moved into the stretch.
+    pub fn saturating_arguments(&self, time: f64, state: &[f64], arguments: &mut [f64]) {
+        let (simulator, held) = (self.system.simulator(), self.system.held().all());
+        simulator.saturating_arguments(self.within(time), state, &held, arguments);
+    }
+
     /// Returns the rates of the quadratures at `time` moved into the stretch.
     #[must_use]
     pub fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {

@@ -13,9 +13,10 @@ pub(crate) mod step;
 #[cfg(feature = "sweep")]
 pub(crate) mod variants;
 
-use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::taylor::TaylorSeries;
 
 use super::one_step::{LOOKS, OneStep, Pace, Trial, drive_all, rests};
+use super::saturating::{FLAT, Motion, Saturating};
 use super::system::FLOWS;
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 use crate::error::StopCause;
@@ -27,9 +28,6 @@ pub(crate) const LEAST_RTOL: f64 = 4.0 * f64::EPSILON;
 
 /// Fractions of a step at which it is checked for corners.
 const PROBES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
-
-/// Fraction of a step at which it is checked for oscillations of a saturating function.
-const MIDDLE: f64 = 0.5;
 
 /// Number of finite coefficients below which steps are of low order.
 #[cfg(feature = "implicit")]
@@ -88,9 +86,11 @@ pub(super) struct TaylorSteps<'a> {
     /// Derivative of the polynomial at the end.
     slope: Vec<f64>,
     flows: Option<Gauss>,
+    saturating: Option<Saturating<f64>>,
     /// Fractions of a step at which the rate is compared with the polynomial's derivative.
     probes: &'static [f64],
     between: Vec<f64>,
+    slope_between: Vec<f64>,
     rate: Vec<f64>,
 }
 
@@ -118,13 +118,10 @@ impl<'a> TaylorSteps<'a> {
             end: vec![0.0; len],
             slope: vec![0.0; states],
             flows: (len > states).then(|| Gauss::new(order / 2 + 2)),
-            probes: match series.bends() {
-                Bends::Corners => &PROBES,
-                // A step over the place at which a function saturates is not noticed otherwise.
-                Bends::Saturates => &[MIDDLE],
-                Bends::Nowhere => &[],
-            },
+            saturating: Saturating::new(stretch.system.simulator().saturations(), states),
+            probes: if series.has_corners() { &PROBES } else { &[] },
             between: vec![0.0; states],
+            slope_between: vec![0.0; states],
             rate: vec![0.0; states],
         }
     }
@@ -218,6 +215,28 @@ impl<'a> TaylorSteps<'a> {
         largest
     }
 
+    /// Does the same at the places where functions saturate.
+    fn error_where_functions_saturate(&mut self) -> f64 {
+        let Some(saturating) = &mut self.saturating else { return 0.0 };
+        let used = &self.current[..(self.finite + 1) * self.states];
+        let mut along = Along { stretch: self.stretch, from: self.time, coefficients: used };
+        let ends = (&used[..self.states], self.step, &self.end[..self.states]);
+        let mut largest = 0.0;
+        saturating.places(
+            &mut along,
+            ends,
+            |place| place > 0.0,
+            |along, after, _| {
+                step::value_and_slope(used, after, &mut self.between, &mut self.slope_between);
+                along.stretch.state_rate(along.from + after, &self.between, &mut self.rate);
+                let error =
+                    self.tolerance.lasting_error(&self.slope_between, &self.rate, self.step);
+                largest = error.max(largest);
+            },
+        );
+        largest
+    }
+
     /// Returns the energy flows at a time within the step, integrated along the polynomial.
     fn flows_until(&self, until: f64) -> [f64; FLOWS] {
         let mut total = [0.0; FLOWS];
@@ -235,6 +254,26 @@ impl<'a> TaylorSteps<'a> {
             }
         }
         total
+    }
+}
+
+/// The motion over a step.
+struct Along<'a> {
+    stretch: &'a Stretch<'a>,
+    from: f64,
+    coefficients: &'a [f64],
+}
+
+impl Motion<f64> for Along<'_> {
+    const OFF: f64 = 0.0;
+    const SEES: f64 = FLAT;
+
+    fn states<const N: usize>(&mut self, times: [f64; N], states: &mut [[f64; N]]) {
+        step::states_at(self.coefficients, times, states);
+    }
+
+    fn arguments(&self, time: f64, state: &[f64], arguments: &mut [f64]) {
+        self.stretch.saturating_arguments(self.from + time, state, arguments);
     }
 }
 
@@ -266,19 +305,17 @@ impl OneStep for TaylorSteps<'_> {
 
     fn attempt(&mut self, step: f64) -> Trial {
         self.step = step;
-        // This does not depend on the series, so the processor can do both in parallel.
-        let middle = if self.probes.len() == 1 { self.error_within() } else { 0.0 };
         let used = &self.current[..(self.finite + 1) * self.states];
         step::value_and_slope(used, step, &mut self.end[..self.states], &mut self.slope);
+        // This does not depend on the series, so the processor can do both in parallel.
+        let bent = self.error_where_functions_saturate();
         self.expand(self.time + step, At::End, self.wanted);
         let begin = &self.following[..2 * self.states];
         let mut trial = step::trial(&self.tolerance, &self.slope, begin, (step, self.finite));
         if let Trial::Error(error) = trial
             && error <= 1.0
-            && !self.probes.is_empty()
         {
-            let within = if self.probes.len() == 1 { middle } else { self.error_within() };
-            trial = Trial::Error(error.max(within));
+            trial = Trial::Error(error.max(bent).max(self.error_within()));
         }
         if matches!(trial, Trial::Error(error) if error <= 1.0) && self.flows.is_some() {
             let flows = self.flows_until(self.time + step);
@@ -310,6 +347,10 @@ impl OneStep for TaylorSteps<'_> {
         for (times, states) in all {
             step::values(self.used(), times.iter().map(|time| time - self.time), states);
         }
+    }
+
+    fn sees_bends(&self) -> bool {
+        true
     }
 
     /// Adds the sizes of all terms of the polynomial.

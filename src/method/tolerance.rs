@@ -1,7 +1,7 @@
 //! Tolerances that steps hold.
 
 use machinist_contract::Simulator;
-use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::taylor::TaylorSeries;
 
 use super::Auto;
 use crate::method_table::Method;
@@ -65,10 +65,10 @@ pub(crate) fn step_rtol(
 /// conserves energy forgets nothing, and its pace errs with its energy: errors of its motion grow
 /// with the square of its steps. A machine that switches does so at another time, or not at all.
 fn keeps_errors(simulator: &dyn Simulator<f64>, parameters: &[f64]) -> Option<&'static str> {
-    let bends = || simulator.taylor().map(TaylorSeries::bends) == Some(Bends::Corners);
+    let has_corners = || simulator.taylor().is_some_and(TaylorSeries::has_corners);
     if simulator.constraints() > 0 {
         Some("errors add up in a machine with constraints")
-    } else if simulator.events() > 0 || simulator.kinks() > 0 || bends() {
+    } else if simulator.events() > 0 || simulator.kinks() > 0 || has_corners() {
         Some("a machine that switches may do so at another time, or not at all")
     } else {
         let conserves = simulator.conserves_energy(parameters).unwrap_or(true);

@@ -127,8 +127,8 @@ pub fn emit(model: &Model, options: &C99Options) -> Result<Vec<C99File>, EmitErr
     if let Some(field) = model.fields.first() {
         return Err(fields_are_unsupported(&field.quantities[0].name.path));
     }
-    // Steps of emitted C hold no relations.
-    let model = &model.live();
+    // Steps of emitted C hold no relations, and none is by series.
+    let model = &Model { saturating_arguments: machinist_model::Tape::default(), ..model.live() };
     let mut scene = Scene::new(model, options)?;
     let functions = functions::functions(&scene)?;
     let name = &model.name;

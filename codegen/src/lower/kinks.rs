@@ -46,6 +46,8 @@ pub struct Kinks {
     pub relations: Vec<Relation>,
     /// Relation of each comparison.
     pub slots: Vec<(Compared, Slot)>,
+    /// Arguments of functions of the rate that are flat far from a place, each once.
+    pub saturating: Vec<NodeId>,
     /// Guards of branches that keep a value within its domain.
     clamps: Vec<NodeId>,
 }
@@ -127,6 +129,10 @@ pub fn kinks(graph: &mut Graph, places: &Places<'_>, given: &Given<'_>) -> Kinks
         }
     }
     found.rates = along(graph, rate, &found.guards);
+    let saturating = reached(graph, rate).into_iter().filter_map(|id| search.saturating(graph, id));
+    found.saturating = saturating.collect();
+    found.saturating.sort_unstable();
+    found.saturating.dedup();
     readers(graph, places, &mut found);
     found
 }
@@ -359,6 +365,20 @@ impl Search<'_> {
             Op::Powi(a, 2) => product(graph, of(a)?, of(a)?),
             _ => None,
         }
+    }
+
+    /// Returns the argument of a function that is flat far from a place, unless it is linear in time;
+    /// of opposite arguments the same one.
+    fn saturating(&self, graph: &Graph, id: NodeId) -> Option<NodeId> {
+        use Function::{Atan, Cosh, Exp, Sinh, Tanh};
+        let Op::Call(Exp | Tanh | Sinh | Cosh | Atan, mut argument) = graph.op(id) else {
+            return None;
+        };
+        while let Op::Neg(opposite) = graph.op(argument) {
+            argument = opposite;
+        }
+        let is_line = self.polynomials[&argument].is_some_and(|of| graph.is_zero(of[2]));
+        (self.by[&argument] != By::Nothing && !is_line).then_some(argument)
     }
 
     /// Returns the times at which a function of time alone has its features.

@@ -51,7 +51,7 @@ pub fn lower(linearization: &Linearization) -> Model {
     let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
     let power_balance = build.power_balance().to_vec();
     found.read_by_power(&mut build.graph, &power_balance);
-    let Kinks { guards: kinks, rates: kink_rates, relations, slots, .. } = found;
+    let Kinks { guards: kinks, rates: kink_rates, relations, slots, saturating, .. } = found;
     build.graph.hold(slots, first_slot);
     let motion = OfMotion { time_derivative, outputs, power_balance, guard_rates, kink_rates };
     let graph = &build.graph;
@@ -72,6 +72,7 @@ pub fn lower(linearization: &Linearization) -> Model {
         resets: graph.tape(&resets),
         events: events(&linearization.equations),
         kink_guards: graph.tape(&kinks),
+        saturating_arguments: graph.tape(&saturating),
         constraint_values: graph.tape(&constraint_values),
         constraint_rates: graph.tape(&constraint_rates),
         constraint_matrix: build.constraint_matrix_tape(),

@@ -44,7 +44,7 @@ use ::machinist_contract::{
     Oddities: "oddities", "*/ } fn main() {} /* ` [main](x) <b> \"; // \\ \u{202e}\r\n    let code = 1;\n# [`x`]\n```\nlet y;";
     run from 0.0, until 2.0, points 3, rtol 1e-8, method "bdf", times [0.0, 0.001, 2.0];
     quadratures 0, discontinuities 1;
-    equilibrium; prepared; jacobians_at_once; series 4 Corners;
+    equilibrium; prepared; jacobians_at_once; series 4 has_corners;
 }
 
 ::machinist_contract::parameters! {

@@ -36,7 +36,7 @@ use ::machinist_contract::{
     Pendulum: "pendulum", "Damped pendulum";
     run from 0.0, until 2.0, points 1001, rtol 1e-8, method "bdf";
     quadratures 0, discontinuities 1;
-    prepared; jacobians_at_once; series 4 Corners;
+    prepared; jacobians_at_once; series 4 has_corners;
 }
 
 ::machinist_contract::parameters! {

@@ -34,7 +34,7 @@ use ::machinist_contract::{
     Recurrences: "recurrences", "Damped pendulum";
     run from 0.0, until 2.0, points 1001, rtol 1e-8, method "bdf";
     quadratures 0, discontinuities 0;
-    prepared; jacobians_at_once; series 41 Corners;
+    prepared; jacobians_at_once; series 41 has_corners;
 }
 
 ::machinist_contract::parameters! {

@@ -404,6 +404,11 @@ pub trait Describe {
     fn relation(&self, index: usize) -> Relation<'_> {
         panic!("there is no relation {index}")
     }
+    /// Returns the number of arguments of functions that saturate, by default 0: the rate contains
+    /// such functions, whose series lose all coefficients to rounding where they are flat.
+    fn saturations(&self) -> usize {
+        0
+    }
     /// Returns the number of constraints, m, by default 0. The state of a simulator with
     /// constraints holds all coordinates, in order.
     fn constraints(&self) -> usize {
@@ -536,6 +541,8 @@ pub trait SideBySide<R: Real>: Describe {
         constants: &[R],
         values: &mut [R],
     );
+    /// As [`Simulator::saturating_arguments`].
+    fn saturating_arguments(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
     /// As [`Simulator::taylor`].
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>>;
 }
@@ -566,6 +573,9 @@ impl<R: Real, S: Simulator<R>> SideBySide<R> for S {
         values: &mut [R],
     ) {
         Simulator::prepared_rate_jacobian(self, time, state, parameters, constants, values);
+    }
+    fn saturating_arguments(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        Simulator::saturating_arguments(self, time, state, parameters, values);
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Simulator::taylor(self)

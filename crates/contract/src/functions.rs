@@ -9,11 +9,15 @@
 /// ```text
 /// for_each_function! { [my_macro] arguments }
 /// // becomes
-/// my_macro! { [arguments] every { ROWS } events { ROWS } constraints { ROWS } kinks { ROWS } }
+/// my_macro! {
+///     [arguments] every { ROWS } events { ROWS } constraints { ROWS } kinks { ROWS }
+///     saturations { ROWS }
+/// }
 /// ```
 ///
 /// Rows are grouped: functions of every simulator, of those with events, of those with
-/// constraints, and of those whose rate has switching surfaces. A row is
+/// constraints, of those whose rate has switching surfaces, and of those whose rate has functions
+/// that saturate. A row is
 ///
 /// ```text
 /// { Id name Reads [result] [prepared] "few signs" "documentation" }
@@ -91,6 +95,12 @@ macro_rules! for_each_function {
                 { KinkRates kink_rates Motion [numbers KINKS] [] "rates of these"
                     "Rates along the motion of what passes zero at kinks." }
             }
+            saturations {
+                { SaturatingArguments saturating_arguments Motion [numbers SATURATIONS] []
+                    "arguments of functions that saturate"
+                    "Arguments of functions that are flat far from a place, such as `tanh` far \
+                     from zero. Steps by series are checked where one passes zero or turns." }
+            }
         }
     };
 }
@@ -104,11 +114,13 @@ macro_rules! methods {
         events { $($events:tt)* }
         constraints { $($constraints:tt)* }
         kinks { $($kinks:tt)* }
+        saturations { $($saturations:tt)* }
     ) => {
         $(crate::functions::method! { required $every })*
         $(crate::functions::method! { provided $events })*
         $(crate::functions::method! { provided $constraints })*
         $(crate::functions::method! { provided $kinks })*
+        $(crate::functions::method! { provided $saturations })*
     };
 }
 pub(crate) use methods;

@@ -16,8 +16,8 @@
 ///
 /// Parts are optional features of a machine, each followed by a semicolon: `coordinates` (see
 /// `coordinates!`), `events`, `constraints`, `equilibrium`, `kinks COUNT`, `inertia_corners`,
-/// `relations`, `prepared` (see `constants!`), `series LANES` or `series LANES Bends` (that many
-/// sums of products per order), and `linear`. `prepared` takes `jacobians_at_once` if
+/// `saturations COUNT`, `relations`, `prepared` (see `constants!`), `series LANES` (that many sums of
+/// products per order) or `series LANES has_corners`, and `linear`. `prepared` takes `jacobians_at_once` if
 /// `prepared_jacobians` computes both Jacobians, else `jacobians_apart`.
 #[macro_export]
 macro_rules! simulator {
@@ -27,7 +27,7 @@ macro_rules! simulator {
         run from $from:expr, until $until:expr, points $points:literal, rtol $rtol:expr,
             method $method:literal $(, times [$($time:expr),*])?;
         quadratures $quadratures:literal, discontinuities $discontinuities:literal;
-        $($part:ident $($argument:literal $($bends:ident)?)?;)*
+        $($part:ident $($argument:literal $($corners:ident)?)?;)*
     ) => {
         $(#[$attribute])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -116,7 +116,7 @@ macro_rules! simulator {
             }
         }
 
-        $($crate::__part! { $machine $part $($argument $($bends)?)? })*
+        $($crate::__part! { $machine $part $($argument $($corners)?)? })*
     };
 }
 
@@ -153,6 +153,11 @@ macro_rules! __describe_part {
             KINKS
         }
     };
+    (saturations) => {
+        fn saturations(&self) -> usize {
+            SATURATIONS
+        }
+    };
     (relations) => {
         fn relations(&self) -> usize {
             RELATION_ROWS.len()
@@ -186,6 +191,9 @@ macro_rules! __simulate_part {
     };
     (kinks) => {
         $crate::for_each_function! { [$crate::__delegate] kinks }
+    };
+    (saturations) => {
+        $crate::for_each_function! { [$crate::__delegate] saturations }
     };
     (prepared) => {
         fn constants(&self) -> usize {
@@ -295,10 +303,7 @@ way."
             values
         }
     };
-    ($machine:ident series $lanes:literal) => {
-        $crate::__part! { $machine series $lanes Nowhere }
-    };
-    ($machine:ident series $lanes:literal $bends:ident) => {
+    ($machine:ident series $lanes:literal $($corners:ident)?) => {
         impl<R: $crate::Real> $crate::taylor::TaylorSeries<R> for $machine {
             fn series_workspace(&self, order: usize) -> usize {
                 $crate::taylor::Lanes::<R, $lanes>::workspace(order + 1)
@@ -317,9 +322,11 @@ way."
                 let state = $crate::emitted::array_of(state);
                 series(time, state, &p, coefficients, workspace);
             }
-            fn bends(&self) -> $crate::taylor::Bends {
-                $crate::taylor::Bends::$bends
-            }
+            $(
+                fn $corners(&self) -> bool {
+                    true
+                }
+            )?
         }
     };
     ($machine:ident linear) => {
@@ -347,6 +354,10 @@ way."
         /// Number of guards of switching surfaces of the rate.
         pub const KINKS: usize = $count;
     };
+    ($machine:ident saturations $count:literal) => {
+        /// Number of arguments of functions that saturate.
+        pub const SATURATIONS: usize = $count;
+    };
     ($machine:ident $other:ident) => {};
 }
 
@@ -367,7 +378,13 @@ macro_rules! __delegate {
     };
     (
         [kinks] every $every:tt events $events:tt constraints $constraints:tt
-        kinks { $($row:tt)* }
+        kinks { $($row:tt)* } $($others:tt)*
+    ) => {
+        $($crate::__delegate_function! $row)*
+    };
+    (
+        [saturations] every $every:tt events $events:tt constraints $constraints:tt kinks $kinks:tt
+        saturations { $($row:tt)* }
     ) => {
         $($crate::__delegate_function! $row)*
     };

@@ -41,23 +41,13 @@ pub trait TaylorSeries<R: Real> {
         workspace: &mut [R],
     );
 
-    /// Returns the kinds of bends that the coefficients do not announce.
-    fn bends(&self) -> Bends {
-        Bends::Nowhere
+    /// Reports whether the motion bends at branches that depend on the state, or at knots of tables.
+    /// No coefficient announces them from afar, so a step by the series may pass one unnoticed.
+    /// Functions that saturate are no corners; see
+    /// [`saturations`](crate::Describe::saturations).
+    fn has_corners(&self) -> bool {
+        false
     }
-}
-
-/// Kinds of bends of a motion that no coefficient announces from afar. A step by the series may
-/// pass such a place unnoticed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Bends {
-    /// None: the growth of the coefficients shows whatever is near.
-    Nowhere,
-    /// At functions that are flat on both sides, such as tanh, between the two. They are analytic
-    /// there.
-    Saturates,
-    /// Also at branches that depend on the state, and at knots of tables.
-    Corners,
 }
 
 /// Sums of `N` products of series, side by side.

@@ -205,6 +205,7 @@ impl<'a> Whole<'a> {
             (&mut whole.resets, &model.resets),
             (&mut whole.kink_guards, &model.kink_guards),
             (&mut whole.kink_rates, &model.kink_rates),
+            (&mut whole.saturating_arguments, &model.saturating_arguments),
             (&mut whole.constraint_values, &model.constraint_values),
             (&mut whole.constraint_rates, &model.constraint_rates),
             (&mut whole.constraint_matrix.tape, &model.constraint_matrix.tape),

@@ -28,6 +28,8 @@ pub enum Of {
     Constraints,
     /// Models whose rate has switching surfaces.
     Kinks,
+    /// Models whose rate has functions that saturate.
+    Saturations,
 }
 
 /// Results of a function, and how emitted code calls it.
@@ -98,6 +100,9 @@ macro_rules! count {
     ($model:ident KINKS) => {
         $model.kink_guards.results.len()
     };
+    ($model:ident SATURATIONS) => {
+        $model.saturating_arguments.results.len()
+    };
 }
 
 macro_rules! prepared {
@@ -161,6 +166,8 @@ macro_rules! rows {
             $constraint_doc:literal })* }
         kinks { $({ $kink_id:ident $kink_name:ident $kink_reads:ident $kink_result:tt
             $kink_prepared:tt $kink_meaning:literal $kink_doc:literal })* }
+        saturations { $({ $flat_id:ident $flat_name:ident $flat_reads:ident $flat_result:tt
+            $flat_prepared:tt $flat_meaning:literal $flat_doc:literal })* }
     ) => {
         /// A function of a model.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -169,12 +176,14 @@ macro_rules! rows {
             $(#[doc = $event_doc] $event_id,)*
             $(#[doc = $constraint_doc] $constraint_id,)*
             $(#[doc = $kink_doc] $kink_id,)*
+            $(#[doc = $flat_doc] $flat_id,)*
         }
 
         /// Number of functions.
         pub const COUNT: usize = [
             $(stringify!($name),)* $(stringify!($event_name),)*
             $(stringify!($constraint_name),)* $(stringify!($kink_name),)*
+            $(stringify!($flat_name),)*
         ].len();
 
         /// Every function, in the order of an emitted module.
@@ -193,6 +202,10 @@ macro_rules! rows {
             $(with_result!(
                 [$kink_id $kink_name $kink_reads Kinks $kink_prepared $kink_meaning $kink_doc]
                 $kink_name $kink_result
+            ),)*
+            $(with_result!(
+                [$flat_id $flat_name $flat_reads Saturations $flat_prepared $flat_meaning $flat_doc]
+                $flat_name $flat_result
             ),)*
         ];
     };
@@ -216,6 +229,7 @@ impl FunctionRow {
             Of::Events => !model.events.is_empty(),
             Of::Constraints => !model.constraints.is_empty(),
             Of::Kinks => !model.kink_guards.results.is_empty(),
+            Of::Saturations => !model.saturating_arguments.results.is_empty(),
         }
     }
 }

@@ -77,6 +77,7 @@ impl Model {
             &mut self.constraint_matrix.tape,
             &mut self.kink_guards,
             &mut self.kink_rates,
+            &mut self.saturating_arguments,
         ];
         own.into_iter().chain(self.motion.as_mut().map(|motion| &mut motion.tape))
     }

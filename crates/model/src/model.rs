@@ -377,6 +377,8 @@ pub struct Model {
     pub kink_guards: Tape,
     /// Rates of the `kink_guards` along the motion.
     pub kink_rates: Tape,
+    /// Arguments of functions of the rate that saturate, each once.
+    pub saturating_arguments: Tape,
     /// The generic element of every field.
     pub fields: Vec<FieldModel>,
     /// Checks on the results of its runs.

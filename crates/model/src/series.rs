@@ -21,8 +21,6 @@
 mod build;
 mod evaluate;
 
-use machinist_contract::taylor::Bends;
-
 use crate::{Function, NodeId, Op, TableId};
 
 pub use build::recurrences;
@@ -204,20 +202,19 @@ impl TaylorTape {
         self[id].extent == Extent::Line
     }
 
-    /// Returns the worst kind of bend in the motion that the coefficients do not announce, for runs
-    /// that are split at `jumps` discontinuities of the rate in time.
+    /// Returns whether the motion has corners that the coefficients do not announce, for runs that
+    /// are split at `jumps` discontinuities of the rate in time.
     ///
     /// A comparison of time with a constant is one of these discontinuities. If there are more
-    /// comparisons than discontinuities, one of them is a switching surface. Functions that
-    /// saturate (tanh, exp, atan and the like) lose all their coefficients to rounding where they
-    /// are flat. Poles and roots do not: the growth of the coefficients shows that one is near.
+    /// comparisons than discontinuities, one of them is a switching surface. Poles and roots are no
+    /// corners: the growth of the coefficients shows that one is near.
     #[must_use]
-    pub fn bends(&self, jumps: usize) -> Bends {
+    pub fn has_corners(&self, jumps: usize) -> bool {
         let mut switches: Vec<(NodeId, NodeId)> = Vec::new();
         let live: Vec<NodeId> = self.nodes.iter().filter_map(|node| self.live_of(node)).collect();
-        let mut of_node = |(index, node): (usize, &SeriesNode)| match node.recurrence {
-            Recurrence::Select { lhs, .. } if self.is_held(lhs) => Bends::Nowhere,
-            _ if live.contains(&NodeId(index as u32)) => Bends::Nowhere,
+        let is_corner = |(index, node): (usize, &SeriesNode)| match node.recurrence {
+            Recurrence::Select { lhs, .. } if self.is_held(lhs) => false,
+            _ if live.contains(&NodeId(index as u32)) => false,
             Recurrence::Select { lhs, rhs, .. } => {
                 let switches_once = [(lhs, rhs), (rhs, lhs)].into_iter().any(|(time, at)| {
                     self[time].recurrence == Recurrence::Time && self.is_constant(at)
@@ -226,32 +223,15 @@ impl TaylorTape {
                     switches.push((lhs, rhs));
                 }
                 let rests = self.rests(lhs) && self.rests(rhs);
-                if rests || switches_once { Bends::Nowhere } else { Bends::Corners }
+                !(rests || switches_once)
             }
             Recurrence::Table { .. } | Recurrence::Integral { function: Function::Floor, .. } => {
-                Bends::Corners
+                true
             }
-            Recurrence::Integral { function: Function::Exp, argument, .. }
-                if self.is_line(argument) =>
-            {
-                Bends::Nowhere
-            }
-            Recurrence::Integral { function, .. } | Recurrence::IntegralOver { function, .. } => {
-                let saturates = matches!(
-                    function,
-                    Function::Exp
-                        | Function::Tanh
-                        | Function::Sinh
-                        | Function::Cosh
-                        | Function::Atan
-                );
-                if saturates { Bends::Saturates } else { Bends::Nowhere }
-            }
-            _ => Bends::Nowhere,
+            _ => false,
         };
-        let nodes = self.nodes.iter().enumerate();
-        let most = nodes.map(&mut of_node).max().unwrap_or(Bends::Nowhere);
-        if switches.len() > jumps { Bends::Corners } else { most }
+        let has_corners = self.nodes.iter().enumerate().any(is_corner);
+        has_corners || switches.len() > jumps
     }
 
     /// Returns whether the left side of a comparison contains a slot: a sum with one, compared with

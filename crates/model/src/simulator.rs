@@ -9,7 +9,7 @@ use std::sync::{Arc, OnceLock};
 
 use machinist_contract::field::FieldScene;
 use machinist_contract::linear::LinearEquations;
-use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::taylor::TaylorSeries;
 use machinist_contract::{
     Derivatives, Dual, Energy, PowerBalance, Ranges, Real, SideBySide, Simulator, jacobians_apart,
 };
@@ -352,11 +352,13 @@ macro_rules! functions {
         events { $($events:tt)* }
         constraints { $($constraints:tt)* }
         kinks { $($kinks:tt)* }
+        saturations { $($saturations:tt)* }
     ) => {
         $(function! { $number $every })*
         $(function! { $number $events })*
         $(function! { $number $constraints })*
         $(function! { $number $kinks })*
+        $(function! { $number $saturations })*
     };
 }
 
@@ -518,8 +520,8 @@ impl<R: Lane> TaylorSeries<R> for ModelSimulator {
             self.series.run(model, R::COUNT, &read, coefficients, workspace);
         });
     }
-    fn bends(&self) -> Bends {
+    fn has_corners(&self) -> bool {
         let jumps = self.model.discontinuities.results.len();
-        self.series.tape(&self.model).bends(jumps)
+        self.series.tape(&self.model).has_corners(jumps)
     }
 }

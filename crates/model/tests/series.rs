@@ -215,8 +215,8 @@ fn functions_are_the_same_in_lanes_and_on_threads() {
     let mut rng = Rng::with_seed(4);
     for length in [30, 300, 3000] {
         let model = random_model(&mut rng, length);
-        let [compiled, interpreted] =
-            [ModelSimulator::compiled_at_once(model.clone()), ModelSimulator::interpreted(model)];
+        let compiled = ModelSimulator::compiled_at_once(model.clone());
+        let interpreted = ModelSimulator::interpreted(model);
         let states: Vec<Vec<f64>> = (0..8).map(|_| numbers(&mut rng, 5)).collect();
         let parameters = numbers(&mut rng, PARAMETERS);
         let rate = |simulator: &ModelSimulator, state: &[f64]| {

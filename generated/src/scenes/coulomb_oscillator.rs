@@ -15,11 +15,12 @@
 //   Textbook; exact half cycle by half cycle.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 1, first-order states 1, states 3, parameters 10, outputs 4, events 6.
+// Shapes: coordinates 1, first-order states 1, states 3, parameters 10, outputs 4, events 6,
+//     saturations 1.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 4 of 3 by 3, parameter_jacobian 7 of 3 by 10.
 // Operations: rate 16, forcing 14, rate_jacobian 27, parameter_jacobian 50, outputs 13, energy 6,
-//     power_balance 23, guards 8, guard_rates 19, resets 12, prepare 9, prepared_rate 14,
-//     prepared_rate_jacobian 22, prepared_jacobians 62.
+//     power_balance 23, guards 8, guard_rates 19, resets 12, saturating_arguments 3, prepare 9,
+//     prepared_rate 14, prepared_rate_jacobian 22, prepared_jacobians 62.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -35,7 +36,7 @@ use ::machinist_contract::{
     CoulombOscillator: "coulomb_oscillator", "Oscillator damped by dry friction";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    events; prepared; jacobians_at_once; series 2 Saturates;
+    events; prepared; jacobians_at_once; saturations 1; series 2;
 }
 
 ::machinist_contract::parameters! {
@@ -318,6 +319,16 @@ pub fn resets<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
         - slider_held, R::literal(0.0), R::literal(-1.0), R::literal(1.0)) - R::literal(1.0));
     [R::literal(-1.0), R::literal(1.0), R::literal(-1.0), R::literal(1.0), R::literal(0.0),
         slider_slip_after_slider_ends_back, R::literal(0.0), slider_slip_after_slider_ends_forth]
+}
+
+/// Arguments of functions that are flat far from a place, such as `tanh` far from zero. Steps by
+/// series are checked where one passes zero or turns. 3 operations.
+#[must_use]
+pub fn saturating_arguments<R: Real>(_time: R, state: &[R; STATES],
+        p: &Parameters<R>) -> [R; SATURATIONS] {
+    let [_, slider_v, slider_slip] = *state;
+    let argument_1 = R::literal(1.0) / p.slider_stribeck_speed * slider_v * slider_slip;
+    [argument_1]
 }
 
 /// Normalized Taylor coefficients of the solution through `state`, order after order.

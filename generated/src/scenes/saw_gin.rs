@@ -17,11 +17,12 @@
 //   Saw-gin study (2020), equations (1) and (2), in their consistent reading.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 2, first-order states 4, states 7, parameters 21, outputs 8, discontinuities 1.
+// Shapes: coordinates 2, first-order states 4, states 7, parameters 21, outputs 8, discontinuities 1,
+//     saturations 1.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 26 of 7 by 7, parameter_jacobian 39 of 7 by 21.
 // Operations: discontinuities 6, rate 77, forcing 42, rate_jacobian 72, parameter_jacobian 179,
-//     time_derivative 32, outputs 54, energy 39, power_balance 151, prepare 64, prepared_rate 54,
-//     prepared_rate_jacobian 37, prepared_jacobians 155.
+//     time_derivative 32, outputs 54, energy 39, power_balance 151, saturating_arguments 2,
+//     prepare 64, prepared_rate 54, prepared_rate_jacobian 37, prepared_jacobians 155.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -36,7 +37,7 @@ use ::machinist_contract::{
     SawGin: "saw_gin", "Saw gin: motor, coupling and saw cylinder";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 1;
-    coordinates; prepared; jacobians_at_once; series 9 Saturates;
+    coordinates; prepared; jacobians_at_once; saturations 1; series 9;
 }
 
 ::machinist_contract::parameters! {
@@ -579,6 +580,16 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
             .add_product(motor_i_ry, motor_i_ry))).sub_product(t7 * cylinder_omega,
             coupling_twist_rate),
     }
+}
+
+/// Arguments of functions that are flat far from a place, such as `tanh` far from zero. Steps by
+/// series are checked where one passes zero or turns. 2 operations.
+#[must_use]
+pub fn saturating_arguments<R: Real>(_time: R, state: &[R; STATES],
+        p: &Parameters<R>) -> [R; SATURATIONS] {
+    let [_, _, cylinder_omega, ..] = *state;
+    let argument_1 = R::literal(1.0) / p.load_standstill_band * cylinder_omega;
+    [argument_1]
 }
 
 /// Normalized Taylor coefficients of the solution through `state`, order after order.

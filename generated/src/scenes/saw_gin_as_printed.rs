@@ -17,11 +17,12 @@
 //   Saw-gin study (2020), equations (1) and (2), as printed.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 2, first-order states 4, states 8, parameters 23, outputs 5, discontinuities 1.
+// Shapes: coordinates 2, first-order states 4, states 8, parameters 23, outputs 5, discontinuities 1,
+//     saturations 1.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 30 of 8 by 8, parameter_jacobian 38 of 8 by 23.
 // Operations: discontinuities 6, rate 85, forcing 41, rate_jacobian 78, parameter_jacobian 179,
-//     time_derivative 32, outputs 42, energy 12, power_balance 62, prepare 61, prepared_rate 61,
-//     prepared_rate_jacobian 42, prepared_jacobians 167.
+//     time_derivative 32, outputs 42, energy 12, power_balance 62, saturating_arguments 2,
+//     prepare 61, prepared_rate 61, prepared_rate_jacobian 42, prepared_jacobians 167.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -36,7 +37,7 @@ use ::machinist_contract::{
     SawGinAsPrinted: "saw_gin_as_printed", "Saw gin with the equations and numbers as printed";
     run from 0.0, until 3.0, points 3001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 1;
-    prepared; jacobians_at_once; series 9 Saturates;
+    prepared; jacobians_at_once; saturations 1; series 9;
 }
 
 ::machinist_contract::parameters! {
@@ -524,6 +525,16 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
         dissipated: (p.coupling_damping * motor_omega * coupling_twist_rate).sub_product(t2
             * cylinder_omega, coupling_twist_rate),
     }
+}
+
+/// Arguments of functions that are flat far from a place, such as `tanh` far from zero. Steps by
+/// series are checked where one passes zero or turns. 2 operations.
+#[must_use]
+pub fn saturating_arguments<R: Real>(_time: R, state: &[R; STATES],
+        p: &Parameters<R>) -> [R; SATURATIONS] {
+    let [_, _, _, cylinder_omega, ..] = *state;
+    let argument_1 = R::literal(1.0) / p.load_standstill_band * cylinder_omega;
+    [argument_1]
 }
 
 /// Normalized Taylor coefficients of the solution through `state`, order after order.

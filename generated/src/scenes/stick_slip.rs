@@ -15,11 +15,12 @@
 //   Textbook; without the Stribeck term the cycle is in closed form.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 1, first-order states 1, states 3, parameters 10, outputs 4, events 6.
+// Shapes: coordinates 1, first-order states 1, states 3, parameters 10, outputs 4, events 6,
+//     saturations 1.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 4 of 3 by 3, parameter_jacobian 8 of 3 by 10.
 // Operations: rate 17, forcing 15, rate_jacobian 25, parameter_jacobian 57, outputs 14, energy 6,
-//     power_balance 24, guards 9, guard_rates 20, resets 12, prepare 7, prepared_rate 15,
-//     prepared_rate_jacobian 21, prepared_jacobians 64.
+//     power_balance 24, guards 9, guard_rates 20, resets 12, saturating_arguments 4, prepare 7,
+//     prepared_rate 15, prepared_rate_jacobian 21, prepared_jacobians 64.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -35,7 +36,7 @@ use ::machinist_contract::{
     StickSlip: "stick_slip", "Stick-slip oscillation on a belt";
     run from 0.0, until 5.0, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    events; prepared; jacobians_at_once; series 2 Saturates;
+    events; prepared; jacobians_at_once; saturations 1; series 2;
 }
 
 ::machinist_contract::parameters! {
@@ -326,6 +327,17 @@ pub fn resets<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
         - slider_held, R::literal(0.0), R::literal(-1.0), R::literal(1.0)) - R::literal(1.0));
     [R::literal(-1.0), R::literal(1.0), R::literal(-1.0), R::literal(1.0), p.belt_speed,
         slider_slip_after_slider_ends_back, p.belt_speed, slider_slip_after_slider_ends_forth]
+}
+
+/// Arguments of functions that are flat far from a place, such as `tanh` far from zero. Steps by
+/// series are checked where one passes zero or turns. 4 operations.
+#[must_use]
+pub fn saturating_arguments<R: Real>(_time: R, state: &[R; STATES],
+        p: &Parameters<R>) -> [R; SATURATIONS] {
+    let [_, slider_v, slider_slip] = *state;
+    let slider_sliding = slider_v - p.belt_speed;
+    let argument_1 = R::literal(1.0) / p.slider_stribeck_speed * slider_slip * slider_sliding;
+    [argument_1]
 }
 
 /// Normalized Taylor coefficients of the solution through `state`, order after order.

@@ -14,11 +14,11 @@
 //   Textbook.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 1, states 2, parameters 9, outputs 3, kinks 1, relations 1.
+// Shapes: coordinates 1, states 2, parameters 9, outputs 3, kinks 1, relations 1, saturations 2.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 9 of 2 by 9.
 // Operations: rate 20, forcing 19, rate_jacobian 29, parameter_jacobian 60, outputs 15, energy 6,
-//     power_balance 28, kink_guards 1, kink_rates 20, prepare 12, prepared_rate 17,
-//     prepared_rate_jacobian 22, prepared_jacobians 54.
+//     power_balance 28, kink_guards 1, kink_rates 20, saturating_arguments 8, prepare 12,
+//     prepared_rate 17, prepared_rate_jacobian 22, prepared_jacobians 54.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -33,7 +33,7 @@ use ::machinist_contract::{
     StickSlipSmooth: "stick_slip_smooth", "Stick-slip oscillation on a belt, smoothed";
     run from 0.0, until 5.0, points 2001, rtol 1e-8, method "radau";
     quadratures 0, discontinuities 0;
-    prepared; jacobians_at_once; kinks 1; relations; series 4 Saturates;
+    prepared; jacobians_at_once; kinks 1; saturations 2; relations; series 4;
 }
 
 ::machinist_contract::parameters! {
@@ -279,6 +279,19 @@ pub fn kink_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> 
         / p.slider_width * slider_sliding).tanh()).add_product(p.slider_damping, slider_v)
         * (R::literal(-1.0) / p.slider_mass);
     [slider_v_dot]
+}
+
+/// Arguments of functions that are flat far from a place, such as `tanh` far from zero. Steps by
+/// series are checked where one passes zero or turns. 8 operations.
+#[must_use]
+pub fn saturating_arguments<R: Real>(_time: R, state: &[R; STATES],
+        p: &Parameters<R>) -> [R; SATURATIONS] {
+    let [_, slider_v] = *state;
+    let slider_sliding = slider_v - p.belt_speed;
+    let argument_1 = R::literal(1.0) / p.slider_stribeck_speed * R::select_less(slider_sliding
+        + p.held_1, R::literal(0.0), -slider_sliding, slider_sliding);
+    let argument_2 = R::literal(1.0) / p.slider_width * slider_sliding;
+    [argument_1, argument_2]
 }
 
 /// Normalized Taylor coefficients of the solution through `state`, order after order.

@@ -41,7 +41,7 @@ use ::machinist_contract::{
     WinderFull: "winder_full", "Bobbin on a winding drum, all nonlinearities";
     run from 0.0, until 0.5, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 1;
-    events; prepared; jacobians_at_once; series 28 Corners;
+    events; prepared; jacobians_at_once; series 28 has_corners;
 }
 
 ::machinist_contract::parameters! {

@@ -1,6 +1,7 @@
 //! The end of a step, projected onto the constraints.
 
 use super::OneStep;
+use super::bends::Bends;
 use crate::method::{Stopped, Stretch};
 
 /// Distance from the constraints, in tolerances of a step, beyond which projection is not believed:
@@ -12,6 +13,7 @@ pub(super) struct Kept {
     pub(super) end: Vec<f64>,
     /// The end of the step before, with constraints.
     before: Vec<f64>,
+    bends: Option<Bends>,
 }
 
 /// The distance by which a state was projected, in tolerances.
@@ -34,7 +36,22 @@ impl Moved {
 
 impl Kept {
     pub(super) fn new(state: &[f64]) -> Self {
-        Self { end: state.to_vec(), before: Vec::new() }
+        Self { end: state.to_vec(), before: Vec::new(), bends: None }
+    }
+
+    /// Returns the same, with the places at which functions bend.
+    pub(super) fn with_bends(method: &dyn OneStep, stretch: &Stretch<'_>, state: &[f64]) -> Self {
+        Self { bends: Bends::new(method, stretch), ..Self::new(state) }
+    }
+
+    /// Returns the time of the first bend within the current step that the method does not see.
+    pub(super) fn first_bend<M: OneStep>(
+        &mut self,
+        method: &mut M,
+        stretch: &Stretch<'_>,
+        ends: [f64; 2],
+    ) -> Option<f64> {
+        self.bends.as_mut()?.first(method, stretch, &self.end, ends)
     }
 
     /// Projects the end of the current step onto the constraints. Returns how far it moved.

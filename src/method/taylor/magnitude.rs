@@ -34,6 +34,12 @@ impl Magnitude for f64 {
     }
 }
 
+/// Returns the smaller of two numbers; NaN does not count.
+#[inline(always)]
+pub(crate) fn smaller<R: Real>(length: R, value: R) -> R {
+    R::select_less(value, length, value, length)
+}
+
 /// Half of the largest difference of log2(1 + m) and m.
 pub(crate) const BEHIND: f64 = 0.043;
 

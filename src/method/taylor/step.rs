@@ -3,7 +3,7 @@
 use machinist_contract::Real;
 
 use super::super::one_step::{Pace, Trial};
-use super::magnitude::Magnitude;
+use super::magnitude::{Magnitude, smaller};
 
 /// Fraction of the tolerances that steps aim at: errors add up over a run, and a decade of accuracy
 /// costs a series little.
@@ -92,7 +92,6 @@ impl Tolerance {
     }
 
     /// Returns the inverse of the allowed error of every state.
-    #[cfg(feature = "sweep")]
     pub(super) fn inverse_weights(&mut self) -> &mut [f64] {
         &mut self.inverse_weights
     }
@@ -150,12 +149,6 @@ pub(super) fn judges(order: usize, decay: f64) -> Judges {
         let share = 1.0 / (order + 1).saturating_sub(back).max(1) as f64;
         (share * (guessed - back as f64 * decay), share)
     })
-}
-
-/// Returns the smaller of two numbers; NaN does not count.
-#[inline(always)]
-pub(super) fn smaller<R: Real>(length: R, value: R) -> R {
-    R::select_less(value, length, value, length)
 }
 
 /// Returns the result of a step of a length and order. `begin` contains state and rate at its end,
@@ -272,6 +265,22 @@ pub(super) fn value(coefficients: &[f64], time: f64, value: &mut [f64]) {
             _ => into[..4].copy_from_slice(&block::<4>(coefficients, states, first, time)),
         }
         first += 4;
+    }
+}
+
+/// Computes the polynomial at several times, whose sums do not wait for one another, state by state.
+pub(super) fn states_at<R: Real, const N: usize>(
+    coefficients: &[R],
+    times: [R; N],
+    states: &mut [[R; N]],
+) {
+    states.fill([R::literal(0.0); N]);
+    for terms in coefficients.chunks_exact(states.len()).rev() {
+        for (sums, term) in states.iter_mut().zip(terms) {
+            for (sum, time) in sums.iter_mut().zip(times) {
+                *sum = sum.mul_add(time, *term);
+            }
+        }
     }
 }
 

@@ -11,14 +11,14 @@ mod overseer;
 use std::time::{Duration, Instant};
 
 use machinist_contract::SideBySide;
-use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::taylor::TaylorSeries;
 
-use super::MIDDLE;
 use super::step::{self, Judges, Tolerance, order_for};
 use crate::error::StopCause;
 use crate::lanes::Lanes;
 use crate::method::one_step::resting;
 use crate::method::patience::Patience;
+use crate::method::saturating::{FLAT, Motion, Saturating};
 use clock::Clock;
 use judge::zeros;
 use lane::Lane;
@@ -47,9 +47,6 @@ pub(crate) fn integrate<'a, R: Lanes>(
     lanes.resize_with(R::COUNT, &mut next);
     let Some(first) = lanes.first().and_then(Option::as_ref) else { return };
     let mut bundle = Bundle::<R>::new((machine, series), rtol, &first.variant);
-    // As in a single run.
-    let saturates = series.bends() == Bends::Saturates;
-    bundle.middle = saturates.then(|| Middle::new(&first.variant));
     bundle.overseer = overseer;
     bundle.wait = Wait { patience, ..Wait::default() };
     for (index, lane) in lanes.iter_mut().enumerate() {
@@ -108,18 +105,38 @@ impl Wait<'_> {
     }
 }
 
-/// Values in the middle of steps.
-struct Middle<R> {
+/// The motions of all lanes over their steps.
+struct Along<'a, R> {
+    equations: &'a Equations<'a, R>,
+    clock: &'a Clock<R>,
+    coefficients: &'a [R],
+}
+
+impl<R: Lanes> Along<'_, R> {
+    /// Returns the time, moved into the segment.
+    fn time(&self, after: R) -> R {
+        self.clock.within(self.clock.time + after)
+    }
+}
+
+impl<R: Lanes> Motion<R> for Along<'_, R> {
+    const OFF: f64 = 0.0;
+    const SEES: f64 = FLAT;
+
+    fn states<const N: usize>(&mut self, times: [R; N], states: &mut [[R; N]]) {
+        step::states_at(self.coefficients, times, states);
+    }
+
+    fn arguments(&self, time: R, state: &[R], arguments: &mut [R]) {
+        self.equations.saturating_arguments(self.time(time), state, arguments);
+    }
+}
+
+/// Numbers at one time within the steps.
+struct Between<R> {
     state: Vec<R>,
     slope: Vec<R>,
     rate: Vec<R>,
-}
-
-impl<R: Lanes> Middle<R> {
-    fn new(first: &Variant) -> Self {
-        let states = || vec![R::literal(0.0); first.initial.len()];
-        Self { state: states(), slope: states(), rate: states() }
-    }
 }
 
 /// Common computation of all lanes.
@@ -164,7 +181,8 @@ struct Bundle<'a, R> {
     /// Sizes of the last coefficients, from the last one back, in units of the tolerance.
     sizes: [R; step::JUDGED],
     scratch: Vec<f64>,
-    middle: Option<Middle<R>>,
+    saturating: Option<Saturating<R>>,
+    between: Between<R>,
     /// Supervisor of the steps, if there is one.
     overseer: Option<Box<dyn Overseer<R> + 'a>>,
     wait: Wait<'a>,
@@ -205,7 +223,8 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             resting: zeros(states),
             sizes: [R::literal(0.0); step::JUDGED],
             scratch: vec![0.0; step::JUDGED.max(3) * states],
-            middle: None,
+            saturating: Saturating::new(machine.saturations(), states),
+            between: Between { state: zeros(states), slope: zeros(states), rate: zeros(states) },
             overseer: None,
             wait: Wait::default(),
         }
@@ -255,13 +274,6 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         let allowed = self.absolute.iter().zip(&self.end);
         for (inverse, (absolute, value)) in self.following_weights.iter_mut().zip(allowed) {
             *inverse = one / (*absolute + self.relative * value.abs());
-        }
-        // The middle of steps does not depend on the series either.
-        if let Some(middle) = &mut self.middle {
-            let half = R::literal(0.5);
-            let time = self.clock.within(self.clock.time + R::literal(MIDDLE) * self.clock.step);
-            let time = R::select_less(self.clock.waits, half, time, self.time);
-            self.equations.rate(time, &middle.state, &mut middle.rate);
         }
         self.series.series(
             self.time,
@@ -437,14 +449,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
 
     fn sum(&mut self) {
         let (step, end) = (self.clock.step, (&mut self.aimed[..], &mut self.slope[..]));
-        match &mut self.middle {
-            None => step::value_and_slope(&self.current, step, end.0, end.1),
-            Some(middle) => {
-                let within = (&mut middle.state[..], &mut middle.slope[..]);
-                let times = [step, R::literal(MIDDLE) * step];
-                step::values_and_slopes(&self.current, times, [end, within]);
-            }
-        }
+        step::value_and_slope(&self.current, step, end.0, end.1);
     }
 
     /// Repeats this in lanes whose coefficients may not all be finite: one that is not makes the

@@ -80,11 +80,15 @@ fn simulator(scene: &Scene<'_>, series: Option<&Series>) -> Result<Vec<String>, 
     ];
     let parts =
         parts.into_iter().filter(|(_, is_there)| *is_there).map(|(part, _)| part.to_owned());
-    let kinks = model.kink_guards.results.len();
-    let kinks = (kinks > 0).then(|| format!("kinks {kinks};"));
+    let counted = [
+        ("kinks", model.kink_guards.results.len()),
+        ("saturations", model.saturating_arguments.results.len()),
+    ];
+    let counted = counted.into_iter().filter(|(_, count)| *count > 0);
+    let counted = counted.map(|(part, count)| format!("{part} {count};"));
     let relations = (!model.relations.is_empty()).then(|| "relations;".to_owned());
     let parts: Vec<String> =
-        parts.chain(kinks).chain(relations).chain(series.map(Series::part)).collect();
+        parts.chain(counted).chain(relations).chain(series.map(Series::part)).collect();
     if !parts.is_empty() {
         rows.push(parts.join(" "));
     }

@@ -260,6 +260,9 @@ fn result_names(scene: &Scene<'_>, row: &FunctionRow) -> ResultNames {
         FunctionId::ConstraintRates => of_constraints("rate"),
         FunctionId::KinkGuards => of_kinks("kink"),
         FunctionId::KinkRates => of_kinks("kink_rate"),
+        FunctionId::SaturatingArguments => (1..=model.saturating_arguments.results.len())
+            .map(|number| format!("argument_{number}"))
+            .collect(),
     };
     let is_array = matches!(row.gives, Gives::Numbers(_) | Gives::Matrix(_));
     ResultNames { spread: is_array && !names.is_empty(), names }

@@ -86,6 +86,7 @@ fn shapes(model: &Model) -> Vec<String> {
         ("constraints", model.constraints.len()),
         ("kinks", model.kink_guards.results.len()),
         ("relations", model.relations.len()),
+        ("saturations", model.saturating_arguments.results.len()),
     ];
     let counts = counts.into_iter().filter(|(_, count)| *count > 0);
     counts.map(|(name, count)| format!("{name} {count}")).collect()

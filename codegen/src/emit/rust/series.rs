@@ -4,7 +4,6 @@
 mod coefficients;
 mod needs;
 
-use machinist_contract::taylor::Bends;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -28,7 +27,7 @@ const LANES: usize = 4;
 pub(super) struct Series {
     tape: TaylorTape,
     needs: Needs,
-    bends: Bends,
+    has_corners: bool,
 }
 
 impl Series {
@@ -38,8 +37,8 @@ impl Series {
         // A series does not fulfil constraints.
         let is_free = scene.model.constraints.is_empty();
         let is_wanted = is_free && !tape.rate.is_empty() && tape.nodes.len() <= MOST_NODES;
-        let bends = tape.bends(scene.model.discontinuities.results.len());
-        is_wanted.then(|| Self { needs: needs(&tape), tape, bends })
+        let has_corners = tape.has_corners(scene.model.discontinuities.results.len());
+        is_wanted.then(|| Self { needs: needs(&tape), tape, has_corners })
     }
 
     /// Returns the names to import from the contract's `taylor`.
@@ -52,10 +51,8 @@ impl Series {
     /// Returns the part of `simulator!` that implements `TaylorSeries`.
     pub(super) fn part(&self) -> String {
         let sums = self.needs.convolutions.len();
-        match self.bends {
-            Bends::Nowhere => format!("series {sums};"),
-            bends => format!("series {sums} {bends:?};"),
-        }
+        let corners = if self.has_corners { " has_corners" } else { "" };
+        format!("series {sums}{corners};")
     }
 
     /// Returns the sums in groups.

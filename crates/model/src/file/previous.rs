@@ -1,5 +1,5 @@
-//! Models of the previous version of the format, 9. It has no drawings, and does not say which
-//! constraints are of dry friction that sticks.
+//! Models of the previous version of the format, 9. It has no drawings, and says neither which
+//! constraints are of dry friction that sticks nor where functions saturate.
 
 use machinist_contract::Jumps;
 use serde::Deserialize;
@@ -59,6 +59,7 @@ macro_rules! model {
                     constraints: of.constraints.into_iter().map(Into::into).collect(),
                     $($after: of.$after,)*
                     drawing: None,
+                    saturating_arguments: Tape::default(),
                 }
             }
         }

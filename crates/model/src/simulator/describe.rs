@@ -107,6 +107,9 @@ impl Describe for ModelSimulator {
     fn inertia_has_corners(&self) -> bool {
         self.inertia_has_corners
     }
+    fn saturations(&self) -> usize {
+        self.model.saturating_arguments.results.len()
+    }
     fn relations(&self) -> usize {
         self.model.relations.len()
     }

@@ -196,6 +196,7 @@ pub fn model(n: usize, rate: Tape, mass: MatrixTape, forcing: Tape) -> Model {
         guard_rates: Tape::default(),
         kink_guards: Tape::default(),
         kink_rates: Tape::default(),
+        saturating_arguments: Tape::default(),
         resets: Tape::default(),
         relations: vec![],
         constraints: vec![],

@@ -1,7 +1,7 @@
 //! Runs in numbers of 31 digits by emitted Taylor series, more precise than any method.
 
 use machinist_contract::Real;
-use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::taylor::TaylorSeries;
 
 use super::worse;
 use crate::double_double::{DoubleDouble, Twin};
@@ -28,7 +28,7 @@ pub(super) struct Precise {
 /// Returns the series of a machine, unless it has corners, constraints or events.
 pub(super) fn series(machine: &dyn Twin) -> Option<&dyn TaylorSeries<DoubleDouble>> {
     let is_free = machine.events() == 0 && machine.constraints() == 0;
-    machine.taylor().filter(|series| is_free && series.bends() != Bends::Corners)
+    machine.taylor().filter(|series| is_free && !series.has_corners())
 }
 
 /// Computes the run of `pilot` with its parameters, from the same start at the same times; `None` if steps are too

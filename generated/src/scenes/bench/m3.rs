@@ -17,11 +17,13 @@
 //   Benchmark models of textile-machine dynamics.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 3, first-order states 4, states 10, parameters 33, outputs 3, discontinuities 1.
+// Shapes: coordinates 3, first-order states 4, states 10, parameters 33, outputs 3,
+//     discontinuities 1, saturations 2.
 // Nonzeros: mass_matrix 3 of 3 by 3, rate_jacobian 30 of 10 by 10, parameter_jacobian 50 of 10 by 33.
 // Operations: initial_state 18, discontinuities 6, rate 91, mass_matrix 4, forcing 50,
 //     rate_jacobian 88, parameter_jacobian 241, time_derivative 46, energy 50, power_balance 177,
-//     prepare 85, prepared_rate 62, prepared_rate_jacobian 43, prepared_parameter_jacobian 179.
+//     saturating_arguments 3, prepare 85, prepared_rate 62, prepared_rate_jacobian 43,
+//     prepared_parameter_jacobian 179.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -36,7 +38,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     M3: "m3", "Benchmark M3: motor and torsional shaft of equal pieces";
     run from 0.0, until 0.5, points 501, rtol 1e-8, method "auto";
     quadratures 0, discontinuities 1;
-    prepared; jacobians_apart;
+    prepared; jacobians_apart; saturations 2;
 }
 
 ::machinist_contract::parameters! {
@@ -630,6 +632,18 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
             * motor_x_r, (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry)))
             .sub_product(t13 * shaft_driven_dot, coupling_twist_rate),
     }
+}
+
+/// Arguments of functions that are flat far from a place, such as `tanh` far from zero. Steps by
+/// series are checked where one passes zero or turns. 3 operations.
+#[must_use]
+pub fn saturating_arguments<R: Real>(_time: R, state: &[R; STATES],
+        p: &Parameters<R>) -> [R; SATURATIONS] {
+    let [_, _, _, _, shaft_driven_dot, shaft_end_dot, ..] = *state;
+    let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
+    let argument_1 = inverse_shaft_standstill_band * shaft_driven_dot;
+    let argument_2 = inverse_shaft_standstill_band * shaft_end_dot;
+    [argument_1, argument_2]
 }
 
 /// The field shaft.phi: angle of the section \[rad\].

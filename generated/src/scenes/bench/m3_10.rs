@@ -18,10 +18,10 @@
 //   Benchmark models of textile-machine dynamics.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 11, first-order states 4, states 26, outputs 26.
+// Shapes: coordinates 11, first-order states 4, states 26, outputs 26, saturations 10.
 // Nonzeros: mass_matrix 11 of 11 by 11, rate_jacobian 99 of 26 by 26, parameter_jacobian 0 of 26 by 0.
 // Operations: rate 168, forcing 123, rate_jacobian 99, time_derivative 87, outputs 10, energy 90,
-//     power_balance 307.
+//     power_balance 307, saturating_arguments 10.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -37,7 +37,7 @@ use ::machinist_contract::{
     M310: "m3_10", "Benchmark M3: motor and torsional shaft of 10 pieces";
     run from 0.0, until 0.5, points 501, rtol 1e-8, method "auto";
     quadratures 1, discontinuities 0;
-    coordinates; series 36 Saturates;
+    coordinates; saturations 10; series 36;
 }
 
 ::machinist_contract::parameters! {}
@@ -721,6 +721,28 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) 
             .sub_product(R::literal(67.645_133_505_598_62) * piece_10_omega,
             piece_9_omega_minus_piece_10_omega),
     }
+}
+
+/// Arguments of functions that are flat far from a place, such as `tanh` far from zero. Steps by
+/// series are checked where one passes zero or turns. 10 operations.
+#[must_use]
+pub fn saturating_arguments<R: Real>(_time: R, state: &[R; STATES],
+        _p: &Parameters<R>) -> [R; SATURATIONS] {
+    let [_, _, _, _, _, _, _, _, _, _, _, piece_1_omega, piece_2_omega, piece_3_omega,
+        piece_4_omega, piece_5_omega, piece_6_omega, piece_7_omega, piece_8_omega, piece_9_omega,
+        piece_10_omega, ..] = *state;
+    let argument_1 = R::literal(2.0) * piece_1_omega;
+    let argument_2 = R::literal(2.0) * piece_2_omega;
+    let argument_3 = R::literal(2.0) * piece_3_omega;
+    let argument_4 = R::literal(2.0) * piece_4_omega;
+    let argument_5 = R::literal(2.0) * piece_5_omega;
+    let argument_6 = R::literal(2.0) * piece_6_omega;
+    let argument_7 = R::literal(2.0) * piece_7_omega;
+    let argument_8 = R::literal(2.0) * piece_8_omega;
+    let argument_9 = R::literal(2.0) * piece_9_omega;
+    let argument_10 = R::literal(2.0) * piece_10_omega;
+    [argument_1, argument_2, argument_3, argument_4, argument_5, argument_6, argument_7,
+        argument_8, argument_9, argument_10]
 }
 
 /// Normalized Taylor coefficients of the solution through `state`, order after order.

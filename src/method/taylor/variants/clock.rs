@@ -3,7 +3,8 @@
 use crate::lanes::Lanes;
 use crate::method::one_step::{End, LOOKS, end_of_step};
 use crate::method::stretch::inside;
-use crate::method::taylor::step::{GROWTH, smaller};
+use crate::method::taylor::magnitude::smaller;
+use crate::method::taylor::step::GROWTH;
 
 use super::lane::Lane;
 

@@ -10,7 +10,7 @@ use crate::method::taylor::step::{self, Tolerance};
 
 use super::clock::places;
 use super::lane::Lane;
-use super::{Bundle, Middle, gather};
+use super::{Along, Between, Bundle, gather};
 
 impl<R: Lanes> Bundle<'_, R> {
     /// Accepts or rejects steps, and takes the coefficients of the lanes with accepted ones.
@@ -64,11 +64,23 @@ impl<R: Lanes> Bundle<'_, R> {
         (largest, zeros(begin))
     }
 
-    /// Returns the largest defect in the middle of each lane's step in units of its tolerance, if
-    /// it is checked.
-    fn defects_within(&self) -> Option<R> {
-        let Middle { slope, rate, .. } = self.middle.as_ref()?;
-        Some(step::defect(slope, rate, &self.inverse_weights))
+    /// Returns the largest defect within each lane's step where functions saturate, in units of its
+    /// tolerance, if the machine has such functions.
+    fn defects_within(&mut self) -> Option<R> {
+        let (zero, half) = (R::literal(0.0), R::literal(0.5));
+        let (coefficients, step) = (&self.current[..], self.clock.step);
+        let mut along = Along { equations: &self.equations, clock: &self.clock, coefficients };
+        let Between { state, slope, rate } = &mut self.between;
+        let ends = (&coefficients[..self.states], step, &self.end[..]);
+        let is_any = |place| R::less(zero, place) != 0;
+        let mut largest = zero;
+        self.saturating.as_mut()?.places(&mut along, ends, is_any, |along, after, is_there| {
+            step::value_and_slope(coefficients, after, state, slope);
+            along.equations.rate(along.time(after), state, rate);
+            let defect = step::defect(slope, rate, &self.inverse_weights);
+            largest = largest.larger(R::select_less(half, is_there, defect, zero));
+        });
+        Some(largest)
     }
 
     /// Computes the sizes of the last coefficients relative to the tolerances.

@@ -60,6 +60,10 @@ impl<'a, R: Lanes> Equations<'a, R> {
         self.machine.prepared_rate(time, state, &self.parameters, &self.constants, rate);
     }
 
+    pub(crate) fn saturating_arguments(&self, time: R, state: &[R], arguments: &mut [R]) {
+        self.machine.saturating_arguments(time, state, &self.parameters, arguments);
+    }
+
     #[cfg(feature = "implicit")]
     pub(crate) fn jacobian(&self, time: R, state: &[R], values: &mut [R]) {
         self.machine.prepared_rate_jacobian(time, state, &self.parameters, &self.constants, values);

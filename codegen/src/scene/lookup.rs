@@ -486,7 +486,7 @@ fn shared(mut typed: Typed) -> Typed {
 
 fn is_smooth(expr: &Expr) -> bool {
     let mut is_smooth = true;
-    expr.visit(&mut |part| {
+    Expr::visit_all([expr], &mut |part| {
         is_smooth &= match part {
             Expr::Call(function, _) => !matches!(
                 function,

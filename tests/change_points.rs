@@ -6,8 +6,8 @@ use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::ModelSimulator;
 
+use crate::common::column;
 use crate::own_scene::{of_specs, of_text};
-use crate::spatial::column;
 
 /// Methods for constrained machines, with tolerances.
 const RUNS: [(Method, f64); 8] = [

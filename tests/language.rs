@@ -5,6 +5,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Describe;
 use machinist_model::ModelSimulator;
 
+use crate::common::column;
 use crate::own_scene::{of_files, of_text, refusal};
 
 /// Returns a scene of a unit `s`, with text for the scene in dotted keys, and text for the unit.
@@ -31,10 +32,6 @@ fn run(scene: &ModelSimulator, set: &[(&str, f64)]) -> Trajectory {
         simulation = simulation.parameter(name, *value).expect("a parameter");
     }
     simulation.run().expect("it runs")
-}
-
-fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
-    run.column(name).unwrap_or_else(|| panic!("no column {name}"))
 }
 
 /// Returns the largest distance of a column from a function of time.

@@ -434,7 +434,9 @@ impl Resolver<'_> {
     fn are_long(&mut self, unit: Option<usize>) -> bool {
         let spec = self.spec;
         let helpers = unit.map_or(&spec.helpers, |unit| &spec.units[unit].helpers);
-        *self.long_helpers.entry(unit).or_insert_with(|| are_long(helpers))
+        let coordinates = unit.map_or(&[][..], |unit| &spec.units[unit].coordinates);
+        let moves = |name: &str| coordinates.iter().any(|one| one.name.value == name);
+        *self.long_helpers.entry(unit).or_insert_with(|| are_long(helpers, moves))
     }
 
     fn named(
@@ -493,12 +495,13 @@ fn shared(mut typed: Typed) -> Typed {
     typed
 }
 
-/// Returns whether one of some helpers is long with those written out that it uses.
-fn are_long(helpers: &[DefinitionSpec]) -> bool {
-    /// Number of leaves. The places of a chain of 31 links, whose last helpers have as many, make a
-    /// model of the same size with and without shared parts. Shorter chains become smaller without
-    /// them, by up to a fifth, and longer ones with them, at a third of the time from 40 links on.
-    const LONG: usize = 64;
+/// Returns whether one of some helpers mentions many coordinates, with those written out that it uses.
+fn are_long(helpers: &[DefinitionSpec], moves: impl Fn(&str) -> bool) -> bool {
+    /// Number of coordinates, each as often as it occurs. The places of a chain of 31 links, whose last
+    /// helpers have as many, make a model of the same size with and without shared parts. Shorter
+    /// chains become smaller without them, by up to a fifth, and longer ones with them, at a third
+    /// of the time from 40 links on.
+    const LONG: usize = 32;
     let mut lengths: HashMap<&str, usize> = HashMap::new();
     loop {
         let mut has_changed = false;
@@ -506,8 +509,11 @@ fn are_long(helpers: &[DefinitionSpec]) -> bool {
             let mut length = 0;
             helper.expression.visit(&mut |part| {
                 length += match &part.node {
-                    Node::Name(None, name) => lengths.get(name.as_str()).copied().unwrap_or(1),
-                    Node::Name(..) | Node::Number(..) => 1,
+                    Node::Name(None, name) => {
+                        let known = lengths.get(name.as_str()).copied();
+                        known.unwrap_or_else(|| usize::from(moves(name)))
+                    }
+                    Node::Name(..) => 1,
                     _ => 0,
                 };
             });

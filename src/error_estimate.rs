@@ -12,7 +12,7 @@
 //! twice. The estimate covers the integration in time alone: not the elements of a field, the
 //! digits of a parameter, or the spec itself.
 
-use crate::error::SimulateError;
+use crate::error::{SimulateError, StopCause};
 use crate::method::taylor::LEAST_RTOL;
 pub use crate::method::tolerance::REFINEMENT;
 use crate::simulate::Simulation;
@@ -156,11 +156,12 @@ impl Simulation<'_> {
     }
 
     /// Runs at increasingly tight tolerances until the estimated error of every column is at most
-    /// `accuracy` times its largest value.
+    /// `accuracy` times its largest value. If that is not met, or an attempt fails after others
+    /// worked, returns the attempt with the smallest error, and the reason.
     ///
     /// # Errors
-    /// As for [`Simulation::run`]; [`SimulateError::BadAccuracy`] if the accuracy is not above 0
-    /// and at most 1.
+    /// As for [`Simulation::run`], of the first attempt or by an interruption;
+    /// [`SimulateError::BadAccuracy`] if the accuracy is not above 0 and at most 1.
     pub fn run_to_accuracy(&self, accuracy: f64) -> Result<AccurateRun, SimulateError> {
         self.run_to_accuracy_by(accuracy, |simulation| {
             let trajectory = simulation.run()?;
@@ -173,34 +174,43 @@ impl Simulation<'_> {
     /// caller, for example on two threads.
     ///
     /// # Errors
-    /// As for [`Simulation::run_to_accuracy`], and those of the caller.
-    pub fn run_to_accuracy_by<E: From<SimulateError>>(
+    /// As for [`Simulation::run_to_accuracy`].
+    pub fn run_to_accuracy_by(
         &self,
         accuracy: f64,
-        mut estimated: impl FnMut(&Self) -> Result<(Trajectory, ErrorEstimate), E>,
-    ) -> Result<AccurateRun, E> {
+        mut estimated: impl FnMut(&Self) -> Result<(Trajectory, ErrorEstimate), SimulateError>,
+    ) -> Result<AccurateRun, SimulateError> {
         if !(accuracy > 0.0 && accuracy <= 1.0) {
-            return Err(SimulateError::BadAccuracy(accuracy).into());
+            return Err(SimulateError::BadAccuracy(accuracy));
         }
         let mut rtol = self.relative_tolerance();
-        let (mut least, mut attempts, mut idle) = (f64::INFINITY, 0, 0);
+        let (mut best, mut attempts, mut idle) = (None::<Attempt>, 0, 0);
         let mut noise = Noise { energy: self.typical_energy()?, ..Noise::default() };
         loop {
             attempts += 1;
-            let (trajectory, error) = estimated(&self.clone().at_tolerance(rtol))?;
+            let found = estimated(&self.clone().at_tolerance(rtol));
+            if let Some(reason) = failure(&found)
+                && let Some(best) = best
+            {
+                return Ok(best.short(&format!("the attempt at rtol {rtol:e} failed: {reason}")));
+            }
+            let (trajectory, error) = found?;
             if noise.finds((&trajectory, &error), accuracy) {
-                least = f64::INFINITY;
+                best = None;
             }
             let (name, part) = noise.worst(&trajectory, &error);
-            idle = if part < least { 0 } else { idle + 1 };
+            if error.unknown.is_some() || part <= accuracy {
+                let shortfall = error.unknown.clone();
+                return Ok(AccurateRun { trajectory, error, shortfall });
+            }
+            let is_better = best.as_ref().is_none_or(|best| part < best.part);
+            idle = if is_better { 0 } else { idle + 1 };
             let factor =
                 if noise.suspected.contains(&name) { IF_NOISE } else { AIM * accuracy / part };
             let factor = factor.max(FURTHEST);
             let wanted = rtol * factor;
             let next = one_digit((wanted * 0.1f64.powi(idle)).max(LEAST_ATTEMPTED));
-            let reason = if error.unknown.is_some() || part <= accuracy {
-                None
-            } else if !part.is_finite() {
+            let reason = if !part.is_finite() {
                 Some("it is not a number")
             } else if idle == IDLE_ATTEMPTS {
                 Some("a tighter tolerance does not reduce the error")
@@ -209,17 +219,45 @@ impl Simulation<'_> {
             } else if attempts == ATTEMPTS {
                 Some("all attempts are used up")
             } else {
-                (rtol, least) = (next, part.min(least));
-                continue;
+                None
             };
-            let shortfall = reason.map(|reason| {
-                format!(
-                    "the error of `{name}` is {part:.1e} of its largest value at rtol {rtol:e}: {reason}"
-                )
-            });
-            let shortfall = error.unknown.clone().or(shortfall);
-            return Ok(AccurateRun { trajectory, error, shortfall });
+            let this = Attempt { trajectory, error, name, part };
+            let kept = best.filter(|_| !is_better).unwrap_or(this);
+            if let Some(reason) = reason {
+                return Ok(kept.short(reason));
+            }
+            (best, rtol) = (Some(kept), next);
         }
+    }
+}
+
+/// An attempt that misses the accuracy.
+struct Attempt {
+    trajectory: Trajectory,
+    error: ErrorEstimate,
+    /// Column with the largest error, relative to its largest value, and that error.
+    name: String,
+    part: f64,
+}
+
+impl Attempt {
+    /// Returns the run, with the reason for which no further attempt is made.
+    fn short(self, reason: &str) -> AccurateRun {
+        let Self { trajectory, error, name, part } = self;
+        let shortfall = format!(
+            "the error of `{name}` is {part:.1e} of its largest value at rtol {:e}: {reason}",
+            trajectory.rtol
+        );
+        AccurateRun { trajectory, error, shortfall: Some(shortfall) }
+    }
+}
+
+/// Returns why an attempt has no estimate, unless it was interrupted.
+fn failure(attempt: &Result<(Trajectory, ErrorEstimate), SimulateError>) -> Option<String> {
+    match attempt {
+        Ok((_, error)) => error.unknown.clone(),
+        Err(SimulateError::Stopped { cause: StopCause::Interrupted, .. }) => None,
+        Err(error) => Some(error.to_string()),
     }
 }
 

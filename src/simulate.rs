@@ -304,13 +304,6 @@ impl<'a> Simulation<'a> {
         self
     }
 
-    /// Sets whether a run is repeated if states without a scale of their own turn out to be far below
-    /// it, so that their errors are relative to their size; true unless set. Sweeps repeat no runs.
-    pub fn with_small_states_held(mut self, wanted: bool) -> Self {
-        self.holds_small = wanted;
-        self
-    }
-
     /// Returns the same run at another relative tolerance; absolute tolerances are scaled by the
     /// same factor.
     pub fn at_tolerance(mut self, rtol: f64) -> Self {
@@ -363,22 +356,6 @@ impl<'a> Simulation<'a> {
     /// that cannot set a flag meanwhile, and limits on several runs together.
     pub fn until_told(mut self, why: &'a dyn Fn() -> Option<StopCause>) -> Self {
         self.patience.asked = Some(why);
-        self
-    }
-
-    /// Integrates the power balance alongside the states, for [`Trajectory::energy_balance`]. Its
-    /// error is controlled like that of the states, so the steps differ from those of a run without
-    /// it.
-    pub fn with_energy_balance(mut self, wanted: bool) -> Self {
-        self.energy_balance = wanted;
-        self
-    }
-
-    /// Projects the states of a conservative machine with constraints onto its energy after each
-    /// step, along with the constraints. Over long runs the energy then keeps the value of the start
-    /// to rounding, and so does the pace of the motion.
-    pub fn with_constant_energy(mut self, wanted: bool) -> Self {
-        self.keeps_energy = wanted;
         self
     }
 
@@ -452,7 +429,6 @@ impl<'a> Simulation<'a> {
     /// # Errors
     /// [`SimulateError`] if a setting is invalid or the integration stops early. In the second case
     /// the error gives time and cause, and contains the run until then.
-    /// there.
     pub fn run(&self) -> Result<Trajectory, SimulateError> {
         let asked = self.chosen_method()?;
         let method = self.method_for_sensitivities(asked)?;

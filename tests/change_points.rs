@@ -1,11 +1,13 @@
 //! Loops that pass positions in which their constraints lose rank.
 
+use std::f64::consts::PI;
+
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::ModelSimulator;
 
+use crate::common::column;
 use crate::own_scene::{of_specs, of_text};
-use crate::spatial::column;
 
 /// Methods for constrained machines, with tolerances.
 const RUNS: [(Method, f64); 8] = [
@@ -120,5 +122,26 @@ fn windows_of_four_bars_pass_their_positions_in_line() {
                 state[i] + step / 6.0 * (one[i] + 2.0 * (two[i] + three[i]) + four[i])
             });
         }
+    }
+}
+
+/// From positions in line several motions begin, and a start solved from a guess finds them to half the
+/// digits. Beside them the start is not a corner.
+#[test]
+fn a_start_in_line_is_refused_and_one_beside_it_runs() {
+    let machine = parallelogram(0.0);
+    let given = |a: f64| {
+        let run = Simulation::new(&machine).initial_state(&[a, 0.0, a, 2.0, 0.0, 2.0]);
+        run.until(0.4).points(2).run()
+    };
+    let guessed = |a: f64| Simulation::new(&machine).initial_value("p.a", a)?.until(0.4).run();
+    for found in [given(0.0), given(PI), guessed(0.0)] {
+        let error = found.expect_err("a change point").to_string();
+        assert!(error.contains("the start is a change point"), "{error}");
+    }
+    for a in [1e-3, 1e-2, -1e-2, 0.1, PI + 1e-2] {
+        let run = given(a).unwrap_or_else(|error| panic!("{a}: {error}"));
+        assert!((column(&run, "c")[1] - a - 0.8).abs() < 1e-6, "{a}: {:?}", column(&run, "c"));
+        assert!(!run.notes.iter().any(|note| note.contains("corner")), "{a}: {:?}", run.notes);
     }
 }

@@ -7,6 +7,9 @@
 #[path = "common/machines.rs"]
 mod machines;
 
+use std::sync::atomic::AtomicBool;
+
+use machinist::error::StopCause;
 use machinist::error_estimate::ErrorEstimate;
 use machinist::trajectory::{Column, Switch, Trajectory};
 use machinist::{Discretisation, FieldSimulator, Method, SimulateError, Simulation};
@@ -277,4 +280,33 @@ fn an_accuracy_is_met_by_the_true_error_or_the_reason_is_said() {
         let refused = Simulation::new(&simulator).run_to_accuracy(accuracy);
         assert!(matches!(refused, Err(SimulateError::BadAccuracy(_))), "{accuracy}");
     }
+}
+
+/// The limit of steps ends an attempt after others; an interruption ends all.
+#[test]
+fn an_attempt_that_fails_leaves_the_best_one_before_it() {
+    let simulator = ModelSimulator::new(model_of_specs("pendulum_chain", Keep::Needed));
+    let run = Simulation::new(&simulator).method(Method::Tsit5).rtol(1e-4);
+    let steps = run.clone().rtol(1e-9).run().expect("a run").work.steps as usize;
+    let limited = run.clone().max_steps(steps);
+    let found = limited.run_to_accuracy(1e-12).expect("the best attempt");
+    let reason = found.shortfall.expect("a reason");
+    assert!(reason.contains("the attempt at rtol ") && reason.contains("limit of"), "{reason}");
+    assert!(found.trajectory.rtol < 1e-4, "{:e}", found.trajectory.rtol);
+    let estimate =
+        limited.error_estimate(&limited.clone().at_tolerance(1e-4).run().expect("a run"));
+    for (first, best) in estimate.columns.iter().zip(&found.error.columns) {
+        assert!(best.largest <= first.largest, "{best:?}");
+    }
+    assert!(run.clone().max_steps(3).run_to_accuracy(1e-3).is_err());
+    let mut attempts = 0;
+    let interrupted = run.run_to_accuracy_by(1e-12, |simulation| {
+        let flag = AtomicBool::new(attempts == 1);
+        attempts += 1;
+        let run = simulation.clone().until_flagged(&flag).run()?;
+        let error = simulation.error_estimate(&run);
+        Ok((run, error))
+    });
+    let Err(SimulateError::Stopped { cause, .. }) = interrupted else { panic!("{interrupted:?}") };
+    assert_eq!((attempts, cause), (2, StopCause::Interrupted));
 }

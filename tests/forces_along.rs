@@ -5,16 +5,13 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::{Describe, Simulator};
 use machinist_model::ModelSimulator;
 
+use crate::common::column;
 use crate::own_scene::{of_text, refusal};
 
 const RUN: &str = "[run]\nuntil = 1.5\npoints = 151\nrtol = 1e-11\nmethod = \"auto\"\n";
 
 fn run(scene: &ModelSimulator) -> Trajectory {
     Simulation::new(scene).run().expect("it runs")
-}
-
-fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
-    run.column(name).unwrap_or_else(|| panic!("no column {name}"))
 }
 
 fn apart(a: &[f64], b: &[f64]) -> f64 {

@@ -8,7 +8,7 @@ use machinist_codegen::independent::{Comparison, Deviation, elements};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_codegen::scene::system::LagrangianSystem;
-use machinist_contract::Simulator;
+use machinist_contract::{Describe as _, Simulator};
 use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
@@ -191,4 +191,41 @@ fn an_arm_by_helpers_of_each_other_moves_as_its_energies_say() {
     let model = pipeline::compile(system.clone(), Keep::Needed);
     let model = ModelSimulator::new(model.unwrap_or_else(|errors| panic!("{}", errors.render())));
     assert_small("arm", &deviation(&system, model.single()));
+}
+
+/// Only the long helper contains the second coordinate and the parameter.
+#[test]
+fn reduction_keeps_what_only_a_long_helper_contains() {
+    let terms: Vec<String> = (1..=40).map(|k| format!("p*sin(q1 + q2/{k})")).collect();
+    let text = format!(
+        r#"
+[scene]
+name = "alone"
+[units.c]
+unit = "c"
+[outputs]
+angle = "c.q1"
+[run]
+until = 1
+[define.c.coordinates]
+q1 = {{ unit = "rad" }}
+q2 = {{ unit = "rad" }}
+[define.c.parameters]
+unused = {{ value = 1, unit = "kg" }}
+p = {{ value = 2, unit = "N m" }}
+[define.c.helpers]
+long = {{ expression = "{}", unit = "N m" }}
+[define.c.energy]
+kinetic = "1 [kg m^2]*(q1_dot^2 + q2_dot^2)/2"
+potential = "long"
+"#,
+        terms.join(" + ")
+    );
+    let system = system_of(&text);
+    let reduced = pipeline::compile(system, Keep::Needed);
+    let reduced =
+        ModelSimulator::new(reduced.unwrap_or_else(|errors| panic!("{}", errors.render())));
+    assert_eq!((reduced.shape().states(), reduced.shape().parameters), (4, 1));
+    let whole = system_of(&text.replace("unused = { value = 1, unit = \"kg\" }\n", ""));
+    assert_small("alone", &deviation(&whole, reduced.single()));
 }

@@ -5,6 +5,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Describe;
 use machinist_model::ModelSimulator;
 
+use crate::common::column;
 use crate::own_scene::{of_files, of_text, refusal};
 
 /// Returns a scene of a unit `s`, with text for the scene in dotted keys, and text for the unit.
@@ -31,10 +32,6 @@ fn run(scene: &ModelSimulator, set: &[(&str, f64)]) -> Trajectory {
         simulation = simulation.parameter(name, *value).expect("a parameter");
     }
     simulation.run().expect("it runs")
-}
-
-fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
-    run.column(name).unwrap_or_else(|| panic!("no column {name}"))
 }
 
 /// Returns the largest distance of a column from a function of time.
@@ -87,18 +84,21 @@ fn numbers_may_be_in_any_unit_and_outputs_are_shown_in_theirs() {
 fn a_number_in_another_unit_is_a_parameter_that_runs_may_change() {
     let text = scene(
         "units.s = { unit = \"s\", parameters = { mass = \"2000 [g]\" } }\n\
-         outputs.x = \"s.x\"\ninitial.\"s.x\" = 1",
+         outputs.x = \"s.x\"\noutputs.turned = \"s.turned\"\ninitial.\"s.x\" = 1",
         "coordinates.x = { unit = \"m\", velocity = \"v\" }\n\
          parameters.mass = { value = 1, unit = \"kg\" }\n\
          parameters.stiffness = { value = \"0.018 [kN/m]\", unit = \"N/m\" }\n\
+         parameters.speed = { value = \"-300 [rpm]\", unit = \"rad/s\" }\n\
+         outputs.turned = { expression = \"speed*t\", unit = \"rad\" }\n\
          energy = { kinetic = \"mass*v^2/2\", potential = \"stiffness*x^2/2\" }",
         RUN,
     );
     let scene = of_text(&text, Keep::Needed);
-    assert_eq!(parameters(&scene), ["s.mass", "s.stiffness"]);
-    for (index, value) in [(0, 2.0), (1, 18.0)] {
-        assert!((scene.parameter_default(index) - value).abs() < 1e-15);
+    assert_eq!(parameters(&scene), ["s.mass", "s.stiffness", "s.speed"]);
+    for (index, value) in [(0, 2.0), (1, 18.0), (2, -10.0 * std::f64::consts::PI)] {
+        assert!((scene.parameter_default(index) - value).abs() < 1e-14);
     }
+    assert!(off(&run(&scene, &[("s.speed", 2.0)]), "turned", |t| 2.0 * t) < 1e-14);
     assert!(off(&run(&scene, &[]), "x", |t| (3.0 * t).cos()) < 1e-8);
     assert!(off(&run(&scene, &[("s.mass", 8.0)]), "x", |t| (1.5 * t).cos()) < 1e-8);
     let wrong = text.replace("2000 [g]", "2000 [N]");

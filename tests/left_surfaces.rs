@@ -1,10 +1,11 @@
 //! A motion that slides along a switching surface, which a jump leaves: no finite force follows a
 //! surface that jumps, or holds what is thrown off it. Compared with closed forms.
 
-use machinist::{Method, Simulation, Trajectory};
+use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::ModelSimulator;
 
+use crate::common::column;
 use crate::own_scene::of_text;
 
 const METHODS: [Method; 6] =
@@ -89,10 +90,6 @@ fn with(machine: &ModelSimulator, values: [f64; 4]) -> Simulation<'_> {
     run.fold(Simulation::new(machine), |run, (name, value)| {
         run.parameter(name, value).expect("a parameter")
     })
-}
-
-fn column<'r>(run: &'r Trajectory, name: &str) -> &'r [f64] {
-    run.column(name).expect("a column")
 }
 
 #[test]

@@ -13,8 +13,8 @@ use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_contract::Describe;
 use machinist_model::ModelSimulator;
 
+use crate::common::column;
 use crate::own_scene::system_of;
-use crate::spatial::column;
 
 /// Units by name, with their values.
 type Units<'a> = &'a [(&'a str, &'a str, &'a str)];

@@ -6,6 +6,7 @@ use std::f64::consts::PI;
 use machinist::{Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 
+use crate::common::column;
 use crate::own_scene::{of_text, refusal};
 
 /// Acceleration of a law between rests.
@@ -84,10 +85,6 @@ fn run(call: &str, set: &[(&str, f64)], at: &[f64]) -> Trajectory {
         .iter()
         .try_fold(Simulation::new(&scene), |run, (name, value)| run.parameter(name, *value));
     run.expect("parameters").times(&times).run().expect("it runs")
-}
-
-fn column<'a>(run: &'a Trajectory, name: &str) -> &'a [f64] {
-    run.column(name).expect("a column")
 }
 
 /// Integrates by Gauss's formula with 8 nodes in each of `panels` panels.

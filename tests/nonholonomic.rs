@@ -7,8 +7,8 @@ use machinist_model::ModelSimulator;
 use nalgebra::{Matrix3, Vector3};
 use num_complex::Complex64;
 
+use crate::common::column;
 use crate::own_scene::of_specs;
-use crate::spatial::column;
 
 /// Returns the eigenvalues of an upright bicycle that runs straight, without those of rolling on.
 fn eigenvalues(bicycle: &ModelSimulator, speed: f64) -> Vec<Complex64> {

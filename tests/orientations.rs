@@ -12,8 +12,9 @@ use machinist_contract::{Describe, Simulator};
 use machinist_model::ModelSimulator;
 use nalgebra::{UnitQuaternion, Vector3};
 
+use crate::common::column;
 use crate::own_scene::{of_text, refusal};
-use crate::spatial::{column, compared, omega, run, turned};
+use crate::spatial::{compared, omega, run, turned};
 
 /// Returns sn, cn and dn of u for a parameter m, by descending Landen transformations.
 fn jacobi(u: f64, m: f64) -> [f64; 3] {

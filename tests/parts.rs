@@ -31,6 +31,7 @@ use machinist_codegen::spec::library::{LIBRARY, LibraryUnit};
 use machinist_contract::Describe;
 use machinist_model::ModelSimulator;
 
+use crate::common::column;
 use crate::own_scene::of_specs;
 
 /// Methods that support constraints.
@@ -83,10 +84,6 @@ fn run(scene: &ModelSimulator, set: &[(&str, f64)], start: &[(&str, f64)]) -> Tr
         simulation = simulation.initial_state(&state);
     }
     simulation.run().unwrap_or_else(|error| panic!("{set:?} {start:?}: {error}"))
-}
-
-fn column<'a>(run: &'a Trajectory, name: &str) -> &'a [f64] {
-    run.column(name).unwrap_or_else(|| panic!("no column {name}"))
 }
 
 /// Returns the largest difference from a closed form over its largest value.

@@ -8,6 +8,7 @@ use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
 use nalgebra::{Matrix5, Vector5};
 
+use crate::common::column;
 use crate::own_scene::{model_of_specs, of_text, refusal, system_of};
 
 const METHODS: [Method; 5] =
@@ -50,10 +51,6 @@ const RING: &str = r#"
     sliding = "mu*abs(ring)"
     unit = "N"
 "#;
-
-fn column<'a>(run: &'a Trajectory, name: &str) -> &'a [f64] {
-    run.column(name).unwrap_or_else(|| panic!("{name}"))
-}
 
 fn with(
     machine: &ModelSimulator,

@@ -4,6 +4,7 @@ use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::ModelSimulator;
 
+use crate::common::column;
 use crate::own_scene::{of_text, refusal};
 
 /// Methods that end steps where a rate jumps.
@@ -26,10 +27,6 @@ fn pushed(force: &str, outputs: &str) -> String {
 fn run(scene: &ModelSimulator, method: Method) -> Trajectory {
     let run = Simulation::new(scene).method(method).run();
     run.unwrap_or_else(|error| panic!("{method}: {error}"))
-}
-
-fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
-    run.column(name).unwrap_or_else(|| panic!("no column {name}"))
 }
 
 #[test]

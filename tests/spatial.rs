@@ -19,6 +19,7 @@ use machinist_model::evaluate::{Evaluator, Inputs};
 use machinist_studies::double_double::DoubleDouble;
 use nalgebra::{DMatrix, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
+use crate::common::column;
 use crate::own_scene::{of_text, refusal, system_of};
 use robots::{numbers, robots, rows, scene_of};
 
@@ -130,10 +131,6 @@ fn rate_of_omega([_, pitch, roll]: [f64; 3], [yaw_rate, dp, dr]: [f64; 3]) -> Ve
 
 pub fn run(text: &str) -> Trajectory {
     Simulation::new(&of_text(text, Keep::Needed)).run().unwrap_or_else(|error| panic!("{error}"))
-}
-
-pub fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
-    run.column(name).unwrap_or_else(|| panic!("no column {name}"))
 }
 
 /// Returns an orientation in a row.

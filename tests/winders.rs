@@ -6,6 +6,7 @@ use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::ModelSimulator;
 
+use crate::common::column;
 use crate::own_scene::of_specs;
 
 const METHODS: [Method; 5] =
@@ -47,10 +48,6 @@ fn inertia(radius: f64) -> f64 {
 
 fn resistance(tension: f64, radius: f64) -> f64 {
     tension + pressure(radius) * 1e-3 / radius
-}
-
-fn column<'a>(run: &'a Trajectory, name: &str) -> &'a [f64] {
-    run.column(name).expect("a column")
 }
 
 /// J w' = (f N nu/nu_most - resistance) R with w = v/R (1 - nu): nu tends exponentially to

@@ -46,6 +46,9 @@ fn a_parameter_that_nothing_uses_is_told_to_be_unused_by_every_command() {
         &["campbell", "gear.toml", "--parameter", "spare=1..2"],
         &["sweep", "gear.toml", "--parameter", "spare=1..2", "--count", "2"],
         &["modes", "gear.toml", "--set", "spare=2"],
+        &["modes", "gear.toml", "--at", "initial", "--sensitivities", "spare"],
+        &["run", "gear.toml", "--sensitivities", "spare"],
+        &["gradient", "gear.toml", "--of", "max(motor)", "--set", "spare=2"],
     ] {
         let command = machinist(&folder, &[arguments, &["--algebra", "plain"]].concat());
         let words = "nothing in scene `rotational_gear` uses parameter `spare`";

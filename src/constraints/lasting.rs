@@ -9,7 +9,7 @@ use crate::scales::beside;
 /// Number of positions at which a constraint has to follow from others.
 const PLACES: usize = 4;
 /// Distance of these positions from the start, in scales of states.
-const REACH: f64 = 0.2;
+pub(super) const REACH: f64 = 0.2;
 /// Relative change of a parameter that shows whether it matters.
 const CHANGE: f64 = 1e-3;
 

@@ -3,7 +3,9 @@
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
+use super::lasting::REACH;
 use super::{Constraints, Level, ROUNDING};
+use crate::scales::beside;
 
 /// Bound of the remainder of a row of length 1 that counts as rounding.
 pub(super) const NOTHING: f64 = 1e-9;
@@ -67,8 +69,7 @@ impl Redundant {
         if self.repeats.is_empty() {
             return "does not change with any coordinate".to_owned();
         }
-        let names = self.repeats.iter().map(|name| format!("`{name}`"));
-        format!("says nothing that is new beside {}", names.collect::<Vec<_>>().join(", "))
+        format!("says nothing that is new beside {}", quoted(&self.repeats))
     }
 
     /// Returns a hint on how to mend it.
@@ -87,21 +88,23 @@ impl Redundant {
     /// it.
     #[must_use]
     pub fn shares(&self) -> String {
-        let names: Vec<String> = self.repeats.iter().map(|name| format!("`{name}`")).collect();
-        let carries = if names.len() == 1 { "carries" } else { "carry" };
+        let names = quoted(&self.repeats);
+        let is_one = self.repeats.len() == 1;
+        let carries = if is_one { "carries" } else { "carry" };
         format!(
             "`{}` holds what {} already: the motion is the same whoever carries the \
              force; {} {carries} all of it, `{}` none",
             self.constraint,
-            if names.len() == 1 {
-                format!("{} holds", names[0])
-            } else {
-                format!("{} hold together", names.join(", "))
-            },
-            names.join(", "),
+            if is_one { format!("{names} holds") } else { format!("{names} hold together") },
+            names,
             self.constraint
         )
     }
+}
+
+/// Returns a list of names for messages.
+pub(super) fn quoted(names: &[String]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// Returns the mobility of a simulator at a state, \[q, q', z\]; `None` if it has no constraints.
@@ -114,7 +117,7 @@ pub fn mobility(
 ) -> Option<Mobility> {
     let constraints = Constraints::of(simulator, parameters)?;
     let matrix = constraints.matrix(time, state);
-    let Rows { kept, repeated } = rows(&constraints, &matrix);
+    let Rows { kept, repeated } = rows(&constraints, &matrix, NOTHING);
     let (rank, all) = (kept.len(), kept.len() + repeated.len());
     let redundant = repeated.into_iter().map(|(row, line)| {
         let sources = sources(&kept, &line);
@@ -138,7 +141,7 @@ pub fn mobility(
 
 /// Returns the rows of G that repeat others.
 pub(super) fn repeated_rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Vec<usize> {
-    let Rows { repeated, .. } = rows(constraints, matrix);
+    let Rows { repeated, .. } = rows(constraints, matrix, NOTHING);
     repeated.into_iter().map(|(row, _)| row).collect()
 }
 
@@ -148,10 +151,39 @@ struct Rows {
     repeated: Vec<(usize, DVector<f64>)>,
 }
 
+/// Returns the names of a constraint and of those it depends on, if a state is a change point: if rows
+/// of G that are dependent or zero there are not at positions around it that fulfil all constraints.
+pub(super) fn change_point(
+    constraints: &Constraints<'_>,
+    time: f64,
+    state: &[f64],
+) -> Option<(String, Vec<String>)> {
+    /// Bound of remainders. Positions are solved for to a residual of 1e-13, so a change point, at which
+    /// the residual is quadratic, is off by its root.
+    const NEARLY: f64 = 1e-5;
+    let Rows { kept, repeated: mut here } =
+        rows(constraints, &constraints.matrix(time, state), NEARLY);
+    here.retain(|(row, _)| !constraints.simulator.constraint(*row).in_modes);
+    for place in 1..=2 {
+        if here.is_empty() {
+            break;
+        }
+        let near = beside(constraints.simulator, state, place, REACH);
+        let there = constraints.fulfilled_but(&[], time, &near)?;
+        let [near, there] = [near, there].map(|state| constraints.matrix(time, &state));
+        let Rows { kept, .. } = rows(constraints, &there, NEARLY);
+        let is_level = |row: usize| there.row(row).norm() <= NEARLY * near.row(row).norm();
+        here.retain(|(row, _)| kept.iter().any(|(other, _)| other == row) && !is_level(*row));
+    }
+    let name = |row: usize| constraints.name(row).to_owned();
+    let (row, line) = here.first()?;
+    Some((name(*row), sources(&kept, line).into_iter().map(name).collect()))
+}
+
 /// Orthogonalizes the rows of G one after another; the number of remaining rows is the rank, and
-/// rows without a remainder are redundant. Constraints that always hold come first, then those that
+/// rows without a remainder above `least` are redundant. Constraints that always hold come first, then those that
 /// hold in modes, both in the order of the spec.
-fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
+fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>, least: f64) -> Rows {
     /// The same bound for a constraint that holds in modes, by the accuracy of event times. A
     /// constraint with a smaller remainder would act with a huge force. The factorization for
     /// forces uses the same bound.
@@ -166,7 +198,7 @@ fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
     for row in always.into_iter().chain(modal) {
         let mut line = scaled(row);
         let mut length = line.norm();
-        if length <= longest * if in_modes(&row) { ROUNDING } else { NOTHING } {
+        if length <= longest * if in_modes(&row) { ROUNDING } else { least } {
             line.fill(0.0);
             length = 0.0;
         }
@@ -184,7 +216,7 @@ fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
             }
         }
         let rest = left.norm();
-        if rest > if in_modes(&row) { NEARLY } else { NOTHING } {
+        if rest > if in_modes(&row) { NEARLY } else { least } {
             basis.push(left / rest);
             found.kept.push((row, line));
         } else {

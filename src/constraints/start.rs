@@ -3,7 +3,7 @@
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-use super::mobility::{NOTHING, repeated_rows};
+use super::mobility::{NOTHING, change_point, quoted, repeated_rows};
 use super::{Constraints, Level, largest_of, mobility};
 use crate::error::SimulateError;
 
@@ -154,8 +154,8 @@ pub(crate) fn free_moves(
     Some(FreeMoves { entries, is_determined, scales, weighed, by_coordinates })
 }
 
-/// Refuses constraints that are redundant at a state or without effect, unless the motion does not
-/// depend on the distribution of forces.
+/// Refuses change points, and constraints that are redundant at a state or without effect, unless the
+/// motion does not depend on the distribution of forces.
 ///
 /// # Errors
 /// [`SimulateError::RedundantConstraint`] for the first one.
@@ -165,6 +165,23 @@ pub(crate) fn require_independent(
     time: f64,
     state: &[f64],
 ) -> Result<(), SimulateError> {
+    let Some(constraints) = Constraints::of(simulator, parameters) else { return Ok(()) };
+    if let Some((constraint, others)) = change_point(&constraints, time, state) {
+        return Err(SimulateError::RedundantConstraint {
+            scene: simulator.name().to_owned(),
+            constraint,
+            why: format!(
+                "{} here, though not beside: the start is a change point, where branches of motion \
+                 cross",
+                if others.is_empty() {
+                    "has no effect".to_owned()
+                } else {
+                    format!("depends on {}", quoted(&others))
+                }
+            ),
+            hint: "start a little beside it, on the branch of the motion",
+        });
+    }
     let found = mobility(simulator, parameters, time, state);
     let mut redundant = found.into_iter().flat_map(|mobility| mobility.redundant);
     redundant.find(|redundant| !redundant.is_shared).map_or(Ok(()), |redundant| {

@@ -20,8 +20,7 @@ use super::bends::{Direction, changes};
 use super::inverse_iteration::InverseIteration;
 use super::motions::Places;
 use super::search::{ACCEPTED, RANK};
-use super::{LinearError, Linearization, Mode, ModeKind, Place, Point, full, position, scales};
-use crate::error::did_you_mean;
+use super::{LinearError, Linearization, Mode, ModeKind, Place, Point, full, scales};
 use crate::simulate::Simulation;
 use crate::trajectory::sensitivity_name;
 
@@ -81,8 +80,8 @@ impl PointSlopes {
     /// nothing depends on, stay unchanged.
     ///
     /// # Errors
-    /// [`LinearError::UnknownName`] if a name is not a parameter, [`LinearError::LosesEquilibrium`] if
-    /// no equilibrium remains when a parameter changes, and the errors of [`Simulation::run`] with
+    /// [`LinearError::Simulate`] if a name is not a parameter, [`LinearError::LosesEquilibrium`] if no
+    /// equilibrium remains when a parameter changes, and the errors of [`Simulation::run`] with
     /// sensitivities.
     pub fn of<N: AsRef<str>>(
         run: &Simulation<'_>,
@@ -91,21 +90,7 @@ impl PointSlopes {
         by: &[N],
     ) -> Result<Self, LinearError> {
         let simulator = run.simulator();
-        let shape = simulator.shape();
-        let parameter = |index: usize| simulator.parameter(index);
-        let parameters = by.iter().map(|name| {
-            position(name.as_ref(), shape.parameters, parameter).ok_or_else(|| {
-                LinearError::UnknownName {
-                    scene: simulator.name().to_owned(),
-                    kind: "parameter",
-                    name: name.as_ref().to_owned(),
-                    hint: did_you_mean(
-                        name.as_ref(),
-                        (0..shape.parameters).map(|index| parameter(index).name),
-                    ),
-                }
-            })
-        });
+        let parameters = by.iter().map(|name| run.parameter_index(name.as_ref()));
         let parameters = parameters.collect::<Result<Vec<usize>, _>>()?;
         let state = match place {
             Place::Equilibrium => of_equilibrium(simulator, point, &parameters)?,

@@ -116,8 +116,9 @@ impl System<'_> {
         constraints.follow(&prescribed, behind, &mut after);
         let StepTolerance { rtol, atol, .. } = allowed;
         let moved = |index: usize| (after[index] - state[index]).abs();
-        let is_noticed =
-            |index: usize| moved(index) > NOTICED * (atol[index] + rtol * state[index].abs());
+        let in_tolerances = |index: usize| moved(index) / (atol[index] + rtol * state[index].abs());
+        let is_noticed = |index: usize| in_tolerances(index) > NOTICED;
+        let is_jump = (0..states).any(|index| in_tolerances(index) > 1.0);
         if !(0..states).any(is_noticed) {
             return Ok(false);
         }
@@ -153,7 +154,7 @@ impl System<'_> {
                 .map(|time| constraints.residual(Level::Velocities, time, &state[..states]));
             (&now - earlier).amax() < 0.5 * now.amax()
         });
-        if is_corner {
+        if is_corner && is_jump {
             self.note(
                 "velocities jump at a corner of a constraint, which dissipates energy: round the \
                  corner to avoid this"

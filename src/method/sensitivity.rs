@@ -63,6 +63,10 @@ impl By {
                 why: "is a mode, whose values are whole numbers".to_owned(),
             }),
             Some(index) => Ok(Self::Initial(index)),
+            None if simulator.is_unused(name) => Err(SimulateError::UnusedParameter {
+                scene: simulator.name().to_owned(),
+                name: name.to_owned(),
+            }),
             None => Err(SimulateError::UnknownDirection {
                 scene: simulator.name().to_owned(),
                 name: name.to_owned(),

@@ -1,9 +1,27 @@
-//! Energies at the start of a run.
+//! Settings of energies, and energies at the start of a run.
 
 use super::Simulation;
 use crate::error::SimulateError;
 
 impl Simulation<'_> {
+    /// Integrates the power balance alongside the states, for [`Trajectory::energy_balance`]. Its
+    /// error is controlled like that of the states, so the steps differ from those of a run without
+    /// it.
+    ///
+    /// [`Trajectory::energy_balance`]: crate::Trajectory::energy_balance
+    pub fn with_energy_balance(mut self, wanted: bool) -> Self {
+        self.energy_balance = wanted;
+        self
+    }
+
+    /// Projects the states of a conservative machine with constraints onto its energy after each
+    /// step, along with the constraints. Over long runs the energy then keeps the value of the start
+    /// to rounding, and so does the pace of the motion.
+    pub fn with_constant_energy(mut self, wanted: bool) -> Self {
+        self.keeps_energy = wanted;
+        self
+    }
+
     /// Returns T + V + stored at the start \[J\].
     pub(super) fn total_energy(&self, initial: &[f64]) -> f64 {
         self.simulator.energy(self.from, initial, &self.parameters).total()

@@ -24,6 +24,13 @@ pub(super) struct Sized {
 }
 
 impl Simulation<'_> {
+    /// Sets whether a run is repeated if states without a scale of their own turn out to be far below
+    /// it, so that their errors are relative to their size; true unless set. Sweeps repeat no runs.
+    pub fn with_small_states_held(mut self, wanted: bool) -> Self {
+        self.holds_small = wanted;
+        self
+    }
+
     /// Runs, and repeats the run while states without a scale of their own are small.
     pub(super) fn run_resized(
         &self,

@@ -9,6 +9,13 @@ pub use hard_spring::HardSpring;
 pub use oscillator::Oscillator;
 pub use scalar::Scalar;
 
+use machinist::Trajectory;
+
+/// Returns the values of a column of a run.
+pub fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
+    run.column(name).unwrap_or_else(|| panic!("no column {name}"))
+}
+
 /// Returns the closed form of [`Oscillator`] with its default parameters: angle and speed.
 pub fn oscillator_state(time: f64) -> [f64; 2] {
     const START: f64 = 0.7;

@@ -13,6 +13,7 @@ use super::output::{
     write_file,
 };
 use super::scene::Scene;
+use super::spectrum::write_columns;
 use crate::failure::Failure;
 use crate::number::number;
 use crate::orders::{Blocks, Waterfall, integrated, is_angle, times_at};
@@ -282,19 +283,13 @@ impl Orders {
     }
 
     fn write_csv(&self, out: impl io::Write) -> io::Result<()> {
-        let mut table = csv::Writer::from_writer(out);
         let cuts = self.cuts();
-        let heads = cuts.iter().map(|cut| format!("{} [{}]", cut.name, cut.unit));
-        let first = ["time [s]", "speed [rad/s]"].map(str::to_owned).into_iter();
-        table.write_record(first.chain(heads))?;
-        if let Some((_, waterfall)) = self.outputs.first() {
-            for (row, (time, speed)) in waterfall.times.iter().zip(&waterfall.speeds).enumerate() {
-                let values = cuts.iter().map(|cut| cut.values[row]);
-                let values = [*time, *speed].into_iter().chain(values);
-                table.write_record(values.map(|value| format!("{value:?}")))?;
-            }
-        }
-        table.flush()
+        let cuts = cuts.iter().map(|cut| (format!("{} [{}]", cut.name, cut.unit), &*cut.values));
+        let first = self.outputs.first().map(|(_, waterfall)| waterfall);
+        let times = first.map_or(&[][..], |one| &one.times);
+        let speeds = first.map_or(&[][..], |one| &one.speeds);
+        let first = [("time [s]".to_owned(), times), ("speed [rad/s]".to_owned(), speeds)];
+        write_columns(&first.into_iter().chain(cuts).collect::<Vec<_>>(), out)
     }
 
     fn json(&self, run: &Trajectory) -> serde_json::Value {

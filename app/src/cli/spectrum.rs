@@ -239,13 +239,19 @@ impl One {
 
 impl Spectra {
     fn write_csv(&self, out: impl io::Write) -> io::Result<()> {
-        let mut table = csv::Writer::from_writer(out);
-        let heads = self.outputs.iter().map(|one| format!("{} [{}]", one.name, one.unit));
-        table.write_record(std::iter::once("frequency [Hz]".to_owned()).chain(heads))?;
-        for (k, frequency) in self.frequencies.iter().enumerate() {
-            let row = self.outputs.iter().map(|one| one.amplitudes[k]);
-            table.write_record(std::iter::once(*frequency).chain(row).map(|x| format!("{x:?}")))?;
-        }
-        table.flush()
+        let outputs = self.outputs.iter();
+        let outputs = outputs.map(|one| (format!("{} [{}]", one.name, one.unit), &*one.amplitudes));
+        let first = ("frequency [Hz]".to_owned(), &*self.frequencies);
+        write_columns(&std::iter::once(first).chain(outputs).collect::<Vec<_>>(), out)
     }
+}
+
+/// Writes columns of one length below their heads as CSV.
+pub(super) fn write_columns(columns: &[(String, &[f64])], out: impl io::Write) -> io::Result<()> {
+    let mut table = csv::Writer::from_writer(out);
+    table.write_record(columns.iter().map(|(head, _)| head))?;
+    for row in 0..columns.first().map_or(0, |(_, values)| values.len()) {
+        table.write_record(columns.iter().map(|(_, values)| format!("{:?}", values[row])))?;
+    }
+    table.flush()
 }

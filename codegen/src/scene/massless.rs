@@ -380,7 +380,7 @@ fn solved(expr: &Expr, symbol: Symbol) -> Result<Expr, Why> {
 /// Reports whether a comparison or another function that is not smooth depends on a symbol.
 fn selects(expr: &Expr, symbol: Symbol) -> bool {
     let mut selects = false;
-    expr.visit(&mut |part| {
+    Expr::visit_all([expr], &mut |part| {
         if let Expr::Call(function, arguments) = part {
             let reads = |argument: &Expr| argument.mentions(|other| other == symbol);
             selects |= match function {

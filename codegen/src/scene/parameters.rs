@@ -1,8 +1,10 @@
 //! Parameters: numbers that runs may change, or expressions of parameters.
 //!
-//! A number in other units (`"18 [kN m/rad]"`) is a number. A parameter given by an expression
+//! A number in other units (`"18 [kN m/rad]"`, `"1500 [rpm]"`) is a number. A parameter given by an expression
 //! (`inertia = "mass*radius^2/2"`, or that of an instance by the scene) is substituted wherever
 //! it is used, like a helper, and is not a parameter of the model.
+
+use std::f64::consts::PI;
 
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Layout, Local, Scope, find_inside};
@@ -65,6 +67,16 @@ fn quantity(ast: &Ast) -> Option<(f64, Unit)> {
             value.is_finite().then_some((value, *unit))
         }
         Node::Negative(of) => quantity(of).map(|(number, unit)| (-number, unit)),
+        // A number in rpm or degrees: the parser multiplies it by pi, which has the same span.
+        Node::Product(factors) => {
+            let [(_, number), pis @ ..] = &factors[..] else { return None };
+            let is_pi = |of: &Ast| of.span == ast.span && of.node == Node::Name(None, "pi".into());
+            let (number, unit) = quantity(number).filter(|_| number.span == ast.span)?;
+            let product = pis.iter().try_fold(number, |product, (divides, of)| {
+                is_pi(of).then(|| if *divides { product / PI } else { product * PI })
+            });
+            Some((product?, unit))
+        }
         _ => None,
     }
 }

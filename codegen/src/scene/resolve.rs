@@ -74,6 +74,8 @@ pub struct Resolver<'a> {
     /// Values of the parameters in the spec, if they are known yet.
     pub(super) values: &'a [f64],
     pub(super) definitions: HashMap<Definition, State>,
+    /// True for units whose helpers are long; `None` stands for the scene.
+    pub(super) long_helpers: HashMap<Option<usize>, bool>,
     /// Trees of joints of instances with frames.
     pub(super) trees: HashMap<usize, bodies::Tree>,
     /// Tables in use, with their CSV file, column and kind of curve.
@@ -98,6 +100,7 @@ impl<'a> Resolver<'a> {
             layout,
             values: &[],
             definitions: HashMap::new(),
+            long_helpers: HashMap::new(),
             trees: HashMap::new(),
             tables: Vec::new(),
             table_columns: Vec::new(),

@@ -28,7 +28,7 @@ use num_traits::Zero as _;
 pub use cost::{operations, weigh};
 pub use graph::{Graph, PlusExponential};
 pub use matrix::Matrix;
-pub use shared::Shared;
+pub use shared::{Replacement, Shared};
 
 /// Index of a generalized coordinate of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -233,11 +233,5 @@ impl Expr {
                 };
         });
         found
-    }
-
-    /// Returns the expression with symbols replaced by other expressions.
-    #[must_use]
-    pub fn replace(&self, with: &impl Fn(Symbol) -> Option<Expr>) -> Expr {
-        shared::replaced(self, with)
     }
 }

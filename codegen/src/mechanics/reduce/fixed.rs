@@ -57,18 +57,16 @@ fn singular(system: &LagrangianSystem, fixed: &BTreeSet<ParameterId>) -> BTreeSe
     let values: Vec<f64> = system.parameters.iter().map(|parameter| parameter.value).collect();
     let mut system = system.clone();
     let mut dangerous: Vec<Expr> = Vec::new();
-    for expr in system.exprs_mut() {
-        expr.visit(&mut |part| match part {
-            Expr::Power(base, exponent) => {
-                let positive = matches!(&**exponent, Expr::Number(n) if n.is_positive());
-                if !positive {
-                    dangerous.push((**base).clone());
-                }
+    Expr::visit_all(system.exprs_mut().into_iter().map(|expr| &*expr), &mut |part| match part {
+        Expr::Power(base, exponent) => {
+            let positive = matches!(&**exponent, Expr::Number(n) if n.is_positive());
+            if !positive {
+                dangerous.push((**base).clone());
             }
-            Expr::Call(Function::Ln, arguments) => dangerous.extend(arguments.iter().cloned()),
-            _ => {}
-        });
-    }
+        }
+        Expr::Call(Function::Ln, arguments) => dangerous.extend(arguments.iter().cloned()),
+        _ => {}
+    });
     // Inner parts first, so that no composed one divides by zero.
     dangerous.sort_by_key(depth);
     for expr in dangerous {

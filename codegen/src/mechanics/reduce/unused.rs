@@ -7,7 +7,9 @@ use crate::mechanics::constraint::Constraints;
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::{Event, LagrangianSystem};
 use machinist_algebra::cas::Cas;
-use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Function, ParameterId, Symbol};
+use machinist_algebra::expr::{
+    CoordinateId, Expr, FirstOrderId, Function, ParameterId, Replacement, Symbol,
+};
 use machinist_model::{Reduction, TableId, What, Why};
 
 /// Returns the equations with only what they use. `whole` are the original equations.
@@ -71,15 +73,13 @@ fn drop_jumps(cas: &mut Cas, equations: &mut EquationsOfMotion, whole: &Equation
 /// Returns the expressions that time is compared with.
 fn jumps<'a>(exprs: impl Iterator<Item = &'a Expr>) -> BTreeSet<Expr> {
     let mut times = BTreeSet::new();
-    for expr in exprs {
-        expr.visit(&mut |part| {
-            if let Expr::Call(Function::SelectLess, sides) = part
-                && sides[0] == Expr::Symbol(Symbol::Time)
-            {
-                times.insert(sides[1].clone());
-            }
-        });
-    }
+    Expr::visit_all(exprs, &mut |part| {
+        if let Expr::Call(Function::SelectLess, sides) = part
+            && sides[0] == Expr::Symbol(Symbol::Time)
+        {
+            times.insert(sides[1].clone());
+        }
+    });
     times
 }
 
@@ -96,17 +96,15 @@ impl Used {
         let all = equations.all().chain(states.flatten());
         let all = all.chain(&equations.system.discontinuities);
         let (mut parameters, mut tables) = (BTreeSet::new(), BTreeSet::new());
-        for expr in all {
-            expr.visit(&mut |part| match part {
-                Expr::Symbol(Symbol::Parameter(id)) => {
-                    parameters.insert(*id);
-                }
-                Expr::Call(Function::Table { table, .. }, _) => {
-                    tables.insert(*table);
-                }
-                _ => {}
-            });
-        }
+        Expr::visit_all(all, &mut |part| match part {
+            Expr::Symbol(Symbol::Parameter(id)) => {
+                parameters.insert(*id);
+            }
+            Expr::Call(Function::Table { table, .. }, _) => {
+                tables.insert(*table);
+            }
+            _ => {}
+        });
         Used {
             parameters: parameters.into_iter().zip((0..).map(ParameterId)).collect(),
             tables: tables.into_iter().zip((0..).map(TableId)).collect(),
@@ -115,39 +113,12 @@ impl Used {
 
     fn has_all_of(&self, expr: &Expr) -> bool {
         let mut has = true;
-        expr.visit(&mut |part| match part {
+        Expr::visit_all([expr], &mut |part| match part {
             Expr::Symbol(Symbol::Parameter(id)) => has &= self.parameters.contains_key(id),
             Expr::Call(Function::Table { table, .. }, _) => has &= self.tables.contains_key(table),
             _ => {}
         });
         has
-    }
-
-    /// Returns an expression with the new ids. They keep their order, and so does the expression.
-    fn renumbered(&self, expr: &Expr) -> Expr {
-        let all = |parts: &[Expr]| parts.iter().map(|part| self.renumbered(part)).collect();
-        match expr {
-            Expr::Symbol(Symbol::Parameter(id)) => {
-                Expr::Symbol(Symbol::Parameter(*self.parameters.get(id).unwrap_or(id)))
-            }
-            Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
-            Expr::Shared(_) => expr.replace(&|symbol| match symbol {
-                Symbol::Parameter(id) => {
-                    self.parameters.get(&id).map(|new| Expr::Symbol(Symbol::Parameter(*new)))
-                }
-                _ => None,
-            }),
-            Expr::Sum(terms) => Expr::Sum(all(terms)),
-            Expr::Product(factors) => Expr::Product(all(factors)),
-            Expr::Power(base, exponent) => {
-                Expr::Power(Box::new(self.renumbered(base)), Box::new(self.renumbered(exponent)))
-            }
-            Expr::Call(Function::Table { table, order }, arguments) => {
-                let table = *self.tables.get(table).unwrap_or(table);
-                Expr::Call(Function::Table { table, order: *order }, all(arguments))
-            }
-            Expr::Call(function, arguments) => Expr::Call(*function, all(arguments)),
-        }
     }
 }
 
@@ -208,6 +179,7 @@ fn consume(equations: &mut EquationsOfMotion) {
 
 fn renumber(equations: &mut EquationsOfMotion, used: &Used) {
     let EquationsOfMotion { system, layout, .. } = equations;
+    let is_table_gone = used.tables.len() < system.tables.len();
     let mut all: Vec<&mut Expr> = equations.mass_matrix.exprs_mut().collect();
     all.extend(equations.forcing.iter_mut().chain(&mut equations.rates));
     all.extend(equations.energy.iter_mut().chain(&mut equations.helpers));
@@ -225,8 +197,20 @@ fn renumber(equations: &mut EquationsOfMotion, used: &Used) {
         all.extend(state.motion.rate_mut());
     }
     all.extend(system.exprs_mut());
+    let parameter = |id: ParameterId| used.parameters.get(&id).copied();
+    let symbols = |symbol| match symbol {
+        Symbol::Parameter(id) => Some(Expr::Symbol(Symbol::Parameter(parameter(id)?))),
+        _ => None,
+    };
+    let functions = |function| match function {
+        Function::Table { table, order } => {
+            Function::Table { table: *used.tables.get(&table).unwrap_or(&table), order }
+        }
+        _ => function,
+    };
+    let mut new = Replacement::new(symbols, is_table_gone.then_some(functions));
     for expr in all {
-        *expr = used.renumbered(expr);
+        *expr = new.of(expr);
     }
     let mut id = 0..;
     let mut next = || ParameterId(id.next().unwrap_or(0));

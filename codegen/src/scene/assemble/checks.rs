@@ -204,7 +204,7 @@ impl Assembler<'_> {
             _ => None,
         });
         let mut tables = 0;
-        expr.visit(&mut |part| {
+        Expr::visit_all([&expr], &mut |part| {
             if let Expr::Call(Function::Table { table, .. }, _) = part {
                 tables = tables.max(table.0 as usize + 1);
             }

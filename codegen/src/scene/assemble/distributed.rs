@@ -222,7 +222,7 @@ impl Assembler<'_> {
         }
         let tables = |expr: &Expr| {
             let mut found = false;
-            expr.visit(&mut |part| {
+            Expr::visit_all([expr], &mut |part| {
                 found |= matches!(part, Expr::Call(Function::Table { .. }, _));
             });
             found

@@ -15,7 +15,7 @@ use crate::scene::joints::{join, root};
 use crate::scene::system::{Constraint, Event, LagrangianSystem};
 use crate::scene::typed::integer;
 use crate::spec::friction::OPEN;
-use machinist_algebra::expr::{Expr, FirstOrderId, Function, Shared, Symbol};
+use machinist_algebra::expr::{Expr, FirstOrderId, Function, Symbol};
 use machinist_contract::Jumps;
 
 /// Lets frictions begin anew after events through which velocities may jump.
@@ -63,31 +63,25 @@ fn where_speeds_jump(system: &mut LagrangianSystem, together: &[usize]) {
 /// Returns where the speed that a constraint prescribes may jump.
 fn jumps(constraint: &Constraint) -> Jumps {
     let mut jumps = Jumps::Nowhere;
-    let mut find = |expr: &Expr| {
-        expr.visit(&mut |part| {
-            let found = match part {
-                Expr::Call(Function::SelectLess, of) => match &of[..] {
-                    [Expr::Symbol(Symbol::Time), ..] => Jumps::InTime,
-                    // min, max: the speed of q jumps there, and not that of q'.
-                    [a, b, then, otherwise]
-                        if [(a, b), (b, a)].contains(&(then, otherwise))
-                            && !constraint.is_of_positions =>
-                    {
-                        Jumps::Nowhere
-                    }
-                    _ => Jumps::AtPlaces,
-                },
-                Expr::Call(Function::Floor, _) => Jumps::AtPlaces,
-                Expr::Call(Function::Abs, _) if constraint.is_of_positions => Jumps::AtPlaces,
-                _ => Jumps::Nowhere,
-            };
-            jumps = jumps.max(found);
-        });
-    };
-    find(&constraint.expr);
-    for part in Shared::within(&constraint.expr, |_| false) {
-        find(part.definition());
-    }
+    Expr::visit_all([&constraint.expr], &mut |part| {
+        let found = match part {
+            Expr::Call(Function::SelectLess, of) => match &of[..] {
+                [Expr::Symbol(Symbol::Time), ..] => Jumps::InTime,
+                // min, max: the speed of q jumps there, and not that of q'.
+                [a, b, then, otherwise]
+                    if [(a, b), (b, a)].contains(&(then, otherwise))
+                        && !constraint.is_of_positions =>
+                {
+                    Jumps::Nowhere
+                }
+                _ => Jumps::AtPlaces,
+            },
+            Expr::Call(Function::Floor, _) => Jumps::AtPlaces,
+            Expr::Call(Function::Abs, _) if constraint.is_of_positions => Jumps::AtPlaces,
+            _ => Jumps::Nowhere,
+        };
+        jumps = jumps.max(found);
+    });
     jumps
 }
 

@@ -11,9 +11,9 @@ use std::fmt;
 use std::hash::{Hash, Hasher};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::{Expr, Symbol};
+use super::{Expr, Function, Symbol};
 
 /// A part that several expressions share.
 ///
@@ -160,6 +160,29 @@ impl Inner {
 }
 
 impl Expr {
+    /// Visits every part of some expressions, then every part of the definitions of their shared
+    /// parts, each definition once.
+    pub fn visit_all<'a>(exprs: impl IntoIterator<Item = &'a Expr>, see: &mut impl FnMut(&Expr)) {
+        let mut seen = FxHashSet::default();
+        let mut left = Vec::new();
+        for expr in exprs {
+            expr.visit(see);
+            left.extend(direct(expr));
+            while let Some(part) = left.pop() {
+                if seen.insert(part.digest()) {
+                    part.definition().visit(see);
+                    left.extend(direct(part.definition()));
+                }
+            }
+        }
+    }
+
+    /// Returns the expression with symbols replaced by other expressions.
+    #[must_use]
+    pub fn replace(&self, with: &impl Fn(Symbol) -> Option<Expr>) -> Expr {
+        Replacement::new(with, None::<fn(Function) -> Function>).of(self)
+    }
+
     /// Returns the expression as a shared part. Numbers and symbols, also with a factor, remain as
     /// they are.
     #[must_use]
@@ -197,39 +220,52 @@ fn joined(a: &Arc<BTreeSet<Symbol>>, b: &Arc<BTreeSet<Symbol>>) -> Arc<BTreeSet<
     }
 }
 
-/// Returns an expression with symbols replaced.
-pub(super) fn replaced(expr: &Expr, with: &impl Fn(Symbol) -> Option<Expr>) -> Expr {
-    let mut known = FxHashMap::default();
-    for part in Shared::within(expr, |_| false) {
-        let result = if part.symbols().iter().any(|symbol| with(*symbol).is_some()) {
-            let name = part.name().map(str::to_owned);
-            replaced_by(part.definition(), with, &known).shared_as(name)
-        } else {
-            Expr::Shared(part.clone())
-        };
-        known.insert(part.digest(), result);
-    }
-    replaced_by(expr, with, &known)
+/// Replaces symbols and functions in expressions, and in each of their shared parts once.
+pub struct Replacement<S, F> {
+    symbols: S,
+    functions: Option<F>,
+    /// Results for the shared parts met so far.
+    known: FxHashMap<u128, Expr>,
 }
 
-/// Returns the same; `known` holds the shared parts replaced before.
-fn replaced_by(
-    expr: &Expr,
-    with: &impl Fn(Symbol) -> Option<Expr>,
-    known: &FxHashMap<u128, Expr>,
-) -> Expr {
-    let all = |parts: &[Expr]| parts.iter().map(|part| replaced_by(part, with, known)).collect();
-    match expr {
-        Expr::Number(_) => expr.clone(),
-        Expr::Symbol(symbol) => with(*symbol).unwrap_or_else(|| expr.clone()),
-        Expr::Sum(terms) => Expr::Sum(all(terms)),
-        Expr::Product(factors) => Expr::Product(all(factors)),
-        Expr::Power(base, exponent) => {
-            let base = replaced_by(base, with, known);
-            Expr::Power(Box::new(base), Box::new(replaced_by(exponent, with, known)))
+impl<S: Fn(Symbol) -> Option<Expr>, F: Fn(Function) -> Function> Replacement<S, F> {
+    /// Returns a replacement of symbols, and of functions if some are to be replaced.
+    pub fn new(symbols: S, functions: Option<F>) -> Self {
+        Self { symbols, functions, known: FxHashMap::default() }
+    }
+
+    /// Returns an expression with symbols and functions replaced. Terms keep their order.
+    pub fn of(&mut self, expr: &Expr) -> Expr {
+        for part in Shared::within(expr, |part| self.known.contains_key(&part.digest())) {
+            let is_changed = self.functions.is_some()
+                || part.symbols().iter().any(|symbol| (self.symbols)(*symbol).is_some());
+            let result = if is_changed {
+                let name = part.name().map(str::to_owned);
+                self.replaced(part.definition()).shared_as(name)
+            } else {
+                Expr::Shared(part.clone())
+            };
+            self.known.insert(part.digest(), result);
         }
-        Expr::Call(function, arguments) => Expr::Call(*function, all(arguments)),
-        Expr::Shared(shared) => known.get(&shared.digest()).unwrap_or(expr).clone(),
+        self.replaced(expr)
+    }
+
+    fn replaced(&self, expr: &Expr) -> Expr {
+        let all = |parts: &[Expr]| parts.iter().map(|part| self.replaced(part)).collect();
+        match expr {
+            Expr::Number(_) => expr.clone(),
+            Expr::Symbol(symbol) => (self.symbols)(*symbol).unwrap_or_else(|| expr.clone()),
+            Expr::Sum(terms) => Expr::Sum(all(terms)),
+            Expr::Product(factors) => Expr::Product(all(factors)),
+            Expr::Power(base, exponent) => {
+                Expr::Power(Box::new(self.replaced(base)), Box::new(self.replaced(exponent)))
+            }
+            Expr::Call(function, arguments) => {
+                let function = self.functions.as_ref().map_or(*function, |new| new(*function));
+                Expr::Call(function, all(arguments))
+            }
+            Expr::Shared(shared) => self.known.get(&shared.digest()).unwrap_or(expr).clone(),
+        }
     }
 }
 

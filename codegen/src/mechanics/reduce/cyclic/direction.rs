@@ -83,13 +83,11 @@ pub(super) fn free(equations: &EquationsOfMotion, live: &[CoordinateId]) -> Vec<
 
 fn mentioned(equations: &EquationsOfMotion) -> BTreeSet<CoordinateId> {
     let mut mentioned = BTreeSet::new();
-    for expr in equations.dynamics() {
-        expr.visit(&mut |part| {
-            if let Expr::Symbol(Symbol::Coordinate(id)) = part {
-                mentioned.insert(*id);
-            }
-        });
-    }
+    Expr::visit_all(equations.dynamics(), &mut |part| {
+        if let Expr::Symbol(Symbol::Coordinate(id)) = part {
+            mentioned.insert(*id);
+        }
+    });
     mentioned
 }
 
@@ -264,16 +262,13 @@ fn null_space(
 /// Returns M, f, h and the comparisons within them, which derivatives ignore, as far as they
 /// contain `coordinates`.
 fn changing(equations: &EquationsOfMotion, coordinates: &[CoordinateId]) -> Vec<Expr> {
-    let mut functions: Vec<Expr> = Vec::new();
-    for expr in equations.dynamics() {
-        functions.push(expr.clone());
-        expr.visit(&mut |part| {
-            if let Expr::Call(Function::SelectLess, sides) = part {
-                let minus = Expr::Product(vec![Expr::integer(-1), sides[1].clone()]);
-                functions.push(Expr::Sum(vec![sides[0].clone(), minus]));
-            }
-        });
-    }
+    let mut functions: Vec<Expr> = equations.dynamics().cloned().collect();
+    Expr::visit_all(equations.dynamics(), &mut |part| {
+        if let Expr::Call(Function::SelectLess, sides) = part {
+            let minus = Expr::Product(vec![Expr::integer(-1), sides[1].clone()]);
+            functions.push(Expr::Sum(vec![sides[0].clone(), minus]));
+        }
+    });
     let is_position = |symbol| coordinates.iter().any(|id| Symbol::Coordinate(*id) == symbol);
     functions.retain(|function| function.mentions(is_position));
     functions

@@ -5,6 +5,8 @@
 //! that would change the motion are named.
 
 mod dh;
+mod digits;
+mod loops;
 mod mjcf;
 mod sdf;
 mod shapes;
@@ -23,11 +25,13 @@ pub use tree::{Closure, Motion, Robot, RobotError};
 /// The first mistake, with its line.
 pub fn of_xml(text: &str) -> Result<Robot, RobotError> {
     let document = xml::parsed(text)?;
-    match document.root_element().tag_name().name() {
+    let mut robot = match document.root_element().tag_name().name() {
         "mujoco" => mjcf::read(&document),
         "sdf" => sdf::read(&document),
         _ => urdf::read(&document),
-    }
+    }?;
+    robot.align();
+    Ok(robot)
 }
 
 /// Reads a robot from a table of Denavit and Hartenberg.

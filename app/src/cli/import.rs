@@ -67,6 +67,9 @@ impl Import {
         for joint in &robot.held {
             eprintln!("machinist: joint `{joint}` is fixed: nothing that it moves has inertia");
         }
+        for axes in &robot.aligned {
+            eprintln!("machinist: {axes}");
+        }
         for Closure { joint, .. } in &robot.closures {
             let (name, count) = (&joint.name, joint.motion.constraints());
             eprintln!("machinist: {count} constraints close the loop at joint `{name}`");

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::{Isometry3, Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, Quaternion, Unit, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
 
 use super::shapes::{Shape, isometry, pose, together, turn_of_z};
@@ -280,18 +280,7 @@ impl<'a, 'input> Model<'a, 'input> {
 
     /// Returns the pose of a body in the frame of another, with all joints at zero.
     fn within(&self, body: &str, frame: &str) -> Isometry3<f64> {
-        self.at_zero(frame).inverse() * self.at_zero(body)
-    }
-
-    /// Returns the pose of a link in the world with all joints at zero.
-    fn at_zero(&self, name: &str) -> Isometry3<f64> {
-        let mut whole = Isometry3::identity();
-        let mut link = name;
-        while let Some(joint) = self.robot.joints.iter().find(|joint| joint.child == link) {
-            whole = isometry(&joint.origin) * whole;
-            link = &joint.parent;
-        }
-        whole
+        self.robot.at_zero(frame).inverse() * self.robot.at_zero(body)
     }
 
     /// Lets a joint follow another in proportion.
@@ -501,10 +490,7 @@ impl<'a, 'input> Model<'a, 'input> {
         if let [x0, y0, z0, x1, y1, z1] = ends[..] {
             let (from, to) = (Vector3::new(x0, y0, z0), Vector3::new(x1, y1, z1));
             let way = to - from;
-            let turn = Rotation3::rotation_between(&Vector3::z(), &way).unwrap_or_else(|| {
-                Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)
-            });
-            at = Isometry3::from_parts(((from + to) / 2.0).into(), turn.into());
+            at = Isometry3::from_parts(((from + to) / 2.0).into(), turn_of_z(&way));
             half = Some(way.norm() / 2.0);
         }
         let shape = match (kind.as_str(), size.first(), half, size.get(2)) {

@@ -250,6 +250,8 @@ impl Reader<'_, '_> {
         if joint.damping > 0.0 || joint.friction > 0.0 || joint.spring[0] > 0.0 {
             robot.left_out.push(format!("what acts in joint `{name}`, which closes a loop,"));
         }
+        let rounding = [parent, carried].map(|link| frames.rounding(link, name));
+        joint.rounding += rounding.iter().sum::<f64>();
         let poses = [parent, carried].map(|link| frames.between(link, name));
         let [at_parent, at_child] = poses;
         let poses = [at_parent? * along, at_child? * along].map(|at| pose(&at));
@@ -271,6 +273,7 @@ impl Reader<'_, '_> {
         let line = self.line(*node);
         let mut joint = Joint::plain(name, line, *motion, [parent, &moved]);
         joint.origin = pose(&frames.between(parent, name)?);
+        joint.rounding = frames.rounding(parent, name);
         if matches!(motion, Motion::Turns | Motion::Slides) {
             let axis = self.part(*node, "axis")?;
             self.along(axis, frames, &mut joint)?;
@@ -285,6 +288,7 @@ impl Reader<'_, '_> {
                 [&moved, carried],
             );
             fixed.origin = pose(&frames.between(name, carried)?);
+            fixed.rounding = frames.rounding(name, carried);
             robot.joints.push(fixed);
         }
         Ok(())
@@ -299,11 +303,13 @@ impl Reader<'_, '_> {
         if axis.iter().all(|entry| *entry == 0.0) {
             return Err(self.error(way, format!("the axis of joint `{}` is zero", joint.name), ""));
         }
+        joint.rounding += frames.rounding_of_axis(way, Vector3::from(axis));
         joint.axis = match of_model.or_else(|| way.attribute("expressed_in")) {
             None | Some("") => axis,
             Some(frame) => {
+                joint.rounding += frames.rounding(&joint.name, frame);
                 let turn = frames.between(&joint.name, frame)?.rotation;
-                (turn * nalgebra::Vector3::from(axis)).into()
+                (turn * Vector3::from(axis)).into()
             }
         };
         let dynamics = child(node, "dynamics");

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::{Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, Quaternion, Translation3, UnitQuaternion, Vector3};
 
 use super::tree::{Inertial, Pose};
 
@@ -76,9 +76,16 @@ impl Shape {
 
 /// Returns the shortest rotation of the z axis into a direction.
 pub fn turn_of_z(into: &Vector3<f64>) -> UnitQuaternion<f64> {
-    // That into the opposite direction is not unique.
+    turn_into(&Vector3::z(), &into.normalize())
+}
+
+/// Returns the shortest rotation of a unit vector into another. It is accurate for small angles, unlike
+/// an arc cosine.
+pub fn turn_into(from: &Vector3<f64>, into: &Vector3<f64>) -> UnitQuaternion<f64> {
+    let twice = Quaternion::from_parts((from + into).norm_squared() / 2.0, from.cross(into));
+    // The rotation into the opposite direction is not unique.
     let half_turn = || UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI);
-    UnitQuaternion::rotation_between(&Vector3::z(), into).unwrap_or_else(half_turn)
+    UnitQuaternion::try_new(twice, 0.0).unwrap_or_else(half_turn)
 }
 
 /// Returns a pose as a position and a rotation.

@@ -44,6 +44,8 @@ pub struct Robot {
     pub closures: Vec<Closure>,
     /// Joints that [`Robot::check`] made fixed, because nothing that they move has inertia.
     pub held: Vec<String>,
+    /// Axes of loops that [`Robot::align`] turned, in sentences.
+    pub aligned: Vec<String>,
 }
 
 /// A rigid link. Its frame is that of the joint that carries it.
@@ -132,6 +134,8 @@ pub struct Joint {
     pub origin: Pose,
     /// Axis of the motion.
     pub axis: [f64; 3],
+    /// Largest rounding of the direction of the axis, seen from the link that carries it \[rad\].
+    pub rounding: f64,
     /// Viscous damping \[N m s/rad or N s/m\].
     pub damping: f64,
     /// Dry friction \[N m or N\].
@@ -201,6 +205,7 @@ impl Joint {
             child: child.to_owned(),
             origin: Pose::default(),
             axis: [0.0, 0.0, 1.0],
+            rounding: 0.0,
             damping: 0.0,
             friction: 0.0,
             spring: [0.0; 2],

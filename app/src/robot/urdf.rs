@@ -128,19 +128,13 @@ impl Reader<'_, '_> {
             return Err(self.error(dynamics.unwrap_or(node), message, ""));
         }
         Ok(Joint {
-            line: self.line(node),
-            motion,
-            parent,
-            child: carried,
             origin: self.pose(node)?,
             axis,
             damping,
             friction,
-            spring: [0.0; 2],
-            armature: 0.0,
             limits: self.limits(node)?,
             mimic: child(node, "mimic").map(|mimic| self.mimic(mimic)).transpose()?,
-            name,
+            ..Joint::plain(&name, self.line(node), motion, [&parent, &carried])
         })
     }
 

@@ -17,7 +17,7 @@ mod xml;
 
 pub use dh::Convention;
 pub use spec::Spec;
-pub use tree::{Closure, Motion, Robot, RobotError};
+pub use tree::{Motion, Robot, RobotError};
 
 /// Reads a robot from XML: MJCF if its root is `<mujoco>`, SDF if it is `<sdf>`, else URDF.
 ///

@@ -8,7 +8,7 @@ use machinist_codegen::spec::MAX_FILE_BYTES;
 
 use super::output::{print, require_ending, write_file};
 use crate::failure::Failure;
-use crate::robot::{self, Closure, Convention, Motion, Spec};
+use crate::robot::{self, Convention, Motion, Spec};
 
 #[derive(Debug, Args)]
 pub struct Import {
@@ -70,9 +70,10 @@ impl Import {
         for axes in &robot.aligned {
             eprintln!("machinist: {axes}");
         }
-        for Closure { joint, .. } in &robot.closures {
-            let (name, count) = (&joint.name, joint.motion.constraints());
-            eprintln!("machinist: {count} constraints close the loop at joint `{name}`");
+        for closure in &robot.closures {
+            let (name, count) = (&closure.joint.name, closure.constraints().len());
+            let kind = if closure.is_planar { "planar loop" } else { "loop" };
+            eprintln!("machinist: {count} constraints close the {kind} at joint `{name}`");
         }
         let moving = robot.joints.iter().filter(|joint| joint.motion != Motion::Fixed);
         print(&format!(

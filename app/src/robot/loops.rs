@@ -1,15 +1,18 @@
 //! Axes of loops, made parallel or perpendicular where the digits of a file leave them nearly so.
 //!
-//! A planar loop of joints moves because its constraints out of the plane follow from the others. The
-//! rounding of numbers in files would undo this. Here, the axes are those of a loop that moves and that
-//! has the same digits in the file.
+//! A planar loop of joints moves because its constraints out of the plane are fulfilled in any position.
+//! The rounding of numbers in files would undo this. Here, the axes become those of a loop that moves and
+//! that has the same digits in the file, and constraints out of the plane are left out.
 
 use std::collections::BTreeMap;
 
-use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Vector3};
 
 use super::shapes::{isometry, pose, turn_into};
-use super::tree::{Joint, Motion, Robot};
+use super::tree::{Closure, Joint, Motion, Robot};
+
+/// Rounding of the arithmetic in angles \[rad\].
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// A joint of a loop that moves, and its axis.
 struct Axis {
@@ -37,7 +40,7 @@ impl Axis {
         let (first, last) = if is_first { (self, other) } else { (other, self) };
         let ([before, first, _], [_, last, after]) = (first.rounding, last.rounding);
         let whole: f64 = self.rounding.iter().sum();
-        (whole - before - after).min(before + first + last + after)
+        ROUNDING + (whole - before - after).min(before + first + last + after)
     }
 
     /// Reports whether it moves a link other than in a plane, apart from the closure of the loop.
@@ -77,15 +80,49 @@ impl Robot {
             let mut axes = self.axes(closure);
             // Other loops keep what is aligned.
             axes.sort_by_key(|axis| !aligned.contains(&axis.owner));
-            let normal = self.make_parallel(&axes, &mut aligned);
-            if let (Some(normal), Motion::Rolls) = (normal, self.closures[closure].joint.motion) {
-                self.turn_closure(closure, |z| turn_into(z, &normal));
+            let mut turned = Vec::new();
+            if let Some(normal) = self.make_parallel(&axes, &mut aligned, &mut turned) {
+                self.flatten(closure, normal);
             }
+            self.note(closure, &turned);
         }
     }
 
-    /// Aligns the axes of a loop. Returns the normal of its plane, if all its joints move in one.
-    fn make_parallel(&mut self, axes: &[Axis], aligned: &mut Vec<Owner>) -> Option<Vector3<f64>> {
+    /// Leaves out the constraints of a planar loop that are fulfilled in any position.
+    fn flatten(&mut self, closure: usize, normal: Vector3<f64>) {
+        let Closure { joint, is_planar, .. } = &mut self.closures[closure];
+        let across = match joint.motion {
+            Motion::Turns | Motion::Rolls => Vector3::z(),
+            Motion::Slides => Vector3::x(),
+            Motion::Fixed | Motion::Floats => return,
+        };
+        *is_planar = true;
+        self.turn_closure(closure, across, normal);
+    }
+
+    /// Notes which axes of a loop turned, and by what angle.
+    fn note(&mut self, closure: usize, turned: &[(&str, f64)]) {
+        let turned = turned.iter().filter(|(_, angle)| *angle > ROUNDING);
+        let names: Vec<_> = turned.clone().map(|(name, _)| format!("`{name}`")).collect();
+        let largest = turned.map(|(_, angle)| *angle).fold(0.0, f64::max);
+        let name = &self.closures[closure].joint.name;
+        if !names.is_empty() {
+            self.aligned.push(format!(
+                "axes of the loop at joint `{name}` are aligned: {} by at most {largest:.1e} rad, which is \
+                 within the digits of the file",
+                names.join(", ")
+            ));
+        }
+    }
+
+    /// Aligns the axes of a loop, and adds their names and angles to `turned`. Returns the normal of its
+    /// plane, if all its joints move in one.
+    fn make_parallel<'a>(
+        &mut self,
+        axes: &'a [Axis],
+        aligned: &mut Vec<Owner>,
+        turned: &mut Vec<(&'a str, f64)>,
+    ) -> Option<Vector3<f64>> {
         let of = |motion| axes.iter().filter(move |axis| axis.motion == motion);
         let mut directions: Vec<&Axis> = Vec::new();
         for axis in of(Motion::Turns) {
@@ -97,7 +134,7 @@ impl Robot {
             };
             aligned.extend([axis.owner, near.owner]);
             let into = near.direction * near.direction.dot(&axis.direction).signum();
-            self.turn_axis(axis, into, near, "parallel");
+            turned.push((&axis.name, self.turn_axis(axis, into)));
         }
         let [normal] = directions[..] else { return None };
         for axis in of(Motion::Slides) {
@@ -107,24 +144,18 @@ impl Robot {
             }
             aligned.push(axis.owner);
             let into = (axis.direction - normal.direction * along).normalize();
-            self.turn_axis(axis, into, normal, "perpendicular");
+            turned.push((&axis.name, self.turn_axis(axis, into)));
         }
         let is_planar = of(Motion::Turns).count() > 1 && !axes.iter().any(Axis::is_spatial);
         is_planar.then_some(normal.direction)
     }
 
-    /// Turns an axis into a direction, with a note if it is by more than rounding of the arithmetic.
-    fn turn_axis(&mut self, axis: &Axis, into: Vector3<f64>, near: &Axis, relation: &str) {
-        const ROUNDING: f64 = 8.0 * f64::EPSILON;
+    /// Turns an axis into a direction, unless only arithmetic separates them. Returns the angle \[rad\].
+    fn turn_axis(&mut self, axis: &Axis, into: Vector3<f64>) -> f64 {
         let angle = axis.direction.cross(&into).norm();
         if angle <= ROUNDING {
-            return;
+            return angle;
         }
-        self.aligned.push(format!(
-            "the axes of joints `{}` and `{}` are {relation} but for {angle:.1e} rad, within the digits \
-             of the file: they are taken as {relation}",
-            near.name, axis.name
-        ));
         match axis.owner {
             Owner::Joint(at) => {
                 let frame = self.at_zero(&self.joints[at].child).rotation;
@@ -132,22 +163,21 @@ impl Robot {
                 let length = Vector3::from(joint.axis).norm();
                 joint.axis = (frame.inverse() * into * length).into();
             }
-            Owner::Closure(at) => self.turn_closure(at, |z| turn_into(z, &into)),
+            Owner::Closure(at) => self.turn_closure(at, Vector3::z(), into),
         }
+        angle
     }
 
-    /// Turns the frames of a closure by a rotation that may depend on the direction of their z axis.
-    fn turn_closure(
-        &mut self,
-        closure: usize,
-        by: impl Fn(&Vector3<f64>) -> UnitQuaternion<f64>,
-    ) {
+    /// Turns the frames of a closure, so that an axis of them has a direction or its opposite.
+    fn turn_closure(&mut self, closure: usize, axis: Vector3<f64>, along: Vector3<f64>) {
         let Joint { parent, child, .. } = &self.closures[closure].joint;
         let links = [parent, child].map(|link| self.at_zero(link).rotation);
         for (link, at) in links.into_iter().zip(&mut self.closures[closure].poses) {
             let mut own = isometry(at);
             let there = link * own.rotation;
-            own.rotation = link.inverse() * by(&(there * Vector3::z())) * there;
+            let now = there * axis;
+            let turn = turn_into(&now, &(along * now.dot(&along).signum()));
+            own.rotation = link.inverse() * turn * there;
             *at = pose(&own);
         }
     }

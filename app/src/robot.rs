@@ -7,6 +7,7 @@
 mod dh;
 mod digits;
 mod loops;
+mod masses;
 mod mjcf;
 mod sdf;
 mod shapes;

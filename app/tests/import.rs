@@ -145,7 +145,7 @@ fn robots_are_imported_as_vendors_describe_them() {
         (
             vec![("type=\"fixed\"", "type=\"continuous\"")],
             3,
-            "joint `hand` is fixed: nothing that it moves has inertia",
+            "joint `hand` is fixed: its motion moves no inertia",
         ),
         // What follows it has inertia.
         (vec![(slider, "<link name=\"slider\"/>")], 3, ""),

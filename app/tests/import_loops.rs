@@ -86,11 +86,11 @@ fn linkage_of_mujoco(closing: &str, quarter: Option<&str>) -> String {
 }
 
 /// Imports a linkage and checks that the cranks move as one pendulum, whose period at this amplitude
-/// is that of an elliptic integral, and that the coupler does not turn. Returns the notes of the import.
-fn swings_as_one_pendulum(file: &str, text: &str, wanted: &str) -> String {
+/// is that of an elliptic integral, and that the coupler does not turn. Some of the `cranks` have mass. Returns the notes of the import.
+fn swings_as_one_pendulum(file: &str, text: &str, cranks: f64, wanted: &str) -> String {
     // Moments about the pins, and of the coupler's mass at the ends of the cranks.
-    let inertia = 2.0 * (0.03 + 0.25 * 0.25) + 3.0 * 0.25;
-    let moment = 9.81 * (2.0 * 0.25 + 3.0 * 0.5);
+    let inertia = cranks * (0.03 + 0.25 * 0.25) + 3.0 * 0.25;
+    let moment = 9.81 * (cranks * 0.25 + 3.0 * 0.5);
     let amplitude: f64 = 0.6;
     // The mean of arithmetic and geometric means of 1 and cos(amplitude/2).
     let (mut one, mut other) = (1.0, (amplitude / 2.0).cos());
@@ -184,7 +184,7 @@ fn loops_of_gazebo_are_closed_by_constraints() {
         ("fixed", 0.0, "2 constraints close the planar loop at joint `rest`"),
         ("fixed", 1e-12, "5 constraints close the loop at joint `rest`"),
     ] {
-        swings_as_one_pendulum("loop.sdf", &linkage(closing, along_y(tilt)), wanted);
+        swings_as_one_pendulum("loop.sdf", &linkage(closing, along_y(tilt)), 2.0, wanted);
     }
 }
 
@@ -200,7 +200,7 @@ fn loops_are_planar_within_the_digits_of_their_file() {
             let decimals = linkage(closing, turned(|angle| format!("{angle:.digits$}")));
             let shortest = linkage(closing, turned(|angle| significant(angle, digits)));
             for text in [decimals, shortest] {
-                let noted = swings_as_one_pendulum("loop.sdf", &text, wanted);
+                let noted = swings_as_one_pendulum("loop.sdf", &text, 2.0, wanted);
                 assert!(noted.contains("within the digits of the file"), "{digits}: {noted}");
             }
         }
@@ -208,7 +208,7 @@ fn loops_are_planar_within_the_digits_of_their_file() {
         let quarter = significant(FRAC_PI_2, digits.max(5));
         let text = linkage_of_mujoco("connect", Some(&quarter));
         let wanted = "2 constraints close the planar loop at joint `close`";
-        let noted = swings_as_one_pendulum("loop.xml", &text, wanted);
+        let noted = swings_as_one_pendulum("loop.xml", &text, 2.0, wanted);
         assert!(noted.contains("within the digits of the file"), "{digits}: {noted}");
     }
 }
@@ -316,6 +316,19 @@ fn equalities_of_mujoco_are_constraints() {
         ("weld", None, "6 constraints close the loop at joint `close`"),
         ("joint", None, ""),
     ] {
-        swings_as_one_pendulum("loop.xml", &linkage_of_mujoco(closing, quarter), wanted);
+        swings_as_one_pendulum("loop.xml", &linkage_of_mujoco(closing, quarter), 2.0, wanted);
     }
+}
+
+/// The joint of a crank without mass is not held: the loop moves it.
+#[test]
+fn a_crank_without_mass_moves_with_its_loop() {
+    let text = linkage_of_mujoco("connect", None);
+    let (before, crank) = text.split_once("<body name=\"b\"").expect("a crank");
+    let (joint, after) = crank.split_once("<inertial").expect("its inertia");
+    let (_, after) = after.split_once("/>").expect("an end");
+    let text = format!("{before}<body name=\"b\"{joint}{after}");
+    let wanted = "2 constraints close the planar loop at joint `close`";
+    let noted = swings_as_one_pendulum("loop.xml", &text, 1.0, wanted);
+    assert!(!noted.contains("no inertia"), "{noted}");
 }

@@ -22,6 +22,7 @@ mod fuzz;
 mod help;
 mod import;
 mod import_loops;
+mod import_masses;
 mod import_robots;
 mod improve;
 mod linearize;

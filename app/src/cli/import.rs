@@ -65,7 +65,10 @@ impl Import {
             eprintln!("machinist: {part} of {file} is left out");
         }
         for joint in &robot.held {
-            eprintln!("machinist: joint `{joint}` is fixed: nothing that it moves has inertia");
+            eprintln!("machinist: joint `{joint}` is fixed: its motion moves no inertia");
+        }
+        for joints in &robot.weak {
+            eprintln!("machinist: {joints}");
         }
         for axes in &robot.aligned {
             eprintln!("machinist: {axes}");

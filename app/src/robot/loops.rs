@@ -61,12 +61,12 @@ impl Robot {
     }
 
     /// Returns the joints that carry links, by link.
-    fn carriers(&self) -> BTreeMap<&str, usize> {
+    pub(super) fn carriers(&self) -> BTreeMap<&str, usize> {
         self.joints.iter().enumerate().map(|(at, joint)| (&*joint.child, at)).collect()
     }
 
     /// Returns the joints from a link up to the base.
-    fn above(&self, carriers: &BTreeMap<&str, usize>, link: &str) -> Vec<usize> {
+    pub(super) fn above(&self, carriers: &BTreeMap<&str, usize>, link: &str) -> Vec<usize> {
         let carrier = |link: &str| carriers.get(link).copied();
         let next = |at: &usize| carrier(&self.joints[*at].parent);
         std::iter::successors(carrier(link), next).take(self.joints.len()).collect()

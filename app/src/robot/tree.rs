@@ -44,6 +44,8 @@ pub struct Robot {
     pub closures: Vec<Closure>,
     /// Joints that [`Robot::check`] made fixed, because nothing that they move has inertia.
     pub held: Vec<String>,
+    /// Joints that move no inertia where all are at zero, in sentences.
+    pub weak: Vec<String>,
     /// Axes of loops that [`Robot::align`] turned, in sentences.
     pub aligned: Vec<String>,
 }
@@ -242,7 +244,8 @@ impl Robot {
         self.check_tree()?;
         self.check_mimics()?;
         self.check_inertias()?;
-        self.hold_without_inertia()
+        self.hold_without_inertia()?;
+        self.check_motions()
     }
 
     fn check_tree(&self) -> Result<(), RobotError> {
@@ -380,7 +383,10 @@ impl Robot {
     /// Fixes joints that move nothing with inertia, neither by themselves nor by joints that follow
     /// them: no equation would determine their motion.
     fn hold_without_inertia(&mut self) -> Result<(), RobotError> {
-        let mut with_inertia: BTreeSet<&str> = BTreeSet::new();
+        // Constraints determine the motion of links that close loops.
+        let closures = self.closures.iter().map(|closure| &closure.joint);
+        let ends = closures.flat_map(|joint| [&*joint.parent, &*joint.child]);
+        let mut with_inertia: BTreeSet<&str> = ends.collect();
         let order = self.root().map(|root| self.order(root)).unwrap_or_default();
         for link in order.iter().rev() {
             let own = link.inertial.as_ref().is_some_and(|inertial| !inertial.is_zero());

@@ -21,6 +21,7 @@ mod fmu;
 mod fuzz;
 mod help;
 mod import;
+mod import_joints;
 mod import_loops;
 mod import_masses;
 mod import_robots;

@@ -12,7 +12,7 @@ use super::shapes::{isometry, pose, turn_into};
 use super::tree::{Closure, Joint, Motion, Robot};
 
 /// Rounding of the arithmetic in angles \[rad\].
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// A joint of a loop that moves, and its axis.
 struct Axis {

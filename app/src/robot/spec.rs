@@ -179,21 +179,28 @@ impl<'a> Spec<'a> {
         let Some(mimic) = &joint.mimic else {
             return self.coordinates.get(&*joint.name).map(|name| quoted(name));
         };
+        let unit = if joint.motion == Motion::Slides { "m" } else { "rad" };
+        let mut expression = self.led(joint, "")?;
+        if mimic.offset != 0.0 {
+            let _ = write!(expression, " + {} [{unit}]", number(mimic.offset));
+        }
+        Some(quoted(&expression.replace("+ -", "- ")))
+    }
+
+    /// Returns the coordinate of a joint, or the product that gives it, with an end such as `_dot`.
+    fn led(&self, joint: &Joint, end: &str) -> Option<String> {
+        let Some(mimic) = &joint.mimic else {
+            return self.coordinates.get(&*joint.name).map(|name| format!("{name}{end}"));
+        };
         let (other, own) = (self.robot.joint(&mimic.joint)?, joint.motion);
         let leader = self.coordinates.get(&*other.name)?;
-        let unit = if own == Motion::Slides { "m" } else { "rad" };
         // A length that follows an angle has a multiplier in m, and the reverse.
         let of_factor = match (own, other.motion) {
             (Motion::Slides, Motion::Turns) => " [m]",
             (Motion::Turns, Motion::Slides) => " [1/m]",
             _ => "",
         };
-        let factor = number(mimic.multiplier);
-        let mut expression = format!("{factor}{of_factor}*{leader}");
-        if mimic.offset != 0.0 {
-            let _ = write!(expression, " + {} [{unit}]", number(mimic.offset));
-        }
-        Some(quoted(&expression.replace("+ -", "- ")))
+        Some(format!("{}{of_factor}*{leader}{end}", number(mimic.multiplier)))
     }
 
     fn body(&self, text: &mut String, link: &Link) {
@@ -246,41 +253,39 @@ impl<'a> Spec<'a> {
     /// Writes damping as dissipation, and dry friction.
     fn losses(&self, text: &mut String) {
         let scene = &self.scene;
-        let own = || {
-            let moving = self.robot.joints.iter().filter(|joint| joint.mimic.is_none());
+        let moving = || {
+            let moving = self.robot.joints.iter();
             moving.filter(|joint| matches!(joint.motion, Motion::Turns | Motion::Slides))
         };
-        let units = |joint: &Joint| {
-            if joint.motion == Motion::Slides { ["N s/m", "N"] } else { ["N m s/rad", "N m"] }
+        let slides = |joint: &Joint| joint.motion == Motion::Slides;
+        let rate = |joint: &Joint| {
+            let rate = self.led(joint, "_dot").unwrap_or_default();
+            if joint.mimic.is_some() { format!("({rate})") } else { rate }
         };
-        let damped: Vec<String> = own()
-            .filter(|joint| joint.damping > 0.0)
-            .map(|joint| {
-                let (name, [unit, _]) = (&self.coordinates[&*joint.name], units(joint));
-                format!("{} [{unit}]*{name}_dot^2/2", number(joint.damping))
-            })
-            .collect();
-        let kinetic = own().filter(|joint| joint.armature > 0.0).map(|joint| {
-            let unit = if joint.motion == Motion::Slides { "kg" } else { "kg m^2" };
-            let name = &self.coordinates[&*joint.name];
-            format!("{} [{unit}]*{name}_dot^2/2", number(joint.armature))
+        let damped = moving().filter(|joint| joint.damping > 0.0).map(|joint| {
+            let unit = if slides(joint) { "N s/m" } else { "N m s/rad" };
+            format!("{} [{unit}]*{}^2/2", number(joint.damping), rate(joint))
         });
-        let potential = own().filter(|joint| joint.spring[0] > 0.0).map(|joint| {
-            let units =
-                if joint.motion == Motion::Slides { ["N/m", "m"] } else { ["N m/rad", "rad"] };
-            let name = &self.coordinates[&*joint.name];
+        let kinetic = moving().filter(|joint| joint.armature > 0.0).map(|joint| {
+            let unit = if slides(joint) { "kg" } else { "kg m^2" };
+            format!("{} [{unit}]*{}^2/2", number(joint.armature), rate(joint))
+        });
+        let potential = moving().filter(|joint| joint.spring[0] > 0.0).map(|joint| {
+            let units = if slides(joint) { ["N/m", "m"] } else { ["N m/rad", "rad"] };
+            let position = self.position(joint).unwrap_or_default();
+            let position = position.trim_matches('"');
             let [stiffness, rest] = joint.spring;
-            let way = if rest == 0.0 {
-                name.clone()
-            } else {
-                format!("({name} - {} [{}])", number(rest), units[1]).replace("- -", "+ ")
+            let way = match (rest == 0.0, joint.mimic.is_some()) {
+                (true, false) => position.to_owned(),
+                (true, true) => format!("({position})"),
+                _ => format!("({position} - {} [{}])", number(rest), units[1]).replace("- -", "+ "),
             };
             format!("{} [{}]*{way}^2/2", number(stiffness), units[0])
         });
         let energies = [
             ("kinetic", kinetic.collect::<Vec<_>>()),
             ("potential", potential.collect()),
-            ("dissipation", damped),
+            ("dissipation", damped.collect()),
         ];
         if energies.iter().any(|(_, terms)| !terms.is_empty()) {
             let _ = write!(text, "\n[define.{scene}_robot.energy]\n");
@@ -289,12 +294,14 @@ impl<'a> Spec<'a> {
             let terms = terms.join(" + \\\n  ");
             let _ = writeln!(text, "{key} = \"\"\"\\\n  {terms}\"\"\"");
         }
-        for joint in own().filter(|joint| joint.friction > 0.0) {
-            let (name, [_, unit]) = (&self.coordinates[&*joint.name], units(joint));
+        let mut taken = BTreeSet::new();
+        for joint in moving().filter(|joint| joint.friction > 0.0) {
+            let (name, rate) = (named(&joint.name, &mut taken), rate(joint));
+            let unit = if slides(joint) { "N" } else { "N m" };
             let friction = number(joint.friction);
             let _ = write!(
                 text,
-                "\n[define.{scene}_robot.friction.{name}_friction]\nspeed = \"{name}_dot\"\n\
+                "\n[define.{scene}_robot.friction.{name}_friction]\nspeed = \"{rate}\"\n\
                  sliding = \"{friction} [{unit}]\"\nunit = \"{unit}\"\n"
             );
         }

@@ -32,6 +32,8 @@ pub(super) struct Frames<'a, 'input> {
     placed: Isometry3<f64>,
     /// Digits of positions and directions.
     digits: Digits,
+    /// Links between the axes of a joint, and the joints whose frames are theirs.
+    between: BTreeMap<String, String>,
     all: BTreeMap<String, RelativePose<'a, 'input>>,
 }
 
@@ -42,7 +44,8 @@ impl<'a, 'input> Frames<'a, 'input> {
         let geometry = model.descendants().filter(is_geometry);
         let digits = Digits::of(geometry.filter_map(|node| node.text()));
         let (placed, all) = (Isometry3::identity(), BTreeMap::new());
-        let mut frames = Frames { reader, model, placed, digits, all };
+        let between = BTreeMap::new();
+        let mut frames = Frames { reader, model, placed, digits, between, all };
         frames.placed = frames.own(model)?;
         for tag in ["link", "joint", "frame"] {
             for node in elements(model, tag) {
@@ -67,6 +70,16 @@ impl<'a, 'input> Frames<'a, 'input> {
             }
         }
         Ok(frames)
+    }
+
+    /// Adds a link between the axes of a joint.
+    pub(super) fn add_between(&mut self, link: &str, joint: &str) {
+        self.between.insert(link.to_owned(), joint.to_owned());
+    }
+
+    /// Returns the frame of the file that a frame is.
+    fn known<'n>(&'n self, name: &'n str) -> &'n str {
+        self.between.get(name).map_or(name, String::as_str)
     }
 
     /// Returns the pose that an element has relative to another.
@@ -118,6 +131,7 @@ impl<'a, 'input> Frames<'a, 'input> {
 
     /// Returns the rounding of the rotation of a frame seen from another \[rad\].
     pub(super) fn rounding(&self, from: &str, to: &str) -> f64 {
+        let [from, to] = [from, to].map(|name| self.known(name));
         let above = |name: &str, stop: &str| {
             let own = |name: &str| self.all.get(name.trim()).filter(|_| name.trim() != stop);
             let next = |given: &&RelativePose<'_, '_>| own(&given.relative_to);
@@ -140,12 +154,16 @@ impl<'a, 'input> Frames<'a, 'input> {
 
     /// Returns the pose of a frame in another. It is exact where it is given by steps between the two.
     pub(super) fn between(&self, from: &str, to: &str) -> Read<Isometry3<f64>> {
+        let [from, to] = [from, to].map(|name| self.known(name));
         let (whole, end) = self.climb(to, from)?;
         if end == from { Ok(whole) } else { Ok(self.in_model(from)?.inverse() * whole) }
     }
 
     /// Reports whether a joint has the frame of the link that it carries.
     pub(super) fn is_at(&self, joint: &str, link: &str) -> bool {
+        if self.known(link) == joint {
+            return true;
+        }
         let is_at = |given: &RelativePose<'_, '_>| {
             given.relative_to == link && given.pose == Isometry3::identity()
         };

@@ -6,6 +6,7 @@
 
 mod dh;
 mod digits;
+mod includes;
 mod loops;
 mod masses;
 mod mjcf;
@@ -17,6 +18,7 @@ mod urdf;
 mod xml;
 
 pub use dh::Convention;
+pub use includes::Source;
 pub use spec::Spec;
 pub use tree::{Motion, Robot, RobotError};
 

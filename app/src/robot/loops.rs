@@ -107,7 +107,7 @@ impl Robot {
         let largest = turned.map(|(_, angle)| *angle).fold(0.0, f64::max);
         let name = &self.closures[closure].joint.name;
         if !names.is_empty() {
-            self.aligned.push(format!(
+            self.notes.push(format!(
                 "axes of the loop at joint `{name}` are aligned: {} by at most {largest:.1e} rad, which is \
                  within the digits of the file",
                 names.join(", ")

@@ -3,6 +3,7 @@
 //! Bodies, joints, inertias, damping, friction, springs and rotors of drives map to a scene, equalities
 //! to constraints and joints that follow others. Contact, actuators and tendons are named as left out.
 
+mod compiler;
 mod equality;
 mod inertia;
 mod places;
@@ -16,6 +17,7 @@ use super::digits::Digits;
 use super::shapes::{isometry, pose};
 use super::tree::{Joint, Limits, Link, Motion, Pose, Robot, RobotError, WORLD};
 use super::xml::{DEEPEST, Read, Reader, child};
+use compiler::Compiler;
 use places::GEOMETRY;
 
 /// Elements that take part in the motion or describe the robot elsewhere.
@@ -28,29 +30,30 @@ const LEFT_OUT: [&str; 5] = ["actuator", "contact", "tendon", "deformable", "ext
 pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
     let root = document.root_element();
     let reader = Reader { document };
-    let unknown = ["include", "replicate", "composite", "flexcomp", "frame", "attach"];
+    let unknown = ["replicate", "composite", "flexcomp", "frame", "attach"];
     let found = root.descendants().find(|node| unknown.contains(&node.tag_name().name()));
     if let Some(node) = found {
         let message = format!("<{}> is not read", node.tag_name().name());
         let help = "save the model as one file without it: mj_saveLastXML, or `compile` of MuJoCo";
         return Err(reader.error(node, message, help));
     }
-    let Some(world) = child(root, "worldbody") else {
-        return Err(reader.error(root, "the model has no <worldbody>", ""));
-    };
     let mut model = Model::new(reader, root)?;
-    model.bodies(world, WORLD, None, 0)?;
-    for equality in elements(root).filter(|node| node.tag_name().name() == "equality") {
+    for world in sections(root, "worldbody") {
+        model.bodies(world, WORLD, None, 0)?;
+    }
+    let is_open = ["equality", "constraint"].iter().any(|flag| model.is_off(flag));
+    for equality in sections(root, "equality").filter(|_| !is_open) {
         for node in elements(equality).filter(|node| node.attribute("active") != Some("false")) {
             model.equality(node)?;
         }
     }
     let mut robot = model.robot;
+    robot.scale_to(model.compiler.total_mass);
     robot.name = root.attribute("model").unwrap_or("model").chars().take(200).collect();
-    let present = |tag: &&str| child(root, tag).is_some_and(|node| node.has_children());
+    let present = |tag: &&str| sections(root, tag).any(|node| node.has_children());
     robot.left_out.extend(LEFT_OUT.into_iter().filter(present).map(|tag| format!("<{tag}>")));
     if robot.links.len() == 1 {
-        return Err(model.reader.error(world, "the model has no bodies", ""));
+        return Err(model.reader.error(root, "the model has no bodies", ""));
     }
     robot.check()?;
     Ok(robot)
@@ -58,11 +61,7 @@ pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
 
 struct Model<'a, 'input> {
     reader: Reader<'a, 'input>,
-    /// Radians per unit of an angle.
-    angle: f64,
-    sequence: String,
-    /// True if shapes give the inertia even beside <inertial>.
-    always_from_shapes: bool,
+    compiler: Compiler,
     /// Attributes of elements by class and tag.
     defaults: BTreeMap<(String, String), BTreeMap<String, String>>,
     /// Digits of positions and directions.
@@ -72,31 +71,38 @@ struct Model<'a, 'input> {
 
 impl<'a, 'input> Model<'a, 'input> {
     fn new(reader: Reader<'a, 'input>, root: Node<'a, 'input>) -> Read<Self> {
-        let compiler = child(root, "compiler");
-        let of = |key: &str| compiler.and_then(|node| node.attribute(key)).unwrap_or_default();
         let world = Link { name: WORLD.to_owned(), ..Link::default() };
         let nodes = root.descendants();
         let geometry =
             nodes.flat_map(|node| GEOMETRY.iter().filter_map(move |key| node.attribute(*key)));
         let mut model = Model {
+            compiler: Compiler::new(&reader, root)?,
             reader,
-            angle: if of("angle") == "radian" { 1.0 } else { std::f64::consts::PI / 180.0 },
-            sequence: if of("eulerseq").is_empty() { "xyz" } else { of("eulerseq") }.to_owned(),
-            always_from_shapes: of("inertiafromgeom") == "true",
             defaults: BTreeMap::new(),
             digits: Digits::of(geometry),
             robot: Robot { links: vec![world], ..Robot::default() },
         };
-        if let (Some(node), "global") = (compiler, of("coordinate")) {
-            return Err(model.reader.error(node, "global coordinates are not read", ""));
+        for option in sections(root, "option") {
+            let gravity = model.reader.exactly(option, "gravity")?;
+            model.robot.gravity = gravity.or(model.robot.gravity);
+            let is_given = |key: &&str| option.has_attribute(*key);
+            let medium = ["density", "viscosity", "wind"].into_iter().filter(is_given);
+            model.robot.left_out.extend(medium.map(|key| format!("the {key} of the medium")));
         }
-        if let Some(option) = child(root, "option") {
-            model.robot.gravity = model.reader.exactly(option, "gravity")?;
+        if model.is_off("gravity") {
+            model.robot.gravity = Some([0.0; 3]);
         }
-        if let Some(main) = child(root, "default") {
+        for main in sections(root, "default") {
             model.classes(main, None, 0)?;
         }
         Ok(model)
+    }
+
+    /// Reports whether a flag of the options is disabled.
+    fn is_off(&self, flag: &str) -> bool {
+        let root = self.reader.document.root_element();
+        let mut flags = sections(root, "option").filter_map(|option| child(option, "flag"));
+        flags.any(|node| node.attribute(flag) == Some("disable"))
     }
 
     /// Reads the attributes of a class, and of the classes within it.
@@ -106,7 +112,8 @@ impl<'a, 'input> Model<'a, 'input> {
         }
         let name = node.attribute("class").unwrap_or("main").to_owned();
         for tag in ["joint", "geom"] {
-            let inherited = outer.and_then(|outer| self.default_of(outer, tag)).cloned();
+            // Sections of one class add up.
+            let inherited = self.default_of(outer.unwrap_or(&name), tag).cloned();
             let mut all = inherited.unwrap_or_default();
             if let Some(own) = child(node, tag) {
                 let own = own.attributes();
@@ -188,11 +195,14 @@ impl<'a, 'input> Model<'a, 'input> {
         parent: &str,
         class: Option<&'a str>,
     ) -> Read<String> {
-        if node.has_attribute("mocap") {
-            return Err(self.reader.error(node, "bodies of motion capture are not read", ""));
-        }
         let line = self.reader.line(node);
         let name = node.attribute("name").map_or_else(|| self.free_name("body"), str::to_owned);
+        for key in ["mocap", "gravcomp"] {
+            if node.attribute(key).is_some_and(|text| !["0", "0.0", "false"].contains(&text.trim()))
+            {
+                self.robot.left_out.push(format!("`{key}` of body `{name}`"));
+            }
+        }
         let (mut last, mut at) = (parent.to_owned(), self.place(node, None)?);
         let mut rounding = self.rounding_of_place(node)?;
         let is_joint =
@@ -234,7 +244,7 @@ impl<'a, 'input> Model<'a, 'input> {
     }
 
     /// Reads a joint, whose origin is its place in the body.
-    fn joint(&self, node: Node<'a, 'input>, class: Option<&str>) -> Read<Joint> {
+    fn joint(&mut self, node: Node<'a, 'input>, class: Option<&str>) -> Read<Joint> {
         let kind = match node.tag_name().name() {
             "freejoint" => "free".to_owned(),
             _ => self.text(node, class, "type").unwrap_or_else(|| "hinge".to_owned()),
@@ -253,29 +263,26 @@ impl<'a, 'input> Model<'a, 'input> {
         let name = node.attribute("name").map_or_else(|| self.free_name("joint"), str::to_owned);
         let value = |key: &str| self.value(node, class, key);
         let turns = motion == Motion::Turns;
-        let angle = if turns { self.angle } else { 1.0 };
-        if value("ref")? != 0.0 {
-            let message = format!("joint `{}` has a `ref`", name.escape_debug());
-            return Err(self.reader.error(node, message, "turn the body instead"));
-        }
+        let angle = if turns { self.compiler.angle } else { 1.0 };
         let losses = [value("damping")?, value("frictionloss")?, value("stiffness")?];
         let is_plain = matches!(motion, Motion::Turns | Motion::Slides);
         if losses.iter().any(|value| *value < 0.0) {
             let message = "damping, friction and stiffness must not be negative";
             return Err(self.reader.error(node, message, ""));
         }
-        if !is_plain && losses.iter().chain([&value("armature")?]).any(|value| *value != 0.0) {
-            let message =
-                format!("damping, friction, springs and rotors of {kind} joints are not read");
+        if !is_plain && losses[1..].iter().any(|value| *value != 0.0) {
+            let message = format!("friction and springs of {kind} joints are not read");
             return Err(self.reader.error(node, message, "remove them"));
         }
+        // Coordinates count from the position of the model.
+        let zero = if is_plain { value("ref")? * angle } else { 0.0 };
         let axis = self.vector(node, class, "axis", [0.0, 0.0, 1.0])?;
         if is_plain && axis.iter().all(|entry| *entry == 0.0) {
             return Err(self.reader.error(node, "the axis of this joint is zero", ""));
         }
         let limits = match self.values(node, class, "range")?[..] {
             [lower, upper] if is_plain => Some(Limits {
-                position: [lower * angle, upper * angle],
+                position: [lower * angle - zero, upper * angle - zero],
                 velocity: 0.0,
                 effort: 0.0,
             }),
@@ -285,18 +292,34 @@ impl<'a, 'input> Model<'a, 'input> {
             Motion::Floats => [0.0; 3],
             _ => self.vector(node, class, "pos", [0.0; 3])?,
         };
-        Ok(Joint {
+        let joint = Joint {
             origin: Pose { xyz, rpy: [0.0; 3] },
             axis,
             rounding: self.rounding(node, class, "axis") / Vector3::from(axis).norm(),
             damping: losses[0],
             friction: losses[1],
-            spring: [losses[2], value("springref")? * angle],
+            spring: [losses[2], value("springref")? * angle - zero],
             armature: value("armature")?,
             limits,
             ..Joint::plain(&name, self.reader.line(node), motion, ["", ""])
-        })
+        };
+        let name = name.escape_debug();
+        if self.text(node, class, "springdamper").is_some() {
+            self.robot.left_out.push(format!("`springdamper` of joint `{name}`"));
+        }
+        if zero != 0.0 {
+            self.robot.notes.push(format!("joint `{name}` counts from its `ref`, {zero}"));
+        }
+        Ok(joint)
     }
+}
+
+/// Returns the sections of a model with one name; included files add some.
+fn sections<'a, 'input: 'a>(
+    root: Node<'a, 'input>,
+    tag: &str,
+) -> impl Iterator<Item = Node<'a, 'input>> {
+    elements(root).filter(move |node| node.tag_name().name() == tag)
 }
 
 fn elements<'a, 'input: 'a>(

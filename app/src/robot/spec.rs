@@ -203,6 +203,26 @@ impl<'a> Spec<'a> {
         Some(format!("{}{of_factor}*{leader}{end}", number(mimic.multiplier)))
     }
 
+    /// Returns the speeds of a joint, each with true if it is one of a displacement.
+    fn rates(&self, joint: &Joint) -> Vec<(String, bool)> {
+        let slides = joint.motion == Motion::Slides;
+        let Some(rate) = self.led(joint, "_dot") else { return Vec::new() };
+        let name = rate.trim_end_matches("_dot");
+        let turns = |name: &str| ["x", "y", "z"].map(|end| (format!("{name}_omega_{end}"), false));
+        match joint.motion {
+            Motion::Fixed => Vec::new(),
+            Motion::Turns | Motion::Slides if joint.mimic.is_some() => {
+                vec![(format!("({rate})"), slides)]
+            }
+            Motion::Turns | Motion::Slides => vec![(rate, slides)],
+            Motion::Rolls => turns(name).to_vec(),
+            Motion::Floats => {
+                let slides = FLOATING.map(|end| (format!("{name}_{end}_dot"), true));
+                slides.into_iter().chain(turns(&format!("{name}_turn"))).collect()
+            }
+        }
+    }
+
     fn body(&self, text: &mut String, link: &Link) {
         let Some(inertial) = link.inertial.as_ref().filter(|inertial| !inertial.is_zero()) else {
             return;
@@ -258,18 +278,18 @@ impl<'a> Spec<'a> {
             moving.filter(|joint| matches!(joint.motion, Motion::Turns | Motion::Slides))
         };
         let slides = |joint: &Joint| joint.motion == Motion::Slides;
-        let rate = |joint: &Joint| {
-            let rate = self.led(joint, "_dot").unwrap_or_default();
-            if joint.mimic.is_some() { format!("({rate})") } else { rate }
+        let quadratic = |of: fn(&Joint) -> f64, [sliding, turning]: [&str; 2]| {
+            let all = self.robot.joints.iter().filter(|joint| of(joint) > 0.0);
+            let terms = all.flat_map(|joint| {
+                self.rates(joint).into_iter().map(|(rate, slides)| {
+                    let unit = if slides { sliding } else { turning };
+                    format!("{} [{unit}]*{rate}^2/2", number(of(joint)))
+                })
+            });
+            terms.collect::<Vec<_>>()
         };
-        let damped = moving().filter(|joint| joint.damping > 0.0).map(|joint| {
-            let unit = if slides(joint) { "N s/m" } else { "N m s/rad" };
-            format!("{} [{unit}]*{}^2/2", number(joint.damping), rate(joint))
-        });
-        let kinetic = moving().filter(|joint| joint.armature > 0.0).map(|joint| {
-            let unit = if slides(joint) { "kg" } else { "kg m^2" };
-            format!("{} [{unit}]*{}^2/2", number(joint.armature), rate(joint))
-        });
+        let damped = quadratic(|joint| joint.damping, ["N s/m", "N m s/rad"]);
+        let kinetic = quadratic(|joint| joint.armature, ["kg", "kg m^2"]);
         let potential = moving().filter(|joint| joint.spring[0] > 0.0).map(|joint| {
             let units = if slides(joint) { ["N/m", "m"] } else { ["N m/rad", "rad"] };
             let position = self.position(joint).unwrap_or_default();
@@ -282,11 +302,8 @@ impl<'a> Spec<'a> {
             };
             format!("{} [{}]*{way}^2/2", number(stiffness), units[0])
         });
-        let energies = [
-            ("kinetic", kinetic.collect::<Vec<_>>()),
-            ("potential", potential.collect()),
-            ("dissipation", damped.collect()),
-        ];
+        let energies =
+            [("kinetic", kinetic), ("potential", potential.collect()), ("dissipation", damped)];
         if energies.iter().any(|(_, terms)| !terms.is_empty()) {
             let _ = write!(text, "\n[define.{scene}_robot.energy]\n");
         }
@@ -296,7 +313,8 @@ impl<'a> Spec<'a> {
         }
         let mut taken = BTreeSet::new();
         for joint in moving().filter(|joint| joint.friction > 0.0) {
-            let (name, rate) = (named(&joint.name, &mut taken), rate(joint));
+            let name = named(&joint.name, &mut taken);
+            let Some((rate, _)) = self.rates(joint).pop() else { continue };
             let unit = if slides(joint) { "N" } else { "N m" };
             let friction = number(joint.friction);
             let _ = write!(

@@ -46,8 +46,9 @@ pub struct Robot {
     pub held: Vec<String>,
     /// Joints that move no inertia where all are at zero, in sentences.
     pub weak: Vec<String>,
-    /// Axes of loops that [`Robot::align`] turned, in sentences.
-    pub aligned: Vec<String>,
+    /// Axes of loops that [`Robot::align`] turned, and coordinates that count from elsewhere than in the
+    /// file, in sentences.
+    pub notes: Vec<String>,
 }
 
 /// A rigid link. Its frame is that of the joint that carries it.
@@ -75,7 +76,7 @@ pub struct Visual {
 }
 
 /// Inertia of a link.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Inertial {
     /// Pose of the centre of mass and of the axes of `inertia` in the link's frame.
     pub origin: Pose,

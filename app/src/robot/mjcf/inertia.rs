@@ -18,10 +18,12 @@ impl<'a, 'input> Model<'a, 'input> {
         node: Node<'a, 'input>,
         class: Option<&str>,
     ) -> Read<Option<Inertial>> {
-        match child(node, "inertial").filter(|_| !self.always_from_shapes) {
+        let given = child(node, "inertial").filter(|_| !self.compiler.always_from_shapes);
+        let found = match given {
             Some(given) => self.given(given).map(Some),
             None => self.of_shapes(node, class),
-        }
+        };
+        Ok(self.compiler.bounded(found?))
     }
 
     fn given(&self, node: Node<'a, 'input>) -> Read<Inertial> {
@@ -42,6 +44,10 @@ impl<'a, 'input> Model<'a, 'input> {
     fn of_shapes(&self, node: Node<'a, 'input>, class: Option<&str>) -> Read<Option<Inertial>> {
         let mut parts = Vec::new();
         for geom in elements(node).filter(|node| node.tag_name().name() == "geom") {
+            let group = self.value(geom, class, "group")?;
+            if !self.compiler.groups.contains(&group) {
+                continue;
+            }
             let mass = self.text(geom, class, "mass").map(|_| self.value(geom, class, "mass"));
             let mass = mass.transpose()?;
             if mass == Some(0.0) {

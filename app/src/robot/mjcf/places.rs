@@ -40,9 +40,10 @@ impl<'a, 'input> Model<'a, 'input> {
                     let [w, x, y, z] = [values[0], values[1], values[2], values[3]];
                     UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z))
                 }
-                ("axisangle", 4) => {
-                    UnitQuaternion::from_axis_angle(&unit(&values, key)?, values[3] * self.angle)
-                }
+                ("axisangle", 4) => UnitQuaternion::from_axis_angle(
+                    &unit(&values, key)?,
+                    values[3] * self.compiler.angle,
+                ),
                 ("euler", 3) => self.euler(&values).ok_or_else(|| wrong("eulerseq"))?,
                 ("xyaxes", 6) => {
                     let x = unit(&values, key)?;
@@ -61,17 +62,17 @@ impl<'a, 'input> Model<'a, 'input> {
     /// Returns rotations about axes that turn, or that do not if their letters are capitals.
     fn euler(&self, angles: &[f64]) -> Option<UnitQuaternion<f64>> {
         let mut whole = UnitQuaternion::identity();
-        if self.sequence.len() != 3 {
+        if self.compiler.sequence.len() != 3 {
             return None;
         }
-        for (letter, angle) in self.sequence.chars().zip(angles) {
+        for (letter, angle) in self.compiler.sequence.chars().zip(angles) {
             let axis = match letter.to_ascii_lowercase() {
                 'x' => Vector3::x_axis(),
                 'y' => Vector3::y_axis(),
                 'z' => Vector3::z_axis(),
                 _ => return None,
             };
-            let turn = UnitQuaternion::from_axis_angle(&axis, angle * self.angle);
+            let turn = UnitQuaternion::from_axis_angle(&axis, angle * self.compiler.angle);
             whole = if letter.is_ascii_lowercase() { whole * turn } else { turn * whole };
         }
         Some(whole)
@@ -94,9 +95,9 @@ impl<'a, 'input> Model<'a, 'input> {
                 (_, []) => 0.0,
                 // A rotation turns by twice the angle of its quaternion.
                 ("quat", values) => 2.0 * rounding / norm(values),
-                ("euler", _) => rounding * self.angle,
+                ("euler", _) => rounding * self.compiler.angle,
                 ("axisangle", [axis @ .., angle]) => {
-                    rounding * self.angle * (1.0 + angle.abs() / norm(axis))
+                    rounding * self.compiler.angle * (1.0 + angle.abs() / norm(axis))
                 }
                 ("xyaxes", values) => {
                     let [x, y] =

@@ -101,6 +101,10 @@ fn joints_that_move_nothing_together_are_refused() {
     let point = Some((0.5, "0.4 0 0.1", POINT));
     for (joints, wanted) in [
         (vec![("floating", "0 0 1", point)], "joint `j1` moves no inertia at any position"),
+        (
+            vec![(TURN, "1 0 0", Some((0.5, "0.4 0 0", POINT)))],
+            "joint `j1` moves no inertia, and nothing else moves",
+        ),
         // Three axes through a point.
         (
             vec![
@@ -130,7 +134,10 @@ fn joints_that_move_nothing_together_are_refused() {
             assert!(noted.contains(wanted), "{noted}");
             continue;
         }
-        let help = format!("give link `link{}` its inertia about its centre", joints.len());
+        let help = match wanted.split_once(", and nothing else moves") {
+            None => format!("give link `link{}` its inertia about its centre", joints.len()),
+            Some(_) => "give its link an inertia about its axis".to_owned(),
+        };
         assert_refused(machinist(&folder, &call), &[wanted, &help]);
         assert!(!folder.path().join("chain.toml").exists(), "{wanted}");
     }

@@ -56,44 +56,39 @@ impl Robot {
     /// # Errors
     /// The first joint that moves no inertia.
     pub(super) fn check_motions(&mut self) -> Result<(), RobotError> {
-        let judged = self.judged();
-        loop {
-            let mut places = (0..PLACES).map(|place| self.moved(place));
-            let at_zero = places.next().unwrap_or_default();
-            let others: Vec<Vec<Moved>> = places.collect();
-            let everywhere = |joint: usize, is_so: fn(&Moved) -> bool| {
-                let is_it = |one: &&Moved| one.joint == joint;
-                others.iter().all(|place| place.iter().find(is_it).is_some_and(is_so))
-            };
-            let is_bare = |one: &Moved| one.is_bare;
-            let single = |one: &&Moved| {
-                matches!(self.joints[one.joint].motion, Motion::Turns | Motion::Slides)
-            };
-            let own = || at_zero.iter().filter(|one| judged.contains(&one.joint));
-            let bare =
-                own().filter(single).find(|one| one.is_bare && everywhere(one.joint, is_bare));
-            if let Some(joint) = bare.map(|one| one.joint) {
-                self.joints[joint].motion = Motion::Fixed;
-                self.held.push(self.joints[joint].name.clone());
-                continue;
-            }
-            let mut weak = Vec::new();
-            for one in own().filter(|one| one.free.is_some()) {
-                let (joints, link) = self.without_inertia(&at_zero, one);
-                if everywhere(one.joint, |one| one.free.is_some()) {
-                    let message = format!("{joints} at any position");
-                    let help =
-                        format!("give link `{link}` its inertia about its centre, or fix a joint");
-                    return Err(RobotError::new(self.joints[one.joint].line, message, help));
-                }
-                weak.push(format!(
-                    "{joints} where all joints are at zero, so that no run can start there: link `{link}` \
-                     has no inertia about its centre"
-                ));
-            }
-            self.weak = weak;
-            return Ok(());
+        let (judged, held) = (self.judged(), self.held.len());
+        let places: Vec<_> = (0..PLACES).map(|place| self.moved(place)).collect();
+        let is_bare = |one: &Moved| {
+            one.is_bare && matches!(self.joints[one.joint].motion, Motion::Turns | Motion::Slides)
+        };
+        let bare = places_where(&places, &judged, is_bare);
+        for (joint, _) in bare.into_iter().filter(|(_, is_everywhere)| *is_everywhere) {
+            self.joints[joint].motion = Motion::Fixed;
+            self.held.push(self.joints[joint].name.clone());
         }
+        let places: Vec<_> = (0..PLACES).map(|place| self.moved(place)).collect();
+        let mut weak = Vec::new();
+        for (joint, is_everywhere) in places_where(&places, &judged, |one| one.free.is_some()) {
+            let Some(one) = places[0].iter().find(|one| one.joint == joint) else { continue };
+            let (joints, link) = self.without_inertia(&places[0], one);
+            if is_everywhere {
+                let message = format!("{joints} at any position");
+                let help =
+                    format!("give link `{link}` its inertia about its centre, or fix a joint");
+                return Err(RobotError::new(self.joints[joint].line, message, help));
+            }
+            weak.push(format!(
+                "{joints} where all joints are at zero, so that no run can start there: link `{link}` has no \
+                 inertia about its centre"
+            ));
+        }
+        self.weak = weak;
+        if self.held.len() > held && places[0].is_empty() {
+            let name = self.held.last().cloned().unwrap_or_default();
+            let message = format!("joint `{name}` moves no inertia, and nothing else moves");
+            return Err(RobotError::new(0, message, "give its link an inertia about its axis"));
+        }
+        Ok(())
     }
 
     /// Returns the joints whose motion inertia alone determines: neither do they carry a link in a loop,
@@ -247,6 +242,23 @@ impl Joint {
             Motion::Floats => axes.map(turn).into_iter().chain(axes.map(slide)).collect(),
         }
     }
+}
+
+/// Returns the joints, among some, for which a condition holds with all joints at zero, each with true if
+/// it holds at the other places too.
+fn places_where(
+    places: &[Vec<Moved>],
+    among: &BTreeSet<usize>,
+    is_so: impl Fn(&Moved) -> bool,
+) -> Vec<(usize, bool)> {
+    let sets = places.iter().map(|place| {
+        let joints = place.iter().filter(|one| is_so(one)).map(|one| one.joint);
+        joints.filter(|joint| among.contains(joint)).collect::<BTreeSet<usize>>()
+    });
+    let sets: Vec<_> = sets.collect();
+    let everywhere = |joint: usize| sets.iter().all(|set| set.contains(&joint));
+    let at_zero = sets.first().into_iter().flatten();
+    at_zero.map(|joint| (*joint, everywhere(*joint))).collect()
 }
 
 impl Moved {

@@ -124,6 +124,40 @@ fn included_files_and_settings_of_mujoco_act() {
     assert!(!output.status.success() && said.contains("settings_hand.xml: No such file"), "{said}");
 }
 
+/// A frame moves what it contains, and frames add up.
+#[test]
+fn frames_of_mujoco_place_what_is_in_them() {
+    let model = |inner: &str| {
+        format!(
+            "<mujoco model=\"frames\"><compiler angle=\"radian\"/><default><default class=\"slow\">\
+             <joint damping=\"0.3\"/></default></default><worldbody>{inner}</worldbody></mujoco>"
+        )
+    };
+    // Quarter turns about z take x to y and y to -x.
+    let framed = model(
+        "<frame pos=\"1 0 0\" euler=\"0 0 1.5707963267948966\" childclass=\"slow\"><frame pos=\"0 0 0.5\">\
+         <body name=\"arm\" pos=\"0.2 0 0\"><frame pos=\"0 0.1 0\" quat=\"1 0 0 1\">\
+         <joint name=\"turn\" axis=\"1 0 0\" pos=\"0.3 0 0\"/>\
+         <geom type=\"box\" size=\"0.1 0.2 0.3\" pos=\"0 0 -0.4\"/></frame></body></frame></frame>",
+    );
+    let plain = model(
+        "<body name=\"arm\" pos=\"1 0.2 0.5\" euler=\"0 0 1.5707963267948966\" childclass=\"slow\">\
+         <joint name=\"turn\" axis=\"0 1 0\" pos=\"0 0.4 0\"/>\
+         <geom type=\"box\" size=\"0.2 0.1 0.3\" pos=\"0 0.1 -0.4\"/></body>",
+    );
+    let rows = [framed, plain].map(|text| {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("frames.xml"), text).expect("written");
+        let more = "\n[initial]\n\"robot.turn\" = 0.7\n[outputs]\nx = \"robot.arm_x\"\ny = \"robot.arm_y\"\n\
+                    z = \"robot.arm_z\"\n";
+        run(&folder, &["frames.xml"], more)
+    });
+    assert!(rows[0].len() > 5, "{rows:?}");
+    for ((name, one), (_, other)) in rows[0].iter().zip(&rows[1]) {
+        assert!((one - other).abs() < 1e-10, "{name}: {one} {other}");
+    }
+}
+
 #[test]
 fn parts_of_mujoco_that_no_scene_has_are_named() {
     for (before, after, wanted) in [

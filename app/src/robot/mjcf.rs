@@ -10,7 +10,7 @@ mod places;
 
 use std::collections::BTreeMap;
 
-use nalgebra::Vector3;
+use nalgebra::{Isometry3, Point3, Vector3};
 use roxmltree::{Document, Node};
 
 use super::digits::Digits;
@@ -18,7 +18,7 @@ use super::shapes::{isometry, pose};
 use super::tree::{Joint, Limits, Link, Motion, Pose, Robot, RobotError, WORLD};
 use super::xml::{DEEPEST, Read, Reader, child};
 use compiler::Compiler;
-use places::GEOMETRY;
+use places::{GEOMETRY, Part};
 
 /// Elements that take part in the motion or describe the robot elsewhere.
 const LEFT_OUT: [&str; 5] = ["actuator", "contact", "tendon", "deformable", "extension"];
@@ -30,7 +30,7 @@ const LEFT_OUT: [&str; 5] = ["actuator", "contact", "tendon", "deformable", "ext
 pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
     let root = document.root_element();
     let reader = Reader { document };
-    let unknown = ["replicate", "composite", "flexcomp", "frame", "attach"];
+    let unknown = ["replicate", "composite", "flexcomp", "attach"];
     let found = root.descendants().find(|node| unknown.contains(&node.tag_name().name()));
     if let Some(node) = found {
         let message = format!("<{}> is not read", node.tag_name().name());
@@ -180,9 +180,9 @@ impl<'a, 'input> Model<'a, 'input> {
         if depth > DEEPEST {
             return Err(self.reader.error(node, "bodies are nested too deeply", ""));
         }
-        for body in elements(node).filter(|node| node.tag_name().name() == "body") {
+        for Part { node: body, frame, class, .. } in self.parts(node, class, "body")? {
             let class = body.attribute("childclass").or(class);
-            let name = self.body(body, parent, class)?;
+            let name = self.body(body, parent, class, &frame)?;
             self.bodies(body, &name, class, depth + 1)?;
         }
         Ok(())
@@ -194,6 +194,7 @@ impl<'a, 'input> Model<'a, 'input> {
         node: Node<'a, 'input>,
         parent: &str,
         class: Option<&'a str>,
+        frame: &Isometry3<f64>,
     ) -> Read<String> {
         let line = self.reader.line(node);
         let name = node.attribute("name").map_or_else(|| self.free_name("body"), str::to_owned);
@@ -203,12 +204,17 @@ impl<'a, 'input> Model<'a, 'input> {
                 self.robot.left_out.push(format!("`{key}` of body `{name}`"));
             }
         }
-        let (mut last, mut at) = (parent.to_owned(), self.place(node, None)?);
+        let (mut last, mut at) = (parent.to_owned(), frame * self.place(node, None)?);
         let mut rounding = self.rounding_of_place(node)?;
-        let is_joint =
-            |node: &Node<'_, '_>| ["joint", "freejoint"].contains(&node.tag_name().name());
-        for element in elements(node).filter(is_joint) {
-            let joint = self.joint(element, class)?;
+        let mut joints = Vec::new();
+        for kind in ["joint", "freejoint"] {
+            joints.extend(self.parts(node, class, kind)?);
+        }
+        joints.sort_by_key(|part| part.node.range().start);
+        for Part { node: element, frame, class } in joints {
+            let mut joint = self.joint(element, class)?;
+            joint.origin.xyz = (frame * Point3::from(joint.origin.xyz)).coords.into();
+            joint.axis = (frame.rotation * Vector3::from(joint.axis)).into();
             let moved = self.free_name(&format!("{name}_{}", joint.name));
             let anchor = joint.origin;
             at *= isometry(&anchor);

@@ -3,7 +3,8 @@
 use nalgebra::{Isometry3, Vector3};
 use roxmltree::Node;
 
-use super::{Model, elements};
+use super::Model;
+use super::places::Part;
 use crate::robot::shapes::{Shape, pose, together, turn_of_z};
 use crate::robot::tree::Inertial;
 use crate::robot::xml::{Read, child};
@@ -16,7 +17,7 @@ impl<'a, 'input> Model<'a, 'input> {
     pub(super) fn inertial(
         &self,
         node: Node<'a, 'input>,
-        class: Option<&str>,
+        class: Option<&'a str>,
     ) -> Read<Option<Inertial>> {
         let given = child(node, "inertial").filter(|_| !self.compiler.always_from_shapes);
         let found = match given {
@@ -41,9 +42,9 @@ impl<'a, 'input> Model<'a, 'input> {
         Ok(Inertial { origin: pose(&self.place(node, None)?), mass, inertia })
     }
 
-    fn of_shapes(&self, node: Node<'a, 'input>, class: Option<&str>) -> Read<Option<Inertial>> {
+    fn of_shapes(&self, node: Node<'a, 'input>, class: Option<&'a str>) -> Read<Option<Inertial>> {
         let mut parts = Vec::new();
-        for geom in elements(node).filter(|node| node.tag_name().name() == "geom") {
+        for Part { node: geom, frame, class } in self.parts(node, class, "geom")? {
             let group = self.value(geom, class, "group")?;
             if !self.compiler.groups.contains(&group) {
                 continue;
@@ -62,7 +63,7 @@ impl<'a, 'input> Model<'a, 'input> {
             if mass < 0.0 {
                 return Err(self.reader.error(geom, "the mass of this shape is negative", ""));
             }
-            parts.push((mass, at, shape.inertia(mass)));
+            parts.push((mass, frame * at, shape.inertia(mass)));
         }
         Ok(together(&parts))
     }

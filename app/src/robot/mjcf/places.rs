@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, Matrix3, Quaternion, Unit, UnitQuaternion, Vector3};
 use roxmltree::Node;
 
-use super::Model;
+use super::{Model, elements};
 use crate::robot::shapes::turn_of_z;
 use crate::robot::xml::Read;
 
@@ -11,7 +11,38 @@ use crate::robot::xml::Read;
 pub(super) const GEOMETRY: [&str; 8] =
     ["pos", "axis", "anchor", "quat", "axisangle", "euler", "xyaxes", "zaxis"];
 
+/// An element within a body or within frames in it.
+pub(super) struct Part<'a, 'input> {
+    pub(super) node: Node<'a, 'input>,
+    /// Pose of the frames in the body.
+    pub(super) frame: Isometry3<f64>,
+    pub(super) class: Option<&'a str>,
+}
+
 impl<'a, 'input> Model<'a, 'input> {
+    /// Returns the elements of a kind within a body and the frames in it.
+    pub(super) fn parts(
+        &self,
+        body: Node<'a, 'input>,
+        class: Option<&'a str>,
+        tag: &str,
+    ) -> Read<Vec<Part<'a, 'input>>> {
+        let mut found = Vec::new();
+        let mut open = vec![Part { node: body, frame: Isometry3::identity(), class }];
+        while let Some(Part { node, frame, class }) = open.pop() {
+            for node in elements(node) {
+                let class = node.attribute("childclass").or(class);
+                if node.tag_name().name() == "frame" {
+                    open.push(Part { node, frame: frame * self.place(node, None)?, class });
+                } else if node.tag_name().name() == tag {
+                    found.push(Part { node, frame, class });
+                }
+            }
+        }
+        found.sort_by_key(|part| part.node.range().start);
+        Ok(found)
+    }
+
     /// Reads position and orientation of an element.
     pub(super) fn place(
         &self,

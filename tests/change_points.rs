@@ -63,6 +63,85 @@ fn parallelogram(damping: f64) -> ModelSimulator {
     of_text(&text, Keep::All)
 }
 
+/// The same links crossed, with a spring of `stiffness` at the crank, which starts at an angle with a
+/// speed.
+fn crossed(stiffness: f64, [angle, speed]: [f64; 2], until: f64) -> ModelSimulator {
+    let text = format!(
+        r#"
+        [scene]
+        name = "crossed"
+        [units.p]
+        unit = "crossed"
+        [outputs]
+        a = "p.a"
+        c = "p.c"
+        a_dot = "p.a_dot"
+        [initial]
+        "p.a" = {angle:?}
+        "p.a_dot" = {speed:?}
+        [guess]
+        "p.b" = -0.75
+        "p.c" = -1.75
+        [run]
+        until = {until:?}
+        points = 1001
+        rtol = 1e-9
+        method = "auto"
+        [define.crossed.coordinates]
+        a = {{ unit = "rad" }}
+        b = {{ unit = "rad" }}
+        c = {{ unit = "rad" }}
+        [define.crossed.parameters]
+        l = {{ value = {L}, unit = "m" }}
+        d = {{ value = {D}, unit = "m" }}
+        m = {{ value = {M}, unit = "kg" }}
+        k = {{ value = {stiffness:?}, unit = "N m/rad" }}
+        [define.crossed.energy]
+        kinetic = "m*l^2/6*(a_dot^2 + c_dot^2) + m/2*(l^2*a_dot^2 + d^2*b_dot^2/3 + l*d*a_dot*b_dot*cos(a - b))"
+        potential = "k*(a - {MIDDLE} [rad])^2/2"
+        [define.crossed.constraints]
+        x = {{ expression = "l*cos(a) + d*cos(b) - l*cos(c) - d" }}
+        y = {{ expression = "l*sin(a) + d*sin(b) - l*sin(c)" }}
+        "#
+    );
+    of_text(&text, Keep::All)
+}
+
+const L: f64 = 0.3;
+const D: f64 = 0.8;
+const M: f64 = 1.5;
+/// Angle at which the spring is free \[rad\].
+const MIDDLE: f64 = 1.6;
+
+/// Returns the inertia of crossed links as felt by the crank, by tan(c/2) = -(d + l)/(d - l) tan(a/2).
+fn crossed_inertia(a: f64) -> f64 {
+    let ratio = -(D + L) / (D - L);
+    let tangent = (a / 2.0).tan();
+    let c = 2.0 * (ratio * tangent).atan();
+    let of_c = ratio * (1.0 + tangent * tangent) / (1.0 + (ratio * tangent).powi(2));
+    let b = (L * (c.sin() - a.sin())).atan2(D + L * (c.cos() - a.cos()));
+    let of_b = L * (c.cos() * of_c - a.cos()) / (D * b.cos());
+    let cranks = M * L * L / 3.0 * (1.0 + of_c * of_c);
+    cranks + M * (L * L + D * D * of_b * of_b / 3.0 + L * D * of_b * (a - b).cos())
+}
+
+/// Checks that links are crossed as in the closed form: the angles of the cranks, and an ellipse about the
+/// ends of the crank with the length of the coupler, on which the coupler crosses the base.
+fn require_crossed(run: &Trajectory, name: &str) {
+    for (a, c) in column(run, "a").iter().zip(column(run, "c")) {
+        let sum = (D - L) * (c / 2.0).sin() * (a / 2.0).cos()
+            + (D + L) * (a / 2.0).sin() * (c / 2.0).cos();
+        assert!(sum.abs() < 1e-11, "{name}: the cranks are off by {sum:e} at {a}");
+        let [[x, y], [far_x, far_y]] = [[L * a.cos(), L * a.sin()], [D + L * c.cos(), L * c.sin()]];
+        // In line with the base, they cross nowhere.
+        if y.abs() > 0.1 * L {
+            let crossing = x - y * (far_x - x) / (far_y - y);
+            let off = crossing.abs() + (crossing - x).hypot(y) - D;
+            assert!(off.abs() < 1e-10, "{name}: the crossing is off its ellipse by {off:e} at {a}");
+        }
+    }
+}
+
 fn run(machine: &ModelSimulator, method: Method, rtol: f64) -> Trajectory {
     let run = Simulation::new(machine).method(method).rtol(rtol).run();
     run.unwrap_or_else(|error| panic!("{method:?} at {rtol:e}: {error}"))
@@ -143,5 +222,54 @@ fn a_start_in_line_is_refused_and_one_beside_it_runs() {
         let run = given(a).unwrap_or_else(|error| panic!("{a}: {error}"));
         assert!((column(&run, "c")[1] - a - 0.8).abs() < 1e-6, "{a}: {:?}", column(&run, "c"));
         assert!(!run.notes.iter().any(|note| note.contains("corner")), "{a}: {:?}", run.notes);
+    }
+}
+
+/// Crossed links swing for 500 periods between 1 rad and 2.2 rad, away from positions in line: by the
+/// quadrature of time over the angle a = 1.6 - 0.6 cos(s), dt = sqrt(I/k) ds.
+#[test]
+fn crossed_links_swing_as_by_quadrature() {
+    const STIFFNESS: f64 = 5.0;
+    const SHARES: usize = 200;
+    let rate = |s: f64| (crossed_inertia(MIDDLE - 0.6 * s.cos()) / STIFFNESS).sqrt();
+    let time = |until: f64| -> f64 {
+        let step = until / SHARES as f64;
+        // Simpson's rule.
+        let share = |index: usize| {
+            let s = index as f64 * step;
+            step / 6.0 * (rate(s) + 4.0 * rate(s + step / 2.0) + rate(s + step))
+        };
+        (0..SHARES).map(share).sum()
+    };
+    let until = 1000.0 * time(std::f64::consts::PI) + time(std::f64::consts::FRAC_PI_2);
+    let machine = crossed(STIFFNESS, [1.0, 0.0], until);
+    for (method, rtol) in [(Method::Auto, 1e-10), (Method::Dop853, 1e-11), (Method::Radau, 1e-10)] {
+        let run = run(&machine, method, rtol);
+        let name = format!("{method:?}");
+        require_crossed(&run, &name);
+        let last = |column: &[f64]| *column.last().expect("rows");
+        let (angle, speed) = (last(column(&run, "a")), last(column(&run, "a_dot")));
+        let exact = 0.6 * (STIFFNESS / crossed_inertia(MIDDLE)).sqrt();
+        assert!((angle - MIDDLE).abs() < 1e-5, "{name}: {angle} at the end");
+        assert!((speed - exact).abs() < 1e-5, "{name}: {speed} instead of {exact} at the end");
+    }
+}
+
+/// Crossed links turn through positions in line, where they might open.
+#[test]
+fn crossed_links_stay_crossed_through_positions_in_line() {
+    let machine = crossed(0.0, [1.0, 2.0], 20.0);
+    let energy = |a: f64, speed: f64| crossed_inertia(a) * speed * speed / 2.0;
+    for rtol in [1e-5, 1e-7, 1e-9, 1e-11] {
+        let run = run(&machine, Method::Radau, rtol);
+        require_crossed(&run, &format!("{rtol:e}"));
+        let angles = column(&run, "a");
+        let rows = angles.iter().zip(column(&run, "a_dot"));
+        for (a, speed) in rows.filter(|(a, _)| a.sin().abs() > 0.05) {
+            let lost = energy(*a, *speed) / energy(1.0, 2.0) - 1.0;
+            assert!(lost.abs() < 1e3 * rtol + 1e-9, "{rtol:e}: energy is off by {lost:e} at {a}");
+        }
+        let turned = angles.last().expect("rows");
+        assert!(*turned > 7.0 * std::f64::consts::TAU, "{rtol:e}: {turned}");
     }
 }

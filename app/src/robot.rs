@@ -5,6 +5,10 @@
 //! that would change the motion are named.
 
 mod dh;
+mod digits;
+mod includes;
+mod loops;
+mod masses;
 mod mjcf;
 mod sdf;
 mod shapes;
@@ -14,8 +18,9 @@ mod urdf;
 mod xml;
 
 pub use dh::Convention;
+pub use includes::Source;
 pub use spec::Spec;
-pub use tree::{Closure, Motion, Robot, RobotError};
+pub use tree::{Motion, Robot, RobotError};
 
 /// Reads a robot from XML: MJCF if its root is `<mujoco>`, SDF if it is `<sdf>`, else URDF.
 ///
@@ -23,11 +28,13 @@ pub use tree::{Closure, Motion, Robot, RobotError};
 /// The first mistake, with its line.
 pub fn of_xml(text: &str) -> Result<Robot, RobotError> {
     let document = xml::parsed(text)?;
-    match document.root_element().tag_name().name() {
+    let mut robot = match document.root_element().tag_name().name() {
         "mujoco" => mjcf::read(&document),
         "sdf" => sdf::read(&document),
         _ => urdf::read(&document),
-    }
+    }?;
+    robot.align();
+    Ok(robot)
 }
 
 /// Reads a robot from a table of Denavit and Hartenberg.

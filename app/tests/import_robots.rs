@@ -65,33 +65,145 @@ fn a_model_of_mujoco_moves_as_mujoco_says() {
     }
 }
 
+const SETTINGS: [(&str, &str); 3] = [
+    ("settings.xml", include_str!("urdf/settings.xml")),
+    ("settings_of_parts.xml", include_str!("urdf/settings_of_parts.xml")),
+    ("settings_hand.xml", include_str!("urdf/settings_hand.xml")),
+];
+
+/// Start of a model in three files with settings of the compiler and of classes, and its state 0.5 s later
+/// by MuJoCo 4.0.0 likewise.
+const SETTINGS_RUN: [(&str, f64, f64); 13] = [
+    ("lift", 0.3, 1.835_912_478_686_076),
+    ("lift_dot", 1.0, 1.065_203_224_875_88),
+    ("out", 0.05, 0.150_836_867_836_301_82),
+    ("out_dot", -0.4, 0.429_658_990_202_696_2),
+    ("wrist_omega_x", 0.5, 0.027_546_071_607_645_956),
+    ("wrist_omega_y", -0.8, -0.175_967_112_881_451_03),
+    ("wrist_omega_z", 1.1, 0.014_802_533_646_092_714),
+    ("fly_px_dot", 0.2, 0.290_970_089_656_257_76),
+    ("fly_py_dot", -0.3, -0.257_625_553_054_952),
+    ("fly_pz_dot", 1.0, -3.464_886_597_937_358_6),
+    ("fly_turn_omega_x", 1.0, 0.060_177_357_802_318_7),
+    ("fly_turn_omega_y", -2.0, -0.054_013_535_713_813_975),
+    ("fly_turn_omega_z", 0.7, 0.026_302_818_838_545_55),
+];
+
 #[test]
-fn parts_of_mujoco_that_no_scene_has_are_named() {
+fn included_files_and_settings_of_mujoco_act() {
     let folder = tempfile::tempdir().expect("a folder");
-    let actuator = "</worldbody><actuator><motor joint=\"elbow\"/></actuator>";
-    let text = MANY.replace("</worldbody>", actuator);
-    std::fs::write(folder.path().join("many.xml"), text).expect("written");
-    let call = ["import", "many.xml", "--out", "many.toml"];
+    for (name, text) in SETTINGS {
+        std::fs::write(folder.path().join(name), text).expect("written");
+    }
+    let starts = SETTINGS_RUN.map(|(name, start, _)| format!("\"robot.{name}\" = {start:?}\n"));
+    let row = run(&folder, &["settings.xml"], &format!("\n[initial]\n{}", starts.concat()));
+    for (name, _, wanted) in SETTINGS_RUN {
+        let found = value(&row, &format!("robot.{name}"));
+        assert!((found - wanted).abs() < 1e-9, "{name}: {found} instead of {wanted}");
+    }
+    let call = ["import", "settings.xml", "--out", "settings.toml"];
+    let noted = machinist(&folder, &call).output().expect("it starts").stderr;
+    let noted = String::from_utf8_lossy(&noted).into_owned();
+    for wanted in [
+        "joint `lift` counts from its `ref`, 0.4",
+        "`mocap` of body `target` of settings.xml is left out",
+    ] {
+        assert!(noted.contains(wanted), "{noted}");
+    }
+    // A mistake is told with the included file and its line.
+    let bad = SETTINGS[2].1.replace("size=\"0.03 0.1\"", "size=\"wide\"");
+    std::fs::write(folder.path().join("settings_hand.xml"), bad).expect("written");
+    assert_refused(machinist(&folder, &call), &["settings_hand.xml:4: `size` is `wide`"]);
+    let bad = SETTINGS[0].1.replace("ref=\"-0.1\"", "ref=\"far\"");
+    std::fs::write(folder.path().join("settings.xml"), bad).expect("written");
+    std::fs::write(folder.path().join("settings_hand.xml"), SETTINGS[2].1).expect("written");
+    assert_refused(machinist(&folder, &call), &["settings.xml:12: `ref` is `far`"]);
+    std::fs::remove_file(folder.path().join("settings_hand.xml")).expect("removed");
     let output = machinist(&folder, &call).output().expect("it starts");
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(
-        output.status.success() && said.contains("<actuator> of many.xml is left out"),
-        "{said}"
+    assert!(!output.status.success() && said.contains("settings_hand.xml: No such file"), "{said}");
+}
+
+/// A frame moves what it contains, and frames add up.
+#[test]
+fn frames_of_mujoco_place_what_is_in_them() {
+    let model = |inner: &str| {
+        format!(
+            "<mujoco model=\"frames\"><compiler angle=\"radian\"/><default><default class=\"slow\">\
+             <joint damping=\"0.3\"/></default></default><worldbody>{inner}</worldbody></mujoco>"
+        )
+    };
+    // Quarter turns about z take x to y and y to -x.
+    let framed = model(
+        "<frame pos=\"1 0 0\" euler=\"0 0 1.5707963267948966\" childclass=\"slow\"><frame pos=\"0 0 0.5\">\
+         <body name=\"arm\" pos=\"0.2 0 0\"><frame pos=\"0 0.1 0\" quat=\"1 0 0 1\">\
+         <joint name=\"turn\" axis=\"1 0 0\" pos=\"0.3 0 0\"/>\
+         <geom type=\"box\" size=\"0.1 0.2 0.3\" pos=\"0 0 -0.4\"/></frame></body></frame></frame>",
     );
+    let plain = model(
+        "<body name=\"arm\" pos=\"1 0.2 0.5\" euler=\"0 0 1.5707963267948966\" childclass=\"slow\">\
+         <joint name=\"turn\" axis=\"0 1 0\" pos=\"0 0.4 0\"/>\
+         <geom type=\"box\" size=\"0.2 0.1 0.3\" pos=\"0 0.1 -0.4\"/></body>",
+    );
+    let rows = [framed, plain].map(|text| {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("frames.xml"), text).expect("written");
+        let more = "\n[initial]\n\"robot.turn\" = 0.7\n[outputs]\nx = \"robot.arm_x\"\ny = \"robot.arm_y\"\n\
+                    z = \"robot.arm_z\"\n";
+        run(&folder, &["frames.xml"], more)
+    });
+    assert!(rows[0].len() > 5, "{rows:?}");
+    for ((name, one), (_, other)) in rows[0].iter().zip(&rows[1]) {
+        assert!((one - other).abs() < 1e-10, "{name}: {one} {other}");
+    }
+}
+
+#[test]
+fn parts_of_mujoco_that_no_scene_has_are_named() {
+    for (before, after, wanted) in [
+        ("</worldbody>", "</worldbody><actuator><motor joint=\"elbow\"/></actuator>", "<actuator>"),
+        ("<option", "<option viscosity=\"0.1\"", "the viscosity of the medium"),
+        ("<body name=\"hand\"", "<body name=\"hand\" gravcomp=\"1\"", "`gravcomp` of body `hand`"),
+        (
+            "name=\"twist\"",
+            "name=\"twist\" springdamper=\"1 1\"",
+            "`springdamper` of joint `twist`",
+        ),
+        ("<option", "<option><flag gravity=\"disable\"/></option><option", ""),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        assert!(MANY.contains(before), "{before}");
+        let text = MANY.replacen(before, after, 1);
+        std::fs::write(folder.path().join("many.xml"), text).expect("written");
+        let call = ["import", "many.xml", "--out", "many.toml"];
+        let output = machinist(&folder, &call).output().expect("it starts");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        let wanted =
+            if wanted.is_empty() { "" } else { &format!("{wanted} of many.xml is left out") };
+        assert!(output.status.success() && said.contains(wanted), "{said}");
+        let scene = std::fs::read_to_string(folder.path().join("many.toml")).expect("a scene");
+        assert_eq!(
+            scene.contains("gravity = [0.0, 0.0, 0.0]"),
+            after.contains("gravity="),
+            "{scene}"
+        );
+    }
 }
 
 #[test]
 fn bad_models_of_mujoco_are_refused_and_nothing_is_written() {
     let deep = format!("{}{}<body name=\"upper\"", "<body>".repeat(600), "</body>".repeat(600));
     for (before, after, wanted) in [
-        ("<worldbody>", "<include file=\"a.xml\"/><worldbody>", "<include> is not read"),
+        ("<worldbody>", "<include file=\"bad.xml\"/><worldbody>", "is included twice"),
+        ("<worldbody>", "<include file=\"/etc/none.xml\"/><worldbody>", "by an absolute path"),
+        ("<worldbody>", "<include/><worldbody>", "lacks the attribute `file`"),
+        ("<worldbody>", "<replicate/><worldbody>", "<replicate> is not read"),
         ("<mujoco model=\"many joints\">", "<!DOCTYPE a><mujoco>", "DTD"),
         ("eulerseq=\"zyx\"", "coordinate=\"global\"", "global coordinates"),
         ("eulerseq=\"zyx\"", "eulerseq=\"zya\"", "no orientation"),
         ("type=\"slide\"", "type=\"screw\"", "is of type `screw`"),
         ("stiffness=\"2\"", "stiffness=\"2 3\"", "polynomial"),
         ("stiffness=\"2\"", "stiffness=\"-2\"", "must not be negative"),
-        ("stiffness=\"2\"", "ref=\"2\"", "has a `ref`"),
         ("armature=\"0.01\"", "armature=\"nan\"", "which no robot has"),
         ("armature=\"0.01\"", "armature=\"1 kg\"", "not a number"),
         ("axis=\"0.1 1 0.3\"", "axis=\"0 0 0\"", "is zero"),
@@ -103,10 +215,9 @@ fn bad_models_of_mujoco_are_refused_and_nothing_is_written() {
         ("mass=\"0.7\"", "", "lacks the attribute `mass`"),
         ("mass=\"0.7\"", "mass=\"-0.7\"", "must not be negative"),
         ("diaginertia=\"0.003 0.004 0.002\"", "", "either `diaginertia` or `fullinertia`"),
-        ("type=\"ball\" pos=\"0 0 0.03\" damping=\"0\"", "type=\"ball\"", "of ball joints"),
+        ("type=\"ball\"", "type=\"ball\" stiffness=\"1\"", "friction and springs of ball joints"),
         ("<body name=\"upper\"", &deep, "too deeply"),
         ("name=\"lower\"", "name=\"upper\"", "two links are called"),
-        ("<body name=\"ball\"", "<body mocap=\"true\" name=\"ball\"", "motion capture"),
     ] {
         let folder = tempfile::tempdir().expect("a folder");
         assert!(MANY.contains(before), "{before}");

@@ -8,7 +8,7 @@ use machinist_codegen::spec::MAX_FILE_BYTES;
 
 use super::output::{print, require_ending, write_file};
 use crate::failure::Failure;
-use crate::robot::{self, Closure, Convention, Motion, Spec};
+use crate::robot::{self, Convention, Motion, RobotError, Source, Spec};
 
 #[derive(Debug, Args)]
 pub struct Import {
@@ -29,31 +29,34 @@ impl Import {
     pub fn execute(&self) -> Result<(), Failure> {
         require_ending(&self.robot, &["urdf", "xml", "sdf", "csv"], "the robot")?;
         require_ending(&self.out, &["toml"], "--out")?;
-        let text = self.read()?;
         let file = self.robot.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let is_table = self.robot.extension().is_some_and(|ending| ending == "csv");
         if self.modified && !is_table {
             let message = "--modified is for Denavit-Hartenberg tables, which end in .csv";
             return Err(Failure::input(message, ""));
         }
-        let read = if is_table {
+        let source = if is_table {
+            Source::of(&self.robot, read(&self.robot)?)
+        } else {
+            Source::read(&self.robot, &|path| read(path))?
+        };
+        let robot = if is_table {
             let convention =
                 if self.modified { Convention::Modified } else { Convention::Standard };
             let stem = self.robot.file_stem().unwrap_or_default().to_string_lossy();
-            robot::of_table(&stem, &text, convention)
+            robot::of_table(&stem, &source.text, convention)
         } else {
-            robot::of_xml(&text)
+            robot::of_xml(&source.text)
         };
-        let read = read.and_then(|mut robot| {
+        let robot = robot.and_then(|mut robot| {
             if self.free_base {
                 robot.release()?;
             }
             Ok(robot)
         });
-        let robot = read.map_err(|error| {
-            let line = if error.line > 0 { format!(":{}", error.line) } else { String::new() };
-            let message = format!("{}{line}: {}", self.robot.display(), error.message);
-            Failure::input(message, error.help)
+        let robot = robot.map_err(|error| {
+            let (file, line) = source.place(error.line);
+            RobotError { line, ..error }.in_file(file)
         })?;
         let spec = Spec::new(&robot, &file).text();
         let warnings = checked(&spec, &self.out)?;
@@ -65,11 +68,18 @@ impl Import {
             eprintln!("machinist: {part} of {file} is left out");
         }
         for joint in &robot.held {
-            eprintln!("machinist: joint `{joint}` is fixed: nothing that it moves has inertia");
+            eprintln!("machinist: joint `{joint}` is fixed: its motion moves no inertia");
         }
-        for Closure { joint, .. } in &robot.closures {
-            let (name, count) = (&joint.name, joint.motion.constraints());
-            eprintln!("machinist: {count} constraints close the loop at joint `{name}`");
+        for joints in &robot.weak {
+            eprintln!("machinist: {joints}");
+        }
+        for note in &robot.notes {
+            eprintln!("machinist: {note}");
+        }
+        for closure in &robot.closures {
+            let (name, count) = (&closure.joint.name, closure.constraints().len());
+            let kind = if closure.is_planar { "planar loop" } else { "loop" };
+            eprintln!("machinist: {count} constraints close the {kind} at joint `{name}`");
         }
         let moving = robot.joints.iter().filter(|joint| joint.motion != Motion::Fixed);
         print(&format!(
@@ -79,25 +89,23 @@ impl Import {
             moving.count()
         ))
     }
+}
 
-    fn read(&self) -> Result<String, Failure> {
-        let file = |error: &std::io::Error| Failure::file(&self.robot, error);
-        let metadata = std::fs::metadata(&self.robot).map_err(|error| file(&error))?;
-        if !metadata.is_file() {
-            let message = format!("{}: not a regular file", self.robot.display());
-            return Err(Failure::input(message, ""));
-        }
-        let size = metadata.len();
-        if size > MAX_FILE_BYTES {
-            let message = format!("{}: {size} bytes are too many", self.robot.display());
-            return Err(Failure::input(message, format!("at most {MAX_FILE_BYTES} are read")));
-        }
-        let bytes = std::fs::read(&self.robot).map_err(|error| file(&error))?;
-        String::from_utf8(bytes).map_err(|_| {
-            let message = format!("{}: not text in UTF-8", self.robot.display());
-            Failure::input(message, "")
-        })
+/// Reads a text file of limited size.
+fn read(path: &Path) -> Result<String, Failure> {
+    let file = |error: &std::io::Error| Failure::file(path, error);
+    let metadata = std::fs::metadata(path).map_err(|error| file(&error))?;
+    if !metadata.is_file() {
+        return Err(Failure::input(format!("{}: not a regular file", path.display()), ""));
     }
+    let size = metadata.len();
+    if size > MAX_FILE_BYTES {
+        let message = format!("{}: {size} bytes are too many", path.display());
+        return Err(Failure::input(message, format!("at most {MAX_FILE_BYTES} are read")));
+    }
+    let bytes = std::fs::read(path).map_err(|error| file(&error))?;
+    String::from_utf8(bytes)
+        .map_err(|_| Failure::input(format!("{}: not text in UTF-8", path.display()), ""))
 }
 
 /// Checks the scene before it is written, and returns its warnings.

@@ -4,20 +4,15 @@
 //! Collisions, sensors and plugins are named as left out.
 
 mod frames;
+mod joints;
 
-use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet};
-use std::iter;
-
-use nalgebra::{UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
 
-use super::shapes::{Shape, pose, turn_of_z};
-use super::tree::{
-    Closure, Inertial, Joint, Limits, Link, Mimic, Motion, Robot, RobotError, Visual, WORLD,
-};
+use super::shapes::{Shape, pose};
+use super::tree::{Inertial, Link, Robot, RobotError, Visual, WORLD};
 use super::xml::{Read, Reader, child};
-use frames::{Frames, MODEL};
+use frames::Frames;
+use joints::closing;
 
 /// Elements that take part in the motion or describe the robot elsewhere.
 const LEFT_OUT: [&str; 9] = [
@@ -32,9 +27,7 @@ const LEFT_OUT: [&str; 9] = [
     "velocity_decay",
 ];
 /// Elements without which the motion would be another.
-const UNKNOWN: [&str; 3] = ["include", "axis2", "thread_pitch"];
-/// Limits beyond this are none \[rad or m\]: the format writes 1e16.
-const UNLIMITED: f64 = 1e12;
+const UNKNOWN: [&str; 1] = ["include"];
 
 /// Reads a robot description, and checks it.
 ///
@@ -65,15 +58,17 @@ pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
     }
     let present = |tag: &&str| inner.clone().any(|node| node.has_tag_name(*tag));
     robot.left_out.extend(LEFT_OUT.into_iter().filter(present).map(|tag| format!("<{tag}>")));
-    let frames = Frames::new(&reader, model)?;
+    let mut frames = Frames::new(&reader, model)?;
     for node in elements(model, "link") {
         robot.links.push(reader.sdf_link(node, &frames)?);
     }
     if robot.links.is_empty() {
         return Err(reader.error(model, "the model has no links", ""));
     }
-    let ends = elements(model, "joint").map(|node| reader.ends(node));
-    let ends = ends.collect::<Read<Vec<_>>>()?;
+    let mut ends = Vec::new();
+    for node in elements(model, "joint") {
+        ends.extend(reader.ends(node, &mut frames, &mut robot)?);
+    }
     let closing = closing(&ends);
     for (at, ends) in ends.iter().enumerate() {
         if closing.contains(&at) {
@@ -82,35 +77,11 @@ pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
             reader.sdf_joint(ends, &frames, &mut robot)?;
         }
     }
+    for node in elements(model, "joint").filter(|node| node.attribute("type") == Some("gearbox")) {
+        reader.gear(node, &frames, &mut robot)?;
+    }
     finish(&mut robot, &frames)?;
     Ok(robot)
-}
-
-/// A joint, and the links that it joins.
-struct Ends<'a, 'input> {
-    node: Node<'a, 'input>,
-    name: String,
-    motion: Motion,
-    parent: String,
-    carried: String,
-}
-
-/// Returns the joints that close loops, those with few constraints if possible.
-fn closing(joints: &[Ends<'_, '_>]) -> BTreeSet<usize> {
-    let mut order: Vec<usize> = (0..joints.len()).collect();
-    order.sort_by_key(|at| Reverse(joints[*at].motion.constraints()));
-    let mut carriers: BTreeMap<&str, &str> = BTreeMap::new();
-    let mut closing = BTreeSet::new();
-    for at in order {
-        let Ends { parent, carried, .. } = &joints[at];
-        let mut above = iter::successors(Some(parent.as_str()), |link| carriers.get(link).copied());
-        if carriers.contains_key(carried.as_str()) || above.any(|link| link == carried) {
-            closing.insert(at);
-        } else {
-            carriers.insert(carried, parent);
-        }
-    }
-    closing
 }
 
 /// Joins the model to the world: at its joints to the world, or by a joint that moves freely.
@@ -215,134 +186,6 @@ impl Reader<'_, '_> {
             return Err(self.error(node, "a dimension of this shape is not positive", ""));
         }
         Ok(Some(shape))
-    }
-
-    fn ends<'a, 'i>(&self, node: Node<'a, 'i>) -> Read<Ends<'a, 'i>> {
-        let name = self.name(node)?;
-        let motion = match self.attribute(node, "type")? {
-            "fixed" => Motion::Fixed,
-            "revolute" | "continuous" => Motion::Turns,
-            "prismatic" => Motion::Slides,
-            "ball" => Motion::Rolls,
-            other => {
-                let message = format!("joint `{name}` is of type `{}`", other.escape_debug());
-                let help = "known are fixed, revolute, continuous, prismatic and ball";
-                return Err(self.error(node, message, help));
-            }
-        };
-        let end = |tag: &str| Ok(text_of(self.part(node, tag)?));
-        Ok(Ends { parent: end("parent")?, carried: end("child")?, node, name, motion })
-    }
-
-    /// Reads a joint that closes a loop.
-    fn closure(&self, ends: &Ends<'_, '_>, frames: &Frames<'_, '_>, robot: &mut Robot) -> Read<()> {
-        let Ends { node, name, motion, parent, carried } = ends;
-        let mut joint = Joint::plain(name, self.line(*node), *motion, [parent, carried]);
-        let mut along = UnitQuaternion::identity();
-        if matches!(motion, Motion::Turns | Motion::Slides) {
-            self.along(self.part(*node, "axis")?, frames, &mut joint)?;
-            along = turn_of_z(&Vector3::from(joint.axis));
-        }
-        if joint.mimic.is_some() {
-            let message = format!("joint `{name}` follows another and closes a loop");
-            return Err(self.error(*node, message, "follow by a joint that closes none"));
-        }
-        if joint.damping > 0.0 || joint.friction > 0.0 || joint.spring[0] > 0.0 {
-            robot.left_out.push(format!("what acts in joint `{name}`, which closes a loop,"));
-        }
-        let poses = [parent, carried].map(|link| frames.between(link, name));
-        let [at_parent, at_child] = poses;
-        let poses = [at_parent? * along, at_child? * along].map(|at| pose(&at));
-        robot.closures.push(Closure { joint, poses });
-        Ok(())
-    }
-
-    /// Reads a joint. If its frame is not that of the link that it carries, a link of its own is
-    /// between the two.
-    fn sdf_joint(
-        &self,
-        ends: &Ends<'_, '_>,
-        frames: &Frames<'_, '_>,
-        robot: &mut Robot,
-    ) -> Read<()> {
-        let Ends { node, name, motion, parent, carried } = ends;
-        let is_there = frames.is_at(name, carried);
-        let moved = if is_there { carried.clone() } else { format!("{carried} at {name}") };
-        let line = self.line(*node);
-        let mut joint = Joint::plain(name, line, *motion, [parent, &moved]);
-        joint.origin = pose(&frames.between(parent, name)?);
-        if matches!(motion, Motion::Turns | Motion::Slides) {
-            let axis = self.part(*node, "axis")?;
-            self.along(axis, frames, &mut joint)?;
-        }
-        robot.joints.push(joint);
-        if !is_there {
-            robot.links.push(Link { name: moved.clone(), line, ..Link::default() });
-            let mut fixed = Joint::plain(
-                &format!("{name} to {carried}"),
-                line,
-                Motion::Fixed,
-                [&moved, carried],
-            );
-            fixed.origin = pose(&frames.between(name, carried)?);
-            robot.joints.push(fixed);
-        }
-        Ok(())
-    }
-
-    /// Reads the axis of a joint: its direction, limits, losses and the joint that it follows.
-    fn along(&self, node: Node<'_, '_>, frames: &Frames<'_, '_>, joint: &mut Joint) -> Read<()> {
-        // Versions before 1.7 say so where later ones have an attribute.
-        let of_model = is_true(child(node, "use_parent_model_frame")).then_some(MODEL);
-        let way = self.part(node, "xyz")?;
-        let axis: [f64; 3] = self.listed(way)?;
-        if axis.iter().all(|entry| *entry == 0.0) {
-            return Err(self.error(way, format!("the axis of joint `{}` is zero", joint.name), ""));
-        }
-        joint.axis = match of_model.or_else(|| way.attribute("expressed_in")) {
-            None | Some("") => axis,
-            Some(frame) => {
-                let turn = frames.between(&joint.name, frame)?.rotation;
-                (turn * nalgebra::Vector3::from(axis)).into()
-            }
-        };
-        let dynamics = child(node, "dynamics");
-        joint.damping = self.within(dynamics, "damping", 0.0)?;
-        joint.friction = self.within(dynamics, "friction", 0.0)?;
-        joint.spring = [
-            self.within(dynamics, "spring_stiffness", 0.0)?,
-            self.within(dynamics, "spring_reference", 0.0)?,
-        ];
-        if joint.damping < 0.0 || joint.friction < 0.0 || joint.spring[0] < 0.0 {
-            let message = "damping, friction and stiffness must not be negative";
-            return Err(self.error(dynamics.unwrap_or(node), message, ""));
-        }
-        joint.limits = self.sdf_limits(child(node, "limit"))?;
-        if let Some(mimic) = child(node, "mimic") {
-            let multiplier = self.within(Some(mimic), "multiplier", 1.0)?;
-            let reference = self.within(Some(mimic), "reference", 0.0)?;
-            let offset = self.within(Some(mimic), "offset", 0.0)? - multiplier * reference;
-            let leader = self.attribute(mimic, "joint")?.trim().to_owned();
-            joint.mimic = Some(Mimic { joint: leader, multiplier, offset });
-        }
-        Ok(())
-    }
-
-    /// Reads limits, which scenes only mention: `None` without a limit of the position.
-    fn sdf_limits(&self, node: Option<Node<'_, '_>>) -> Read<Option<Limits>> {
-        let Some(node) = node else { return Ok(None) };
-        let of = |tag: &str| {
-            let Some(node) = child(node, tag) else { return Ok(None) };
-            let text = text_of(node);
-            match text.parse::<f64>() {
-                Ok(value) if value.abs() >= UNLIMITED => Ok(None),
-                _ => self.number_in(node, tag, &text).map(Some),
-            }
-        };
-        let (lower, upper) = (of("lower")?, of("upper")?);
-        let [velocity, effort] = [of("velocity")?, of("effort")?].map(|limit| limit.unwrap_or(0.0));
-        let limits = |(lower, upper)| Limits { position: [lower, upper], velocity, effort };
-        Ok(lower.zip(upper).map(limits))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::{Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, Quaternion, Translation3, UnitQuaternion, Vector3};
 
 use super::tree::{Inertial, Pose};
 
@@ -76,9 +76,16 @@ impl Shape {
 
 /// Returns the shortest rotation of the z axis into a direction.
 pub fn turn_of_z(into: &Vector3<f64>) -> UnitQuaternion<f64> {
-    // That into the opposite direction is not unique.
+    turn_into(&Vector3::z(), &into.normalize())
+}
+
+/// Returns the shortest rotation of a unit vector into another that is not opposite, except of z. It is
+/// accurate for small angles, unlike an arc cosine.
+pub fn turn_into(from: &Vector3<f64>, into: &Vector3<f64>) -> UnitQuaternion<f64> {
+    let twice = Quaternion::from_parts((from + into).norm_squared() / 2.0, from.cross(into));
+    // The rotation into the opposite direction is not unique.
     let half_turn = || UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI);
-    UnitQuaternion::rotation_between(&Vector3::z(), into).unwrap_or_else(half_turn)
+    UnitQuaternion::try_new(twice, 0.0).unwrap_or_else(half_turn)
 }
 
 /// Returns a pose as a position and a rotation.
@@ -88,9 +95,17 @@ pub fn isometry(pose: &Pose) -> Isometry3<f64> {
     Isometry3::from_parts(Translation3::from(Vector3::from(pose.xyz)), turn)
 }
 
-/// Returns a position and a rotation as a pose.
+/// Returns a position and a rotation as a pose. It is accurate at pitches near a quarter turn too, unlike
+/// an arc sine: yaw and pitch are those of the rotation that is left without roll.
 pub fn pose(of: &Isometry3<f64>) -> Pose {
-    let (roll, pitch, yaw) = of.rotation.euler_angles();
+    let turn = of.rotation.to_rotation_matrix();
+    let (sine, cosine) = (turn[(2, 1)], turn[(2, 2)]);
+    // At a quarter turn, roll and yaw are about the same axis.
+    let roll = if sine.hypot(cosine) > 4.0 * f64::EPSILON { sine.atan2(cosine) } else { 0.0 };
+    let (sine, cosine) = roll.sin_cos();
+    let pitch = (-turn[(2, 0)]).atan2(sine * turn[(2, 1)] + cosine * turn[(2, 2)]);
+    let without = |row: usize| cosine * turn[(row, 1)] - sine * turn[(row, 2)];
+    let yaw = (-without(0)).atan2(without(1));
     Pose { xyz: of.translation.vector.into(), rpy: [roll, pitch, yaw] }
 }
 
@@ -112,4 +127,42 @@ pub fn together(parts: &[(f64, Isometry3<f64>, Matrix3<f64>)]) -> Option<Inertia
     }
     let inertia = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|at| whole[at]);
     Some(Inertial { origin: Pose { xyz: centre.into(), rpy: [0.0; 3] }, mass, inertia })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+
+    use super::{isometry, pose, turn_into};
+
+    #[test]
+    fn rotations_are_kept_by_their_angles() {
+        let offsets = [0.0, 1e-15, -3e-12, 2e-9, 1e-7, -4e-6, 1e-3];
+        for pitch in [FRAC_PI_2, -FRAC_PI_2, 0.0, PI] {
+            for (off, roll) in offsets.iter().flat_map(|off| offsets.map(|roll| (off, roll))) {
+                for yaw in [0.0, 0.7, FRAC_PI_2, -2.0] {
+                    let turn = UnitQuaternion::from_euler_angles(0.4 + roll, pitch + off, yaw);
+                    let back =
+                        isometry(&pose(&Isometry3::from_parts(Vector3::zeros().into(), turn)));
+                    let error = (back.rotation.inverse() * turn).imag().norm();
+                    assert!(error < 1e-15, "{pitch} {off} {roll} {yaw}: {error}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn turns_are_accurate_and_those_of_z_up_to_half_turns() {
+        let oblique = Vector3::new(0.3, -0.8, 0.1).normalize();
+        for (from, largest) in [(oblique, 3.0), (Vector3::z(), PI)] {
+            let across = from.cross(&Vector3::x()).normalize();
+            for angle in [0.0_f64, 1e-13, 1e-9, 1e-4, 1.0, 3.0, PI - 1e-4, PI - 1e-9, PI] {
+                let into = from * angle.cos() + across * angle.sin();
+                let error = (turn_into(&from, &into) * from - into).norm();
+                assert!(error < 2e-15 || angle > largest, "{angle}: {error}");
+            }
+        }
+    }
 }

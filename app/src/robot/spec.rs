@@ -179,21 +179,48 @@ impl<'a> Spec<'a> {
         let Some(mimic) = &joint.mimic else {
             return self.coordinates.get(&*joint.name).map(|name| quoted(name));
         };
+        let unit = if joint.motion == Motion::Slides { "m" } else { "rad" };
+        let mut expression = self.led(joint, "")?;
+        if mimic.offset != 0.0 {
+            let _ = write!(expression, " + {} [{unit}]", number(mimic.offset));
+        }
+        Some(quoted(&expression.replace("+ -", "- ")))
+    }
+
+    /// Returns the coordinate of a joint, or the product that gives it, with an end such as `_dot`.
+    fn led(&self, joint: &Joint, end: &str) -> Option<String> {
+        let Some(mimic) = &joint.mimic else {
+            return self.coordinates.get(&*joint.name).map(|name| format!("{name}{end}"));
+        };
         let (other, own) = (self.robot.joint(&mimic.joint)?, joint.motion);
         let leader = self.coordinates.get(&*other.name)?;
-        let unit = if own == Motion::Slides { "m" } else { "rad" };
         // A length that follows an angle has a multiplier in m, and the reverse.
         let of_factor = match (own, other.motion) {
             (Motion::Slides, Motion::Turns) => " [m]",
             (Motion::Turns, Motion::Slides) => " [1/m]",
             _ => "",
         };
-        let factor = number(mimic.multiplier);
-        let mut expression = format!("{factor}{of_factor}*{leader}");
-        if mimic.offset != 0.0 {
-            let _ = write!(expression, " + {} [{unit}]", number(mimic.offset));
+        Some(format!("{}{of_factor}*{leader}{end}", number(mimic.multiplier)))
+    }
+
+    /// Returns the speeds of a joint, each with true if it is one of a displacement.
+    fn rates(&self, joint: &Joint) -> Vec<(String, bool)> {
+        let slides = joint.motion == Motion::Slides;
+        let Some(rate) = self.led(joint, "_dot") else { return Vec::new() };
+        let name = rate.trim_end_matches("_dot");
+        let turns = |name: &str| ["x", "y", "z"].map(|end| (format!("{name}_omega_{end}"), false));
+        match joint.motion {
+            Motion::Fixed => Vec::new(),
+            Motion::Turns | Motion::Slides if joint.mimic.is_some() => {
+                vec![(format!("({rate})"), slides)]
+            }
+            Motion::Turns | Motion::Slides => vec![(rate, slides)],
+            Motion::Rolls => turns(name).to_vec(),
+            Motion::Floats => {
+                let slides = FLOATING.map(|end| (format!("{name}_{end}_dot"), true));
+                slides.into_iter().chain(turns(&format!("{name}_turn"))).collect()
+            }
         }
-        Some(quoted(&expression.replace("+ -", "- ")))
     }
 
     fn body(&self, text: &mut String, link: &Link) {
@@ -226,19 +253,15 @@ impl<'a> Spec<'a> {
                 let _ = writeln!(text, "{head}");
                 pose(text, "displacement", at);
             }
-            let gap = format!("in_frame(position({b}) - position({a}), {a})");
-            let [x, y, z] = ["x", "y", "z"].map(|way| (way, format!("{way}_of({gap})")));
-            let tilt_x = ("tilt_x", format!("dot(x_axis({a}), z_axis({b}))"));
-            let tilt_y = ("tilt_y", format!("dot(y_axis({a}), z_axis({b}))"));
-            let turn = ("turn", format!("dot(x_axis({a}), y_axis({b}))"));
-            let all = match joint.motion {
-                Motion::Fixed => vec![x, y, z, tilt_x, tilt_y, turn],
-                Motion::Turns => vec![x, y, z, tilt_x, tilt_y],
-                Motion::Slides => vec![x, y, tilt_x, tilt_y, turn],
-                Motion::Rolls => vec![x, y, z],
-                Motion::Floats => vec![],
-            };
-            for (end, formula) in all {
+            let of_gap =
+                |way: &str| format!("{way}_of(in_frame(position({b}) - position({a}), {a}))");
+            for end in closure.constraints() {
+                let formula = match *end {
+                    "tilt_x" => format!("dot(x_axis({a}), z_axis({b}))"),
+                    "tilt_y" => format!("dot(y_axis({a}), z_axis({b}))"),
+                    "turn" => format!("dot(x_axis({a}), y_axis({b}))"),
+                    way => of_gap(way),
+                };
                 let _ = write!(
                     text,
                     "\n[define.{scene}_robot.constraints.{name}_{end}]\nexpression = \"{formula}\"\n"
@@ -250,42 +273,37 @@ impl<'a> Spec<'a> {
     /// Writes damping as dissipation, and dry friction.
     fn losses(&self, text: &mut String) {
         let scene = &self.scene;
-        let own = || {
-            let moving = self.robot.joints.iter().filter(|joint| joint.mimic.is_none());
+        let moving = || {
+            let moving = self.robot.joints.iter();
             moving.filter(|joint| matches!(joint.motion, Motion::Turns | Motion::Slides))
         };
-        let units = |joint: &Joint| {
-            if joint.motion == Motion::Slides { ["N s/m", "N"] } else { ["N m s/rad", "N m"] }
+        let slides = |joint: &Joint| joint.motion == Motion::Slides;
+        let quadratic = |of: fn(&Joint) -> f64, [sliding, turning]: [&str; 2]| {
+            let all = self.robot.joints.iter().filter(|joint| of(joint) > 0.0);
+            let terms = all.flat_map(|joint| {
+                self.rates(joint).into_iter().map(|(rate, slides)| {
+                    let unit = if slides { sliding } else { turning };
+                    format!("{} [{unit}]*{rate}^2/2", number(of(joint)))
+                })
+            });
+            terms.collect::<Vec<_>>()
         };
-        let damped: Vec<String> = own()
-            .filter(|joint| joint.damping > 0.0)
-            .map(|joint| {
-                let (name, [unit, _]) = (&self.coordinates[&*joint.name], units(joint));
-                format!("{} [{unit}]*{name}_dot^2/2", number(joint.damping))
-            })
-            .collect();
-        let kinetic = own().filter(|joint| joint.armature > 0.0).map(|joint| {
-            let unit = if joint.motion == Motion::Slides { "kg" } else { "kg m^2" };
-            let name = &self.coordinates[&*joint.name];
-            format!("{} [{unit}]*{name}_dot^2/2", number(joint.armature))
-        });
-        let potential = own().filter(|joint| joint.spring[0] > 0.0).map(|joint| {
-            let units =
-                if joint.motion == Motion::Slides { ["N/m", "m"] } else { ["N m/rad", "rad"] };
-            let name = &self.coordinates[&*joint.name];
+        let damped = quadratic(|joint| joint.damping, ["N s/m", "N m s/rad"]);
+        let kinetic = quadratic(|joint| joint.armature, ["kg", "kg m^2"]);
+        let potential = moving().filter(|joint| joint.spring[0] > 0.0).map(|joint| {
+            let units = if slides(joint) { ["N/m", "m"] } else { ["N m/rad", "rad"] };
+            let position = self.position(joint).unwrap_or_default();
+            let position = position.trim_matches('"');
             let [stiffness, rest] = joint.spring;
-            let way = if rest == 0.0 {
-                name.clone()
-            } else {
-                format!("({name} - {} [{}])", number(rest), units[1]).replace("- -", "+ ")
+            let way = match (rest == 0.0, joint.mimic.is_some()) {
+                (true, false) => position.to_owned(),
+                (true, true) => format!("({position})"),
+                _ => format!("({position} - {} [{}])", number(rest), units[1]).replace("- -", "+ "),
             };
             format!("{} [{}]*{way}^2/2", number(stiffness), units[0])
         });
-        let energies = [
-            ("kinetic", kinetic.collect::<Vec<_>>()),
-            ("potential", potential.collect()),
-            ("dissipation", damped),
-        ];
+        let energies =
+            [("kinetic", kinetic), ("potential", potential.collect()), ("dissipation", damped)];
         if energies.iter().any(|(_, terms)| !terms.is_empty()) {
             let _ = write!(text, "\n[define.{scene}_robot.energy]\n");
         }
@@ -293,12 +311,15 @@ impl<'a> Spec<'a> {
             let terms = terms.join(" + \\\n  ");
             let _ = writeln!(text, "{key} = \"\"\"\\\n  {terms}\"\"\"");
         }
-        for joint in own().filter(|joint| joint.friction > 0.0) {
-            let (name, [_, unit]) = (&self.coordinates[&*joint.name], units(joint));
+        let mut taken = BTreeSet::new();
+        for joint in moving().filter(|joint| joint.friction > 0.0) {
+            let name = named(&joint.name, &mut taken);
+            let Some((rate, _)) = self.rates(joint).pop() else { continue };
+            let unit = if slides(joint) { "N" } else { "N m" };
             let friction = number(joint.friction);
             let _ = write!(
                 text,
-                "\n[define.{scene}_robot.friction.{name}_friction]\nspeed = \"{name}_dot\"\n\
+                "\n[define.{scene}_robot.friction.{name}_friction]\nspeed = \"{rate}\"\n\
                  sliding = \"{friction} [{unit}]\"\nunit = \"{unit}\"\n"
             );
         }

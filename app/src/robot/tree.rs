@@ -44,6 +44,11 @@ pub struct Robot {
     pub closures: Vec<Closure>,
     /// Joints that [`Robot::check`] made fixed, because nothing that they move has inertia.
     pub held: Vec<String>,
+    /// Joints that move no inertia where all are at zero, in sentences.
+    pub weak: Vec<String>,
+    /// Axes of loops that [`Robot::align`] turned, and coordinates that count from elsewhere than in the
+    /// file, in sentences.
+    pub notes: Vec<String>,
 }
 
 /// A rigid link. Its frame is that of the joint that carries it.
@@ -71,7 +76,7 @@ pub struct Visual {
 }
 
 /// Inertia of a link.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Inertial {
     /// Pose of the centre of mass and of the axes of `inertia` in the link's frame.
     pub origin: Pose,
@@ -132,6 +137,8 @@ pub struct Joint {
     pub origin: Pose,
     /// Axis of the motion.
     pub axis: [f64; 3],
+    /// Largest rounding of the direction of the axis, seen from the link that carries it \[rad\].
+    pub rounding: f64,
     /// Viscous damping \[N m s/rad or N s/m\].
     pub damping: f64,
     /// Dry friction \[N m or N\].
@@ -176,6 +183,23 @@ pub struct Closure {
     /// Pose of the joint, with z along its axis, in the frames of the links that carry it and that it
     /// carries.
     pub poses: [Pose; 2],
+    /// True if the loop is planar: across z, or across x if the joint slides.
+    pub is_planar: bool,
+}
+
+impl Closure {
+    /// Returns the ends of the names of its constraints.
+    pub fn constraints(&self) -> &'static [&'static str] {
+        match (self.joint.motion, self.is_planar) {
+            (Motion::Floats, _) => &[],
+            (Motion::Turns | Motion::Rolls, true) => &["x", "y"],
+            (Motion::Slides, true) => &["y", "tilt_y"],
+            (Motion::Fixed, _) => &["x", "y", "z", "tilt_x", "tilt_y", "turn"],
+            (Motion::Turns, false) => &["x", "y", "z", "tilt_x", "tilt_y"],
+            (Motion::Slides, false) => &["x", "y", "tilt_x", "tilt_y", "turn"],
+            (Motion::Rolls, false) => &["x", "y", "z"],
+        }
+    }
 }
 
 impl Motion {
@@ -201,6 +225,7 @@ impl Joint {
             child: child.to_owned(),
             origin: Pose::default(),
             axis: [0.0, 0.0, 1.0],
+            rounding: 0.0,
             damping: 0.0,
             friction: 0.0,
             spring: [0.0; 2],
@@ -220,7 +245,8 @@ impl Robot {
         self.check_tree()?;
         self.check_mimics()?;
         self.check_inertias()?;
-        self.hold_without_inertia()
+        self.hold_without_inertia()?;
+        self.check_motions()
     }
 
     fn check_tree(&self) -> Result<(), RobotError> {
@@ -358,7 +384,10 @@ impl Robot {
     /// Fixes joints that move nothing with inertia, neither by themselves nor by joints that follow
     /// them: no equation would determine their motion.
     fn hold_without_inertia(&mut self) -> Result<(), RobotError> {
-        let mut with_inertia: BTreeSet<&str> = BTreeSet::new();
+        // Constraints determine the motion of links that close loops.
+        let closures = self.closures.iter().map(|closure| &closure.joint);
+        let ends = closures.flat_map(|joint| [&*joint.parent, &*joint.child]);
+        let mut with_inertia: BTreeSet<&str> = ends.collect();
         let order = self.root().map(|root| self.order(root)).unwrap_or_default();
         for link in order.iter().rev() {
             let own = link.inertial.as_ref().is_some_and(|inertial| !inertial.is_zero());

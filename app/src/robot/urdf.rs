@@ -1,8 +1,9 @@
 //! Reading of URDF.
 
+use nalgebra::Vector3;
 use roxmltree::{Document, Node};
 
-use super::shapes::Shape;
+use super::shapes::{Shape, turn_of_z};
 use super::tree::{Inertial, Joint, Limits, Link, Mimic, Motion, Pose, Robot, RobotError, Visual};
 use super::xml::{Read, Reader, child};
 
@@ -24,6 +25,9 @@ pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
     for node in root.children().filter(Node::is_element) {
         match node.tag_name().name() {
             "link" => robot.links.push(reader.link(node)?),
+            "joint" if node.attribute("type") == Some("planar") => {
+                reader.planar(node, &mut robot)?;
+            }
             "joint" => robot.joints.push(reader.joint(node)?),
             _ => {}
         }
@@ -101,11 +105,11 @@ impl Reader<'_, '_> {
         let motion = match self.attribute(node, "type")? {
             "fixed" => Motion::Fixed,
             "revolute" | "continuous" => Motion::Turns,
-            "prismatic" => Motion::Slides,
+            "prismatic" | "planar" => Motion::Slides,
             "floating" => Motion::Floats,
             other => {
                 let message = format!("joint `{name}` is of type `{}`", other.escape_debug());
-                let help = "known are fixed, revolute, continuous, prismatic and floating";
+                let help = "known are fixed, revolute, continuous, prismatic, planar and floating";
                 return Err(self.error(node, message, help));
             }
         };
@@ -128,20 +132,45 @@ impl Reader<'_, '_> {
             return Err(self.error(dynamics.unwrap_or(node), message, ""));
         }
         Ok(Joint {
-            line: self.line(node),
-            motion,
-            parent,
-            child: carried,
             origin: self.pose(node)?,
             axis,
             damping,
             friction,
-            spring: [0.0; 2],
-            armature: 0.0,
             limits: self.limits(node)?,
             mimic: child(node, "mimic").map(|mimic| self.mimic(mimic)).transpose()?,
-            name,
+            ..Joint::plain(&name, self.line(node), motion, [&parent, &carried])
         })
+    }
+
+    /// Reads a joint that moves in the plane across its axis: two that slide, with links between them, and
+    /// one that turns.
+    fn planar(&self, node: Node<'_, '_>, robot: &mut Robot) -> Read<()> {
+        let whole = self.joint(node)?;
+        let Joint { name, line, .. } = &whole;
+        if whole.mimic.is_some() {
+            let message = format!("joint `{name}` is planar and follows another");
+            return Err(self.error(node, message, "only joints with one coordinate follow others"));
+        }
+        if whole.damping > 0.0 || whole.friction > 0.0 {
+            robot.left_out.push(format!("what acts in joint `{name}`, which is planar,"));
+        }
+        let frame = turn_of_z(&Vector3::from(whole.axis));
+        let [x, y] = [Vector3::x(), Vector3::y()].map(|way| (frame * way).into());
+        let between = ["x", "y"].map(|way| format!("{name} {way}"));
+        for link in &between {
+            robot.links.push(Link { name: link.clone(), line: *line, ..Link::default() });
+        }
+        let [first, second] = &between;
+        let one = |end: &str, motion, axis, links: [&str; 2]| Joint {
+            axis,
+            ..Joint::plain(&format!("{name} {end}"), *line, motion, links)
+        };
+        robot.joints.extend([
+            Joint { origin: whole.origin, ..one("x", Motion::Slides, x, [&whole.parent, first]) },
+            one("y", Motion::Slides, y, [first, second]),
+            one("turn", Motion::Turns, whole.axis, [second, &whole.child]),
+        ]);
+        Ok(())
     }
 
     fn limits(&self, node: Node<'_, '_>) -> Read<Option<Limits>> {

@@ -101,6 +101,7 @@ pub(crate) fn expected(
         "constraint_matrix" => s.constraint_matrix(t, y, p, v),
         "kink_guards" => s.kink_guards(t, y, p, v),
         "kink_rates" => s.kink_rates(t, y, p, v),
+        "saturating_arguments" => s.saturating_arguments(t, y, p, v),
         other => panic!("a new function: {other}"),
     }
     values

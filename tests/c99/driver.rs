@@ -6,11 +6,14 @@ use std::fmt::Write as _;
 
 use machinist_codegen::emit::c99::Real;
 use machinist_model::Model;
-use machinist_model::functions::{FunctionRow, Gives, Reads};
+use machinist_model::functions::{FunctionId, FunctionRow, Gives, Reads};
 
 /// Returns the emitted functions, in the order in which the program calls them.
 pub fn functions(model: &Model) -> Vec<&'static FunctionRow> {
-    model.functions().filter(|row| (row.results)(model) > 0).collect()
+    // Emitted C has no series.
+    let is_emitted =
+        |row: &&FunctionRow| row.id != FunctionId::SaturatingArguments && (row.results)(model) > 0;
+    model.functions().filter(is_emitted).collect()
 }
 
 /// Returns the source text of the program.

@@ -110,8 +110,10 @@ pub fn kinks(graph: &mut Graph, places: &Places<'_>, given: &Given<'_>) -> Kinks
         }
     }
     found.merge_multiples(graph);
-    for guard in bells::near(&search, graph, &nodes, given) {
+    let mut zoned = Vec::new();
+    for (guard, argument) in bells::near(&search, graph, &nodes, given) {
         found.add_zone(graph, &mut search, guard);
+        zoned.extend(argument.map(|argument| without_sign(graph, argument)));
     }
     for guard in std::mem::take(&mut found.clamps) {
         found.add(graph, &mut search, guard);
@@ -130,7 +132,8 @@ pub fn kinks(graph: &mut Graph, places: &Places<'_>, given: &Given<'_>) -> Kinks
     }
     found.rates = along(graph, rate, &found.guards);
     let saturating = reached(graph, rate).into_iter().filter_map(|id| search.saturating(graph, id));
-    found.saturating = saturating.collect();
+    // Steps end at borders of zones, and are short inside.
+    found.saturating = saturating.filter(|argument| !zoned.contains(argument)).collect();
     found.saturating.sort_unstable();
     found.saturating.dedup();
     readers(graph, places, &mut found);
@@ -371,12 +374,10 @@ impl Search<'_> {
     /// of opposite arguments the same one.
     fn saturating(&self, graph: &Graph, id: NodeId) -> Option<NodeId> {
         use Function::{Atan, Cosh, Exp, Sinh, Tanh};
-        let Op::Call(Exp | Tanh | Sinh | Cosh | Atan, mut argument) = graph.op(id) else {
+        let Op::Call(Exp | Tanh | Sinh | Cosh | Atan, argument) = graph.op(id) else {
             return None;
         };
-        while let Op::Neg(opposite) = graph.op(argument) {
-            argument = opposite;
-        }
+        let argument = without_sign(graph, argument);
         let is_line = self.polynomials[&argument].is_some_and(|of| graph.is_zero(of[2]));
         (self.by[&argument] != By::Nothing && !is_line).then_some(argument)
     }
@@ -420,6 +421,14 @@ impl Search<'_> {
         let arguments = arguments.into_iter().filter(|a| self.by[a] == By::Time);
         arguments.filter_map(|argument| narrow(graph, self.polynomials[&argument]?, span)).collect()
     }
+}
+
+/// Returns the node of which another one is the opposite, or that one.
+fn without_sign(graph: &Graph, mut id: NodeId) -> NodeId {
+    while let Op::Neg(opposite) = graph.op(id) {
+        id = opposite;
+    }
+    id
 }
 
 /// Returns the time at which a linear polynomial crosses zero, or another one turns.

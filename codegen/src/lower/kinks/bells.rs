@@ -31,15 +31,18 @@ struct Bell {
     far: NodeId,
     near: f64,
     is_of_place: bool,
+    /// Argument of its function, if that is flat far away.
+    argument: Option<NodeId>,
 }
 
-/// Returns the guards of states that come near to bells among nodes, or leave them.
+/// Returns the guards of states that come near to bells among nodes, or leave them, with the
+/// arguments of functions that are flat far away.
 pub(super) fn near(
     search: &Search<'_>,
     graph: &mut Graph,
     nodes: &[NodeId],
     given: &Given<'_>,
-) -> Vec<NodeId> {
+) -> Vec<(NodeId, Option<NodeId>)> {
     let mut bells = Bells {
         search,
         given,
@@ -53,14 +56,14 @@ pub(super) fn near(
         found.extend(bells.algebraic(graph, id));
     }
     found.extend(bells.windows(graph, nodes));
-    found.retain(|Bell { far, near, is_of_place }| {
+    found.retain(|Bell { far, near, is_of_place, .. }| {
         // The feature of a friction law at rest has its effect where the machine starts.
         let start = bells.at_start.of(graph, *far);
         *is_of_place || start.is_some_and(|far| far.start() > near)
     });
-    let mut guard = |Bell { far, near, .. }: &Bell| {
+    let mut guard = |Bell { far, near, argument, .. }: &Bell| {
         let near = graph.literal(*near);
-        graph.sub(near, *far)
+        (graph.sub(near, *far), *argument)
     };
     found.iter().map(&mut guard).collect()
 }
@@ -126,7 +129,7 @@ impl Bells<'_> {
         let near = (1.0 + EXPONENTIAL * EXPONENTIAL).sqrt().sqrt();
         let is_of_place =
             self.search.by[&argument] == By::Time || self.is_of_place(graph, argument);
-        Some(Bell { far, near, is_of_place })
+        Some(Bell { far, near, is_of_place, argument: Some(argument) })
     }
 
     /// Returns the bell of a quotient, where the divisor is many times its least value.
@@ -162,7 +165,8 @@ impl Bells<'_> {
         // Only the start tells whether a machine goes far away from what it is built around, such
         // as a bobbin from its radius.
         let is_of_place = is_in_turns && self.is_of_place(graph, divisor);
-        Some(Bell { far, near: ALGEBRAIC.powf(0.5 / power).max(2.0), is_of_place })
+        let near = ALGEBRAIC.powf(0.5 / power).max(2.0);
+        Some(Bell { far, near, is_of_place, argument: None })
     }
 
     /// Returns the base of a power, except for factors that no state changes, with the exponent.
@@ -221,7 +225,7 @@ impl Bells<'_> {
     fn step(&self, graph: &mut Graph, argument: NodeId) -> Bell {
         let is_of_place = self.is_of_place(graph, argument);
         let far = root_of_one_and(graph, argument);
-        Bell { far, near: SATURATED, is_of_place }
+        Bell { far, near: SATURATED, is_of_place, argument: Some(argument) }
     }
 
     /// Returns the minimum or maximum of a node over all states.

@@ -181,8 +181,8 @@ pub(super) fn change_point(
 }
 
 /// Orthogonalizes the rows of G one after another; the number of remaining rows is the rank, and
-/// rows without a remainder above `least` are redundant. Constraints that always hold come first, then those that
-/// hold in modes, both in the order of the spec.
+/// rows without a remainder above `least` are redundant. Constraints that always hold come first,
+/// then those that hold in modes, both in the order of the spec.
 fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>, least: f64) -> Rows {
     /// The same bound for a constraint that holds in modes, by the accuracy of event times. A
     /// constraint with a smaller remainder would act with a huge force. The factorization for

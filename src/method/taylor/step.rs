@@ -92,6 +92,7 @@ impl Tolerance {
     }
 
     /// Returns the inverse of the allowed error of every state.
+    #[cfg(feature = "sweep")]
     pub(super) fn inverse_weights(&mut self) -> &mut [f64] {
         &mut self.inverse_weights
     }

@@ -8,17 +8,16 @@ use machinist_model::ModelSimulator;
 
 use crate::own_scene::of_text;
 
-/// Returns x'' + x = cos(1.3 t) - 0.2 `law`, where the law changes its sign at v = 0 within
-/// `width`.
-fn rubbing(law: &str) -> ModelSimulator {
+/// Returns a block of 1 kg in a potential, with a force along its way that may depend on `width`.
+fn block(potential: &str, force: &str, until: f64) -> ModelSimulator {
     let text = format!(
         r#"
         [scene]
-        name = "rubbing"
+        name = "block"
         [units.block]
         unit = "block"
         [run]
-        until = 20.0
+        until = {until:?}
         points = 41
         rtol = 1e-8
         method = "auto"
@@ -29,13 +28,20 @@ fn rubbing(law: &str) -> ModelSimulator {
         width = {{ value = 1e-2, unit = "m/s" }}
         [define.block.energy]
         kinetic = "1 [kg]*v^2/2"
-        potential = "1 [N/m]*x^2/2"
+        potential = "{potential}"
         [[define.block.forces]]
         coordinate = "x"
-        expression = "1 [N]*cos(1.3 [rad/s]*t) - 0.2 [N]*({law})"
+        expression = "{force}"
         "#
     );
     of_text(&text, Keep::Needed)
+}
+
+/// Returns x'' + x = cos(1.3 t) - 0.2 `law`, where the law changes its sign at v = 0 within
+/// `width`.
+fn rubbing(law: &str) -> ModelSimulator {
+    let force = format!("1 [N]*cos(1.3 [rad/s]*t) - 0.2 [N]*({law})");
+    block("1 [N/m]*x^2/2", &force, 20.0)
 }
 
 fn run(block: &ModelSimulator, width: f64, method: Method, rtol: f64) -> Trajectory {
@@ -79,30 +85,7 @@ fn friction_that_turns_over_is_never_passed_over() {
 /// Returns x'' = 1/2 cos(t) (1 N) and a law that is 1 far from v = 0 on one side, less 1: the speed
 /// is v_0 + 1/2 sin(t) until it comes near zero, at t = 3 pi/2.
 fn touching(law: &str) -> ModelSimulator {
-    let text = format!(
-        r#"
-        [scene]
-        name = "touching"
-        [units.block]
-        unit = "block"
-        [run]
-        until = 10.0
-        points = 11
-        rtol = 1e-8
-        method = "taylor"
-        [define.block.coordinates.x]
-        unit = "m"
-        velocity = "v"
-        [define.block.parameters]
-        width = {{ value = 1e-2, unit = "m/s" }}
-        [define.block.energy]
-        kinetic = "1 [kg]*v^2/2"
-        [[define.block.forces]]
-        coordinate = "x"
-        expression = "0.5 [N]*cos(1 [rad/s]*t) - 0.2 [N]*(({law}) - 1)"
-        "#
-    );
-    of_text(&text, Keep::Needed)
+    block("0 [J]", &format!("0.5 [N]*cos(1 [rad/s]*t) - 0.2 [N]*(({law}) - 1)"), 10.0)
 }
 
 #[test]

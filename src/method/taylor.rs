@@ -21,7 +21,7 @@ use super::system::FLOWS;
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 use crate::error::StopCause;
 use quadrature::Gauss;
-use step::{Tolerance, order_for};
+use step::{Between, Tolerance, order_for};
 
 /// Smallest relative tolerance; tighter ones are below rounding.
 pub(crate) const LEAST_RTOL: f64 = 4.0 * f64::EPSILON;
@@ -89,9 +89,7 @@ pub(super) struct TaylorSteps<'a> {
     saturating: Option<Saturating<f64>>,
     /// Fractions of a step at which the rate is compared with the polynomial's derivative.
     probes: &'static [f64],
-    between: Vec<f64>,
-    slope_between: Vec<f64>,
-    rate: Vec<f64>,
+    between: Between<f64>,
 }
 
 impl<'a> TaylorSteps<'a> {
@@ -120,9 +118,7 @@ impl<'a> TaylorSteps<'a> {
             flows: (len > states).then(|| Gauss::new(order / 2 + 2)),
             saturating: Saturating::new(stretch.system.simulator().saturations(), states),
             probes: if series.has_corners() { &PROBES } else { &[] },
-            between: vec![0.0; states],
-            slope_between: vec![0.0; states],
-            rate: vec![0.0; states],
+            between: Between::new(states),
         }
     }
 
@@ -203,16 +199,13 @@ impl<'a> TaylorSteps<'a> {
     /// the rate differs from the polynomial's derivative; without one it does so only near the end
     /// of a step.
     fn error_within(&mut self) -> f64 {
-        let mut largest = 0.0f64;
-        for share in self.probes {
-            let after = share * self.step;
-            let used = &self.current[..(self.finite + 1) * self.states];
-            step::value_and_slope(used, after, &mut self.between, &mut self.slope);
-            self.stretch.state_rate(self.time + after, &self.between, &mut self.rate);
-            let error = self.tolerance.lasting_error(&self.slope, &self.rate, self.step);
-            largest = largest.max(error);
-        }
-        largest
+        let used = &self.current[..(self.finite + 1) * self.states];
+        let along = Along { stretch: self.stretch, from: self.time, coefficients: used };
+        let (step, weights) = (self.step, self.tolerance.weights());
+        let errors = self.probes.iter().map(|share| {
+            step::lasting_error(along.defect(&mut self.between, share * step, weights), step)
+        });
+        errors.fold(0.0, f64::max)
     }
 
     /// Does the same at the places where functions saturate.
@@ -220,21 +213,18 @@ impl<'a> TaylorSteps<'a> {
         let Some(saturating) = &mut self.saturating else { return 0.0 };
         let used = &self.current[..(self.finite + 1) * self.states];
         let mut along = Along { stretch: self.stretch, from: self.time, coefficients: used };
-        let ends = (&used[..self.states], self.step, &self.end[..self.states]);
-        let mut largest = 0.0;
+        let (step, weights) = (self.step, self.tolerance.weights());
+        let ends = (&used[..self.states], step, &self.end[..self.states]);
+        let mut largest = 0.0f64;
         saturating.places(
             &mut along,
             ends,
             |place| place > 0.0,
             |along, after, _| {
-                step::value_and_slope(used, after, &mut self.between, &mut self.slope_between);
-                along.stretch.state_rate(along.from + after, &self.between, &mut self.rate);
-                let error =
-                    self.tolerance.lasting_error(&self.slope_between, &self.rate, self.step);
-                largest = error.max(largest);
+                largest = largest.max(along.defect(&mut self.between, after, weights));
             },
         );
-        largest
+        step::lasting_error(largest, step)
     }
 
     /// Returns the energy flows at a time within the step, integrated along the polynomial.
@@ -262,6 +252,15 @@ struct Along<'a> {
     stretch: &'a Stretch<'a>,
     from: f64,
     coefficients: &'a [f64],
+}
+
+impl Along<'_> {
+    /// Returns the largest defect y' - f in units of the tolerance at a time after the start.
+    fn defect(&self, between: &mut Between<f64>, after: f64, inverse_weights: &[f64]) -> f64 {
+        between.defect(self.coefficients, after, inverse_weights, |state, rate| {
+            self.stretch.state_rate(self.from + after, state, rate);
+        })
+    }
 }
 
 impl Motion<f64> for Along<'_> {

@@ -97,10 +97,9 @@ impl Tolerance {
         &mut self.inverse_weights
     }
 
-    /// Returns the error of a step relative to what is allowed, for a defect that lasts for a part
-    /// of it.
-    pub(super) fn lasting_error(&self, slope: &[f64], rate: &[f64], step: f64) -> f64 {
-        lasting_error(defect(slope, rate, &self.inverse_weights), step)
+    /// Returns the inverse of the allowed error of every state.
+    pub(super) fn weights(&self) -> &[f64] {
+        &self.inverse_weights
     }
 
     /// Returns the largest value in units of its tolerance.
@@ -319,15 +318,6 @@ pub(super) fn value_and_slope<R: Real>(
     value: &mut [R],
     slope: &mut [R],
 ) {
-    values_and_slopes(coefficients, [time], [(value, slope)]);
-}
-
-/// Does the same as [`value_and_slope`] at several times, whose sums do not wait for one another.
-pub(super) fn values_and_slopes<R: Real, const T: usize>(
-    coefficients: &[R],
-    times: [R; T],
-    mut into: [Sums<'_, R>; T],
-) {
     /// Width of the target's largest registers in bytes.
     const REGISTER: usize = if cfg!(target_feature = "avx512f") {
         64
@@ -336,41 +326,31 @@ pub(super) fn values_and_slopes<R: Real, const T: usize>(
     } else {
         16
     };
-    let states = into[0].0.len();
     let mut done = 0;
     if size_of::<R>() <= 2 * size_of::<f64>() {
-        done = by_blocks::<R, 4, T>(coefficients, times, &mut into, done);
-        if T > 1 && done >= 4 && states - done == 3 {
-            // Computing one state twice costs less than two blocks.
-            done = by_blocks::<R, 4, T>(coefficients, times, &mut into, done - 1);
-        }
+        done = by_blocks::<R, 4>(coefficients, time, (value, slope), done);
     }
     // If numbers take several registers, the sums of one state fill all of them.
-    if T * size_of::<R>() <= REGISTER {
-        done = by_blocks::<R, 2, T>(coefficients, times, &mut into, done);
+    if size_of::<R>() <= REGISTER {
+        done = by_blocks::<R, 2>(coefficients, time, (value, slope), done);
     }
-    by_blocks::<R, 1, T>(coefficients, times, &mut into, done);
+    by_blocks::<R, 1>(coefficients, time, (value, slope), done);
 }
-
-/// Destinations of values and slopes of all states.
-type Sums<'a, R> = (&'a mut [R], &'a mut [R]);
 
 /// Sums states from `first` as long as `N` are left, which is as many as fit into registers.
 /// Returns how many states are done.
-fn by_blocks<R: Real, const N: usize, const T: usize>(
+fn by_blocks<R: Real, const N: usize>(
     coefficients: &[R],
-    times: [R; T],
-    into: &mut [Sums<'_, R>; T],
+    time: R,
+    (values, slopes): (&mut [R], &mut [R]),
     first: usize,
 ) -> usize {
-    let states = into[0].0.len();
+    let states = values.len();
     let done = first + (states - first) / N * N;
     for first in (first..done).step_by(N) {
-        let sums = sum::<R, N, T>(coefficients, states, first, times);
-        for ((values, slopes), (value, slope)) in into.iter_mut().zip(sums) {
-            values[first..first + N].copy_from_slice(&value);
-            slopes[first..first + N].copy_from_slice(&slope);
-        }
+        let (value, slope) = sum::<R, N>(coefficients, states, first, time);
+        values[first..first + N].copy_from_slice(&value);
+        slopes[first..first + N].copy_from_slice(&slope);
     }
     done
 }
@@ -380,42 +360,63 @@ fn by_blocks<R: Real, const N: usize, const T: usize>(
 /// Even and odd powers of the time h are separate, so that half as many operations wait for one
 /// another: `E(h^2) + h O(h^2)`, with the derivative `2 h (E' + h O') + O`.
 #[inline(always)]
-fn sum<R: Real, const N: usize, const T: usize>(
+fn sum<R: Real, const N: usize>(
     coefficients: &[R],
     states: usize,
     first: usize,
-    times: [R; T],
-) -> [([R; N], [R; N]); T] {
-    let squares = times.map(|time| time * time);
-    let zero = [[R::literal(0.0); N]; T];
-    let [mut even, mut even_slope, mut odd, mut odd_slope] = [zero; 4];
+    time: R,
+) -> ([R; N], [R; N]) {
+    let square = time * time;
+    let [mut even, mut even_slope, mut odd, mut odd_slope] = [[R::literal(0.0); N]; 4];
     let pairs = coefficients.chunks_exact(2 * states);
     if let Some(highest) = pairs.remainder().get(first..first + N) {
-        for even in &mut even {
-            even.copy_from_slice(highest);
-        }
+        even.copy_from_slice(highest);
     }
     for pair in pairs.rev() {
         let (even_terms, odd_terms) = pair.split_at(states);
         let (even_terms, odd_terms) = (&even_terms[first..first + N], &odd_terms[first..first + N]);
-        for t in 0..T {
-            for index in 0..N {
-                odd_slope[t][index] = odd_slope[t][index].mul_add(squares[t], odd[t][index]);
-                odd[t][index] = odd[t][index].mul_add(squares[t], odd_terms[index]);
-                even_slope[t][index] = even_slope[t][index].mul_add(squares[t], even[t][index]);
-                even[t][index] = even[t][index].mul_add(squares[t], even_terms[index]);
-            }
-        }
-    }
-    for t in 0..T {
-        let twice = times[t] + times[t];
         for index in 0..N {
-            even[t][index] = odd[t][index].mul_add(times[t], even[t][index]);
-            let inner = odd_slope[t][index].mul_add(times[t], even_slope[t][index]);
-            even_slope[t][index] = twice.mul_add(inner, odd[t][index]);
+            odd_slope[index] = odd_slope[index].mul_add(square, odd[index]);
+            odd[index] = odd[index].mul_add(square, odd_terms[index]);
+            even_slope[index] = even_slope[index].mul_add(square, even[index]);
+            even[index] = even[index].mul_add(square, even_terms[index]);
         }
     }
-    std::array::from_fn(|t| (even[t], even_slope[t]))
+    let twice = time + time;
+    for index in 0..N {
+        even[index] = odd[index].mul_add(time, even[index]);
+        let inner = odd_slope[index].mul_add(time, even_slope[index]);
+        even_slope[index] = twice.mul_add(inner, odd[index]);
+    }
+    (even, even_slope)
+}
+
+/// Numbers at one time within a step.
+pub(super) struct Between<R> {
+    state: Vec<R>,
+    slope: Vec<R>,
+    rate: Vec<R>,
+}
+
+impl<R: Magnitude> Between<R> {
+    pub(super) fn new(states: usize) -> Self {
+        let zeros = || vec![R::literal(0.0); states];
+        Self { state: zeros(), slope: zeros(), rate: zeros() }
+    }
+
+    /// Returns the largest defect y' - f of the polynomial in units of the tolerance at `time` after
+    /// the start of the step. `rate` computes f from the state there.
+    pub(super) fn defect(
+        &mut self,
+        coefficients: &[R],
+        time: R,
+        inverse_weights: &[R],
+        rate: impl FnOnce(&[R], &mut [R]),
+    ) -> R {
+        value_and_slope(coefficients, time, &mut self.state, &mut self.slope);
+        rate(&self.state, &mut self.rate);
+        defect(&self.slope, &self.rate, inverse_weights)
+    }
 }
 
 #[cfg(test)]
@@ -428,23 +429,17 @@ mod tests {
             for states in 1..9 {
                 let term = |index: usize| 1.0 / (1.0 + index as f64);
                 let coefficients: Vec<f64> = (0..(order + 1) * states).map(term).collect();
-                let (mut values, mut slopes) = (vec![0.0; states], vec![0.0; states]);
-                value_and_slope(&coefficients, 0.7, &mut values, &mut slopes);
-                let mut both = [[(); 2]; 2].map(|pair| pair.map(|()| vec![0.0; states]));
-                let [[value, slope], [before, slope_before]] = &mut both;
-                let into = [(&mut value[..], &mut slope[..]), (&mut before[..], slope_before)];
-                values_and_slopes(&coefficients, [0.7, 0.35], into);
-                assert_eq!(both[0], [values.clone(), slopes.clone()]);
-                let [mut value, mut slope] = [vec![0.0; states], vec![0.0; states]];
-                value_and_slope(&coefficients, 0.35, &mut value, &mut slope);
-                assert_eq!(both[1], [value, slope]);
-                for state in 0..states {
-                    let terms = coefficients.iter().skip(state).step_by(states).zip(0..);
-                    let value: f64 = terms.clone().map(|(c, k)| c * 0.7_f64.powi(k)).sum();
-                    let slope: f64 =
-                        terms.map(|(c, k)| c * f64::from(k) * 0.7_f64.powi(k - 1)).sum();
-                    assert!((values[state] - value).abs() < 1e-14 * value.abs());
-                    assert!((slopes[state] - slope).abs() < 1e-14 * slope.abs());
+                for time in [0.7_f64, 0.35] {
+                    let (mut values, mut slopes) = (vec![0.0; states], vec![0.0; states]);
+                    value_and_slope(&coefficients, time, &mut values, &mut slopes);
+                    for state in 0..states {
+                        let terms = coefficients.iter().skip(state).step_by(states).zip(0..);
+                        let value: f64 = terms.clone().map(|(c, k)| c * time.powi(k)).sum();
+                        let slope: f64 =
+                            terms.map(|(c, k)| c * f64::from(k) * time.powi(k - 1)).sum();
+                        assert!((values[state] - value).abs() < 1e-14 * value.abs());
+                        assert!((slopes[state] - slope).abs() < 1e-14 * slope.abs());
+                    }
                 }
             }
         }

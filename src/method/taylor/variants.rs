@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use machinist_contract::SideBySide;
 use machinist_contract::taylor::TaylorSeries;
 
-use super::step::{self, Judges, Tolerance, order_for};
+use super::step::{self, Between, Judges, Tolerance, order_for};
 use crate::error::StopCause;
 use crate::lanes::Lanes;
 use crate::method::one_step::resting;
@@ -132,13 +132,6 @@ impl<R: Lanes> Motion<R> for Along<'_, R> {
     }
 }
 
-/// Numbers at one time within the steps.
-struct Between<R> {
-    state: Vec<R>,
-    slope: Vec<R>,
-    rate: Vec<R>,
-}
-
 /// Common computation of all lanes.
 struct Bundle<'a, R> {
     series: &'a dyn TaylorSeries<R>,
@@ -224,7 +217,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             sizes: [R::literal(0.0); step::JUDGED],
             scratch: vec![0.0; step::JUDGED.max(3) * states],
             saturating: Saturating::new(machine.saturations(), states),
-            between: Between { state: zeros(states), slope: zeros(states), rate: zeros(states) },
+            between: Between::new(states),
             overseer: None,
             wait: Wait::default(),
         }

@@ -10,7 +10,7 @@ use crate::method::taylor::step::{self, Tolerance};
 
 use super::clock::places;
 use super::lane::Lane;
-use super::{Along, Between, Bundle, gather};
+use super::{Along, Bundle, gather};
 
 impl<R: Lanes> Bundle<'_, R> {
     /// Accepts or rejects steps, and takes the coefficients of the lanes with accepted ones.
@@ -70,14 +70,15 @@ impl<R: Lanes> Bundle<'_, R> {
         let (zero, half) = (R::literal(0.0), R::literal(0.5));
         let (coefficients, step) = (&self.current[..], self.clock.step);
         let mut along = Along { equations: &self.equations, clock: &self.clock, coefficients };
-        let Between { state, slope, rate } = &mut self.between;
+        let between = &mut self.between;
         let ends = (&coefficients[..self.states], step, &self.end[..]);
         let is_any = |place| R::less(zero, place) != 0;
         let mut largest = zero;
         self.saturating.as_mut()?.places(&mut along, ends, is_any, |along, after, is_there| {
-            step::value_and_slope(coefficients, after, state, slope);
-            along.equations.rate(along.time(after), state, rate);
-            let defect = step::defect(slope, rate, &self.inverse_weights);
+            let rate = |state: &[R], rate: &mut [R]| {
+                along.equations.rate(along.time(after), state, rate);
+            };
+            let defect = between.defect(coefficients, after, &self.inverse_weights, rate);
             largest = largest.larger(R::select_less(half, is_there, defect, zero));
         });
         Some(largest)

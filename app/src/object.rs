@@ -43,7 +43,7 @@ impl ObjectError {
     }
 }
 
-/// Compiles everything that a simulator does with `f64` to an object file, optimized, with `rustc`
+/// Compiles everything that a simulator does with `f64` to an object file, optimized for size, with `rustc`
 /// or the compiler that the environment variable `RUSTC` names.
 ///
 /// # Errors
@@ -58,7 +58,7 @@ pub fn object(model: &Model) -> Result<Vec<u8>, ObjectError> {
     let output = Command::new(&compiler)
         .args(["lib.rs", "--crate-name", "machine", "--crate-type", "lib", "--edition", "2024"])
         .args(["--emit", "obj", "-o", "machine.o", "--cfg", "feature=\"std\"", "--cap-lints"])
-        .args(["allow", "-C", "opt-level=3", "-C", "codegen-units=1", "-C", "panic=abort"])
+        .args(["allow", "-C", "opt-level=s", "-C", "codegen-units=1", "-C", "panic=abort"])
         .current_dir(folder.path())
         .output()
         .map_err(failed)?;

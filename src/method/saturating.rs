@@ -22,10 +22,10 @@ const PARTS: usize = 16;
 /// Number of times that the two parts beside a place are searched again. The place is known to 1/16
 /// of 1/8^3 of a step then, in which an argument that passes ten thousand widths of its function in
 /// a step moves by one.
-const AGAIN: usize = 3;
+const AGAIN: u32 = 3;
 
 /// Distance to which a place is known, as a share of the step.
-const RESOLVED: f64 = 1.0 / (PARTS as f64 * 512.0);
+const RESOLVED: f64 = 1.0 / (PARTS * (PARTS / 2).pow(AGAIN)) as f64;
 
 /// Size of an argument from which on a function counts as flat: e^-8 is 3e-4. Up to it, coefficients
 /// of series show how near the place is: those of `tanh` grow from e^-16 by factors of 16/k, and so

@@ -65,20 +65,18 @@ impl Compiler {
         }
         std::fs::write(folder.path().join("driver.c"), driver).expect("written");
         let source = format!("{name}.c");
-        let example = format!("{name}_example.c");
-        // The first compiler warns of the scene while it compiles it.
-        let checks = self.others.iter().map(|other| (other, vec![&source, &example]));
-        for (compiler, sources) in checks.chain([(&self.first, vec![&example])]) {
+        for compiler in &self.others {
             let mut command = Command::new(compiler);
-            command.args(STRICT).arg("-fsyntax-only").args(sources);
+            command.args(STRICT).args(["-fsyntax-only", &source, &format!("{name}_example.c")]);
             run(command, folder.path());
         }
         let mut command = Command::new(&self.first);
-        command.args(STRICT).args(["-ffp-contract=off", "-c", &source]);
+        command.args(STRICT).args(["-c", "-O1", &format!("{name}_example.c")]);
+        run(command, folder.path());
+        let mut command = Command::new(&self.first);
+        command.args(STRICT).args(["-O1", "-ffp-contract=off", "-c", &source]);
         if self.sanitizes {
-            command.args(["-O0", "-fsanitize=undefined", "-fno-sanitize-recover=all"]);
-        } else {
-            command.arg("-O1");
+            command.args(["-fsanitize=undefined", "-fno-sanitize-recover=all"]);
         }
         run(command, folder.path());
         let mut command = Command::new(&self.first);

@@ -40,8 +40,8 @@ const TARGETS: [Target; 3] = [
     },
 ];
 
-/// Returns the levels of optimisation to try: the bound is compared with the first alone, the others
-/// are printed.
+/// Returns the levels of optimisation to try. The bound is compared with frames of the first, which
+/// also shows frames that grow; those of the others are only printed.
 fn levels() -> &'static [&'static str] {
     let is_all = std::env::var("MACHINIST_C99").is_ok_and(|which| which == "all");
     if is_all { &["-O0", "-O2", "-O3"] } else { &["-O0"] }

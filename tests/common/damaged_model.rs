@@ -83,7 +83,10 @@ fn described(simulator: &ModelSimulator) -> String {
 }
 
 /// Returns the results of every function of a model at a state derived from its initial one.
-fn numbers<R: Lane>(simulator: &ModelSimulator, shift: f64) -> Vec<(&'static str, Vec<f64>)> {
+fn numbers<R: Lane>(simulator: &ModelSimulator, shift: f64) -> Vec<(&'static str, Vec<f64>)>
+where
+    ModelSimulator: Simulator<R>,
+{
     let shape = simulator.shape();
     let zero = R::literal(0.0);
     let defaults = (0..shape.parameters).map(|index| simulator.parameter_default(index));

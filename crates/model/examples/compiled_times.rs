@@ -60,7 +60,10 @@ fn row(name: &str, [compiled, interpreted]: [&ModelSimulator; 2], (mut one, mut 
 }
 
 fn of_function(id: FunctionId, results: usize) -> Work {
-    fn work<R: Lane>(id: FunctionId, results: usize) -> Box<dyn FnMut(&ModelSimulator)> {
+    fn work<R: Lane>(id: FunctionId, results: usize) -> Box<dyn FnMut(&ModelSimulator)>
+    where
+        ModelSimulator: Simulator<R>,
+    {
         let mut values = vec![R::literal(0.0); results];
         let mut start = None;
         Box::new(move |simulator| {
@@ -78,7 +81,10 @@ fn of_function(id: FunctionId, results: usize) -> Work {
 }
 
 fn of_series() -> Work {
-    fn work<R: Lane>() -> Box<dyn FnMut(&ModelSimulator)> {
+    fn work<R: Lane>() -> Box<dyn FnMut(&ModelSimulator)>
+    where
+        ModelSimulator: Simulator<R> + TaylorSeries<R>,
+    {
         let (mut start, mut coefficients, mut workspace) = (None, vec![], vec![]);
         Box::new(move |simulator| {
             let zero = R::literal(0.0);
@@ -92,7 +98,10 @@ fn of_series() -> Work {
 }
 
 /// Returns the state at the start and the parameters.
-fn begin<R: Lane>(simulator: &ModelSimulator) -> (Vec<R>, Vec<R>) {
+fn begin<R: Lane>(simulator: &ModelSimulator) -> (Vec<R>, Vec<R>)
+where
+    ModelSimulator: Simulator<R>,
+{
     let model = simulator.model();
     let parameters: Vec<R> = model.all_parameters().map(|p| R::literal(p.value)).collect();
     let mut state = vec![R::literal(0.0); model.states.len()];

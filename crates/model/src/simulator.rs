@@ -93,46 +93,38 @@ impl ModelSimulator {
         }
     }
 
-    /// Returns the simulator on single numbers, with code compiled in this crate and with its
-    /// settings. A conversion to `&dyn Simulator` elsewhere compiles that code anew, with the
-    /// settings there.
+    /// Returns the simulator on single numbers.
     #[must_use]
-    #[inline(never)]
     pub fn single(&self) -> &(dyn Simulator<f64> + Sync) {
         self
     }
 
-    /// Returns the simulator on two variants in lanes, likewise compiled here.
+    /// Returns the simulator on two variants in lanes.
     #[must_use]
-    #[inline(never)]
     pub fn in_pairs(&self) -> &(dyn SideBySide<F64x2> + Sync) {
         self
     }
 
-    /// Returns the simulator with fields to be discretized, likewise compiled here.
+    /// Returns the simulator with fields to be discretized.
     #[must_use]
-    #[inline(never)]
     pub fn with_fields(&self) -> &dyn FieldScene<f64> {
         self
     }
 
     /// Returns the same on numbers that carry derivatives.
     #[must_use]
-    #[inline(never)]
     pub fn with_fields_on_duals(&self) -> &dyn FieldScene<Dual> {
         self
     }
 
     /// Returns the simulator with fields, shared.
     #[must_use]
-    #[inline(never)]
     pub fn shared_with_fields(self: Arc<Self>) -> Arc<dyn FieldScene<f64> + Send> {
         self
     }
 
     /// Returns the same on numbers that carry derivatives.
     #[must_use]
-    #[inline(never)]
     pub fn shared_with_fields_on_duals(self: Arc<Self>) -> Arc<dyn FieldScene<Dual> + Send> {
         self
     }
@@ -395,133 +387,145 @@ macro_rules! function {
 mod derivatives;
 mod ranges;
 
-impl<R: Lane> Simulator<R> for ModelSimulator {
-    machinist_contract::for_each_function! { [functions] R }
-    fn constants(&self) -> usize {
-        self.hoisted().constants.results.len()
-    }
-    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
-        self.call(Called::Prepared(Prepared::Constants), None, parameters, constants);
-    }
-    fn prepared_rate(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        rate: &mut [R],
-    ) {
-        self.call_prepared::<{ Prepared::Rate as usize }, R>(
-            time, state, parameters, constants, rate,
-        );
-    }
-    fn prepared_rate_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        values: &mut [R],
-    ) {
-        self.call_prepared::<{ Prepared::RateJacobian as usize }, R>(
-            time, state, parameters, constants, values,
-        );
-    }
-    fn prepared_parameter_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        values: &mut [R],
-    ) {
-        self.call_prepared::<{ Prepared::ParameterJacobian as usize }, R>(
-            time, state, parameters, constants, values,
-        );
-    }
-    fn prepared_jacobians(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        values: &mut [R],
-    ) {
-        if !self.model.gives_jacobians_at_once() {
-            return jacobians_apart(self, time, state, parameters, constants, values);
+/// Implements the contract on a type of numbers. A generic implementation would be compiled in each crate that makes a
+/// `dyn Simulator` of one, with the settings there; these are compiled here.
+macro_rules! on_numbers {
+    ($R:ident) => {
+        impl Simulator<$R> for ModelSimulator {
+            machinist_contract::for_each_function! { [functions] $R }
+            fn constants(&self) -> usize {
+                self.hoisted().constants.results.len()
+            }
+            fn prepare(&self, parameters: &[$R], constants: &mut [$R]) {
+                self.call(Called::Prepared(Prepared::Constants), None, parameters, constants);
+            }
+            fn prepared_rate(
+                &self,
+                time: $R,
+                state: &[$R],
+                parameters: &[$R],
+                constants: &[$R],
+                rate: &mut [$R],
+            ) {
+                self.call_prepared::<{ Prepared::Rate as usize }, $R>(
+                    time, state, parameters, constants, rate,
+                );
+            }
+            fn prepared_rate_jacobian(
+                &self,
+                time: $R,
+                state: &[$R],
+                parameters: &[$R],
+                constants: &[$R],
+                values: &mut [$R],
+            ) {
+                self.call_prepared::<{ Prepared::RateJacobian as usize }, $R>(
+                    time, state, parameters, constants, values,
+                );
+            }
+            fn prepared_parameter_jacobian(
+                &self,
+                time: $R,
+                state: &[$R],
+                parameters: &[$R],
+                constants: &[$R],
+                values: &mut [$R],
+            ) {
+                self.call_prepared::<{ Prepared::ParameterJacobian as usize }, $R>(
+                    time, state, parameters, constants, values,
+                );
+            }
+            fn prepared_jacobians(
+                &self,
+                time: $R,
+                state: &[$R],
+                parameters: &[$R],
+                constants: &[$R],
+                values: &mut [$R],
+            ) {
+                if !self.model.gives_jacobians_at_once() {
+                    return jacobians_apart(self, time, state, parameters, constants, values);
+                }
+                self.call_prepared::<{ Prepared::Jacobians as usize }, $R>(
+                    time, state, parameters, constants, values,
+                );
+            }
+            fn taylor(&self) -> Option<&dyn TaylorSeries<$R>> {
+                self.model.constraints.is_empty().then_some(self as &dyn TaylorSeries<$R>)
+            }
+            fn linear(&self) -> Option<&dyn LinearEquations<$R>> {
+                self.model.excitation.is_some().then_some(self)
+            }
+            /// Returns `None` for a model with fields, because some parameters follow from others; see
+            /// [`ModelSimulator::shared_with_fields_on_duals`].
+            fn derivatives(&self) -> Option<&dyn Derivatives> {
+                self.model.fields.is_empty().then_some(self)
+            }
+            fn ranges(&self) -> Option<&dyn Ranges> {
+                Some(self)
+            }
         }
-        self.call_prepared::<{ Prepared::Jacobians as usize }, R>(
-            time, state, parameters, constants, values,
-        );
-    }
-    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
-        self.model.constraints.is_empty().then_some(self as &dyn TaylorSeries<R>)
-    }
-    fn linear(&self) -> Option<&dyn LinearEquations<R>> {
-        self.model.excitation.is_some().then_some(self)
-    }
-    /// Returns `None` for a model with fields, because some parameters follow from others; see
-    /// [`ModelSimulator::shared_with_fields_on_duals`].
-    fn derivatives(&self) -> Option<&dyn Derivatives> {
-        self.model.fields.is_empty().then_some(self)
-    }
-    fn ranges(&self) -> Option<&dyn Ranges> {
-        Some(self)
-    }
+
+        impl LinearEquations<$R> for ModelSimulator {
+            fn excitation_terms(&self) -> &[(u32, u32)] {
+                self.model.excitation.as_ref().map_or(&[], |excitation| &excitation.terms)
+            }
+            fn slopes(&self) -> &[(u32, u32)] {
+                self.model.excitation.as_ref().map_or(&[], |excitation| &excitation.slopes)
+            }
+            fn excitation(&self, time: $R, state: &[$R], parameters: &[$R], values: &mut [$R]) {
+                if let Some(excitation) = &self.model.excitation {
+                    self.with_slots(parameters, |parameters| {
+                        let read = self.read(&time, state, parameters);
+                        let tape = (|| &excitation.values, self.running);
+                        self.linear[0].run(tape, $R::COUNT, &read, $R::numbers_mut(values));
+                    });
+                }
+            }
+            fn switches(&self) -> usize {
+                self.model
+                    .excitation
+                    .as_ref()
+                    .map_or(0, |excitation| excitation.switches.results.len())
+            }
+            fn switch_times(&self, parameters: &[$R], times: &mut [$R]) {
+                if let Some(excitation) = &self.model.excitation {
+                    let zero = $R::literal(0.0);
+                    self.with_slots(parameters, |parameters| {
+                        let read = self.read_without_state(&zero, parameters);
+                        let tape = (|| &excitation.switches, self.running);
+                        self.linear[1].run(tape, $R::COUNT, &read, $R::numbers_mut(times));
+                    });
+                }
+            }
+        }
+
+        impl TaylorSeries<$R> for ModelSimulator {
+            fn series_workspace(&self, order: usize) -> usize {
+                self.series.workspace((&self.model, self.running), &self.tables, order)
+            }
+            fn series(
+                &self,
+                time: $R,
+                state: &[$R],
+                parameters: &[$R],
+                coefficients: &mut [$R],
+                workspace: &mut [$R],
+            ) {
+                self.with_slots(parameters, |parameters| {
+                    let read = self.read(&time, state, parameters);
+                    let [coefficients, workspace] = [coefficients, workspace].map($R::numbers_mut);
+                    let model = (&self.model, self.running);
+                    self.series.run(model, $R::COUNT, &read, coefficients, workspace);
+                });
+            }
+            fn has_corners(&self) -> bool {
+                let jumps = self.model.discontinuities.results.len();
+                self.series.tape(&self.model).has_corners(jumps)
+            }
+        }
+    };
 }
 
-impl<R: Lane> LinearEquations<R> for ModelSimulator {
-    fn excitation_terms(&self) -> &[(u32, u32)] {
-        self.model.excitation.as_ref().map_or(&[], |excitation| &excitation.terms)
-    }
-    fn slopes(&self) -> &[(u32, u32)] {
-        self.model.excitation.as_ref().map_or(&[], |excitation| &excitation.slopes)
-    }
-    fn excitation(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        if let Some(excitation) = &self.model.excitation {
-            self.with_slots(parameters, |parameters| {
-                let read = self.read(&time, state, parameters);
-                let tape = (|| &excitation.values, self.running);
-                self.linear[0].run(tape, R::COUNT, &read, R::numbers_mut(values));
-            });
-        }
-    }
-    fn switches(&self) -> usize {
-        self.model.excitation.as_ref().map_or(0, |excitation| excitation.switches.results.len())
-    }
-    fn switch_times(&self, parameters: &[R], times: &mut [R]) {
-        if let Some(excitation) = &self.model.excitation {
-            let zero = R::literal(0.0);
-            self.with_slots(parameters, |parameters| {
-                let read = self.read_without_state(&zero, parameters);
-                let tape = (|| &excitation.switches, self.running);
-                self.linear[1].run(tape, R::COUNT, &read, R::numbers_mut(times));
-            });
-        }
-    }
-}
-
-impl<R: Lane> TaylorSeries<R> for ModelSimulator {
-    fn series_workspace(&self, order: usize) -> usize {
-        self.series.workspace((&self.model, self.running), &self.tables, order)
-    }
-    fn series(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        coefficients: &mut [R],
-        workspace: &mut [R],
-    ) {
-        self.with_slots(parameters, |parameters| {
-            let read = self.read(&time, state, parameters);
-            let [coefficients, workspace] = [coefficients, workspace].map(R::numbers_mut);
-            let model = (&self.model, self.running);
-            self.series.run(model, R::COUNT, &read, coefficients, workspace);
-        });
-    }
-    fn has_corners(&self) -> bool {
-        let jumps = self.model.discontinuities.results.len();
-        self.series.tape(&self.model).has_corners(jumps)
-    }
-}
+on_numbers! { f64 }
+on_numbers! { F64x2 }

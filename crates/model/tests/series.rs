@@ -23,7 +23,10 @@ fn series<R: machinist_model::Lane>(
     simulator: &ModelSimulator,
     (time, state, parameters): (R, &[R], &[R]),
     order: usize,
-) -> Vec<R> {
+) -> Vec<R>
+where
+    ModelSimulator: Simulator<R>,
+{
     let mut coefficients = vec![R::literal(0.0); state.len() * (order + 1)];
     let series: &dyn TaylorSeries<R> = simulator.taylor().expect("no constraints");
     // Filled with NaN, to show that no initial value is read.

@@ -3,7 +3,7 @@
 use machinist_contract::field::{
     FieldAttachment, FieldDescription, FieldPoint, FieldScene, ForceStructure,
 };
-use machinist_contract::{Dual, Real, Simulator};
+use machinist_contract::{Dual, Real};
 
 use super::{ModelSimulator, Read, TapeFunction};
 use crate::{FieldModel, Model, Tape};
@@ -113,90 +113,131 @@ macro_rules! of_field {
     };
 }
 
-impl<R: AtPoint> FieldScene<R> for ModelSimulator
-where
-    Self: Simulator<R>,
-{
-    fn fields(&self) -> usize {
-        self.fields.len()
-    }
-    fn field(&self, index: usize) -> FieldDescription<'_> {
-        let field = &self.model().fields[index];
-        let [value, slope, rate, ..] = &field.quantities;
-        FieldDescription {
-            value: value.described(),
-            rate: rate.described(),
-            slope: slope.described(),
-            scale: field.scale,
-            fixed: field.fixed,
-            length: field.length,
-            attachments: &self.fields[index].attachments,
-            parameters: &field.parameters,
-            elements: field.elements,
-            order: field.order,
+/// Implements the contract on a type of numbers. As for the scene itself, it is not generic, so that it is compiled here.
+macro_rules! on_numbers {
+    ($R:ident) => {
+        impl FieldScene<$R> for ModelSimulator {
+            fn fields(&self) -> usize {
+                self.fields.len()
+            }
+            fn field(&self, index: usize) -> FieldDescription<'_> {
+                let field = &self.model().fields[index];
+                let [value, slope, rate, ..] = &field.quantities;
+                FieldDescription {
+                    value: value.described(),
+                    rate: rate.described(),
+                    slope: slope.described(),
+                    scale: field.scale,
+                    fixed: field.fixed,
+                    length: field.length,
+                    attachments: &self.fields[index].attachments,
+                    parameters: &field.parameters,
+                    elements: field.elements,
+                    order: field.order,
+                }
+            }
+            fn jacobian_reads_forces(&self) -> bool {
+                self.model().jacobian_reads_forces()
+            }
+            fn force_structure(&self, index: usize) -> ForceStructure {
+                self.fields[index].structure
+            }
+            fn field_inertia(&self, index: usize, x: $R, p: &[$R]) -> $R {
+                let mut inertia = [$R::literal(0.0)];
+                self.at_place(of_field!(self, index, inertia), x, p, &mut inertia);
+                inertia[0]
+            }
+            fn field_inertia_gradient(&self, index: usize, x: $R, p: &[$R], gradient: &mut [$R]) {
+                self.at_place(of_field!(self, index, inertia_gradient), x, p, gradient);
+            }
+            fn field_force(
+                &self,
+                index: usize,
+                time: $R,
+                x: $R,
+                point: &FieldPoint<$R>,
+                p: &[$R],
+            ) -> [$R; 2] {
+                let mut force = [$R::literal(0.0); 2];
+                self.at_point(of_field!(self, index, force), (time, x, point), p, &mut force);
+                force
+            }
+            fn field_force_jacobian(
+                &self,
+                index: usize,
+                time: $R,
+                x: $R,
+                point: &FieldPoint<$R>,
+                p: &[$R],
+            ) -> [$R; 8] {
+                let mut jacobian = [$R::literal(0.0); 8];
+                self.at_point(
+                    of_field!(self, index, force_jacobian),
+                    (time, x, point),
+                    p,
+                    &mut jacobian,
+                );
+                jacobian
+            }
+            fn field_force_gradient(
+                &self,
+                index: usize,
+                time: $R,
+                x: $R,
+                point: &FieldPoint<$R>,
+                p: &[$R],
+                gradient: &mut [$R],
+            ) {
+                self.at_point(
+                    of_field!(self, index, force_gradient),
+                    (time, x, point),
+                    p,
+                    gradient,
+                );
+            }
+            fn field_energy(
+                &self,
+                index: usize,
+                time: $R,
+                x: $R,
+                point: &FieldPoint<$R>,
+                p: &[$R],
+            ) -> [$R; 2] {
+                let mut energy = [$R::literal(0.0); 2];
+                self.at_point(of_field!(self, index, energy), (time, x, point), p, &mut energy);
+                energy
+            }
+            fn field_power(
+                &self,
+                index: usize,
+                time: $R,
+                x: $R,
+                point: &FieldPoint<$R>,
+                p: &[$R],
+            ) -> [$R; 3] {
+                let mut power = [$R::literal(0.0); 3];
+                self.at_point(of_field!(self, index, power), (time, x, point), p, &mut power);
+                power
+            }
+            fn field_places(&self, index: usize, p: &[$R], places: &mut [$R]) {
+                self.at_place(of_field!(self, index, places), $R::literal(0.0), p, places);
+            }
+            fn field_places_gradient(&self, index: usize, p: &[$R], gradient: &mut [$R]) {
+                self.at_place(
+                    of_field!(self, index, places_gradient),
+                    $R::literal(0.0),
+                    p,
+                    gradient,
+                );
+            }
+            fn field_initial(&self, index: usize, x: $R, p: &[$R]) -> [$R; 2] {
+                let mut initial = [$R::literal(0.0); 2];
+                self.at_place(of_field!(self, index, initial), x, p, &mut initial);
+                initial
+            }
         }
-    }
-    fn jacobian_reads_forces(&self) -> bool {
-        self.model().jacobian_reads_forces()
-    }
-    fn force_structure(&self, index: usize) -> ForceStructure {
-        self.fields[index].structure
-    }
-    fn field_inertia(&self, index: usize, x: R, p: &[R]) -> R {
-        let mut inertia = [R::literal(0.0)];
-        self.at_place(of_field!(self, index, inertia), x, p, &mut inertia);
-        inertia[0]
-    }
-    fn field_inertia_gradient(&self, index: usize, x: R, p: &[R], gradient: &mut [R]) {
-        self.at_place(of_field!(self, index, inertia_gradient), x, p, gradient);
-    }
-    fn field_force(&self, index: usize, time: R, x: R, point: &FieldPoint<R>, p: &[R]) -> [R; 2] {
-        let mut force = [R::literal(0.0); 2];
-        self.at_point(of_field!(self, index, force), (time, x, point), p, &mut force);
-        force
-    }
-    fn field_force_jacobian(
-        &self,
-        index: usize,
-        time: R,
-        x: R,
-        point: &FieldPoint<R>,
-        p: &[R],
-    ) -> [R; 8] {
-        let mut jacobian = [R::literal(0.0); 8];
-        self.at_point(of_field!(self, index, force_jacobian), (time, x, point), p, &mut jacobian);
-        jacobian
-    }
-    fn field_force_gradient(
-        &self,
-        index: usize,
-        time: R,
-        x: R,
-        point: &FieldPoint<R>,
-        p: &[R],
-        gradient: &mut [R],
-    ) {
-        self.at_point(of_field!(self, index, force_gradient), (time, x, point), p, gradient);
-    }
-    fn field_energy(&self, index: usize, time: R, x: R, point: &FieldPoint<R>, p: &[R]) -> [R; 2] {
-        let mut energy = [R::literal(0.0); 2];
-        self.at_point(of_field!(self, index, energy), (time, x, point), p, &mut energy);
-        energy
-    }
-    fn field_power(&self, index: usize, time: R, x: R, point: &FieldPoint<R>, p: &[R]) -> [R; 3] {
-        let mut power = [R::literal(0.0); 3];
-        self.at_point(of_field!(self, index, power), (time, x, point), p, &mut power);
-        power
-    }
-    fn field_places(&self, index: usize, p: &[R], places: &mut [R]) {
-        self.at_place(of_field!(self, index, places), R::literal(0.0), p, places);
-    }
-    fn field_places_gradient(&self, index: usize, p: &[R], gradient: &mut [R]) {
-        self.at_place(of_field!(self, index, places_gradient), R::literal(0.0), p, gradient);
-    }
-    fn field_initial(&self, index: usize, x: R, p: &[R]) -> [R; 2] {
-        let mut initial = [R::literal(0.0); 2];
-        self.at_place(of_field!(self, index, initial), x, p, &mut initial);
-        initial
-    }
+    };
 }
+
+on_numbers! { f64 }
+on_numbers! { Dual }

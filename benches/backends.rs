@@ -13,11 +13,12 @@ use std::time::{Duration, Instant};
 use machinist::field::{Discretisation, FieldError, FieldSimulator};
 use machinist::{Method, Simulation};
 use machinist_algebra::cas::Algebra;
+use machinist_bench_scenes as bench;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_contract::Simulator;
 use machinist_model::{Model, ModelSimulator};
-use machinist_scenes::{bench, scenes};
+use machinist_scenes::scenes;
 
 const SCENES: [(&str, Method); 14] = [
     ("saw_gin", Method::Dop853),

@@ -9,9 +9,9 @@ mod growth;
 use growth::{Row, bytes, fastest, fastest_step, print};
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation};
+use machinist_bench_scenes::{m3::M3, m4::M4};
 use machinist_contract::field::FieldScene;
 use machinist_contract::{Describe as _, Simulator as _};
-use machinist_scenes::bench::{m3::M3, m4::M4};
 use machinist_scenes::scenes::saw_gin_shaft::SawGinShaft;
 
 /// Numbers of elements of order 1.

@@ -8,8 +8,9 @@ use std::f64::consts::FRAC_PI_4;
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use machinist_bench_scenes as bench;
 use machinist_contract::Simulator;
-use machinist_scenes::{bench, scenes};
+use machinist_scenes::scenes;
 
 /// States that a measurement cycles through, so that the branch predictor cannot learn one.
 const STATES: usize = 16;

@@ -7,8 +7,8 @@ use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 use machinist::complex_step::ComplexStep;
 use machinist::{Method, Simulation};
+use machinist_bench_scenes as bench;
 use machinist_contract::Real as _;
-use machinist_scenes::bench;
 use model::Model;
 use nalgebra::{DMatrix, DVector};
 

@@ -2,8 +2,9 @@
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation, Trajectory};
+use machinist_bench_scenes as bench;
 use machinist_contract::Simulator;
-use machinist_scenes::{bench, scenes};
+use machinist_scenes::scenes;
 
 fn cut(name: &str, elements: usize, order: usize) -> FieldSimulator<'static, f64> {
     let scene = bench::find_field(name).or_else(|| scenes::find_field(name)).expect("a scene");

@@ -5,8 +5,9 @@ use machinist::field::{Discretisation, FieldSimulator};
 use machinist::improve::{Expression, gradient};
 use machinist::simulate::Pull;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
+use machinist_bench_scenes as bench;
 use machinist_contract::{Describe, Simulator};
-use machinist_scenes::{bench, scenes};
+use machinist_scenes::scenes;
 
 use crate::common::Oscillator;
 

@@ -2,12 +2,13 @@
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation, Sweep, Trajectory};
+use machinist_bench_scenes as bench;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
+use machinist_scenes::scenes;
 use machinist_scenes::scenes::{
     pendulum_constrained, pendulum_relative, saw_gin, stick_slip, winder_full,
 };
-use machinist_scenes::{bench, scenes};
 
 use crate::common::HardSpring;
 use crate::own_scene::{folder_of_specs, of_specs, specs_in};

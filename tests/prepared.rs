@@ -2,10 +2,11 @@
 
 use machinist::complex_step::dense;
 use machinist::field::{Discretisation, FieldSimulator};
+use machinist_bench_scenes as bench;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::{Real as _, Simulator};
 use machinist_model::ModelSimulator;
-use machinist_scenes::{bench, scenes};
+use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
 use nalgebra::DMatrix;
 

@@ -1,7 +1,8 @@
 //! Sparse Jacobians contain no entries that are zero except for rounding.
 
+use machinist_bench_scenes as bench;
 use machinist_contract::{Real, Simulator, SparsityPattern};
-use machinist_scenes::{bench, scenes};
+use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
 
 use crate::place::Place;

@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation};
+use machinist_bench_scenes as bench;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
-use machinist_scenes::{bench, scenes};
+use machinist_scenes::scenes;
 use table::{Row, Table};
 
 use crate::own_scene::{folder_of_specs, of_specs, specs_in};

@@ -28,8 +28,8 @@ use std::time::Instant;
 
 use machinist::method::{Problem, Stopped, System, Work};
 use machinist::{Method, Sweep};
+use machinist_bench_scenes as bench;
 use machinist_contract::Describe;
-use machinist_scenes::bench;
 use serde_json::{Value, json};
 
 use model::Model;

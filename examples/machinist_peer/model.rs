@@ -3,8 +3,8 @@
 //! fewer are sufficient. The states of a field are the model's, in another order.
 
 use machinist::field::{Discretisation, FieldSimulator};
+use machinist_bench_scenes as bench;
 use machinist_contract::{Describe as _, Simulator};
-use machinist_scenes::bench;
 
 /// A benchmark model and its simulator.
 pub struct Model {

@@ -7,8 +7,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use machinist::lanes::F64x8;
+use machinist_bench_scenes as bench;
 use machinist_contract::Real;
-use machinist_scenes::bench;
 use serde_json::json;
 
 use crate::median;

@@ -6,10 +6,6 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-/// Simulators to be measured rather than used; emitted like [`scenes`].
-#[cfg(feature = "bench")]
-#[path = "scenes/bench/mod.rs"]
-pub mod bench;
 pub mod scenes;
 
 /// The scene of a name as the trait object that is expected of it, of those that series carry: without
@@ -36,25 +32,6 @@ macro_rules! find_carried {
                 Some(&$crate::scenes::winder_linear_as_printed::WinderLinearAsPrinted)
             }
             "winder_nonlinear" => Some(&$crate::scenes::winder_nonlinear::WinderNonlinear),
-            _ => None,
-        }
-    };
-}
-
-/// The scene of [`mod@bench`] of a name, as [`find_carried`] has the others.
-#[cfg(feature = "bench")]
-#[macro_export]
-macro_rules! find_carried_in_bench {
-    ($name:expr) => {
-        match $name {
-            "m1" => Some(&$crate::bench::m1::M1),
-            "m2" => Some(&$crate::bench::m2::M2),
-            "m3_10" => Some(&$crate::bench::m3_10::M310),
-            "m4_7" => Some(&$crate::bench::m4_7::M47),
-            "m5" => Some(&$crate::bench::m5::M5),
-            "m6_2" => Some(&$crate::bench::m6_2::M62),
-            "m6_5" => Some(&$crate::bench::m6_5::M65),
-            "m6_10" => Some(&$crate::bench::m6_10::M610),
             _ => None,
         }
     };

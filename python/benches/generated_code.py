@@ -143,7 +143,7 @@ def emitted_rust(folder: pathlib.Path):
     )
     modules = [
         RUST.replace("NAME", name).replace("TYPE", kind).replace(
-            "PATH", str(REPOSITORY / "generated/src/scenes/bench" / f"{name}.rs"))
+            "PATH", str(REPOSITORY / "generated/bench/src/scenes" / f"{name}.rs"))
         for name, kind in SCENES.items()
     ]
     (crate / "src/lib.rs").write_text("".join(modules))

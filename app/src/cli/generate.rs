@@ -22,6 +22,8 @@ use crate::spec_source::SpecSource;
 
 /// Folder of emitted scenes.
 pub const EMITTED: &str = "generated/src/scenes";
+/// Folder of those for benchmarks, a crate of their own.
+const EMITTED_BENCH: &str = "generated/bench/src/scenes";
 
 /// Language of the emitted code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -100,14 +102,17 @@ impl Generate {
 
     /// Derives and emits everything in memory before anything is written.
     fn rust(&self, mode: Mode) -> Result<(), Failure> {
-        let out = self.out.clone().unwrap_or_else(|| PathBuf::from(EMITTED));
+        let [out, bench_out] = match &self.out {
+            Some(out) => [out.clone(), out.join(scene::BENCH)],
+            None => [EMITTED, EMITTED_BENCH].map(PathBuf::from),
+        };
         let files = specs::scene_files(&self.specs)?;
         let bench_files = specs::scene_files_below(&self.specs, scene::BENCH)?;
         let models = self.models(&files)?;
         let bench_programs = self.models(&bench_files)?;
         let mut text = describe(&emit_scenes(&out, &models, mode)?, "");
         if !bench_programs.is_empty() {
-            let emitted = emit_scenes(&out.join(scene::BENCH), &bench_programs, mode)?;
+            let emitted = emit_scenes(&bench_out, &bench_programs, mode)?;
             text.push_str(&describe(&emitted, "bench/"));
         }
         print(&text)

@@ -241,13 +241,7 @@ impl Scene {
     /// Returns the same emitted code with numbers of 31 digits.
     pub fn twin(&self) -> Option<&'static dyn Twin> {
         match self {
-            Self::Emitted(simulator) => {
-                #[cfg(feature = "bench")]
-                if let Some(twin) = of_bench(simulator.name()) {
-                    return Some(twin);
-                }
-                precise(simulator.name())
-            }
+            Self::Emitted(simulator) => precise(simulator.name()),
             Self::Model(_) | Self::Fields(..) => None,
         }
     }
@@ -392,18 +386,7 @@ pub fn require_no_cut(wanted: Discretisation, scene: &str) -> Result<(), Failure
 
 /// Returns the emitted simulator of a name.
 pub fn built_in(name: &str) -> Option<&'static dyn Simulator<f64>> {
-    #[cfg(feature = "bench")]
-    if let Some(simulator) = machinist_scenes::bench::find_f64(name) {
-        return Some(simulator);
-    }
     scenes::find_f64(name)
-}
-
-/// Returns the scene of `specs/scenes/bench` with numbers of 31 digits, as [`precise`] does for the
-/// others.
-#[cfg(feature = "bench")]
-fn of_bench(name: &str) -> Option<&'static dyn Twin> {
-    machinist_scenes::find_carried_in_bench!(name)
 }
 
 /// Folder of scenes.
@@ -411,7 +394,7 @@ pub const SCENES: &str = "specs/scenes";
 /// Subfolders of machines of standard parts.
 pub const DRIVES: &str = "drives";
 const GALLERY: &str = "gallery";
-/// Subfolder of scenes for benchmarks, also below the folder of emitted files.
+/// Subfolder of scenes for benchmarks.
 pub const BENCH: &str = "bench";
 
 /// Returns the spec of a name or a path. A name is searched in the specs of the current folder,

@@ -68,7 +68,7 @@ pub fn emit(model: &Model, options: &EmitOptions) -> Result<String, EmitError> {
     }
 }
 
-/// Features of a crate of scenes that are not scenes, so scenes cannot have their names.
+/// Features of a crate of scenes that are not scenes, and the folder for benchmarks: scenes cannot have their names.
 pub(crate) const TAKEN: [&str; 5] = ["default", "std", "libm", "bench", "scenes"];
 
 /// Returns the type of a scene in its emitted module: `SawGin` for `saw_gin`.

@@ -86,7 +86,8 @@ pub fn check(name: &Spanned<String>) -> Result<(), Mistake> {
     Ok(())
 }
 
-/// Names of other features of the crate of emitted scenes, which scenes must not have.
+/// Names of other features of the crate of emitted scenes, and of the folder for benchmarks beside them, which scenes
+/// must not have.
 const FEATURES: &[&str] = &["bench", "default", "libm", "scenes", "std"];
 
 /// Types that modules of emitted scenes define or import, written as the scene names that would

@@ -13,14 +13,5 @@ use machinist_scenes::find_carried;
 /// without events and switching surfaces.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static dyn SideBySide<F64x8>> {
-    #[cfg(feature = "bench")]
-    if let Some(scene) = find_bench(name) {
-        return Some(scene);
-    }
     find_carried!(name)
-}
-
-#[cfg(feature = "bench")]
-fn find_bench(name: &str) -> Option<&'static dyn SideBySide<F64x8>> {
-    machinist_scenes::find_carried_in_bench!(name)
 }

@@ -228,6 +228,7 @@ impl Problem<'_> {
             self.jump((from, ends[1]), watch, state)?;
             while from < ends[1] {
                 let stretch = Stretch::new(self, (from, ends[1]), watch);
+                let _span = tracing::debug_span!("segment", from, until = stretch.until).entered();
                 from = stretch.until;
                 stretch.require_uninterrupted(stretch.from)?;
                 stretch.require_finite_rate(state)?;

@@ -455,6 +455,8 @@ impl<'a> Simulation<'a> {
         if !method.is_compiled_in() {
             return Err(NotCompiledIn::of(method).into());
         }
+        let scene = self.simulator.name();
+        let _span = tracing::info_span!("run", scene, %method, rtol = self.rtol).entered();
         let times = self.checked_times()?;
         let parameters = self.checked_parameters()?;
         method.check(self.simulator)?;

@@ -156,6 +156,14 @@ pub struct Switch {
     pub event: String,
 }
 
+impl Switch {
+    /// Records that an event has happened.
+    pub(crate) fn new(time: f64, event: &str) -> Self {
+        tracing::debug!(time, event, "event");
+        Self { time, event: event.to_owned() }
+    }
+}
+
 /// A quantity over time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Column {

@@ -267,6 +267,7 @@ pub fn run(arguments: &[OsString]) -> u8 {
     if let Err(failure) = config::load() {
         return failure.tell();
     }
+    config::start_log();
     let choice = match asked_colours(arguments).or_else(config::colours) {
         None | Some(Colours::Auto) => ColorChoice::Auto,
         Some(Colours::Always) => ColorChoice::Always,

@@ -16,6 +16,11 @@ use machinist::Method;
 use machinist_algebra::cas::Algebra;
 use miette::{LabeledSpan, MietteDiagnostic, NamedSource, Report};
 use toml_edit::{Document, Item, Value};
+use tracing_subscriber::filter::{LevelFilter, Targets};
+use tracing_subscriber::fmt::format::FmtSpan;
+use tracing_subscriber::fmt::time::uptime;
+use tracing_subscriber::layer::{Layer as _, SubscriberExt as _};
+use tracing_subscriber::util::SubscriberInitExt as _;
 
 #[cfg(feature = "derive")]
 use crate::cli::arguments::algebra;
@@ -24,7 +29,7 @@ use crate::failure::{ErrorCode, Failure, did_you_mean};
 /// Name of the files.
 const FILE: &str = "machinist.toml";
 /// Keys of the files.
-pub const KEYS: [&str; 5] = ["algebra", "method", "rtol", "threads", "colours"];
+pub const KEYS: [&str; 6] = ["algebra", "method", "rtol", "threads", "colours", "log"];
 /// Tables that only specs have.
 const OF_SPECS: [&str; 5] = ["scene", "unit", "units", "joints", "coordinates"];
 
@@ -37,6 +42,17 @@ pub enum Colours {
     Always,
     /// Nowhere
     Never,
+}
+
+/// What is logged on standard error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Log {
+    /// Nothing
+    Off,
+    /// Derivations and runs
+    Info,
+    /// Compilations, segments and events too
+    Debug,
 }
 
 /// Setting with its source.
@@ -63,6 +79,7 @@ struct Config {
     rtol: Option<Setting<f64>>,
     threads: Option<Setting<usize>>,
     colours: Option<Setting<Colours>>,
+    log: Option<Setting<Log>>,
 }
 
 static CONFIG: OnceLock<Config> = OnceLock::new();
@@ -244,6 +261,10 @@ impl Config {
                 Ok(threads) if threads > 0 => keep(&mut self.threads, threads, source),
                 _ => return Err("a number of threads is whole and at least 1".to_owned()),
             },
+            "log" => {
+                let log = Log::from_str(text, false);
+                keep(&mut self.log, log.map_err(|_| "known are off, info and debug")?, source);
+            }
             _ => {
                 let colours = Colours::from_str(text, false);
                 let colours = colours.map_err(|_| "known are auto, always and never")?;
@@ -266,6 +287,25 @@ fn written(item: &Item) -> String {
         Some(value) => value.to_string().trim().to_owned(),
         None => String::new(),
     }
+}
+
+/// Logs on standard error what settings ask for, with the time that each part takes. Without it, Symbolica would log
+/// as it sees fit.
+pub fn start_log() {
+    let level = match current().and_then(|config| config.log.as_ref()) {
+        Some(Setting { value: Log::Debug, .. }) => LevelFilter::DEBUG,
+        Some(Setting { value: Log::Info, .. }) => LevelFilter::INFO,
+        Some(Setting { value: Log::Off, .. }) | None => LevelFilter::OFF,
+    };
+    let lines = tracing_subscriber::fmt::layer()
+        .with_writer(std::io::stderr)
+        .with_ansi(false)
+        .with_target(false)
+        .with_timer(uptime())
+        .with_span_events(FmtSpan::CLOSE)
+        .with_filter(Targets::new().with_target("machinist", level));
+    // The console script of the Python package runs many commands in one process.
+    let _ = tracing_subscriber::registry().with(lines).try_init();
 }
 
 /// Applies the choice of colours to messages.

@@ -123,3 +123,60 @@ fn messages_are_coloured_as_asked() {
     assert!(!coloured(&always, &["--colours=never"], false));
     assert!(!coloured(&Project::new("", ""), &[], false), "no terminal");
 }
+
+/// A mass that is thrown up and counts its fall.
+const THROWN: &str = r#"
+[scene]
+name = "thrown"
+[units.m]
+unit = "mass"
+[run]
+until = 3
+[outputs]
+x = "m.x"
+[define.mass.coordinates.x]
+unit = "m"
+velocity = "v"
+[define.mass.energy]
+kinetic = "1 [kg]*v^2/2"
+potential = "9.81 [N]*x"
+[define.mass.modes.phase]
+initial = 0
+[define.mass.events.fall]
+guard = "v"
+direction = "falling"
+set = { phase = 1 }
+doc = "it begins to fall"
+[initial]
+"m.v" = 10
+"#;
+
+#[test]
+fn a_log_lists_derivations_runs_and_their_events_with_times_if_asked() {
+    let logged = |level: &str| {
+        let project = Project::new("", "");
+        let file = project.folder.path().join("project/deep/thrown.toml");
+        fs::write(file, THROWN).expect("written");
+        let mut command = project.call(&["run", "thrown.toml", "--no-cache", "--algebra", "plain"]);
+        command.env("MACHINIST_LOG", level);
+        let output = output(command);
+        assert!(output.status.success(), "{}", said(&output));
+        said(&output)
+    };
+    assert_eq!(logged("off"), "");
+    let [info, debug] = ["info", "debug"].map(logged);
+    for (words, is_detail) in [
+        ("derive{scene=\"thrown\"", false),
+        ("run{scene=\"thrown\"", false),
+        ("time.busy", false),
+        ("segment{from=0", true),
+        ("event=\"m.fall\"", true),
+    ] {
+        assert!(debug.contains(words), "{words}: {debug}");
+        assert_ne!(info.contains(words), is_detail, "{words}: {info}");
+    }
+    let project = Project::new("", "");
+    let mut command = project.run(&[]);
+    command.env("MACHINIST_LOG", "loud");
+    assert_refused(command, &["MACHINIST_LOG is `loud`", "debug"]);
+}

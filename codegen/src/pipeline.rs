@@ -64,7 +64,10 @@ fn reduced_by(
     keep: Keep,
 ) -> Result<(EquationsOfMotion, Linear), Diagnostics> {
     let keep = possible(&system, keep);
-    session(&system.name.clone(), suitable(algebra, &system), move |cas| {
+    let algebra = suitable(algebra, &system);
+    let _span =
+        tracing::info_span!("derive", scene = system.name, algebra = algebra.name()).entered();
+    session(&system.name.clone(), algebra, move |cas| {
         let equations = lagrange::derive(cas, &system);
         decided(&equations)?;
         let needed = reduce(cas, &equations, keep)?;

@@ -113,7 +113,7 @@ impl Watch<'_> {
                 set(&mut latest, entry, state[entry]);
             }
             self.system.count(|work| work.switches += 1);
-            inner.switches.push(Switch { time, event: event.name.to_owned() });
+            inner.switches.push(Switch::new(time, event.name));
         }
         Ok(())
     }

@@ -286,7 +286,7 @@ impl Watch<'_> {
         self.system.count(|work| work.switches += 1);
         self.inner.borrow_mut().record.applied.push(index);
         self.count_one(time, &event)?;
-        self.inner.borrow_mut().switches.push(Switch { time, event });
+        self.inner.borrow_mut().switches.push(Switch::new(time, &event));
         Ok(())
     }
 

@@ -169,6 +169,7 @@ fn executable(code: &[u8]) -> io::Result<Mmap> {
 impl Code {
     /// Compiles a program for numbers of 1 or 2 lanes. Returns `None` if that is not possible.
     pub fn new(straight: &Straight, tables: &Arc<[Table]>, lanes: usize) -> Option<Self> {
+        let _span = tracing::debug_span!("compile", steps = straight.steps.len(), lanes).entered();
         let isa = host(straight.steps.len())?;
         let schedule = Schedule::new(straight, lanes);
         let needs = straight.needs().map(|need| need * lanes);

@@ -545,3 +545,68 @@ fn jacobians_are_those_of_the_rate_with_branches_held() {
     assert!(off < 1e-4, "{what}: {off:.1e}");
     assert!(machines > 20 && settled > entries * 9 / 10);
 }
+
+/// Laws of a place whose relations read other relations, which jump.
+const NESTED: [&str; 5] = [
+    "mod(mod(p, 0.6), 0.28)",
+    "mod(mod(p, 0.6), 1.5)",
+    "floor(floor(3*p)*0.7)",
+    "piecewise(p < floor(p)*0.3, 0, 1)",
+    "mod(abs(mod(p, 0.7) - 0.2), 0.15)",
+];
+
+fn nested(law: usize, p: f64) -> f64 {
+    let floor_mod = |x: f64, y: f64| x - y * (x / y).floor();
+    match law {
+        0 => floor_mod(floor_mod(p, 0.6), 0.28),
+        1 => floor_mod(floor_mod(p, 0.6), 1.5),
+        2 => ((3.0 * p).floor() * 0.7).floor(),
+        3 => f64::from(u8::from(p >= p.floor() * 0.3)),
+        _ => floor_mod((floor_mod(p, 0.7) - 0.2).abs(), 0.15),
+    }
+}
+
+#[test]
+fn relations_jump_to_the_side_to_which_relations_they_read_take_them() {
+    const PARTS: i32 = 200_000;
+    let law = |law: &str| law.replace("p,", "x/m,").replace("p ", "x/m ").replace("p)", "x/m)");
+    let sum = |(number, text): (usize, &&str)| {
+        format!("z{number} = {{ unit = \"s\", rate = \"{}\" }}", law(text))
+    };
+    let sums: Vec<String> = NESTED.iter().enumerate().map(sum).collect();
+    let sums = sums.join("\n");
+    let parameters = "[define.u.parameters]\nm = { value = 1, unit = \"m\" }\n";
+    let definition = format!("{parameters}[define.u.states]\n{sums}");
+    let machine = mass("\"u.x\" = 0.1", &definition);
+    for speed in [1.0, -1.0, 0.77, -1.3] {
+        let step = 3.0 / f64::from(PARTS);
+        let place = |k: i32| 0.1 + speed * (f64::from(k) + 0.5) * step;
+        let sum = |law: usize| (0..PARTS).map(|k| nested(law, place(k)) * step).sum::<f64>();
+        let sums: Vec<f64> = (0..NESTED.len()).map(sum).collect();
+        for method in OWN {
+            let run = Simulation::new(&machine).method(method).rtol(1e-8);
+            let run = run.initial_value("u.v", speed).expect("a state").run().expect("a run");
+            for (number, sum) in sums.iter().enumerate() {
+                let what = format!("{method}, {speed} m/s, {}", NESTED[number]);
+                assert_near(last(&run, &format!("u.z{number}")), *sum, 3e-4, &what);
+            }
+        }
+    }
+}
+
+/// Methods without zero crossings evaluate branches live.
+#[test]
+fn a_mass_with_play_bounces_to_and_fro_by_methods_that_locate_no_surfaces() {
+    let play = "-200 [N/m]*(max(x - 0.1 [m], 0) + min(x + 0.1 [m], 0))";
+    let machine = mass("\"u.v\" = 1.0", &force(play));
+    // A flight through the play takes 0.2 s, and a contact half a period of the spring.
+    let rate = 200.0_f64.sqrt();
+    let contact = std::f64::consts::PI / rate;
+    let into_flight = (3.0_f64 - 0.1 - contact).rem_euclid(2.0 * (contact + 0.2));
+    assert!((0.2 + contact..0.4 + contact).contains(&into_flight) || into_flight < 0.2);
+    let x = if into_flight < 0.2 { 0.1 - into_flight } else { into_flight - contact - 0.3 };
+    for method in [Method::Bdf, Method::TrBdf2, Method::Esdirk34, Method::Tsit45, Method::Radau] {
+        let run = run(&machine, method, 1e-7, &[]);
+        assert_near(last(&run, "u.x"), x, 2e-4, method.name());
+    }
+}

@@ -181,7 +181,7 @@ impl Watch<'_> {
                     // A relation that changes again at once has been seen to leave for that side;
                     // its first derivatives are rounding.
                     let last = &mut self.inner.borrow_mut().relations.times[relation];
-                    let is_again = (time - *last).abs() <= 4.0 * f64::EPSILON * time.abs();
+                    let is_again = (time - *last).abs() <= soon(time);
                     *last = time;
                     if !change.leaves && !is_again {
                         let Change { sides, slot: toward, .. } = *change;
@@ -405,8 +405,7 @@ impl Watch<'_> {
         system.state_rate(time, &state[..states], &mut along);
         let bend = system.bend_along(relation, (time, &state[..states]), &along);
         // A rate that turns before any time has passed is rounding of zero.
-        let soon = 4.0 * f64::EPSILON * time.abs();
-        if rate.abs() > bend.abs() * soon {
+        if rate.abs() > bend.abs() * soon(time) {
             return Some((Order::First, rate));
         }
         (bend != 0.0).then_some((Order::Second, bend))
@@ -451,16 +450,22 @@ impl Watch<'_> {
                 (inner.longest, inner.entered) = (f64::INFINITY, time);
             }
             inner.sides[index] = side;
-            inner.zeros[index] = None;
-            let Side::Known(side) = side else { continue };
+            let before = inner.zeros[index].take();
             if matches!(self.watched[index], Watched::Nearest(_)) {
-                // Only within the zone, whose guard precedes this one.
+                let has_passed = passed.contains(&index);
+                inner.zeros[index] = if has_passed {
+                    Some(Zero { time, residual, rate })
+                } else {
+                    before.filter(|zero| (time - zero.time).abs() <= soon(time))
+                };
+                // Only within the zone, whose guard precedes this one, and not again at once.
                 let is_within = inner.sides[index - 1] == Side::Known(1.0);
-                if !(is_within && residual > 0.0) {
+                if !(is_within && residual > 0.0 && inner.zeros[index].is_none()) {
                     inner.sides[index] = Side::Idle;
                 }
                 continue;
             }
+            let Side::Known(side) = side else { continue };
             // Another relation that changed may have moved it away. For an integer one end was
             // crossed, and the other is far away.
             let near = inner.parts.rounding(index).max(by_rounding(time, rate));
@@ -492,7 +497,7 @@ impl Watch<'_> {
                 (side @ Side::Known(_), _) => side,
                 _ => Side::Known(1.0),
             },
-            Watched::Nearest(_) if !has_passed => Side::Known(1.0),
+            Watched::Nearest(_) => Side::Known(1.0),
             Watched::Branch(relation) if active[relation] && !is_sliding(relation) => {
                 Side::Known(held.slot(relation).signum())
             }
@@ -573,4 +578,9 @@ impl Watch<'_> {
         self.system.held().set(change.relation, change.slot);
         below > 0.0 && above < 0.0
     }
+}
+
+/// Returns the time after another one in which nothing moves but by rounding.
+fn soon(time: f64) -> f64 {
+    4.0 * f64::EPSILON * time.abs()
 }

@@ -610,3 +610,74 @@ fn a_mass_with_play_bounces_to_and_fro_by_methods_that_locate_no_surfaces() {
         assert_near(last(&run, "u.x"), x, 2e-4, method.name());
     }
 }
+
+/// The remainder jumps where the arguments of both functions are zero.
+#[test]
+fn zones_that_are_nearest_where_an_integer_changes_end_and_carry_sensitivities() {
+    let machine = mass(
+        "\"u.x\" = -0.1\n\"u.v\" = 1.0",
+        r#"
+        [define.u.parameters]
+        k = { value = 1.8, unit = "1/m" }
+        [define.u.states.z]
+        unit = "s"
+        rate = "tanh(mod(piecewise(-5 [m] < x, k*x, tanh(2.4 [1/m]*x)), 1.5))"
+        "#,
+    );
+    // Integrals of tanh(k x - 1.5 j).
+    let of_tanh = |k: f64, from: f64, to: f64| (to.cosh().ln() - from.cosh().ln()) / k;
+    let sum = |k: f64| {
+        of_tanh(k, 1.5 - 0.1 * k, 1.5) + 3.0 * of_tanh(k, 0.0, 1.5) + of_tanh(k, 0.0, 2.9 * k - 4.5)
+    };
+    let slope = (sum(1.8 + 1e-5) - sum(1.8 - 1e-5)) / 2e-5;
+    for method in [Method::Tsit5, Method::Dop853, Method::Radau, Method::Auto] {
+        let run = Simulation::new(&machine).method(method).rtol(1e-8).max_steps(10_000);
+        let run = run.sensitivities(&["u.k"]).expect("a parameter").run();
+        let run = run.unwrap_or_else(|error| panic!("{method}: {error}"));
+        assert_near(last(&run, "u.z"), sum(1.8), 1e-6, method.name());
+        let found = *run.sensitivity("u.z", "u.k").expect("a column").last().expect("a row");
+        assert_near(found, slope, 1e-4, method.name());
+    }
+}
+
+/// The wall turns the motion back behind a tick, before the guard of the tick has left zero for the
+/// other side.
+#[test]
+fn a_wall_just_behind_a_tick_is_no_tick() {
+    let machine = mass(
+        "\"u.v\" = 1.0",
+        r#"
+        [define.u.parameters]
+        pitch = { value = 0.05, unit = "m" }
+        wall = { value = 1.0, unit = "m" }
+        [define.u.states.side]
+        unit = "1"
+        rate = "piecewise(mod(n, 8) < 4, 1 [1/s], -1 [1/s])"
+        [define.u.modes.n]
+        [define.u.events.tick]
+        guard = "sin(x/pitch) - 0.5"
+        direction = "rising"
+        set = { n = "n + 1" }
+        [define.u.events.hit]
+        guard = "x - wall"
+        direction = "rising"
+        set = { v = "-v" }
+        "#,
+    );
+    let (pitch, turn) = (0.05, std::f64::consts::TAU);
+    for part in 0..24 {
+        let wall = pitch * turn * (3.0 + (f64::from(part) + 0.5) / 24.0);
+        // The guard rises at a twelfth of a turn on the way there, and at five twelfths on the way
+        // back, to 2 wall - 3 m.
+        let upwards = (wall / (pitch * turn) - 1.0 / 12.0).ceil();
+        let line = |place: f64| (place / (pitch * turn) - 5.0 / 12.0).ceil();
+        let ticks = upwards + line(wall) - line(2.0 * wall - 3.0);
+        for method in OWN {
+            for rtol in [1e-4, 1e-6, 1e-8] {
+                let run = run(&machine, method, rtol, &[("u.wall", wall)]);
+                let what = format!("{method} at {rtol:e}, {wall} m");
+                assert_near(last(&run, "u.n"), ticks, 0.5, &what);
+            }
+        }
+    }
+}

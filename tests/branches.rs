@@ -640,19 +640,20 @@ fn zones_that_are_nearest_where_an_integer_changes_end_and_carry_sensitivities()
     }
 }
 
-/// The wall turns the motion back behind a tick, before the guard of the tick has left zero for the
-/// other side.
+/// A step begins at a tick and would go on behind the wall, where the guard of the tick is on its
+/// other side again. The oscillation of `p` limits steps to such lengths.
 #[test]
 fn a_wall_just_behind_a_tick_is_no_tick() {
     let machine = mass(
-        "\"u.v\" = 1.0",
+        "\"u.v\" = 1.0\n\"u.p\" = 1.0",
         r#"
         [define.u.parameters]
         pitch = { value = 0.05, unit = "m" }
         wall = { value = 1.0, unit = "m" }
-        [define.u.states.side]
-        unit = "1"
-        rate = "piecewise(mod(n, 8) < 4, 1 [1/s], -1 [1/s])"
+        [define.u.states]
+        side = { unit = "1", rate = "piecewise(mod(n, 8) < 4, 1 [1/s], -1 [1/s])" }
+        p = { unit = "1", rate = "4 [1/s]*q" }
+        q = { unit = "1", rate = "-4 [1/s]*p" }
         [define.u.modes.n]
         [define.u.events.tick]
         guard = "sin(x/pitch) - 0.5"

@@ -189,7 +189,7 @@ impl Watch<'_> {
         if self.system.is_sliding() {
             self.system.put_onto_surfaces(time, state)?;
         }
-        self.count_changes(time, kinks.len())
+        self.count_changes(time, changes.len())
     }
 
     /// Settles relations after velocities jumped; at guards in `thrown_back` the motion stays on
@@ -294,7 +294,7 @@ impl Watch<'_> {
         Ok(())
     }
 
-    /// Counts changes of relations and borders, and stops a run with infinitely many.
+    /// Counts changes of relations and stops a run with infinitely many.
     pub(super) fn count_changes(&self, time: f64, count: usize) -> Result<(), Stopped> {
         (0..count).try_for_each(|_| self.count_one(time, "a comparison of the spec"))
     }
@@ -317,7 +317,7 @@ impl Watch<'_> {
         let inner = &mut *self.inner.borrow_mut();
         inner.latest.push_back(time);
         // Many parts may begin at the same time.
-        let endless = ENDLESS.max(self.most() + self.watched.len());
+        let endless = ENDLESS.max(self.most() + 2 * self.system.simulator().relations());
         if inner.latest.len() > endless {
             let earliest = inner.latest.pop_front().unwrap_or(time);
             if time - earliest <= NO_TIME * self.span.max(time.abs()) {

@@ -167,7 +167,10 @@ impl Problem<'_> {
     ) -> Result<(), Stopped> {
         let integrator = self.integrator(method)?;
         let mut state = self.initial.clone();
-        *watch = Watch::new(self, &mut state)?;
+        // A relation that nobody watches stays live.
+        if method.watches_events() {
+            *watch = Watch::new(self, &mut state)?;
+        }
         let watch = watch.as_ref();
         let tangents = self.system.tangents();
         if let Some(watch) = watch {

@@ -545,3 +545,140 @@ fn jacobians_are_those_of_the_rate_with_branches_held() {
     assert!(off < 1e-4, "{what}: {off:.1e}");
     assert!(machines > 20 && settled > entries * 9 / 10);
 }
+
+/// Laws of a place whose relations read other relations, which jump.
+const NESTED: [&str; 5] = [
+    "mod(mod(p, 0.6), 0.28)",
+    "mod(mod(p, 0.6), 1.5)",
+    "floor(floor(3*p)*0.7)",
+    "piecewise(p < floor(p)*0.3, 0, 1)",
+    "mod(abs(mod(p, 0.7) - 0.2), 0.15)",
+];
+
+fn nested(law: usize, p: f64) -> f64 {
+    let floor_mod = |x: f64, y: f64| x - y * (x / y).floor();
+    match law {
+        0 => floor_mod(floor_mod(p, 0.6), 0.28),
+        1 => floor_mod(floor_mod(p, 0.6), 1.5),
+        2 => ((3.0 * p).floor() * 0.7).floor(),
+        3 => f64::from(u8::from(p >= p.floor() * 0.3)),
+        _ => floor_mod((floor_mod(p, 0.7) - 0.2).abs(), 0.15),
+    }
+}
+
+#[test]
+fn relations_jump_to_the_side_to_which_relations_they_read_take_them() {
+    const PARTS: i32 = 200_000;
+    let law = |law: &str| law.replace("p,", "x/m,").replace("p ", "x/m ").replace("p)", "x/m)");
+    let sum = |(number, text): (usize, &&str)| {
+        format!("z{number} = {{ unit = \"s\", rate = \"{}\" }}", law(text))
+    };
+    let sums: Vec<String> = NESTED.iter().enumerate().map(sum).collect();
+    let sums = sums.join("\n");
+    let parameters = "[define.u.parameters]\nm = { value = 1, unit = \"m\" }\n";
+    let definition = format!("{parameters}[define.u.states]\n{sums}");
+    let machine = mass("\"u.x\" = 0.1", &definition);
+    for speed in [1.0, -1.0, 0.77, -1.3] {
+        let step = 3.0 / f64::from(PARTS);
+        let place = |k: i32| 0.1 + speed * (f64::from(k) + 0.5) * step;
+        let sum = |law: usize| (0..PARTS).map(|k| nested(law, place(k)) * step).sum::<f64>();
+        let sums: Vec<f64> = (0..NESTED.len()).map(sum).collect();
+        for method in OWN {
+            let run = Simulation::new(&machine).method(method).rtol(1e-8);
+            let run = run.initial_value("u.v", speed).expect("a state").run().expect("a run");
+            for (number, sum) in sums.iter().enumerate() {
+                let what = format!("{method}, {speed} m/s, {}", NESTED[number]);
+                assert_near(last(&run, &format!("u.z{number}")), *sum, 3e-4, &what);
+            }
+        }
+    }
+}
+
+/// Methods without zero crossings evaluate branches live.
+#[test]
+fn a_mass_with_play_bounces_to_and_fro_by_methods_that_locate_no_surfaces() {
+    let play = "-200 [N/m]*(max(x - 0.1 [m], 0) + min(x + 0.1 [m], 0))";
+    let machine = mass("\"u.v\" = 1.0", &force(play));
+    // A flight through the play takes 0.2 s, and a contact half a period of the spring.
+    let rate = 200.0_f64.sqrt();
+    let contact = std::f64::consts::PI / rate;
+    let into_flight = (3.0_f64 - 0.1 - contact).rem_euclid(2.0 * (contact + 0.2));
+    assert!((0.2 + contact..0.4 + contact).contains(&into_flight) || into_flight < 0.2);
+    let x = if into_flight < 0.2 { 0.1 - into_flight } else { into_flight - contact - 0.3 };
+    for method in [Method::Bdf, Method::TrBdf2, Method::Esdirk34, Method::Tsit45, Method::Radau] {
+        let run = run(&machine, method, 1e-7, &[]);
+        assert_near(last(&run, "u.x"), x, 2e-4, method.name());
+    }
+}
+
+/// The remainder jumps where the arguments of both functions are zero.
+#[test]
+fn zones_that_are_nearest_where_an_integer_changes_end_and_carry_sensitivities() {
+    let machine = mass(
+        "\"u.x\" = -0.1\n\"u.v\" = 1.0",
+        r#"
+        [define.u.parameters]
+        k = { value = 1.8, unit = "1/m" }
+        [define.u.states.z]
+        unit = "s"
+        rate = "tanh(mod(piecewise(-5 [m] < x, k*x, tanh(2.4 [1/m]*x)), 1.5))"
+        "#,
+    );
+    // Integrals of tanh(k x - 1.5 j).
+    let of_tanh = |k: f64, from: f64, to: f64| (to.cosh().ln() - from.cosh().ln()) / k;
+    let sum = |k: f64| {
+        of_tanh(k, 1.5 - 0.1 * k, 1.5) + 3.0 * of_tanh(k, 0.0, 1.5) + of_tanh(k, 0.0, 2.9 * k - 4.5)
+    };
+    let slope = (sum(1.8 + 1e-5) - sum(1.8 - 1e-5)) / 2e-5;
+    for method in [Method::Tsit5, Method::Dop853, Method::Radau, Method::Auto] {
+        let run = Simulation::new(&machine).method(method).rtol(1e-8).max_steps(10_000);
+        let run = run.sensitivities(&["u.k"]).expect("a parameter").run();
+        let run = run.unwrap_or_else(|error| panic!("{method}: {error}"));
+        assert_near(last(&run, "u.z"), sum(1.8), 1e-6, method.name());
+        let found = *run.sensitivity("u.z", "u.k").expect("a column").last().expect("a row");
+        assert_near(found, slope, 1e-4, method.name());
+    }
+}
+
+/// A step begins at a tick and would go on behind the wall, where the guard of the tick is on its
+/// other side again. The oscillation of `p` limits steps to such lengths.
+#[test]
+fn a_wall_just_behind_a_tick_is_no_tick() {
+    let machine = mass(
+        "\"u.v\" = 1.0\n\"u.p\" = 1.0",
+        r#"
+        [define.u.parameters]
+        pitch = { value = 0.05, unit = "m" }
+        wall = { value = 1.0, unit = "m" }
+        [define.u.states]
+        side = { unit = "1", rate = "piecewise(mod(n, 8) < 4, 1 [1/s], -1 [1/s])" }
+        p = { unit = "1", rate = "4 [1/s]*q" }
+        q = { unit = "1", rate = "-4 [1/s]*p" }
+        [define.u.modes.n]
+        [define.u.events.tick]
+        guard = "sin(x/pitch) - 0.5"
+        direction = "rising"
+        set = { n = "n + 1" }
+        [define.u.events.hit]
+        guard = "x - wall"
+        direction = "rising"
+        set = { v = "-v" }
+        "#,
+    );
+    let (pitch, turn) = (0.05, std::f64::consts::TAU);
+    for part in 0..24 {
+        let wall = pitch * turn * (3.0 + (f64::from(part) + 0.5) / 24.0);
+        // The guard rises at a twelfth of a turn on the way there, and at five twelfths on the way
+        // back, to 2 wall - 3 m.
+        let upwards = (wall / (pitch * turn) - 1.0 / 12.0).ceil();
+        let line = |place: f64| (place / (pitch * turn) - 5.0 / 12.0).ceil();
+        let ticks = upwards + line(wall) - line(2.0 * wall - 3.0);
+        for method in OWN {
+            for rtol in [1e-4, 1e-6, 1e-8] {
+                let run = run(&machine, method, rtol, &[("u.wall", wall)]);
+                let what = format!("{method} at {rtol:e}, {wall} m");
+                assert_near(last(&run, "u.n"), ticks, 0.5, &what);
+            }
+        }
+    }
+}

@@ -479,10 +479,11 @@ impl<'a> Watch<'a> {
         self.inner.borrow().front.clone()
     }
 
-    /// Returns whether the motion leaves a surface where a watched function crosses zero. The rate is
-    /// continuous there.
-    pub(crate) fn ends_slide(&self, index: usize) -> bool {
-        matches!(self.watched[index], Watched::FromBelow(_) | Watched::FromAbove(_))
+    /// Returns whether the rate is continuous where a watched function crosses zero: at the end of
+    /// sliding, and in a zone.
+    pub(crate) fn is_smooth_at(&self, index: usize) -> bool {
+        use Watched::{FromAbove, FromBelow, Nearest, Zone};
+        matches!(self.watched[index], FromBelow(_) | FromAbove(_) | Zone(_) | Nearest(_))
     }
 
     /// Returns the guard of a kink among those of the simulator, with its sign.

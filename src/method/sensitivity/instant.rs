@@ -131,7 +131,7 @@ impl Tangents<'_> {
             return Ok(());
         }
         let mut found: Option<Vec<f64>> = None;
-        for guard in watch.record().passed.into_iter().filter(|it| !watch.ends_slide(*it)) {
+        for guard in watch.record().passed.into_iter().filter(|it| !watch.is_smooth_at(*it)) {
             let shifts = self.shifts_of_guard(watch, &front, passing, guard)?;
             if let Some(others) = &found {
                 self.require_same(passing.time, others, &shifts)?;
@@ -166,7 +166,7 @@ impl Tangents<'_> {
         let time = passing.time;
         let Some(front) = watch.front() else { return Ok(()) };
         let mut found: Option<Vec<f64>> = None;
-        for guard in record.passed.iter().filter(|it| !watch.ends_slide(**it)) {
+        for guard in record.passed.iter().filter(|it| !watch.is_smooth_at(**it)) {
             let shifts = self.shifts_of_guard(watch, &front, passing, *guard)?;
             if let Some(others) = &found {
                 self.require_same(time, others, &shifts)?;

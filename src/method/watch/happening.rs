@@ -50,8 +50,12 @@ impl Watch<'_> {
                     let side = Side::Known(guard.signum());
                     let start = inner.sides[index];
                     // An event that did not cross is beyond zero only by rounding, as speeds of
-                    // parts at rest are.
-                    if !is_beyond(self.direction(index), guard) || [start, end].contains(&side) {
+                    // parts at rest are. One that crossed at the start has gone on.
+                    let has_gone_on = matches!(start, Side::Fresh { passed: true, residual } if guard.abs() > residual);
+                    if !is_beyond(self.direction(index), guard)
+                        || has_gone_on
+                        || [start, end].contains(&side)
+                    {
                         inner.sides[index] = side;
                     }
                 }

@@ -14,7 +14,7 @@
 
 use machinist_contract::{Reader, RelationKind};
 
-use super::{Inner, Side, Watch, Watched, Zero};
+use super::{Inner, Side, Watch, Watched, Zero, by_rounding};
 use crate::error::StopCause;
 use crate::method::Stopped;
 use crate::method::sliding::{ABOVE, BELOW, Order, Sides, Slide};
@@ -150,25 +150,27 @@ impl Watch<'_> {
                 continue;
             }
             let (guard, before) = (guards[relation], held.slot(relation));
-            // A guard that jumps with the relations it reads takes the resulting side.
-            let jumps = at_first[relation].to_bits() != guard.to_bits()
-                && self.kind(relation) == RelationKind::Branch;
+            // A guard that jumps with the relations it reads takes the resulting side. They are at
+            // their surfaces but for rounding, and so is a guard that jumps to its own.
+            let moved = (guard - at_first[relation]).abs();
+            let rounding = if moved == 0.0 { 0.0 } else { self.rounding_at(relation, time, state) };
+            let jumps = moved > rounding;
+            let is_at = |surface: f64| {
+                let distance = (guard - surface).abs();
+                distance == 0.0 || jumps && distance <= rounding
+            };
             let change = changes.iter().find(|it| it.relation == relation).filter(|_| !jumps);
             let at_change = self.inner.borrow().relations.at_change[relation];
             if change.is_some() {
                 self.inner.borrow_mut().relations.at_change[relation] = Some(guard);
-            } else if at_change.is_some_and(|at| at.to_bits() == guard.to_bits()) {
+            } else if !jumps && at_change.is_some_and(|at| at.to_bits() == guard.to_bits()) {
                 continue;
             }
             let slot = match (self.kind(relation), change) {
                 (RelationKind::Zone, _) => before,
-                // A jump of the relations it reads may have moved it further.
-                (RelationKind::Whole, Some(change)) if (guard - change.slot - 0.5).abs() > 1.0 => {
-                    guard.floor()
-                }
-                (RelationKind::Whole, None) if guard > guard.floor() => guard.floor(),
+                (RelationKind::Whole, None) if !is_at(guard.round()) => guard.floor(),
                 (RelationKind::Whole, None) => {
-                    let sides = Sides::above_slot(guard - 1.0);
+                    let sides = Sides::above_slot(guard.round() - 1.0);
                     // What reads it is evaluated on the side to which it goes.
                     let falls = self.system.kink_rates(time, state)[relation] < 0.0;
                     let toward = if falls { sides.below } else { sides.above };
@@ -179,7 +181,7 @@ impl Watch<'_> {
                     // A relation that changes again at once has been seen to leave for that side;
                     // its first derivatives are rounding.
                     let last = &mut self.inner.borrow_mut().relations.times[relation];
-                    let is_again = (time - *last).abs() <= 4.0 * f64::EPSILON * time.abs();
+                    let is_again = (time - *last).abs() <= soon(time);
                     *last = time;
                     if !change.leaves && !is_again {
                         let Change { sides, slot: toward, .. } = *change;
@@ -187,7 +189,7 @@ impl Watch<'_> {
                     }
                     change.slot
                 }
-                (RelationKind::Branch, None) if guard == 0.0 => {
+                (RelationKind::Branch, None) if is_at(0.0) => {
                     let toward = if before == 0.0 { ABOVE } else { before };
                     zero.push(Contact { relation, sides: Sides::above_slot(BELOW), toward });
                     toward
@@ -200,6 +202,14 @@ impl Watch<'_> {
             }
         }
         zero
+    }
+
+    /// Returns the rounding error of the guard of a relation, with that of the time.
+    fn rounding_at(&self, relation: usize, time: f64, state: &[f64]) -> f64 {
+        let is_its = |it: &Watched| it.kink() == Some((relation, 1.0));
+        let place = self.watched.iter().position(is_its);
+        let rounding = place.map_or(0.0, |place| self.rounding_of(place));
+        rounding.max(by_rounding(time, self.system.kink_rates(time, state)[relation]))
     }
 
     /// Returns the side of a guard. A guard that was zero at the start of the segment stays on its
@@ -395,8 +405,7 @@ impl Watch<'_> {
         system.state_rate(time, &state[..states], &mut along);
         let bend = system.bend_along(relation, (time, &state[..states]), &along);
         // A rate that turns before any time has passed is rounding of zero.
-        let soon = 4.0 * f64::EPSILON * time.abs();
-        if rate.abs() > bend.abs() * soon {
+        if rate.abs() > bend.abs() * soon(time) {
             return Some((Order::First, rate));
         }
         (bend != 0.0).then_some((Order::Second, bend))
@@ -441,18 +450,26 @@ impl Watch<'_> {
                 (inner.longest, inner.entered) = (f64::INFINITY, time);
             }
             inner.sides[index] = side;
-            inner.zeros[index] = None;
-            let Side::Known(side) = side else { continue };
+            let before = inner.zeros[index].take();
             if matches!(self.watched[index], Watched::Nearest(_)) {
-                // Only within the zone, whose guard precedes this one.
+                let has_passed = passed.contains(&index);
+                inner.zeros[index] = if has_passed {
+                    Some(Zero { time, residual, rate })
+                } else {
+                    before.filter(|zero| (time - zero.time).abs() <= soon(time))
+                };
+                // Only within the zone, whose guard precedes this one, and not again at once.
                 let is_within = inner.sides[index - 1] == Side::Known(1.0);
-                if !(is_within && residual > 0.0) {
+                if !(is_within && residual > 0.0 && inner.zeros[index].is_none()) {
                     inner.sides[index] = Side::Idle;
                 }
                 continue;
             }
-            // For an integer one end was crossed, and the other is far away.
-            let has_passed = passed.contains(&index) && residual.abs() < 0.5;
+            let Side::Known(side) = side else { continue };
+            // Another relation that changed may have moved it away. For an integer one end was
+            // crossed, and the other is far away.
+            let near = inner.parts.rounding(index).max(by_rounding(time, rate));
+            let has_passed = passed.contains(&index) && residual.abs() <= near;
             if side * residual <= 0.0 || has_passed {
                 inner.zeros[index] = Some(Zero { time, residual, rate });
             }
@@ -480,7 +497,7 @@ impl Watch<'_> {
                 (side @ Side::Known(_), _) => side,
                 _ => Side::Known(1.0),
             },
-            Watched::Nearest(_) if !has_passed => Side::Known(1.0),
+            Watched::Nearest(_) => Side::Known(1.0),
             Watched::Branch(relation) if active[relation] && !is_sliding(relation) => {
                 Side::Known(held.slot(relation).signum())
             }
@@ -561,4 +578,9 @@ impl Watch<'_> {
         self.system.held().set(change.relation, change.slot);
         below > 0.0 && above < 0.0
     }
+}
+
+/// Returns the time after another one in which nothing moves but by rounding.
+fn soon(time: f64) -> f64 {
+    4.0 * f64::EPSILON * time.abs()
 }

@@ -58,10 +58,14 @@ impl Simulation<'_> {
         let mut mass = dense(pattern, &values);
         let own = mass.diagonal();
         if let Some(constraints) = Constraints::of(self.simulator, &self.parameters) {
-            // What violates a constraint is stiffened by the inertias that it joins.
+            // What violates a constraint is stiffened by the inertias that it joins; coordinates without
+            // any count as the largest.
+            let largest = own.max();
             for row in constraints.matrix(self.from, state).row_iter() {
-                let mobility = row.iter().zip(&own).filter(|(_, own)| **own > 0.0);
-                let mobility: f64 = mobility.map(|(slope, own)| slope * slope / own).sum();
+                let inertia = |own: f64| if own > 0.0 { own } else { largest };
+                let mobility =
+                    row.iter().zip(&own).map(|(slope, own)| slope * slope / inertia(*own));
+                let mobility: f64 = mobility.sum();
                 if mobility > 0.0 {
                     mass += row.transpose() * row / mobility;
                 }

@@ -217,6 +217,18 @@ pub enum SimulateError {
         /// Hint on how to mend it.
         hint: &'static str,
     },
+    /// Coordinates move together without inertia at the start.
+    #[error(
+        "{scene}: {coordinates} no inertia at the start, so that nothing determines their \
+         accelerations. Hint: start elsewhere, or give the body that they move an inertia about \
+         its centre"
+    )]
+    SingularInertia {
+        /// Name of the scene.
+        scene: String,
+        /// Beginning of a sentence on the coordinates.
+        coordinates: String,
+    },
     /// The integration stopped early.
     #[strum(serialize = "")]
     #[error("{scene}: method `{method}` stopped at t = {time} s: {cause}")]

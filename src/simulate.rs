@@ -8,6 +8,7 @@ mod energy;
 mod gradient;
 #[cfg(feature = "sweep")]
 mod in_sweeps;
+mod inertia;
 mod notes;
 mod sampling;
 #[cfg(feature = "linear")]
@@ -473,6 +474,7 @@ impl<'a> Simulation<'a> {
         self.check_guards(&system)?;
         self.note_projected(&system, &initial);
         self.negative_inertia_at(&initial).into_iter().for_each(|note| system.note(note));
+        self.note_little_inertia(&system, &initial);
         #[cfg(feature = "linear")]
         self.note_unstable(&system, &initial);
         let states = system.states();

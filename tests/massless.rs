@@ -278,3 +278,45 @@ fn a_check_of_a_place_that_forces_determine_is_an_output() {
     assert!(names(speed).is_empty());
     assert_eq!(names(&format!("{place}{speed}")), ["s.x", "s.y_dot"]);
 }
+
+/// Axes z, y and z of gimbals, of which the first and the last coincide at the angle zero of the second. The
+/// inertia of both together, beside what each has alone, is half the square of that angle times a ratio.
+#[test]
+fn a_start_at_which_gimbals_lock_is_refused_or_noted_by_name() {
+    let text = r#"
+        [scene]
+        name = "gimbals"
+        [units.g]
+        unit = "g"
+        [run]
+        until = 0.1
+        points = 3
+        rtol = 1e-9
+        [define.g.coordinates]
+        a = { unit = "rad" }
+        b = { unit = "rad" }
+        c = { unit = "rad" }
+        [define.g.frames]
+        a = { revolute = { axis = [0, 0, 1], angle = "a" } }
+        b = { parent = "a", revolute = { axis = [0, 1, 0], angle = "b" } }
+        c = { parent = "b", revolute = { axis = [0, 0, 1], angle = "c" } }
+        [define.g.bodies.c]
+        frame = "c"
+        mass = 1
+        inertia = { xx = 0.2, yy = 0.2, zz = 0.1 }
+        "#;
+    let machine = of_text(text, Keep::All);
+    let from =
+        |angle: f64| Simulation::new(&machine).initial_value("g.b", angle).expect("its name").run();
+    let refused = from(0.0).expect_err("no start").to_string();
+    assert!(
+        refused.contains("`g.a`, `g.c` move together with no inertia at the start"),
+        "{refused}"
+    );
+    let noted = from(1e-5).expect("it runs").notes.join(" ");
+    // 0.2/0.1*1e-5^2/2.
+    let wanted = "`g.a`, `g.c` move together with little inertia at the start, 1e-10 of what they";
+    assert!(noted.contains(wanted), "{noted}");
+    let quiet = from(0.3).expect("it runs").notes.join(" ");
+    assert!(!quiet.contains("inertia"), "{quiet}");
+}

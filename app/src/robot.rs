@@ -13,6 +13,7 @@ mod mjcf;
 mod sdf;
 mod shapes;
 mod spec;
+mod tendons;
 mod tree;
 mod urdf;
 mod xml;

@@ -199,7 +199,7 @@ fn bad_robots_are_refused_and_nothing_is_written() {
         ("type=\"continuous\"", "type=\"screw\"", "is of type `screw`"),
         ("<axis xyz=\"0 1 1\"/>", "<axis xyz=\"0 0 0\"/>", "is zero"),
         ("mimic joint=\"arm 1\"", "mimic joint=\"none\"", "which is missing"),
-        ("mimic joint=\"arm 1\"", "mimic joint=\"follows\"", "which follows another"),
+        ("mimic joint=\"arm 1\"", "mimic joint=\"follows\"", "joint `follows` follows itself"),
         ("damping=\"0.5\"", "damping=\"-0.5\"", "must not be negative"),
         ("damping=\"0.5\"", "damping=\"${d}\"", "xacro"),
     ] {

@@ -142,6 +142,7 @@ pub fn prepared(
                     | SimulateError::RefusedParameters { .. }
                     | SimulateError::GuardIsZero { .. }
                     | SimulateError::RedundantConstraint { .. }
+                    | SimulateError::SingularInertia { .. }
             );
             if !is_of_values {
                 return Err(error.into());

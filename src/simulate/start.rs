@@ -3,6 +3,7 @@
 #[cfg(feature = "linear")]
 use super::Problem;
 use super::Simulation;
+use super::inertia::WHOLE;
 use crate::constraints::{consistent, require_independent};
 use crate::dense::dense;
 use crate::error::SimulateError;
@@ -39,6 +40,7 @@ impl Simulation<'_> {
         let is_given = |index| is_spec && self.simulator.is_given(index);
         let state = consistent(self.simulator, &self.parameters, self.from, state, is_given)?;
         require_independent(self.simulator, &self.parameters, self.from, &state)?;
+        self.require_inertia(&state)?;
         Ok(state)
     }
 
@@ -189,9 +191,6 @@ impl Simulation<'_> {
     }
 
     pub(super) fn negative_inertia_at(&self, state: &[f64]) -> Option<String> {
-        /// Number of coordinates up to which the whole mass matrix is examined; beyond, only the
-        /// diagonal.
-        const WHOLE: usize = 64;
         const ROUNDING: f64 = 1e-9;
         let pattern = self.simulator.mass_matrix_pattern();
         let mut values = vec![0.0; pattern.entries.len()];

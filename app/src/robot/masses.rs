@@ -91,6 +91,38 @@ impl Robot {
         Ok(())
     }
 
+    /// Returns the inertia that each joint feels with all joints at zero and the others free: the inverse of
+    /// the mean entry of the inverted mass matrix on its diagonal. `None` if the matrix is singular.
+    pub(super) fn felt(&self) -> Option<BTreeMap<String, f64>> {
+        let carriers = self.carriers();
+        let mut columns = BTreeMap::new();
+        let mut armatures = Vec::new();
+        for (at, joint) in self.joints.iter().enumerate() {
+            let motions = joint.motions(&self.at_zero(&joint.child));
+            columns.insert(at, armatures.len()..armatures.len() + motions.len());
+            armatures.extend(motions.into_iter().map(|motion| (motion, joint.armature)));
+        }
+        let armature = armatures.iter().map(|(_, armature)| *armature);
+        let mut mass = DMatrix::from_diagonal(&DVector::from_iterator(armatures.len(), armature));
+        for link in self.links.iter().filter(|link| link.inertial.is_some()) {
+            let inertia = link.inertia_about_origin(&self.at_zero(&link.name));
+            let moved = self.above(&carriers, &link.name).into_iter();
+            let moved: Vec<usize> = moved.flat_map(|at| columns[&at].clone()).collect();
+            for i in &moved {
+                let momentum = inertia * armatures[*i].0;
+                for k in &moved {
+                    mass[(*i, *k)] += momentum.dot(&armatures[*k].0);
+                }
+            }
+        }
+        let inverse = mass.cholesky()?.inverse();
+        let felt = |range: std::ops::Range<usize>| {
+            range.len() as f64 / range.map(|i| inverse[(i, i)]).sum::<f64>()
+        };
+        let moving = columns.into_iter().filter(|(_, range)| !range.is_empty());
+        Some(moving.map(|(at, range)| (self.joints[at].name.clone(), felt(range))).collect())
+    }
+
     /// Returns the joints whose motion inertia alone determines: neither do they carry a link in a loop,
     /// nor do others follow them.
     fn judged(&self) -> BTreeSet<usize> {
@@ -113,7 +145,7 @@ impl Robot {
         for link in &order {
             let pose = carriers.get(&*link.name).map(|at| {
                 let joint = &self.joints[*at];
-                poses[&*joint.parent] * isometry(&joint.origin) * joint.moved_by(place, *at)
+                poses[&*joint.parent] * isometry(&joint.origin) * joint.moved_at(place, *at)
             });
             poses.insert(&link.name, pose.unwrap_or_default());
         }
@@ -207,10 +239,14 @@ impl Link {
 
 impl Joint {
     /// Returns the motion of the joint at a place, of which the first is zero.
-    fn moved_by(&self, place: usize, index: usize) -> Isometry3<f64> {
+    fn moved_at(&self, place: usize, index: usize) -> Isometry3<f64> {
         // Multiples of the golden section are spread evenly, and no two joints move alike.
         let spread = ((1 + index) as f64 * place as f64 * 0.618_034).fract() * 2.0 - 1.0;
-        let share = if place == 0 { 0.0 } else { spread };
+        self.moved(if place == 0 { 0.0 } else { spread })
+    }
+
+    /// Returns the motion of the joint at a position.
+    pub(super) fn moved(&self, share: f64) -> Isometry3<f64> {
         let axis = Unit::try_new(Vector3::from(self.axis), 0.0);
         let turned = |turn| Isometry3::from_parts(Translation3::identity(), turn);
         match (self.motion, axis) {

@@ -1,27 +1,35 @@
 //! Reading of MJCF, the format of MuJoCo.
 //!
-//! Bodies, joints, inertias, damping, friction, springs and rotors of drives map to a scene, equalities
-//! to constraints and joints that follow others. Contact, actuators and tendons are named as left out.
+//! Bodies, joints, inertias, damping, friction, springs, rotors of drives and tendons map to a scene,
+//! equalities to constraints and joints that follow others. Contact and actuators are named as left out.
 
 mod compiler;
 mod equality;
 mod inertia;
 mod places;
+mod tendons;
 
 use std::collections::BTreeMap;
 
-use nalgebra::{Isometry3, Point3, Vector3};
+use nalgebra::{Point3, Vector3};
 use roxmltree::{Document, Node};
 
 use super::digits::Digits;
 use super::shapes::{isometry, pose};
+use super::tendons::{Length, Site};
 use super::tree::{Joint, Limits, Link, Motion, Pose, Robot, RobotError, WORLD};
 use super::xml::{DEEPEST, Read, Reader, child};
 use compiler::Compiler;
 use places::{GEOMETRY, Part};
 
 /// Elements that take part in the motion or describe the robot elsewhere.
-const LEFT_OUT: [&str; 5] = ["actuator", "contact", "tendon", "deformable", "extension"];
+const LEFT_OUT: [&str; 4] = ["actuator", "contact", "deformable", "extension"];
+
+/// Attributes that refer to other elements, without numbers.
+const REFERENCES: [&str; 4] = ["body", "joint", "site", "tendon"];
+
+/// Maximum number of links.
+const MOST_LINKS: usize = 100_000;
 
 /// Reads a robot description, and checks it.
 ///
@@ -30,7 +38,7 @@ const LEFT_OUT: [&str; 5] = ["actuator", "contact", "tendon", "deformable", "ext
 pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
     let root = document.root_element();
     let reader = Reader { document };
-    let unknown = ["replicate", "composite", "flexcomp", "attach"];
+    let unknown = ["composite", "flexcomp", "attach"];
     let found = root.descendants().find(|node| unknown.contains(&node.tag_name().name()));
     if let Some(node) = found {
         let message = format!("<{}> is not read", node.tag_name().name());
@@ -39,16 +47,31 @@ pub fn read(document: &Document<'_>) -> Result<Robot, RobotError> {
     }
     let mut model = Model::new(reader, root)?;
     for world in sections(root, "worldbody") {
-        model.bodies(world, WORLD, None, 0)?;
+        model.bodies(&Part::of(world, None, String::new()), WORLD, 0)?;
+    }
+    for tendons in sections(root, "tendon") {
+        for node in elements(tendons) {
+            model.for_copies(node, Model::tendon)?;
+        }
     }
     let is_open = ["equality", "constraint"].iter().any(|flag| model.is_off(flag));
     for equality in sections(root, "equality").filter(|_| !is_open) {
-        for node in elements(equality).filter(|node| node.attribute("active") != Some("false")) {
-            model.equality(node)?;
+        for node in elements(equality) {
+            if model.text(node, None, "active").is_none_or(|active| active != "false") {
+                model.for_copies(node, Model::equality)?;
+            }
         }
     }
+    model.name_stops();
     let mut robot = model.robot;
     robot.scale_to(model.compiler.total_mass);
+    let couplings = &robot.couplings;
+    let is_coupled = |name: &str| {
+        let named = |length: &Length| matches!(length, Length::Tendon(own) if own == name);
+        couplings.iter().any(|one| named(&one.of) || one.by.as_ref().is_some_and(named))
+    };
+    robot.tendons.retain(|tendon| tendon.acts() || is_coupled(&tendon.name));
+    robot.tune(&model.tuned);
     robot.name = root.attribute("model").unwrap_or("model").chars().take(200).collect();
     let present = |tag: &&str| sections(root, tag).any(|node| node.has_children());
     robot.left_out.extend(LEFT_OUT.into_iter().filter(present).map(|tag| format!("<{tag}>")));
@@ -66,6 +89,19 @@ struct Model<'a, 'input> {
     defaults: BTreeMap<(String, String), BTreeMap<String, String>>,
     /// Digits of positions and directions.
     digits: Digits,
+    sites: BTreeMap<String, Site>,
+    /// Ends of the names of copies, by the name in the file.
+    copies: BTreeMap<String, Vec<String>>,
+    /// End of the names of the copies to which references lead.
+    ending: String,
+    /// Positions of joints in the file with all at zero in the scene, unless they are zero too.
+    references: BTreeMap<String, f64>,
+    /// Time constants and damping ratios that determine springs and damping, by joint.
+    tuned: Vec<(String, [f64; 2])>,
+    /// True if shapes may touch.
+    has_contact: bool,
+    /// True if a joint has a range that it keeps, and if a tendon has one.
+    has_ranges: [bool; 2],
     robot: Robot,
 }
 
@@ -80,6 +116,13 @@ impl<'a, 'input> Model<'a, 'input> {
             reader,
             defaults: BTreeMap::new(),
             digits: Digits::of(geometry),
+            sites: BTreeMap::new(),
+            copies: BTreeMap::new(),
+            ending: String::new(),
+            references: BTreeMap::new(),
+            tuned: Vec::new(),
+            has_contact: false,
+            has_ranges: [false; 2],
             robot: Robot { links: vec![world], ..Robot::default() },
         };
         for option in sections(root, "option") {
@@ -111,7 +154,7 @@ impl<'a, 'input> Model<'a, 'input> {
             return Err(self.reader.error(node, "defaults are nested too deeply", ""));
         }
         let name = node.attribute("class").unwrap_or("main").to_owned();
-        for tag in ["joint", "geom"] {
+        for tag in ["joint", "geom", "site", "tendon", "equality"] {
             // Sections of one class add up.
             let inherited = self.default_of(outer.unwrap_or(&name), tag).cloned();
             let mut all = inherited.unwrap_or_default();
@@ -135,7 +178,12 @@ impl<'a, 'input> Model<'a, 'input> {
     fn text(&self, node: Node<'a, 'input>, class: Option<&str>, key: &str) -> Option<String> {
         let class = node.attribute("class").or(class).unwrap_or("main");
         let own = node.attribute(key).map(str::to_owned);
-        own.or_else(|| self.default_of(class, node.tag_name().name())?.get(key).cloned())
+        let section = node.parent().map_or("", |parent| parent.tag_name().name());
+        let tag = match section {
+            "tendon" | "equality" => section,
+            _ => node.tag_name().name(),
+        };
+        own.or_else(|| self.default_of(class, tag)?.get(key).cloned())
     }
 
     fn values(&self, node: Node<'a, 'input>, class: Option<&str>, key: &str) -> Read<Vec<f64>> {
@@ -169,50 +217,76 @@ impl<'a, 'input> Model<'a, 'input> {
         })
     }
 
-    /// Reads the bodies within one.
-    fn bodies(
-        &mut self,
-        node: Node<'a, 'input>,
-        parent: &str,
-        class: Option<&'a str>,
-        depth: usize,
-    ) -> Read<()> {
-        if depth > DEEPEST {
-            return Err(self.reader.error(node, "bodies are nested too deeply", ""));
+    /// Reads the sites of a body, and the bodies within it.
+    fn bodies(&mut self, within: &Part<'a, 'input>, parent: &str, depth: usize) -> Read<()> {
+        if depth > DEEPEST || self.robot.links.len() > MOST_LINKS {
+            return Err(self.reader.error(
+                within.node,
+                "bodies are nested too deeply, or too many",
+                "",
+            ));
         }
-        for Part { node: body, frame, class, .. } in self.parts(node, class, "body")? {
-            let class = body.attribute("childclass").or(class);
-            let name = self.body(body, parent, class, &frame)?;
-            self.bodies(body, &name, class, depth + 1)?;
+        for part in self.parts(within, "site")? {
+            if !part.node.has_attribute("name") {
+                continue;
+            }
+            let name = self.name(&part, "site");
+            let at = part.frame * self.stretched(part.node, part.class)?.0;
+            self.sites.insert(name.clone(), Site { name, link: parent.to_owned(), at });
+        }
+        for part in self.parts(within, "geom")? {
+            let is_open =
+                |key: &str| self.text(part.node, part.class, key).is_none_or(|bits| bits != "0");
+            self.has_contact |= is_open("contype") || is_open("conaffinity");
+        }
+        for part in self.parts(within, "body")? {
+            let name = self.body(&part, parent)?;
+            self.bodies(&part, &name, depth + 1)?;
         }
         Ok(())
     }
 
-    /// Reads a body, with a link of its own before it for each joint, and returns its name.
-    fn body(
-        &mut self,
-        node: Node<'a, 'input>,
-        parent: &str,
-        class: Option<&'a str>,
-        frame: &Isometry3<f64>,
-    ) -> Read<String> {
-        let line = self.reader.line(node);
-        let name = node.attribute("name").map_or_else(|| self.free_name("body"), str::to_owned);
-        for key in ["mocap", "gravcomp"] {
-            if node.attribute(key).is_some_and(|text| !["0", "0.0", "false"].contains(&text.trim()))
-            {
-                self.robot.left_out.push(format!("`{key}` of body `{name}`"));
+    /// Names what would stop the motion as left out.
+    fn name_stops(&mut self) {
+        for (is_present, flag, what) in [
+            (self.has_contact, "contact", "contact of shapes"),
+            (self.has_ranges[0], "limit", "the range of joints"),
+            (self.has_ranges[1], "limit", "the range of tendons"),
+        ] {
+            if is_present && !self.is_off(flag) && !self.is_off("constraint") {
+                self.robot.left_out.push(what.to_owned());
             }
         }
-        let (mut last, mut at) = (parent.to_owned(), frame * self.place(node, None)?);
+    }
+
+    /// Reports whether an element has a range that it keeps.
+    fn is_limited(&self, node: Node<'a, 'input>, class: Option<&str>) -> Read<bool> {
+        Ok(match self.text(node, class, "limited").as_deref() {
+            Some("true") => true,
+            Some("false") => false,
+            _ => !self.values(node, class, "range")?.is_empty(),
+        })
+    }
+
+    /// Reads a body, with a link of its own before it for each joint, and returns its name.
+    fn body(&mut self, part: &Part<'a, 'input>, parent: &str) -> Read<String> {
+        let node = part.node;
+        let line = self.reader.line(node);
+        let name = self.name(part, "body");
+        if node.attribute("mocap").is_some_and(|text| text.trim() == "true") {
+            self.robot.left_out.push(format!("`mocap` of body `{name}`"));
+        }
+        let compensation = self.reader.number_or(Some(node), "gravcomp", 0.0)?;
+        let (mut last, mut at) = (parent.to_owned(), part.frame * self.place(node, None)?);
         let mut rounding = self.rounding_of_place(node)?;
         let mut joints = Vec::new();
         for kind in ["joint", "freejoint"] {
-            joints.extend(self.parts(node, class, kind)?);
+            joints.extend(self.parts(part, kind)?);
         }
         joints.sort_by_key(|part| part.node.range().start);
-        for Part { node: element, frame, class } in joints {
-            let mut joint = self.joint(element, class)?;
+        for element in joints {
+            let frame = element.frame;
+            let mut joint = self.joint(&element)?;
             joint.origin.xyz = (frame * Point3::from(joint.origin.xyz)).coords.into();
             joint.axis = (frame.rotation * Vector3::from(joint.axis)).into();
             let moved = self.free_name(&format!("{name}_{}", joint.name));
@@ -230,13 +304,57 @@ impl<'a, 'input> Model<'a, 'input> {
             last = moved;
             at = isometry(&anchor).inverse();
         }
-        let inertial = self.inertial(node, class)?;
-        self.robot.links.push(Link { name: name.clone(), line, inertial, ..Link::default() });
+        let inertial = self.inertial(part)?;
+        let link = Link { name: name.clone(), line, inertial, compensation, ..Link::default() };
+        self.robot.links.push(link);
         let fixed = format!("{name} fixed");
         let mut rest = Joint::plain(&fixed, line, Motion::Fixed, [&last, &name]);
         (rest.origin, rest.rounding) = (pose(&at), rounding);
         self.robot.joints.push(rest);
         Ok(name)
+    }
+
+    /// Returns the name of an element, and remembers that of a copy.
+    fn name(&mut self, part: &Part<'a, 'input>, kind: &str) -> String {
+        let Some(name) = part.node.attribute("name") else { return self.free_name(kind) };
+        if !part.ending.is_empty() {
+            self.copies.entry(name.to_owned()).or_default().push(part.ending.clone());
+        }
+        format!("{name}{}", part.ending)
+    }
+
+    /// Reads an element that refers to others, once for each copy of those.
+    fn for_copies(
+        &mut self,
+        node: Node<'a, 'input>,
+        read: fn(&mut Self, Node<'a, 'input>) -> Read<()>,
+    ) -> Read<()> {
+        let attributes = node.descendants().flat_map(|node| node.attributes());
+        let named = |key: &str| REFERENCES.contains(&key.trim_end_matches(['1', '2']));
+        let mut references = attributes.filter(|one| named(one.name()));
+        let copies = references.find_map(|one| self.copies.get(one.value()).cloned());
+        let Some(endings) = copies else { return read(self, node) };
+        if let Some(name) = node.attribute("name") {
+            self.copies.insert(name.to_owned(), endings.clone());
+        }
+        for ending in endings {
+            self.ending = ending;
+            read(self, node)?;
+        }
+        self.ending.clear();
+        Ok(())
+    }
+
+    /// Returns the name of an element that refers to others.
+    fn own_name(&self, node: Node<'a, 'input>, kind: &str) -> String {
+        let name = node.attribute("name").map(|name| format!("{name}{}", self.ending));
+        name.unwrap_or_else(|| self.free_name(kind))
+    }
+
+    /// Returns the name of the element to which a reference leads.
+    fn referred(&self, name: &str) -> String {
+        let is_copy = self.copies.contains_key(name);
+        if is_copy { format!("{name}{}", self.ending) } else { name.to_owned() }
     }
 
     fn free_name(&self, wanted: &str) -> String {
@@ -250,7 +368,8 @@ impl<'a, 'input> Model<'a, 'input> {
     }
 
     /// Reads a joint, whose origin is its place in the body.
-    fn joint(&mut self, node: Node<'a, 'input>, class: Option<&str>) -> Read<Joint> {
+    fn joint(&mut self, part: &Part<'a, 'input>) -> Read<Joint> {
+        let (node, class) = (part.node, part.class);
         let kind = match node.tag_name().name() {
             "freejoint" => "free".to_owned(),
             _ => self.text(node, class, "type").unwrap_or_else(|| "hinge".to_owned()),
@@ -266,7 +385,7 @@ impl<'a, 'input> Model<'a, 'input> {
                 return Err(self.reader.error(node, message, help));
             }
         };
-        let name = node.attribute("name").map_or_else(|| self.free_name("joint"), str::to_owned);
+        let name = self.name(part, "joint");
         let value = |key: &str| self.value(node, class, key);
         let turns = motion == Motion::Turns;
         let angle = if turns { self.compiler.angle } else { 1.0 };
@@ -276,8 +395,11 @@ impl<'a, 'input> Model<'a, 'input> {
             let message = "damping, friction and stiffness must not be negative";
             return Err(self.reader.error(node, message, ""));
         }
-        if !is_plain && losses[1..].iter().any(|value| *value != 0.0) {
-            let message = format!("friction and springs of {kind} joints are not read");
+        let springs = self.values(node, class, "springdamper")?;
+        let springs =
+            <[f64; 2]>::try_from(springs).ok().filter(|own| own.iter().all(|one| *one > 0.0));
+        if !is_plain && (losses[2] != 0.0 || springs.is_some()) {
+            let message = format!("springs of {kind} joints are not read");
             return Err(self.reader.error(node, message, "remove them"));
         }
         // Coordinates count from the position of the model.
@@ -309,10 +431,12 @@ impl<'a, 'input> Model<'a, 'input> {
             limits,
             ..Joint::plain(&name, self.reader.line(node), motion, ["", ""])
         };
-        let name = name.escape_debug();
-        if self.text(node, class, "springdamper").is_some() {
-            self.robot.left_out.push(format!("`springdamper` of joint `{name}`"));
+        self.tuned.extend(springs.map(|springs| (name.clone(), springs)));
+        self.has_ranges[0] |= self.is_limited(node, class)?;
+        if zero != 0.0 {
+            self.references.insert(name.clone(), zero);
         }
+        let name = name.escape_debug();
         if zero != 0.0 {
             self.robot.notes.push(format!("joint `{name}` counts from its `ref`, {zero}"));
         }

@@ -1,6 +1,7 @@
 //! A robot as the text of a scene.
 
 mod drawn;
+mod tendons;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
@@ -25,35 +26,69 @@ pub struct Spec<'a> {
     coordinates: BTreeMap<&'a str, String>,
     /// Names of closures, and of their frames on both links.
     closures: Vec<[String; 3]>,
+    /// Names of the frames of sites, and of centres of mass of links whose weight is compensated.
+    sites: BTreeMap<&'a str, String>,
+    centres: BTreeMap<&'a str, String>,
+    /// Names of the lengths of tendons, and of couplings.
+    tendons: BTreeMap<&'a str, String>,
+    couplings: Vec<String>,
 }
 
 impl<'a> Spec<'a> {
     /// Chooses names: those of the robot, with `_` in place of other characters.
     pub fn new(robot: &'a Robot, file: &'a str) -> Self {
         let mut taken = BTreeSet::from([WORLD.to_owned()]);
+        let mut frame = |name: &str| named_with(name, &FRAME, &mut taken);
         let mut frames = BTreeMap::new();
         for link in &robot.links {
             let is_world = robot.is_world(link);
-            let name = if is_world { WORLD.to_owned() } else { named(&link.name, &mut taken) };
+            let name = if is_world { WORLD.to_owned() } else { frame(&link.name) };
             frames.insert(link.name.as_str(), name);
         }
         let own = robot.closures.iter().map(|closure| {
             let name = &closure.joint.name;
-            ["", "_a", "_b"].map(|end| named(&format!("{name}{end}"), &mut taken))
+            ["", "_a", "_b"].map(|end| frame(&format!("{name}{end}")))
         });
         let closures: Vec<[String; 3]> = own.collect();
+        let mut sites = BTreeMap::new();
+        for site in robot.sites() {
+            sites.entry(&*site.name).or_insert_with(|| frame(&site.name));
+        }
+        let lifted = robot.links.iter().filter(|link| link.is_lifted());
+        let centres = lifted.map(|link| (&*link.name, frame(&format!("{}_centre", link.name))));
+        let centres: BTreeMap<&str, String> = centres.collect();
         // Components of a frame's motion are called after it: `tool_x`, `tool_v_x`.
+        let all = [&frames, &sites, &centres].into_iter().flat_map(BTreeMap::values);
         let mut taken = BTreeSet::new();
-        for frame in frames.values().chain(closures.iter().flatten()) {
-            for end in ["x", "y", "z", "v_x", "v_y", "v_z", "omega_x", "omega_y", "omega_z"] {
-                taken.insert(format!("{frame}_{end}"));
-            }
+        for frame in all.chain(closures.iter().flatten()) {
+            taken.extend(FRAME.map(|end| format!("{frame}{end}")));
         }
         let moving = robot.joints.iter().filter(|joint| joint.motion != Motion::Fixed);
-        let coordinates = moving.map(|joint| (&*joint.name, named(&joint.name, &mut taken)));
+        let coordinates = moving.map(|joint| {
+            let ends: &[&str] = match joint.motion {
+                Motion::Rolls => &ORIENTATION,
+                Motion::Floats => &FLOATING,
+                _ => &["_dot"],
+            };
+            (&*joint.name, named_with(&joint.name, ends, &mut taken))
+        });
         let coordinates = coordinates.collect();
+        let tendons = robot.tendons.iter();
+        let tendons = tendons.map(|one| (&*one.name, named(&one.name, &mut taken))).collect();
+        let couplings = robot.couplings.iter().map(|one| named(&one.name, &mut taken)).collect();
         let scene = named(&robot.name, &mut BTreeSet::new()).to_lowercase();
-        Spec { robot, file, scene, frames, coordinates, closures }
+        Spec {
+            robot,
+            file,
+            scene,
+            frames,
+            coordinates,
+            closures,
+            sites,
+            centres,
+            tendons,
+            couplings,
+        }
     }
 
     /// Returns the text of the scene.
@@ -70,6 +105,7 @@ impl<'a> Spec<'a> {
             self.body(&mut text, link);
         }
         self.close(&mut text);
+        self.lengths(&mut text);
         self.losses(&mut text);
         self.shapes(&mut text);
         text
@@ -80,7 +116,7 @@ impl<'a> Spec<'a> {
         let title = quoted(&self.robot.name);
         let file = file.replace(|c: char| c.is_control(), " ");
         let source = quoted(&file);
-        let gravity = vector(self.robot.gravity.unwrap_or([0.0, 0.0, -9.81]));
+        let gravity = vector(self.robot.gravity.unwrap_or(tendons::GRAVITY));
         format!(
             "# Imported from {file} by `machinist import`.\n\n\
              [scene]\nname = \"{scene}\"\ntitle = {title}\nsource = {source}\n\n\
@@ -111,7 +147,7 @@ impl<'a> Spec<'a> {
             for end in FLOATING {
                 let _ = writeln!(
                     text,
-                    "[define.{scene}_robot.coordinates.{name}_{end}]\nunit = \"m\"\n"
+                    "[define.{scene}_robot.coordinates.{name}{end}]\nunit = \"m\"\n"
                 );
             }
             let doc = quoted(&format!("joint {}", joint.name));
@@ -151,7 +187,7 @@ impl<'a> Spec<'a> {
             text.push('\n');
             head(text, name, &base);
             let coordinate = &self.coordinates[&*joint.name];
-            let [x, y, z] = FLOATING.map(|end| format!("\"{coordinate}_{end}\""));
+            let [x, y, z] = FLOATING.map(|end| format!("\"{coordinate}{end}\""));
             let _ =
                 writeln!(text, "displacement = [{x}, {y}, {z}]\nspherical = \"{coordinate}_turn\"");
             return;
@@ -217,7 +253,7 @@ impl<'a> Spec<'a> {
             Motion::Turns | Motion::Slides => vec![(rate, slides)],
             Motion::Rolls => turns(name).to_vec(),
             Motion::Floats => {
-                let slides = FLOATING.map(|end| (format!("{name}_{end}_dot"), true));
+                let slides = FLOATING.map(|end| (format!("{name}{end}_dot"), true));
                 slides.into_iter().chain(turns(&format!("{name}_turn"))).collect()
             }
         }
@@ -302,8 +338,13 @@ impl<'a> Spec<'a> {
             };
             format!("{} [{}]*{way}^2/2", number(stiffness), units[0])
         });
-        let energies =
-            [("kinetic", kinetic), ("potential", potential.collect()), ("dissipation", damped)];
+        let [mut kinetic, mut damped, mut potential] = [kinetic, damped, potential.collect()];
+        potential.extend(self.lifts());
+        for (all, more) in [&mut kinetic, &mut potential, &mut damped].into_iter().zip(self.along())
+        {
+            all.extend(more);
+        }
+        let energies = [("kinetic", kinetic), ("potential", potential), ("dissipation", damped)];
         if energies.iter().any(|(_, terms)| !terms.is_empty()) {
             let _ = write!(text, "\n[define.{scene}_robot.energy]\n");
         }
@@ -312,22 +353,35 @@ impl<'a> Spec<'a> {
             let _ = writeln!(text, "{key} = \"\"\"\\\n  {terms}\"\"\"");
         }
         let mut taken = BTreeSet::new();
-        for joint in moving().filter(|joint| joint.friction > 0.0) {
-            let name = named(&joint.name, &mut taken);
-            let Some((rate, _)) = self.rates(joint).pop() else { continue };
-            let unit = if slides(joint) { "N" } else { "N m" };
-            let friction = number(joint.friction);
-            let _ = write!(
-                text,
-                "\n[define.{scene}_robot.friction.{name}_friction]\nspeed = \"{rate}\"\n\
-                 sliding = \"{friction} [{unit}]\"\nunit = \"{unit}\"\n"
-            );
+        for joint in self.robot.joints.iter().filter(|joint| joint.friction > 0.0) {
+            for (rate, slides) in self.rates(joint) {
+                let name = named(&joint.name, &mut taken);
+                let unit = if slides { "N" } else { "N m" };
+                self.friction(text, &name, joint.friction, &rate, unit);
+            }
         }
+        self.friction_along(text, &mut taken);
+    }
+
+    fn friction(&self, text: &mut String, name: &str, force: f64, rate: &str, unit: &str) {
+        let (scene, force) = (&self.scene, number(force));
+        let _ = write!(
+            text,
+            "\n[define.{scene}_robot.friction.{name}_friction]\nspeed = \"{rate}\"\n\
+             sliding = \"{force} [{unit}]\"\nunit = \"{unit}\"\n"
+        );
     }
 }
 
+/// Ends of the names of a frame's motion.
+const FRAME: [&str; 9] =
+    ["_x", "_y", "_z", "_v_x", "_v_y", "_v_z", "_omega_x", "_omega_y", "_omega_z"];
+
+/// Ends of the names of an orientation's parts and rates.
+const ORIENTATION: [&str; 7] = ["_x", "_y", "_z", "_w", "_omega_x", "_omega_y", "_omega_z"];
+
 /// Coordinates of a floating joint besides its orientation: the ends of their names.
-const FLOATING: [&str; 3] = ["px", "py", "pz"];
+const FLOATING: [&str; 3] = ["_px", "_py", "_pz"];
 
 /// Writes a position under a key, and a rotation, without zeros.
 fn pose(text: &mut String, key: &str, pose: &Pose) {
@@ -372,6 +426,11 @@ fn quoted(text: &str) -> String {
 
 /// Returns a name of letters, digits and `_` that is not taken, and takes it.
 fn named(name: &str, taken: &mut BTreeSet<String>) -> String {
+    named_with(name, &[], taken)
+}
+
+/// Returns a name that is not taken, nor with any of some ends, and takes them.
+fn named_with(name: &str, ends: &[&str], taken: &mut BTreeSet<String>) -> String {
     let is_allowed = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let allowed: String = name.chars().map(|c| if is_allowed(c) { c } else { '_' }).collect();
     let mut own = allowed.trim_matches('_').to_owned();
@@ -383,11 +442,15 @@ fn named(name: &str, taken: &mut BTreeSet<String>) -> String {
     }
     // Names are ASCII.
     own.truncate(MAX_NAME - LONGEST_END);
-    let mut candidate = own.clone();
-    let mut count = 2;
-    while is_reserved(&candidate) || !taken.insert(candidate.clone()) {
-        candidate = format!("{own}_{count}");
+    let mut count = 1;
+    loop {
+        let candidate = if count == 1 { own.clone() } else { format!("{own}_{count}") };
+        let names: Vec<String> =
+            [""].iter().chain(ends).map(|end| format!("{candidate}{end}")).collect();
+        if !is_reserved(&candidate) && names.iter().all(|name| !taken.contains(name)) {
+            taken.extend(names);
+            return candidate;
+        }
         count += 1;
     }
-    candidate
 }

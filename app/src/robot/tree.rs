@@ -5,9 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use machinist_codegen::spec::ROUNDED_GYRATION;
 
 use super::shapes::Shape;
+use super::tendons::{Coupling, Tendon};
 
-/// Maximum magnitude of a number, in SI units: no robot comes near it.
-pub const LARGEST: f64 = 1e9;
+/// Maximum magnitude of a number, in SI units: products of eight of them are finite.
+pub const LARGEST: f64 = f32::MAX as f64;
 
 /// A mistake in a robot description.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,6 +43,10 @@ pub struct Robot {
     pub left_out: Vec<String>,
     /// Joints that close loops of the others.
     pub closures: Vec<Closure>,
+    /// Springs and losses along joints and between points.
+    pub tendons: Vec<Tendon>,
+    /// Equations between positions of joints and lengths of tendons.
+    pub couplings: Vec<Coupling>,
     /// Joints that [`Robot::check`] made fixed, because nothing that they move has inertia.
     pub held: Vec<String>,
     /// Joints that move no inertia where all are at zero, in sentences.
@@ -60,6 +65,8 @@ pub struct Link {
     pub line: usize,
     /// Its inertia, if it has one.
     pub inertial: Option<Inertial>,
+    /// Share of its weight that is compensated.
+    pub compensation: f64,
     /// Shapes by which it is drawn.
     pub visuals: Vec<Visual>,
     /// Files of meshes by which it would be drawn.
@@ -243,6 +250,7 @@ impl Robot {
     /// The first mistake.
     pub fn check(&mut self) -> Result<(), RobotError> {
         self.check_tree()?;
+        self.join_mimics()?;
         self.check_mimics()?;
         self.check_inertias()?;
         self.hold_without_inertia()?;
@@ -343,6 +351,27 @@ impl Robot {
         self.joints.iter().find(|joint| joint.name == name)
     }
 
+    /// Lets joints that follow followers follow their leaders.
+    fn join_mimics(&mut self) -> Result<(), RobotError> {
+        for at in 0..self.joints.len() {
+            for _ in 0..self.joints.len() {
+                let Some(mimic) = &self.joints[at].mimic else { break };
+                let other = self.joint(&mimic.joint).and_then(|leader| leader.mimic.clone());
+                let Some(other) = other else { break };
+                let Joint { name, line, .. } = &self.joints[at];
+                if other.joint == *name {
+                    let message = format!("joint `{name}` follows itself");
+                    let help = "name a joint that moves by itself";
+                    return Err(RobotError::new(*line, message, help));
+                }
+                let multiplier = mimic.multiplier * other.multiplier;
+                let offset = mimic.multiplier * other.offset + mimic.offset;
+                self.joints[at].mimic = Some(Mimic { multiplier, offset, ..other });
+            }
+        }
+        Ok(())
+    }
+
     fn check_mimics(&self) -> Result<(), RobotError> {
         for joint in &self.joints {
             let Some(mimic) = &joint.mimic else { continue };
@@ -352,7 +381,6 @@ impl Robot {
             };
             match self.joint(&mimic.joint) {
                 None => return refuse("which is missing"),
-                Some(other) if other.mimic.is_some() => return refuse("which follows another"),
                 Some(other) if !matches!(other.motion, Motion::Turns | Motion::Slides) => {
                     return refuse("which has no single coordinate");
                 }

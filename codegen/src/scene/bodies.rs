@@ -34,11 +34,16 @@ pub struct Spatial {
     frames: HashMap<Option<(usize, usize)>, Frame>,
     /// The world's view of each frame that has been asked for.
     placed: RefCell<HashMap<(usize, usize), Rc<Placed>>>,
+    /// The view of a joint likewise, by frame and joint.
+    carried: RefCell<Poses>,
     /// Steps between frames, for drawings.
     taken: Vec<Taken>,
     /// Bodies, for drawings.
     attached: Vec<Attached>,
 }
+
+/// Positions of frames and their axes as columns, by frame and the joint that sees them.
+type Poses = HashMap<((usize, usize), usize), Rc<(Vector, Matrix3)>>;
 
 /// State of the tree of an instance.
 pub(super) enum Tree {
@@ -76,7 +81,8 @@ impl Spatial {
         taken: Vec<Taken>,
         attached: Vec<Attached>,
     ) -> Self {
-        Spatial { mechanism, frames, placed: RefCell::default(), taken, attached }
+        let (placed, carried) = (RefCell::default(), RefCell::default());
+        Spatial { mechanism, frames, placed, carried, taken, attached }
     }
 
     /// Returns the bodies with the frames to which they are fixed.
@@ -92,6 +98,27 @@ impl Spatial {
     /// Returns a frame; the world for `None`.
     pub(super) fn frame(&self, frame: Option<(usize, usize)>) -> &Frame {
         &self.frames[&frame]
+    }
+
+    /// Returns the outermost joint that carries all of some frames; `None` for the world, or if a frame
+    /// belongs to another tree.
+    pub(super) fn common_carrier(&self, frames: &[(usize, usize)]) -> Option<usize> {
+        let frames: Option<Vec<&Frame>> =
+            frames.iter().map(|frame| self.frames.get(&Some(*frame))).collect();
+        self.mechanism.common_carrier(&frames?)
+    }
+
+    /// Returns a component of the position or orientation of a frame, as a joint that carries it sees it.
+    fn component_on(&self, carrier: usize, frame: (usize, usize), part: FramePart) -> Option<Expr> {
+        let mut all = self.carried.borrow_mut();
+        let pose = all
+            .entry((frame, carrier))
+            .or_insert_with(|| Rc::new(self.mechanism.pose_on(carrier, self.frame(Some(frame)))));
+        match part {
+            FramePart::Position(axis) => Some(pose.0[axis].clone()),
+            FramePart::Rotation(row, column) => Some(pose.1[row][column].clone()),
+            FramePart::Velocity(_) | FramePart::Omega(_) => None,
+        }
     }
 
     fn component(&self, frame: (usize, usize), part: FramePart) -> Expr {
@@ -119,7 +146,9 @@ impl Resolver<'_> {
     ) -> Resolved {
         let spatial = self.spatial(instance, span)?;
         self.spend(1, span)?;
-        let expr = spatial.component((instance, frame), part);
+        let frame = (instance, frame);
+        let seen = self.carrier.and_then(|carrier| spatial.component_on(carrier, frame, part));
+        let expr = seen.unwrap_or_else(|| spatial.component(frame, part));
         let uses = uses_of(&expr);
         let unit = part.unit();
         let angular = Angular::of(unit, uses.moves());

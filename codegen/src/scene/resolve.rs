@@ -78,6 +78,8 @@ pub struct Resolver<'a> {
     pub(super) long_helpers: HashMap<Option<usize>, bool>,
     /// Trees of joints of instances with frames.
     pub(super) trees: HashMap<usize, bodies::Tree>,
+    /// Joint that sees the frames of the expression at hand; `None` for the world.
+    pub(super) carrier: Option<usize>,
     /// Tables in use, with their CSV file, column and kind of curve.
     pub(super) tables: Vec<Table>,
     pub(super) table_columns: Vec<(usize, usize, Course)>,
@@ -102,6 +104,7 @@ impl<'a> Resolver<'a> {
             definitions: HashMap::new(),
             long_helpers: HashMap::new(),
             trees: HashMap::new(),
+            carrier: None,
             tables: Vec::new(),
             table_columns: Vec::new(),
             discontinuities: Vec::new(),

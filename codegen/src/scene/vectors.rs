@@ -5,7 +5,7 @@
 //! `der(u)`, by sums, and by products with one vector. Components are along the axes of the world, or
 //! of a frame after `in_frame`. Dimensions are checked component by component.
 
-use crate::scene::layout::Scope;
+use crate::scene::layout::{Local, Scope, find_inside, find_instance};
 use crate::scene::resolve::{Resolved, Resolver};
 use crate::scene::typed::Uses;
 use crate::spec::code::Code;
@@ -71,7 +71,40 @@ impl Resolver<'_> {
             ("der", [u]) if is_vector(u) => Err(Box::new(a_vector(span))),
             _ => return None,
         };
-        Some(written.and_then(|ast| self.resolve(&ast, scope, allowed)))
+        // Products of free vectors are the same for each joint that carries all their frames. Seen by the
+        // outermost one, they depend on the joints between these frames alone.
+        let carrier = free(function, arguments).and_then(|frames| self.carrier_of(&frames, scope));
+        let before = std::mem::replace(&mut self.carrier, carrier);
+        let resolved = written.and_then(|ast| self.resolve(&ast, scope, allowed));
+        self.carrier = before;
+        Some(resolved)
+    }
+
+    /// Returns the outermost joint that carries all of some frames, unless it is the world.
+    fn carrier_of(&mut self, frames: &[&Ast], scope: Scope) -> Option<usize> {
+        let found: Option<Vec<_>> =
+            frames.iter().map(|frame| self.frame_of(frame, scope)).collect();
+        let found = found?;
+        let spatial = self.spatial(found.first()?.0, frames[0].span).ok()?;
+        spatial.common_carrier(&found)
+    }
+
+    /// Returns the instance and the index of a frame by its name.
+    fn frame_of(&self, ast: &Ast, scope: Scope) -> Option<(usize, usize)> {
+        let Node::Name(path, name) = &ast.node else { return None };
+        let instance = match (path, scope) {
+            (None, Scope::Instance(own)) => own,
+            (Some(path), Scope::Instance(own)) => {
+                find_inside(self.spec, own, path, ast.span).ok()?
+            }
+            (Some(path), Scope::Scene) => find_instance(self.spec, path, ast.span).ok()?,
+            _ => return None,
+        };
+        let names = &self.layout.units[self.spec.instances[instance].unit];
+        match names.get(&format!("{name}_x"))? {
+            Local::Frame(index, _) => Some((instance, index)),
+            _ => None,
+        }
     }
 
     fn dot(&mut self, u: &Ast, v: &Ast, span: Span) -> Result<Ast, Box<Mistake>> {
@@ -162,6 +195,49 @@ impl Resolver<'_> {
             },
             _ => Err(Box::new(no_vector(span))),
         }
+    }
+}
+
+/// Returns the frames of a product of free vectors; `None` if it depends on the axes or the origin of the
+/// world.
+fn free<'a>(function: &str, arguments: &'a [Ast]) -> Option<Vec<&'a Ast>> {
+    let mut frames = Vec::new();
+    let vectors = match (function, arguments) {
+        ("dot" | "norm", vectors) => vectors,
+        (_, [Ast { node: Node::Call(inner, _, parts), .. }]) if inner == "in_frame" => {
+            frames.extend(parts.get(1));
+            parts.get(..1)?
+        }
+        _ => return None,
+    };
+    vectors.iter().all(|vector| weight(vector, &mut frames) == Some(0)).then_some(frames)
+}
+
+/// Returns the number of positions in a sum of positions and axes, less those subtracted, and adds their
+/// frames; `None` for another vector.
+fn weight<'a>(ast: &'a Ast, frames: &mut Vec<&'a Ast>) -> Option<i32> {
+    match &ast.node {
+        Node::Negative(of) => Some(-weight(of, frames)?),
+        Node::Sum(terms) => terms.iter().try_fold(0, |sum, (is_negative, term)| {
+            let own = weight(term, frames)?;
+            Some(if *is_negative { sum - own } else { sum + own })
+        }),
+        Node::Call(function, _, parts) => match (function.as_str(), &parts[..]) {
+            ("position", [frame]) => {
+                frames.push(frame);
+                Some(1)
+            }
+            ("x_axis" | "y_axis" | "z_axis", [frame]) => {
+                frames.push(frame);
+                Some(0)
+            }
+            ("cross", [u, v]) => {
+                let is_free = weight(u, frames)? == 0 && weight(v, frames)? == 0;
+                is_free.then_some(0)
+            }
+            _ => None,
+        },
+        _ => None,
     }
 }
 

@@ -163,6 +163,33 @@ impl Mechanism {
         (position, multiplied(&to_world, &frame.to_joint))
     }
 
+    /// Returns the position of a frame and its axes as columns, from the origin and along the axes of a
+    /// joint that carries it.
+    #[must_use]
+    pub fn pose_on(&self, carrier: usize, frame: &Frame) -> (Vector, Matrix3) {
+        let (mut position, mut turn) = (frame.offset.clone(), frame.to_joint.clone());
+        for joint in self.carriers(frame).take_while(|joint| *joint != carrier) {
+            let Joint { orientation, displacement, .. } = &self.joints[joint];
+            let to_parent = transposed(orientation);
+            position = plus(displacement, &times(&to_parent, &position));
+            turn = multiplied(&to_parent, &turn);
+        }
+        (position, turn)
+    }
+
+    /// Returns the outermost joint that carries all of some frames; `None` for the world.
+    #[must_use]
+    pub fn common_carrier(&self, frames: &[&Frame]) -> Option<usize> {
+        let (first, others) = frames.split_first()?;
+        let carries = |joint: &usize, frame: &Frame| self.carriers(frame).any(|one| one == *joint);
+        self.carriers(first).find(|joint| others.iter().all(|other| carries(joint, other)))
+    }
+
+    /// Returns the joints that carry a frame, inwards.
+    fn carriers(&self, frame: &Frame) -> impl Iterator<Item = usize> {
+        std::iter::successors(frame.joint, |joint| self.joints[*joint].parent)
+    }
+
     /// Returns the world's view of a frame.
     #[must_use]
     pub fn placed(&self, frame: &Frame) -> Placed {

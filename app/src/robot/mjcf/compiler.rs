@@ -73,6 +73,22 @@ impl Compiler {
 }
 
 impl Robot {
+    /// Determines springs and damping of joints by their time constants \[s\] and damping ratios, for the
+    /// inertia that they feel.
+    pub(super) fn tune(&mut self, joints: &[(String, [f64; 2])]) {
+        let felt = if joints.is_empty() { None } else { self.felt() };
+        for (name, [time, ratio]) in joints {
+            let inertia = felt.as_ref().and_then(|felt| felt.get(name));
+            let joint = self.joints.iter_mut().find(|joint| joint.name == *name);
+            let (Some(inertia), Some(joint)) = (inertia, joint) else {
+                self.left_out.push(format!("`springdamper` of joint `{}`", name.escape_debug()));
+                continue;
+            };
+            joint.spring[0] = inertia / (time * ratio).powi(2);
+            joint.damping = 2.0 * inertia / time;
+        }
+    }
+
     /// Scales all masses and inertias to a total mass \[kg\], unless it is zero.
     pub(super) fn scale_to(&mut self, total: f64) {
         let inertials = || self.links.iter().filter_map(|link| link.inertial);

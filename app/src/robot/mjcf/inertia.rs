@@ -1,11 +1,11 @@
 //! Inertias of bodies, given or of shapes.
 
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::Isometry3;
 use roxmltree::Node;
 
 use super::Model;
 use super::places::Part;
-use crate::robot::shapes::{Shape, pose, together, turn_of_z};
+use crate::robot::shapes::{Shape, pose, together};
 use crate::robot::tree::Inertial;
 use crate::robot::xml::{Read, child};
 
@@ -14,15 +14,11 @@ const DENSITY: f64 = 1000.0;
 
 impl<'a, 'input> Model<'a, 'input> {
     /// Reads the inertia of a body: that of <inertial>, or of its shapes.
-    pub(super) fn inertial(
-        &self,
-        node: Node<'a, 'input>,
-        class: Option<&'a str>,
-    ) -> Read<Option<Inertial>> {
-        let given = child(node, "inertial").filter(|_| !self.compiler.always_from_shapes);
+    pub(super) fn inertial(&self, body: &Part<'a, 'input>) -> Read<Option<Inertial>> {
+        let given = child(body.node, "inertial").filter(|_| !self.compiler.always_from_shapes);
         let found = match given {
             Some(given) => self.given(given).map(Some),
-            None => self.of_shapes(node, class),
+            None => self.of_shapes(body),
         };
         Ok(self.compiler.bounded(found?))
     }
@@ -42,9 +38,9 @@ impl<'a, 'input> Model<'a, 'input> {
         Ok(Inertial { origin: pose(&self.place(node, None)?), mass, inertia })
     }
 
-    fn of_shapes(&self, node: Node<'a, 'input>, class: Option<&'a str>) -> Read<Option<Inertial>> {
+    fn of_shapes(&self, body: &Part<'a, 'input>) -> Read<Option<Inertial>> {
         let mut parts = Vec::new();
-        for Part { node: geom, frame, class } in self.parts(node, class, "geom")? {
+        for Part { node: geom, frame, class, .. } in self.parts(body, "geom")? {
             let group = self.value(geom, class, "group")?;
             if !self.compiler.groups.contains(&group) {
                 continue;
@@ -76,24 +72,19 @@ impl<'a, 'input> Model<'a, 'input> {
     ) -> Read<Option<(Shape, Isometry3<f64>)>> {
         let kind = self.text(node, class, "type").unwrap_or_else(|| "sphere".to_owned());
         let size = self.values(node, class, "size")?;
-        let mut at = self.place(node, class)?;
-        let mut half = size.get(1).copied();
-        let ends = self.values(node, class, "fromto")?;
-        if let [x0, y0, z0, x1, y1, z1] = ends[..] {
-            let (from, to) = (Vector3::new(x0, y0, z0), Vector3::new(x1, y1, z1));
-            let way = to - from;
-            at = Isometry3::from_parts(((from + to) / 2.0).into(), turn_of_z(&way));
-            half = Some(way.norm() / 2.0);
+        let (at, length) = self.stretched(node, class)?;
+        let (mut half, mut third) = (size.get(1).copied(), size.get(2).copied());
+        if length.is_some() {
+            let is_round = matches!(kind.as_str(), "capsule" | "cylinder");
+            (half, third) = (if is_round { length } else { size.first().copied() }, length);
         }
-        let shape = match (kind.as_str(), size.first(), half, size.get(2)) {
+        let shape = match (kind.as_str(), size.first(), half, third) {
             ("plane" | "hfield", ..) => return Ok(None),
             ("sphere", Some(r), ..) => Shape::Sphere(*r),
             ("capsule", Some(r), Some(h), _) => Shape::Capsule(*r, h),
             ("cylinder", Some(r), Some(h), _) => Shape::Cylinder(*r, h),
-            ("box", Some(a), Some(b), Some(c)) if ends.is_empty() => Shape::Box([*a, b, *c]),
-            ("ellipsoid", Some(a), Some(b), Some(c)) if ends.is_empty() => {
-                Shape::Ellipsoid([*a, b, *c])
-            }
+            ("box", Some(a), Some(b), Some(c)) => Shape::Box([*a, b, c]),
+            ("ellipsoid", Some(a), Some(b), Some(c)) => Shape::Ellipsoid([*a, b, c]),
             ("sphere" | "capsule" | "cylinder" | "box" | "ellipsoid", ..) => {
                 let message = format!("the size of this {kind} is not complete");
                 return Err(self.reader.error(node, message, ""));

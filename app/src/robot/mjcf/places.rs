@@ -11,36 +11,101 @@ use crate::robot::xml::Read;
 pub(super) const GEOMETRY: [&str; 8] =
     ["pos", "axis", "anchor", "quat", "axisangle", "euler", "xyaxes", "zaxis"];
 
+/// Maximum number of copies of the elements of a body.
+const MOST_COPIES: usize = 100_000;
+
 /// An element within a body or within frames in it.
+#[derive(Clone)]
 pub(super) struct Part<'a, 'input> {
     pub(super) node: Node<'a, 'input>,
     /// Pose of the frames in the body.
     pub(super) frame: Isometry3<f64>,
     pub(super) class: Option<&'a str>,
+    /// End of the names of a copy.
+    pub(super) ending: String,
+}
+
+impl<'a, 'input> Part<'a, 'input> {
+    /// Returns the body itself, as a place for its elements.
+    pub(super) fn of(node: Node<'a, 'input>, class: Option<&'a str>, ending: String) -> Self {
+        Part { node, frame: Isometry3::identity(), class, ending }
+    }
 }
 
 impl<'a, 'input> Model<'a, 'input> {
-    /// Returns the elements of a kind within a body and the frames in it.
-    pub(super) fn parts(
-        &self,
-        body: Node<'a, 'input>,
-        class: Option<&'a str>,
-        tag: &str,
-    ) -> Read<Vec<Part<'a, 'input>>> {
+    /// Returns the elements of a kind within a body, and within frames and replicas in it.
+    pub(super) fn parts(&self, body: &Part<'a, 'input>, tag: &str) -> Read<Vec<Part<'a, 'input>>> {
         let mut found = Vec::new();
-        let mut open = vec![Part { node: body, frame: Isometry3::identity(), class }];
-        while let Some(Part { node, frame, class }) = open.pop() {
-            for node in elements(node) {
-                let class = node.attribute("childclass").or(class);
-                if node.tag_name().name() == "frame" {
-                    open.push(Part { node, frame: frame * self.place(node, None)?, class });
-                } else if node.tag_name().name() == tag {
-                    found.push(Part { node, frame, class });
+        self.collect(
+            &Part::of(body.node, body.class, body.ending.clone()),
+            tag,
+            &mut found,
+            &mut 0,
+        )?;
+        Ok(found)
+    }
+
+    fn collect(
+        &self,
+        within: &Part<'a, 'input>,
+        tag: &str,
+        found: &mut Vec<Part<'a, 'input>>,
+        copies: &mut usize,
+    ) -> Read<()> {
+        for node in elements(within.node) {
+            let class = node.attribute("childclass").or(within.class);
+            let part = Part { node, class, ..within.clone() };
+            match node.tag_name().name() {
+                "frame" => {
+                    let frame = within.frame * self.place(node, None)?;
+                    self.collect(&Part { frame, ..part }, tag, found, copies)?;
                 }
+                "replicate" => {
+                    for (place, number) in self.replicas(node)? {
+                        *copies += 1;
+                        if *copies > MOST_COPIES {
+                            let message = format!("there are more than {MOST_COPIES} copies");
+                            return Err(self.reader.error(node, message, ""));
+                        }
+                        let frame = within.frame * place;
+                        let ending = number + within.ending.as_str();
+                        self.collect(&Part { frame, ending, ..part.clone() }, tag, found, copies)?;
+                    }
+                }
+                own if own == tag => found.push(part),
+                _ => {}
             }
         }
-        found.sort_by_key(|part| part.node.range().start);
-        Ok(found)
+        Ok(())
+    }
+
+    /// Returns the places of copies, and the ends of their names.
+    fn replicas(&self, node: Node<'a, 'input>) -> Read<Vec<(Isometry3<f64>, String)>> {
+        let text = self.reader.attribute(node, "count")?;
+        let count = text.trim().parse().ok().filter(|count: &usize| *count <= MOST_COPIES);
+        let Some(count) = count else {
+            let message = format!("`count` is `{}`", text.escape_debug());
+            let help = format!("it is a number of copies, at most {MOST_COPIES}");
+            return Err(self.reader.error(node, message, help));
+        };
+        let offset = Vector3::from(self.reader.vector(Some(node), "offset", [0.0; 3])?);
+        let angles = self.reader.vector(Some(node), "euler", [0.0; 3])?;
+        let (separator, digits) =
+            (node.attribute("sep").unwrap_or_default(), count.to_string().len());
+        let mut at = Vector3::zeros();
+        let mut all = Vec::new();
+        for number in 0..count {
+            let angles = angles.map(|angle| angle * number as f64);
+            let turn = self.euler(&angles);
+            let turn =
+                turn.ok_or_else(|| self.reader.error(node, "`eulerseq` is no orientation", ""))?;
+            all.push((
+                Isometry3::from_parts(at.into(), turn),
+                format!("{separator}{number:0digits$}"),
+            ));
+            at += turn * offset;
+        }
+        Ok(all)
     }
 
     /// Reads position and orientation of an element.
@@ -51,6 +116,22 @@ impl<'a, 'input> Model<'a, 'input> {
     ) -> Read<Isometry3<f64>> {
         let position = Vector3::from(self.vector(node, class, "pos", [0.0; 3])?);
         Ok(Isometry3::from_parts(position.into(), self.orientation(node, class)?))
+    }
+
+    /// Reads position and orientation of an element, which `fromto` may give with half its length.
+    pub(super) fn stretched(
+        &self,
+        node: Node<'a, 'input>,
+        class: Option<&str>,
+    ) -> Read<(Isometry3<f64>, Option<f64>)> {
+        let ends = self.values(node, class, "fromto")?;
+        let [x0, y0, z0, x1, y1, z1] = ends[..] else {
+            return Ok((self.place(node, class)?, None));
+        };
+        let (from, to) = (Vector3::new(x0, y0, z0), Vector3::new(x1, y1, z1));
+        let way = from - to;
+        let at = Isometry3::from_parts(((from + to) / 2.0).into(), turn_of_z(&way));
+        Ok((at, Some(way.norm() / 2.0)))
     }
 
     fn orientation(

@@ -21,8 +21,7 @@ impl Simulation<'_> {
     /// Refuses a start at which coordinates move together without inertia: no equation determines their
     /// accelerations.
     pub(super) fn require_inertia(&self, state: &[f64]) -> Result<(), SimulateError> {
-        let weakest = self.weakest(state);
-        match weakest.filter(|weakest| weakest.share.abs() <= self.rounding()) {
+        match self.weakest(state, self.rounding()) {
             Some(Weakest { coordinates, .. }) => Err(SimulateError::SingularInertia {
                 scene: self.simulator.name().to_owned(),
                 coordinates: together(&coordinates),
@@ -34,21 +33,20 @@ impl Simulation<'_> {
     /// Adds a note if rounding changes accelerations at the start by more than the tolerance, because
     /// coordinates move together with little inertia.
     pub(super) fn note_little_inertia(&self, system: &System<'_>, state: &[f64]) {
-        let Some(Weakest { share, coordinates }) = self.weakest(state) else { return };
+        let weakest = self.weakest(state, f64::EPSILON / self.rtol);
+        let Some(Weakest { share, coordinates }) = weakest else { return };
         let error = f64::EPSILON / share;
-        if error > self.rtol {
-            system.note(format!(
-                "{} little inertia at the start, {share:.0e} of what they have alone: rounding changes \
-                 their accelerations by a share of about {error:.0e}; give the body that they move an \
-                 inertia about its centre",
-                together(&coordinates)
-            ));
-        }
+        system.note(format!(
+            "{} little inertia at the start, {share:.0e} of what they have alone: rounding changes \
+             their accelerations by a share of about {error:.0e}; give the body that they move an \
+             inertia about its centre",
+            together(&coordinates)
+        ));
     }
 
     /// Returns the motion with the least inertia that constraints admit, for coordinates in units in which
-    /// each alone has the inertia 1.
-    fn weakest(&self, state: &[f64]) -> Option<Weakest> {
+    /// each alone has the inertia 1, if it has no more than a limit.
+    fn weakest(&self, state: &[f64], limit: f64) -> Option<Weakest> {
         let pattern = self.simulator.mass_matrix_pattern();
         let mut values = vec![0.0; pattern.entries.len()];
         if pattern.rows > WHOLE || values.is_empty() {
@@ -79,8 +77,17 @@ impl Simulation<'_> {
         let scaled = DMatrix::from_fn(mass.nrows(), mass.ncols(), |i, k| {
             mass[(i, k)] / (own[i].sqrt() * own[k].sqrt())
         });
+        // The eigenvalues have a mean of 1, so the least is more than 1/e of their product.
+        if let Some(factor) = scaled.clone().cholesky()
+            && factor.determinant() > limit * std::f64::consts::E
+        {
+            return None;
+        }
         let found = scaled.clone().symmetric_eigen();
         let (least, share) = found.eigenvalues.argmin();
+        if share.abs() > limit {
+            return None;
+        }
         let motion = found.eigenvectors.column(least);
         // The fewest coordinates that have nearly as little inertia.
         let enough = 2.0 * share.abs().max(self.rounding());

@@ -93,6 +93,7 @@ impl Watch<'_> {
         self.inner.borrow_mut().record = EventRecord::default();
         self.keep_front(time, state);
         let guards_before = self.guards(time, state);
+        let kinks_before = self.system.kink_guards(time, state);
         let mut passed = vec![Passed::No; guards_before.len()];
         let leapt: Vec<bool> =
             (0..passed.len()).map(|index| self.has_leapt(index, time, state)).collect();
@@ -131,11 +132,16 @@ impl Watch<'_> {
         let guards = self.guards(time, state);
         // What crossed zero and was then moved by a relation is on the side where it is now.
         let is_same = |index: &usize| guards[*index].to_bits() == guards_before[*index].to_bits();
-        let crossed: Vec<usize> = kinks
-            .iter()
-            .copied()
-            .filter(|index| !self.watched[*index].is_border() || is_same(index))
-            .collect();
+        let kinks_after = self.system.kink_guards(time, state);
+        let stays = |index: usize| match self.watched[index].kink() {
+            Some(_) if self.watched[index].is_border() => is_same(&index),
+            Some((kink, _)) => {
+                let moved = (kinks_after[kink] - kinks_before[kink]).abs();
+                moved == 0.0 || moved <= self.rounding_at(kink, time, state)
+            }
+            None => true,
+        };
+        let crossed: Vec<usize> = kinks.iter().copied().filter(|index| stays(*index)).collect();
         self.take_sides_of_kinks((time, state), &crossed, |index| !is_same(&index));
         let fresh = |index: usize| {
             let residual = self.residual(index, time, state, guards[index]);

@@ -205,7 +205,7 @@ impl Watch<'_> {
     }
 
     /// Returns the rounding error of the guard of a relation, with that of the time.
-    fn rounding_at(&self, relation: usize, time: f64, state: &[f64]) -> f64 {
+    pub(super) fn rounding_at(&self, relation: usize, time: f64, state: &[f64]) -> f64 {
         let is_its = |it: &Watched| it.kink() == Some((relation, 1.0));
         let place = self.watched.iter().position(is_its);
         let rounding = place.map_or(0.0, |place| self.rounding_of(place));
@@ -466,10 +466,8 @@ impl Watch<'_> {
                 continue;
             }
             let Side::Known(side) = side else { continue };
-            // Another relation that changed may have moved it away. For an integer one end was
-            // crossed, and the other is far away.
-            let near = inner.parts.rounding(index).max(by_rounding(time, rate));
-            let has_passed = passed.contains(&index) && residual.abs() <= near;
+            // For an integer one end was crossed, and the other is far away.
+            let has_passed = passed.contains(&index) && residual.abs() < 0.5;
             if side * residual <= 0.0 || has_passed {
                 inner.zeros[index] = Some(Zero { time, residual, rate });
             }

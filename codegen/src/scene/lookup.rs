@@ -70,12 +70,8 @@ impl Resolver<'_> {
                 Some(typed) => typed?,
                 None => self.outside_of_field(name, span, scope)?,
             },
-            (Some(path), Scope::Instance(own) | Scope::Density(own, _), _) => {
-                let instance = find_inside(self.spec, own, path, span)?;
-                self.local(name, span, Scope::Instance(instance))?
-            }
-            (Some(instance), Scope::Scene | Scope::Profile, _) => {
-                let instance = find_instance(self.spec, instance, span)?;
+            (Some(path), ..) => {
+                let instance = self.instance(path, span, scope)?;
                 self.local(name, span, Scope::Instance(instance))?
             }
         };
@@ -99,6 +95,21 @@ impl Resolver<'_> {
                         .help(help),
                 ))
             }
+        }
+    }
+
+    /// Returns the instance of a path, as a scope sees it.
+    pub(super) fn instance(
+        &self,
+        path: &str,
+        span: Span,
+        scope: Scope,
+    ) -> Result<usize, Box<Mistake>> {
+        match scope {
+            Scope::Instance(own) | Scope::Density(own, _) => {
+                find_inside(self.spec, own, path, span)
+            }
+            Scope::Scene | Scope::Profile => find_instance(self.spec, path, span),
         }
     }
 

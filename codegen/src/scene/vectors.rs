@@ -5,7 +5,7 @@
 //! `der(u)`, by sums, and by products with one vector. Components are along the axes of the world, or
 //! of a frame after `in_frame`. Dimensions are checked component by component.
 
-use crate::scene::layout::{Local, Scope, find_inside, find_instance};
+use crate::scene::layout::{Local, Scope};
 use crate::scene::resolve::{Resolved, Resolver};
 use crate::scene::typed::Uses;
 use crate::spec::code::Code;
@@ -94,10 +94,7 @@ impl Resolver<'_> {
         let Node::Name(path, name) = &ast.node else { return None };
         let instance = match (path, scope) {
             (None, Scope::Instance(own)) => own,
-            (Some(path), Scope::Instance(own)) => {
-                find_inside(self.spec, own, path, ast.span).ok()?
-            }
-            (Some(path), Scope::Scene) => find_instance(self.spec, path, ast.span).ok()?,
+            (Some(path), _) => self.instance(path, ast.span, scope).ok()?,
             _ => return None,
         };
         let names = &self.layout.units[self.spec.instances[instance].unit];

@@ -1,4 +1,4 @@
-//! Starts at which coordinates move together without inertia, or nearly so.
+//! Starts at which inertia is negative, or coordinates move together without any, or nearly so.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -9,7 +9,7 @@ use crate::error::SimulateError;
 use crate::method::System;
 
 /// Number of coordinates up to which the mass matrix is examined.
-pub(super) const WHOLE: usize = 64;
+const WHOLE: usize = 64;
 
 /// A motion whose inertia is a small share of those of its coordinates alone.
 struct Weakest {
@@ -48,11 +48,10 @@ impl Simulation<'_> {
     /// each alone has the inertia 1, if it has no more than a limit.
     fn weakest(&self, state: &[f64], limit: f64) -> Option<Weakest> {
         let pattern = self.simulator.mass_matrix_pattern();
-        let mut values = vec![0.0; pattern.entries.len()];
-        if pattern.rows > WHOLE || values.is_empty() {
+        if pattern.rows > WHOLE || pattern.entries.is_empty() {
             return None;
         }
-        self.simulator.mass_matrix(self.from, state, &self.parameters, &mut values);
+        let values = self.inertias(state);
         let mut mass = dense(pattern, &values);
         let own = mass.diagonal();
         if let Some(constraints) = Constraints::of(self.simulator, &self.parameters) {
@@ -102,6 +101,42 @@ impl Simulation<'_> {
         order.sort_unstable();
         let name = |at: usize| self.simulator.coordinate(at).name.to_owned();
         Some(Weakest { share, coordinates: order.into_iter().map(name).collect() })
+    }
+
+    /// Returns a note if forces move a coordinate or some motion the other way.
+    pub(super) fn negative_inertia_at(&self, state: &[f64]) -> Option<String> {
+        const ROUNDING: f64 = 1e-9;
+        let pattern = self.simulator.mass_matrix_pattern();
+        let values = self.inertias(state);
+        let mut entries = pattern.entries.iter().zip(&values);
+        if let Some(((row, _), value)) = entries.find(|((row, c), v)| row == c && **v < 0.0) {
+            let name = self.simulator.coordinate(*row as usize).name;
+            return Some(format!(
+                "the inertia of `{name}` is negative at the start, {value:.3e}: forces move it the \
+                 other way; look for a parameter of the wrong sign"
+            ));
+        }
+        let is_looked_at = pattern.rows <= WHOLE && self.simulator.constraints() == 0;
+        if !is_looked_at || values.iter().any(|value| !value.is_finite()) || values.is_empty() {
+            return None;
+        }
+        let mass = dense(pattern, &values);
+        if mass.clone().cholesky().is_some() {
+            return None;
+        }
+        let inertias = mass.symmetric_eigenvalues();
+        (inertias.min() < -ROUNDING * inertias.max()).then(|| {
+            "some motion has a negative kinetic energy at the start: forces move it the other way; \
+             look for a parameter of the wrong sign"
+                .to_owned()
+        })
+    }
+
+    /// Returns the entries of the mass matrix at the start.
+    fn inertias(&self, state: &[f64]) -> Vec<f64> {
+        let mut values = vec![0.0; self.simulator.mass_matrix_pattern().entries.len()];
+        self.simulator.mass_matrix(self.from, state, &self.parameters, &mut values);
+        values
     }
 
     /// Returns the share of inertia that is zero but for rounding.

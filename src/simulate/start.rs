@@ -3,9 +3,7 @@
 #[cfg(feature = "linear")]
 use super::Problem;
 use super::Simulation;
-use super::inertia::WHOLE;
 use crate::constraints::{consistent, require_independent};
-use crate::dense::dense;
 use crate::error::SimulateError;
 #[cfg(feature = "linear")]
 use crate::linear_analysis::{LinearError, Point, growth, steady_start};
@@ -188,35 +186,6 @@ impl Simulation<'_> {
             variants.iter().enumerate().filter_map(|(index, all)| Some((index, told(all)?)));
         let (first, note) = found.next()?;
         Some(NegativeInertias { first, note, count: 1 + found.count() })
-    }
-
-    pub(super) fn negative_inertia_at(&self, state: &[f64]) -> Option<String> {
-        const ROUNDING: f64 = 1e-9;
-        let pattern = self.simulator.mass_matrix_pattern();
-        let mut values = vec![0.0; pattern.entries.len()];
-        self.simulator.mass_matrix(self.from, state, &self.parameters, &mut values);
-        let mut entries = pattern.entries.iter().zip(&values);
-        if let Some(((row, _), value)) = entries.find(|((row, c), v)| row == c && **v < 0.0) {
-            let name = self.simulator.coordinate(*row as usize).name;
-            return Some(format!(
-                "the inertia of `{name}` is negative at the start, {value:.3e}: forces move it the \
-                 other way; look for a parameter of the wrong sign"
-            ));
-        }
-        let is_looked_at = pattern.rows <= WHOLE && self.simulator.constraints() == 0;
-        if !is_looked_at || values.iter().any(|value| !value.is_finite()) || values.is_empty() {
-            return None;
-        }
-        let mass = dense(pattern, &values);
-        if mass.clone().cholesky().is_some() {
-            return None;
-        }
-        let inertias = mass.symmetric_eigenvalues();
-        (inertias.min() < -ROUNDING * inertias.max()).then(|| {
-            "some motion has a negative kinetic energy at the start: forces move it the other way; \
-             look for a parameter of the wrong sign"
-                .to_owned()
-        })
     }
 
     /// Compares the first-order motion of an equilibrium that its equations leave partly open with

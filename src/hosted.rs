@@ -213,7 +213,7 @@ impl<'a> Hosted<'a> {
             let given: Vec<usize> = (0..state.len()).filter(|entry| is_given(*entry)).collect();
             run.balanced(state, &given)?
         } else {
-            consistent(simulator, parameters, from, state, is_given)?
+            consistent(simulator, parameters, from, state, &is_given)?
         };
         require_independent(simulator, parameters, from, &state)?;
         let scales = scales(simulator, parameters, from, &state);

@@ -413,7 +413,7 @@ impl<'a> Simulation<'a> {
             // Modes must agree with their guards, as at the start of a run, and constraints must
             // hold.
             self.settle(&mut state)?;
-            state = consistent(self.simulator, &parameters, self.from, state, |_| false)?;
+            state = consistent(self.simulator, &parameters, self.from, state, &|_| false)?;
         }
         Ok((state, parameters))
     }

@@ -25,14 +25,14 @@ pub(crate) fn consistent(
     parameters: &[f64],
     time: f64,
     mut state: Vec<f64>,
-    is_given: impl Fn(usize) -> bool,
+    is_given: &dyn Fn(usize) -> bool,
 ) -> Result<Vec<f64>, SimulateError> {
     let Some(constraints) = Constraints::of(simulator, parameters) else { return Ok(state) };
     for (level, what) in [(Level::Positions, "position"), (Level::Velocities, "velocity")] {
         let given = state.clone();
-        let off = constraints.solve(&[], level, time, &mut state, &is_given);
+        let off = constraints.solve(&[], level, time, &mut state, is_given);
         if off.is_some()
-            && let Some(projected) = constraints.projected(level, time, (&given, &state), &is_given)
+            && let Some(projected) = constraints.projected(level, time, (&given, &state), is_given)
         {
             state = projected;
             continue;
@@ -74,7 +74,7 @@ pub fn start(
 ) -> Result<Vec<f64>, SimulateError> {
     let mut state = vec![0.0; simulator.shape().states()];
     simulator.initial_state(parameters, &mut state);
-    consistent(simulator, parameters, time, state, |index| simulator.is_given(index))
+    consistent(simulator, parameters, time, state, &|index| simulator.is_given(index))
 }
 
 /// Linear map from residuals to moves of the entries that are not given at a start.
@@ -114,7 +114,7 @@ pub(crate) fn free_moves(
     parameters: &[f64],
     level: Level,
     (time, state): (f64, &[f64]),
-    is_given: &impl Fn(usize) -> bool,
+    is_given: &dyn Fn(usize) -> bool,
 ) -> Option<FreeMoves> {
     let constraints = Constraints::of(simulator, parameters)?;
     let first = constraints.first(level);
@@ -202,7 +202,7 @@ impl Constraints<'_> {
         level: Level,
         time: f64,
         (given, near): (&[f64], &[f64]),
-        is_given: &impl Fn(usize) -> bool,
+        is_given: &dyn Fn(usize) -> bool,
     ) -> Option<Vec<f64>> {
         let mut state = near.to_vec();
         if self.solve(&[], level, time, &mut state, &|_| false).is_some() {
@@ -264,7 +264,7 @@ impl Constraints<'_> {
         level: Level,
         time: f64,
         state: &mut [f64],
-        is_given: &impl Fn(usize) -> bool,
+        is_given: &dyn Fn(usize) -> bool,
     ) -> Option<usize> {
         const ROUNDS: usize = 200;
         const HALVINGS: usize = 30;

@@ -126,7 +126,7 @@ impl Search<'_> {
             return Ok(false);
         }
         let state = std::mem::take(&mut point.state);
-        point.state = consistent(self.simulator, &point.parameters, point.time, state, |_| false)?;
+        point.state = consistent(self.simulator, &point.parameters, point.time, state, &|_| false)?;
         Ok(true)
     }
 

@@ -36,7 +36,7 @@ impl Simulation<'_> {
         // A state from the caller fulfils the constraints nearly, or is a guess.
         let is_spec = self.initial_state.is_none();
         let is_given = |index| is_spec && self.simulator.is_given(index);
-        let state = consistent(self.simulator, &self.parameters, self.from, state, is_given)?;
+        let state = consistent(self.simulator, &self.parameters, self.from, state, &is_given)?;
         require_independent(self.simulator, &self.parameters, self.from, &state)?;
         self.require_inertia(&state)?;
         Ok(state)
@@ -82,9 +82,9 @@ impl Simulation<'_> {
         let parameters = self.checked_parameters()?;
         // Constraints are fulfilled as for any start if possible, otherwise by moving any entry.
         let given = |index| named.contains(&index);
-        let state = consistent(self.simulator, parameters, self.from, guess.clone(), given);
+        let state = consistent(self.simulator, parameters, self.from, guess.clone(), &given);
         let state = state
-            .or_else(|_| consistent(self.simulator, parameters, self.from, guess, |_| false))?;
+            .or_else(|_| consistent(self.simulator, parameters, self.from, guess, &|_| false))?;
         require_independent(self.simulator, parameters, self.from, &state)?;
         let guess = Point { time: self.from, state, parameters: parameters.to_vec() };
         let settle = |state: &mut Vec<f64>| self.settle(state);

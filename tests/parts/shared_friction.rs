@@ -235,7 +235,7 @@ fn two_brakes_on_one_rotor_move_it_as_one_brake_would() {
     );
     let alone = scene("");
     let mut random = fastrand::Rng::with_seed(12);
-    for round in 0..60 {
+    for round in 0..24 {
         let between = |random: &mut fastrand::Rng, least: f64, most: f64| {
             least * (most / least).powf(random.f64())
         };

@@ -27,6 +27,7 @@ pub fn width_of_terminal() -> Option<usize> {
 }
 
 /// Wraps the lines that are wider, with the space before them and four more before what follows.
+#[cfg(feature = "derive")]
 pub fn hanging(text: &str, width: usize) -> String {
     let line = |line: &str| {
         let (space, content) = line.split_at(line.len() - line.trim_start().len());

@@ -170,7 +170,7 @@ impl Tangents<'_> {
     fn make_consistent(
         &self,
         start: &Start<'_>,
-        is_given: &impl Fn(usize) -> bool,
+        is_given: &dyn Fn(usize) -> bool,
         tangents: &mut [f64],
     ) -> Result<bool, SimulateError> {
         if self.simulator.constraints() == 0 {
@@ -253,7 +253,7 @@ impl Tangents<'_> {
     fn check_start(
         &self,
         start: &Start<'_>,
-        is_given: &impl Fn(usize) -> bool,
+        is_given: &dyn Fn(usize) -> bool,
         tangents: &[f64],
     ) -> Result<(), SimulateError> {
         const NEAR: f64 = 1e-4;

@@ -204,13 +204,15 @@ pub fn stamped_with(request: &Request, remark: &mut dyn FnMut(Remark)) -> Result
 }
 
 /// Returns the constraints of a model that always follow from others, each with the parameters that
-/// must keep their values for this, after a remark on each.
+/// must keep their values for this, after remarks that name them.
 pub fn to_drop(model: &Model, remark: &mut dyn FnMut(Remark)) -> Vec<(String, Vec<String>)> {
-    let dropped = repeated(model).into_iter().map(|one| {
-        remark(Remark::Note(dropped_note(model, &one)));
-        (one.constraint, one.needs)
-    });
-    dropped.collect()
+    let dropped = repeated(model);
+    let (empty, repeating): (Vec<_>, Vec<_>) =
+        dropped.iter().partition(|one| one.repeats.is_empty());
+    let of_empty = (!empty.is_empty()).then(|| empty_note(model, &empty));
+    let notes = of_empty.into_iter().chain(repeating.iter().map(|one| repeating_note(model, one)));
+    notes.for_each(|note| remark(Remark::Note(note)));
+    dropped.into_iter().map(|one| (one.constraint, one.needs)).collect()
 }
 
 /// Returns the constraints that follow from others in every state.
@@ -223,21 +225,35 @@ fn repeated(model: &Model) -> Vec<Lasting> {
     constraints::lasting(&simulator, &parameters, model.run.from)
 }
 
-/// Returns the note about a redundant constraint that is dropped.
-fn dropped_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting) -> String {
-    if repeats.is_empty() {
-        return format!(
-            "constraint `{constraint}` of {} holds in any position: it is redundant and dropped",
-            model.name
-        );
+/// Returns the note about constraints that are dropped because they hold in any position.
+fn empty_note(model: &Model, dropped: &[&Lasting]) -> String {
+    let (names, name) = (quoted(dropped.iter().map(|one| &one.constraint)), &model.name);
+    match dropped {
+        [_] => {
+            format!(
+                "constraint {names} of {name} holds in any position: it is redundant and dropped"
+            )
+        }
+        _ => format!(
+            "{} constraints of {name} hold in any position: they are redundant and dropped: {names}",
+            dropped.len()
+        ),
     }
-    let others: Vec<String> = repeats.iter().map(|name| format!("`{name}`")).collect();
+}
+
+/// Returns the note about a constraint that is dropped because others imply it.
+fn repeating_note(model: &Model, Lasting { constraint, repeats, .. }: &Lasting) -> String {
     format!(
         "constraint `{constraint}` of {} follows from {} everywhere: it is redundant and dropped, \
          and these carry its force unless `share_redundant` is set",
         model.name,
-        others.join(", ")
+        quoted(repeats)
     )
+}
+
+/// Returns names in backquotes, with commas between them.
+fn quoted<'a>(names: impl IntoIterator<Item = &'a String>) -> String {
+    names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// Remark on a scene that is derived all the same.

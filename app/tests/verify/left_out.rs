@@ -271,9 +271,7 @@ fn times_of_a_run_at_which_something_switches_are_left_out() {
         rtol = 1e-6
     "#;
     let (_folder, path) = written(switched);
-    // With Symbolica's formulas, sensitivities of this run are wrong where an output time meets a
-    // switch, and the row reports that correctly.
-    let (_, all) = rows(&path, &["--algebra", "plain"]);
+    let (_, all) = rows(&path, &[]);
     assert_eq!(failed(&all), Vec::<&str>::new());
     for name in
         ["dy'/dp along the run and around it", "sensitivities to the parameters that matter most"]

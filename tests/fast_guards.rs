@@ -202,3 +202,157 @@ fn by_periods(periods: usize) -> f64 {
     }
     i
 }
+
+/// The pulses of a force end steps where the guard is zero, but for rounding: it crosses there once,
+/// and not again at the start of the next step.
+#[test]
+fn samples_in_phase_with_a_pulsed_force_happen_once_each() {
+    for sines in [23, 40] {
+        let unit = format!(
+            r#"
+            [define.part.coordinates.x]
+            unit = "1"
+            [define.part.energy]
+            kinetic = "0.5 [kg m^2]*x_dot^2"
+            potential = "10 [N m]*x^2"
+            [define.part.modes.n]
+            [define.part.events.samples]
+            guard = "sin({sines}*pi*1 [1/s]*t)"
+            direction = "rising"
+            set = {{ n = "n + 1" }}
+            [[define.part.forces]]
+            coordinate = "x"
+            expression = "0.1 [N m]*n + 1 [N m]*piecewise({sines}*t < 1 [s], 1, {sines}*t < 5 [s], 2, {sines}*t < 9 [s], 1, {sines}*t < 11 [s], 2, {sines}*t < 15 [s], 4, 0)"
+            "#
+        );
+        let machine = scene(&unit, "\"p.x\" = 1");
+        let count = (1.5 * f64::from(sines)).ceil();
+        for method in OWN {
+            let run = Simulation::new(&machine).method(method).rtol(1e-6).until(3.0).run();
+            let run = run.unwrap_or_else(|error| panic!("{method}, {sines}: {error}"));
+            let found = last(&run, "p.n");
+            assert!((found - count).abs() < 0.5, "{method}, {sines}: {found} and not {count}");
+        }
+    }
+}
+
+/// x = sin(t): guards whose rate is zero with them cross where they change their sign, and one that
+/// only touches zero leaves it once, at the start.
+#[test]
+fn guards_that_are_zero_with_their_rate_happen_once_where_they_change_sign() {
+    for (guard, direction, count) in [
+        ("x^3", "rising", 4.0),
+        ("x^3", "falling", 3.0),
+        ("x*abs(x)", "rising", 4.0),
+        ("x*abs(x)", "falling", 3.0),
+        ("x*abs(x)", "both", 6.0),
+        ("x^3", "both", 6.0),
+        ("x^5", "rising", 4.0),
+        ("x^2", "rising", 1.0),
+        ("x^2", "falling", 0.0),
+        ("x^2", "both", 0.0),
+    ] {
+        let unit = format!(
+            r#"
+            [define.part.coordinates.x]
+            unit = "1"
+            [define.part.energy]
+            kinetic = "0.5 [kg m^2]*x_dot^2"
+            potential = "0.5 [N m]*x^2"
+            [define.part.states.y]
+            unit = "1"
+            rate = "1e-9 [1/s]*n"
+            [define.part.modes.n]
+            [define.part.events.counts]
+            guard = "{guard}"
+            direction = "{direction}"
+            set = {{ n = "n + 1" }}
+            "#
+        );
+        let machine = scene(&unit, "\"p.x_dot\" = 1");
+        for method in OWN {
+            for rtol in [1e-4, 1e-6, 1e-9] {
+                let found = last(&run(&machine, method, rtol), "p.n");
+                let what = format!("{method} at {rtol:e}: {guard}, {direction}");
+                assert!((found - count).abs() < 0.5, "{what}: {found} and not {count}");
+            }
+        }
+    }
+}
+
+/// The line of an encoder and an event that the motion reads, both at the time of a sample: it shows
+/// the state before them.
+#[test]
+fn samples_at_the_time_of_an_event_show_the_state_before_it() {
+    let unit = r#"
+        [define.part.coordinates.x]
+        unit = "1"
+        [define.part.energy]
+        kinetic = "0.5 [kg m^2]*x_dot^2"
+        potential = "0.5 [N m]*x^2"
+        [define.part.states]
+        counted = { unit = "1", rate = "0 [1/s]" }
+        read = { unit = "1", rate = "0 [1/s]" }
+        [define.part.events.counts]
+        guard = "t - 2 [s]"
+        set = { counted = "counted + 1" }
+        [define.part.events.acts]
+        guard = "t - 4 [s]"
+        set = { read = "read + 1" }
+        [[define.part.forces]]
+        coordinate = "x"
+        expression = "0.1 [N m]*read"
+    "#;
+    let machine = scene(unit, "\"p.x_dot\" = 1");
+    for method in OWN {
+        let run = Simulation::new(&machine).method(method).rtol(1e-6).until(6.0).points(4).run();
+        let run = run.unwrap_or_else(|error| panic!("{method}: {error}"));
+        assert_eq!(run.column("p.counted"), Some(&[0.0, 0.0, 1.0, 1.0][..]), "{method}");
+        assert_eq!(run.column("p.read"), Some(&[0.0, 0.0, 0.0, 1.0][..]), "{method}");
+    }
+}
+
+/// Guards that reach zero at a corner trigger alike whether time or a state takes them there, and
+/// whether the motion reads the event or not.
+#[test]
+fn guards_with_a_corner_at_zero_happen_alike_by_time_and_by_a_state() {
+    for (guard, rising, falling) in [
+        ("max(3 - u, 0)", 0.0, 1.0),
+        ("min(u - 3, 0)", 1.0, 0.0),
+        ("max(u - 3, 0)", 1.0, 0.0),
+        ("abs(u - 3)", 1.0, 1.0),
+        ("-abs(u - 3)", 1.0, 1.0),
+        ("u - 3", 1.0, 0.0),
+    ] {
+        for (direction, count) in [("rising", rising), ("falling", falling)] {
+            for (by, read) in [("t/1 [s]", 1), ("z", 1), ("t/1 [s]", 0), ("z", 0)] {
+                let unit = format!(
+                    r#"
+                    [define.part.coordinates.x]
+                    unit = "1"
+                    [define.part.energy]
+                    kinetic = "0.5 [kg m^2]*x_dot^2"
+                    potential = "0.5 [N m]*x^2"
+                    [define.part.states]
+                    z = {{ unit = "1", rate = "1 [1/s]" }}
+                    n = {{ unit = "1", rate = "0 [1/s]" }}
+                    [define.part.events.e]
+                    guard = "{}"
+                    direction = "{direction}"
+                    set = {{ n = "n + 1" }}
+                    [[define.part.forces]]
+                    coordinate = "x"
+                    expression = "{read} [N m]*n"
+                    "#,
+                    guard.replace('u', by)
+                );
+                let machine = scene(&unit, "\"p.x_dot\" = 1");
+                for method in OWN {
+                    let found = last(&run(&machine, method, 1e-6), "p.n");
+                    let what = format!("{method}: {guard}, {direction}, by {by}, {read}");
+                    assert!((found - count).abs() < 0.5, "{what}: {found} and not {count}");
+                }
+            }
+        }
+    }
+}

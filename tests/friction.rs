@@ -340,3 +340,39 @@ fn a_brake_that_is_too_weak_at_the_start_lets_go_at_any_tolerance() {
         }
     }
 }
+
+/// A contact that closes while slower than its sticking speed but faster than the tolerances decides
+/// once: m v' = F - r t.
+#[test]
+fn a_contact_pressed_ever_harder_under_a_load_begins_to_slide() {
+    let head = r#"
+        [units.block]
+        unit = "block"
+    "#;
+    let body = r#"
+        [define.block.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.block.energy]
+        kinetic = "1 [kg]*v^2"
+        [[define.block.forces]]
+        coordinate = "x"
+        expression = "20 [N]"
+        [define.block.friction.guide]
+        speed = "v"
+        sliding = "30 [N/s]*t"
+        breakaway = "45 [N/s]*t"
+        idle = "1e-6 [N]"
+        sticking_speed = "1e-6 [m/s]"
+        unit = "N"
+    "#;
+    let block = scene(head, body);
+    for method in METHODS {
+        for rtol in [1e-4, 1e-6, 1e-8, 1e-11] {
+            let run = Simulation::new(&block).method(method).rtol(rtol).until(1.0).run();
+            let run = run.unwrap_or_else(|error| panic!("{method} at {rtol:e}: {error}"));
+            let found = last(&run, "block.v");
+            assert!((found - 2.5).abs() < 1e-5, "{method} at {rtol:e}: {found} and not 2.5");
+        }
+    }
+}

@@ -64,8 +64,14 @@ impl System<'_> {
     }
 
     /// Lets friction that sticks begin anew. Returns whether it does: a contact that cannot slide
-    /// this way sticks on.
-    pub(super) fn reopen(&self, mode: usize, time: f64, state: &mut [f64]) -> bool {
+    /// this way sticks on. Events that were just `applied` count as beyond zero, where their guards
+    /// are but for rounding.
+    pub(super) fn reopen(
+        &self,
+        mode: usize,
+        (time, state): (f64, &mut [f64]),
+        applied: &[usize],
+    ) -> bool {
         let simulator = self.simulator();
         let stuck = std::mem::replace(&mut state[mode], Constraint::OPEN);
         let events = simulator.events();
@@ -75,7 +81,7 @@ impl System<'_> {
             let of = simulator.event(event);
             of.when.iter().any(|(entry, _)| *entry as usize == mode)
                 && self.is_armed(event, state)
-                && is_beyond(of.direction, guards[event])
+                && (is_beyond(of.direction, guards[event]) || applied.contains(&event))
                 && self.new_values(event, time, state).into_iter().any(|(entry, value)| {
                     // Modes are integers, but for rounding.
                     entry == mode && (value - stuck).abs() < 0.5
@@ -97,7 +103,7 @@ impl System<'_> {
         there[mode] = Constraint::OPEN;
         constraints.follow(&constraints.prescribed(behind, &there), behind, &mut there);
         there[mode] = state[mode];
-        let begins = self.reopen(mode, behind, &mut there);
+        let begins = self.reopen(mode, (behind, &mut there), &[]);
         state[mode] = there[mode];
         begins
     }

@@ -477,7 +477,8 @@ fn sample(
             put_back_between(stretch, time, scratch);
             tangents.inspect(|tangents| tangents.sample(method, stretch, time, scratch));
         }
-        enter_counts(stretch, time, scratch);
+        // Samples at the time of an event show the state before it.
+        enter_counts(stretch, time.next_down(), scratch);
         samples.push(scratch);
     }
     Ok(())

@@ -89,6 +89,9 @@ struct Inner {
     silent: Vec<(usize, Change)>,
     /// First time within the step at which a prescribed part comes to rest or starts to move.
     turn: Option<Turn>,
+    /// Events whose guards reach or leave zero at the start of the stretch, where time turns them,
+    /// and the sides from which they cross.
+    touched: Vec<(usize, f64)>,
     /// Longest step within the current zone \[s\], and the time at which the motion entered it.
     longest: f64,
     entered: f64,
@@ -205,12 +208,18 @@ impl<'a> Watch<'a> {
             relations: Relations::new(system.simulator().relations()),
             time: *from,
             start: state.to_vec(),
-            parts: Parts::new(system, watched.clone(), state.len(), scales),
+            parts: Parts::new(
+                system,
+                watched.clone(),
+                (state.len(), scales),
+                steered_guards(system, (*from, *until)),
+            ),
             clear: ClearBox::new(system, watched.len()),
             outcomes: Vec::new(),
             counters: Counters::new(system),
             silent: Vec::new(),
             turn: None,
+            touched: Vec::new(),
             longest: f64::INFINITY,
             entered: *from,
             happening: None,
@@ -348,6 +357,13 @@ impl<'a> Watch<'a> {
                 limit = limit.min(time);
             }
             inner.outcomes[index] = outcome;
+        }
+        let counters = &inner.counters;
+        let (counted, touched): (Vec<_>, Vec<_>) =
+            inner.touched.drain(..).partition(|(index, _)| counters.has(*index));
+        inner.touched = counted;
+        for (index, from) in touched {
+            inner.outcomes[index] = Outcome::Passes { time: inner.time, from };
         }
         self.look_over_dips(inner, &mut step);
         self.look_over_silent_changes(inner, &mut step);
@@ -518,20 +534,64 @@ pub(crate) fn identically_zero(system: &System<'_>, span: (f64, f64)) -> Option<
 
 /// Returns for each event whether its guard or the rate of its guard is other than zero at some
 /// probe state, with the values of some modes given.
-fn moving_guards(
-    system: &System<'_>,
+fn moving_guards(system: &System<'_>, span: (f64, f64), modes: &[(u32, f64)]) -> Vec<bool> {
+    let mut moves = vec![false; system.simulator().events()];
+    for probe in probes(system, span, modes) {
+        for (moves, values) in moves.iter_mut().zip(probe.guards(system)) {
+            *moves |= values.iter().any(|value| *value != 0.0);
+        }
+    }
+    moves
+}
+
+/// Returns for each event whether it sets a state that its guard or the rate of its guard reads.
+fn steered_guards(system: &System<'_>, span: (f64, f64)) -> Vec<bool> {
+    let simulator = system.simulator();
+    let is_steered = |index: usize| {
+        let event = simulator.event(index);
+        let sets = event.sets.iter().map(|entry| *entry as usize);
+        let sets: Vec<usize> = sets.filter(|entry| !simulator.is_mode(*entry)).collect();
+        let reads = |mut probe: Probe| {
+            let before = probe.guards(system)[index];
+            for entry in &sets {
+                probe.state[*entry] += simulator.state_scale(*entry);
+            }
+            probe.guards(system)[index].map(f64::to_bits) != before.map(f64::to_bits)
+        };
+        !sets.is_empty() && probes(system, span, event.when).any(reads)
+    };
+    (0..simulator.events()).map(is_steered).collect()
+}
+
+/// A state at which guards are evaluated to find out what they depend on.
+struct Probe {
+    time: f64,
+    state: Vec<f64>,
+    parameters: Vec<f64>,
+}
+
+impl Probe {
+    /// Returns the guards of all events and their rates.
+    fn guards(&self, system: &System<'_>) -> Vec<[f64; 2]> {
+        let (simulator, Self { time, state, parameters }) = (system.simulator(), self);
+        let [mut guards, mut rates] = [(); 2].map(|()| vec![0.0; simulator.events()]);
+        simulator.guards(*time, state, parameters, &mut guards);
+        simulator.guard_rates(*time, state, parameters, &mut rates);
+        guards.into_iter().zip(rates).map(|(guard, rate)| [guard, rate]).collect()
+    }
+}
+
+/// Returns states spread over a span and the time after it, with the values of some modes given and
+/// relations on either branch: a guard may depend on a state, or be other than zero, on one only.
+fn probes<'s>(
+    system: &'s System<'_>,
     (from, until): (f64, f64),
-    modes: &[(u32, f64)],
-) -> Vec<bool> {
+    modes: &'s [(u32, f64)],
+) -> impl Iterator<Item = Probe> + 's {
     const WITHIN: usize = 8;
     const PROBES: usize = 2 * WITHIN;
     let simulator = system.simulator();
-    let count = simulator.events();
-    let mut moves = vec![false; count];
-    let (mut guards, mut rates) = (vec![0.0; count], vec![0.0; count]);
-    let mut parameters = system.held().all().to_vec();
-    let first = parameters.len() - simulator.relations();
-    for probe in 0..PROBES {
+    (0..PROBES).map(move |probe| {
         let spread = |index: usize| ((probe * 31 + index * 17) as f64 * 0.618 + 0.3).sin();
         let value = |index: usize| simulator.state_scale(index) * spread(index + 1);
         let mut state: Vec<f64> = (0..system.states()).map(value).collect();
@@ -543,17 +603,13 @@ fn moving_guards(
         } else {
             until + (until - from) * 10f64.powi((probe - WITHIN) as i32)
         };
-        // A guard may be zero on one branch only.
+        let mut parameters = system.held().all().to_vec();
+        let first = parameters.len() - simulator.relations();
         for (relation, slot) in parameters[first..].iter_mut().enumerate() {
             if simulator.relation(relation).kind == RelationKind::Branch {
                 *slot = if spread(relation + 7) < 0.0 { BELOW } else { ABOVE };
             }
         }
-        simulator.guards(time, &state, &parameters, &mut guards);
-        simulator.guard_rates(time, &state, &parameters, &mut rates);
-        for ((moves, guard), rate) in moves.iter_mut().zip(&guards).zip(&rates) {
-            *moves |= *guard != 0.0 || *rate != 0.0;
-        }
-    }
-    moves
+        Probe { time, state, parameters }
+    })
 }

@@ -4,6 +4,8 @@
 //! All their crossings within an accepted step are found on its dense output. The steps go on with
 //! the old values of the entries, and states that leave a method get the new ones.
 
+use machinist_contract::{Reader, RelationKind};
+
 use super::passing::{Guard, Step};
 use super::{Inner, Outcome, Watch};
 use crate::method::one_step::OneStep;
@@ -25,7 +27,15 @@ impl Counters {
     /// event stores a state.
     pub(super) fn new(system: &System<'_>) -> Self {
         let simulator = system.simulator();
-        let events = (0..simulator.events()).filter(|index| simulator.event(*index).counts);
+        // A guard on a branch may reach zero where the branch ends, and with it the step.
+        let is_on_branch = |index: usize| {
+            let reader = Reader::Event(u32::try_from(index).expect("few events"));
+            (0..simulator.relations())
+                .map(|relation| simulator.relation(relation))
+                .any(|it| it.kind == RelationKind::Branch && it.readers.contains(&reader))
+        };
+        let counts = |index: &usize| simulator.event(*index).counts && !is_on_branch(*index);
+        let events = (0..simulator.events()).filter(counts);
         let events = if system.tangents().is_some() { Vec::new() } else { events.collect() };
         Self { events, ..Self::default() }
     }
@@ -127,6 +137,7 @@ impl Watch<'_> {
     ) -> Vec<(f64, usize)> {
         let mut passings = Vec::new();
         let mut step = Step { system: self.system, method };
+        passings.extend(inner.touched.drain(..).map(|(index, _)| (inner.time, index)));
         for index in inner.counters.events.clone() {
             if inner.clear.is_clear(index) {
                 continue;

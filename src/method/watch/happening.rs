@@ -1,9 +1,11 @@
 //! Changes where guards cross zero: relations take other sides, events are applied, and runs with
 //! endless ones stop.
 
+use machinist_contract::Direction;
+
 use super::passing::{Outcome, is_wanted};
 use super::settle::is_beyond;
-use super::{ENDLESS, EventRecord, NO_TIME, Passed, ROUNDINGS, Side, Watch};
+use super::{ENDLESS, EventRecord, NO_TIME, Passed, ROUNDINGS, Side, Watch, by_rounding};
 use crate::error::StopCause;
 use crate::method::{Stopped, Stretch};
 use crate::trajectory::Switch;
@@ -171,8 +173,20 @@ impl Watch<'_> {
                 let residual = 4.0 * guards_before[index].abs();
                 *side = Side::Fresh { passed: !again.contains(&index), residual };
             } else if passed[index] == Passed::Disarmed || !(was_watched && is_same) {
-                *side = fresh(index);
-            } else if guards[index] == 0.0 && matches!(side, Side::Known(_)) {
+                // A guard at zero that relations turn crosses there, also without a direction.
+                let is_zero = |guard: f64| guard.abs() <= inner.parts.rounding(index);
+                let stays = passed[index] == Passed::No
+                    && matches!(side, Side::Known(_))
+                    && self.direction(index) == Direction::Both
+                    && is_zero(guards[index])
+                    && is_zero(guards_before[index]);
+                if !stays {
+                    *side = fresh(index);
+                }
+            } else if guards[index] == 0.0
+                && matches!(side, Side::Known(_))
+                && self.direction(index) != Direction::Both
+            {
                 // Zero on the branch that relations took. One whose event has happened at this
                 // instant is known to have crossed.
                 *side = Side::Fresh { passed: false, residual: 0.0 };
@@ -256,8 +270,32 @@ impl Watch<'_> {
         stretch: &Stretch<'_>,
         state: &mut [f64],
     ) -> Result<(), Stopped> {
+        let front = self.inner.borrow_mut().parts.all_at(self.system, stretch.from, state);
         self.inner.borrow_mut().parts.ends = (stretch.from, stretch.until);
-        self.settle_at_jump(stretch.within(stretch.from), state)
+        self.settle_at_jump(stretch.within(stretch.from), state)?;
+        self.note_touched(stretch.from, state, &front);
+        Ok(())
+    }
+
+    /// Finds the guards of events that are zero at a known time and do not cross it: they turn
+    /// there, as `abs(t - t0)`, or stay, as `max(t0 - t, 0)`. `front` are guards and rates before.
+    fn note_touched(&self, time: f64, state: &[f64], front: &[(f64, f64)]) {
+        let inner = &mut *self.inner.borrow_mut();
+        let behind = inner.parts.all_at(self.system, time, state);
+        for index in 0..self.system.simulator().events() {
+            let Side::Known(side) = inner.sides[index] else { continue };
+            let (rounding, direction) = (inner.parts.rounding(index), self.direction(index));
+            let is_zero =
+                |(guard, rate): (f64, f64)| guard.abs() <= rounding.max(by_rounding(time, rate));
+            let (came, goes) = (side * front[index].1, side * behind[index].1);
+            if is_zero(front[index]) && is_zero(behind[index]) && came < 0.0 && goes >= 0.0 {
+                if is_wanted(direction, side) {
+                    inner.touched.push((index, side));
+                } else if goes > 0.0 {
+                    inner.touched.push((index, -side));
+                }
+            }
+        }
     }
 
     /// Settles relations just behind a jump in time.

@@ -14,13 +14,15 @@ pub(super) struct Noise {
     events: usize,
     /// Steps since guards were evaluated.
     age: Option<usize>,
+    /// Time at which they were \[s\].
+    time: f64,
 }
 
 impl Noise {
     /// Returns estimates for guards of `events` and `kinks` and states of typical sizes `scales`.
     pub(super) fn new(events: usize, kinks: usize, mut scales: Vec<f64>) -> Self {
         scales.push(0.0);
-        Self { scales, slopes: vec![0.0; events + kinks], events, age: None }
+        Self { scales, slopes: vec![0.0; events + kinks], events, age: None, time: 0.0 }
     }
 
     /// Returns the change of a guard if all states change by their sizes.
@@ -33,11 +35,14 @@ impl Noise {
         self.age = None;
     }
 
-    /// Counts a step. Returns whether guards should be evaluated: initially if there are events,
-    /// and occasionally while a guard is so small that it may be only rounding.
-    pub(super) fn is_due(&mut self, is_any_small: bool) -> bool {
+    /// Counts a step from a time. Returns whether guards should be evaluated: initially if there are
+    /// events, where the rounding of time has doubled since, and occasionally while a guard is so
+    /// small that it may be only rounding.
+    pub(super) fn is_due(&mut self, time: f64, is_any_small: bool) -> bool {
         self.age = self.age.map(|age| age.saturating_add(1));
-        self.age.map_or(self.events > 0 || is_any_small, |age| age >= FRESH && is_any_small)
+        let is_late = self.events > 0 && time.abs() > 2.0 * self.time.abs();
+        let is_old = |age| is_late || age >= FRESH && is_any_small;
+        self.age.map_or(self.events > 0 || is_any_small, is_old)
     }
 
     /// Evaluates `guards` around a state.
@@ -47,7 +52,7 @@ impl Noise {
         mut guards: impl FnMut(f64, &[f64], &mut [f64]),
     ) {
         const CHANGE: f64 = 1e-7;
-        self.age = Some(0);
+        (self.age, self.time) = (Some(0), time);
         self.slopes.fill(0.0);
         let states = state.len();
         let [mut here, mut beside, mut change] = [(); 3].map(|()| vec![0.0; self.slopes.len()]);

@@ -71,6 +71,8 @@ pub(super) struct Parts {
     /// Span in which each counter is evaluated at once \[s\].
     spans: Vec<f64>,
     noise: Noise,
+    /// Whether each event sets a state that its guard or the rate of its guard reads.
+    is_steered: Vec<bool>,
 }
 
 /// Extent of a guard and of its rate so far. A guard that oscillates, with amplitude A and angular
@@ -150,8 +152,8 @@ impl Parts {
     pub(super) fn new(
         system: &System<'_>,
         watched: Vec<Watched>,
-        entries: usize,
-        scales: Vec<f64>,
+        (entries, scales): (usize, Vec<f64>),
+        is_steered: Vec<bool>,
     ) -> Self {
         let count = watched.len();
         let zeros = || vec![0.0; count];
@@ -173,6 +175,7 @@ impl Parts {
             excursions: zeros(),
             spans: vec![f64::INFINITY; count],
             noise: Noise::new(events, count - events, scales),
+            is_steered,
             watched,
         }
     }
@@ -285,10 +288,11 @@ impl Parts {
             self.largest(index) <= SMALL * self.sizes[index].max(self.noise.slope(index))
         };
         let is_any_small = (0..self.watched.len()).any(is_small);
-        if self.noise.is_due(is_any_small) {
-            let (ends, watched, sources) = (self.ends, &self.watched, &mut self.sources);
+        if self.noise.is_due(time, is_any_small) {
+            let (watched, sources) = (&self.watched, &mut self.sources);
+            // Also at times beyond the ends of the stretch: time is rounded there too.
             self.noise.look((time, &start[..system.states()]), |time, state, guards| {
-                sources.take(system, within(time, ends), state);
+                sources.take(system, time, state);
                 for (guard, watched) in guards.iter_mut().zip(watched) {
                     *guard = sources.value(system, *watched);
                 }

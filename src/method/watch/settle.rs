@@ -155,8 +155,9 @@ impl Watch<'_> {
         }
         if let Some(constraints) = self.system.constraints() {
             let state = &mut state[..self.system.states()];
+            let applied = self.inner.borrow().record.applied.clone();
             for mode in constraints.frictions_off(time, state, |entry| self.allowed(entry, state)) {
-                self.system.reopen(mode, time, state);
+                self.system.reopen(mode, (time, &mut *state), &applied);
             }
             let mut held = state.to_vec();
             // A failure of the projection is reported once all events have happened.

@@ -207,7 +207,7 @@ class Watch {
       if (time === null) break;
       if (this.ways[index] * side <= 0) return { time, from: side };
       side = -side;
-      if (time <= from || time >= limit) break;
+      if (time <= zero?.time || time >= limit) break;
       [from, zero] = [time, this.zeroAt(time, index)];
     }
     return { side };

@@ -65,7 +65,8 @@ impl Parts {
                 return Outcome::Passes { time, from: side };
             }
             side = -side;
-            if time <= from || time >= until {
+            let is_same = zero.is_some_and(|zero| time <= zero.time);
+            if is_same || time >= until {
                 break;
             }
             (from, zero) = (time, Some(self.zero_at(step, time, index)));
@@ -370,8 +371,8 @@ impl Parts {
         let Some((seen, is_at_once)) = self.first_sign(step, index, at, until) else {
             return Start::Unseen;
         };
-        // A guard that just crossed at a finite rate goes on; one that then rests does not.
-        let goes_on = passed && is_at_once;
+        // A guard that just crossed goes on, unless its event may have brought it to rest.
+        let goes_on = passed && (is_at_once || !self.is_steered[index]);
         if !goes_on && is_far(seen) {
             Start::Leaves { from: -seen, zero: Some(at) }
         } else {

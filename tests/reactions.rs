@@ -375,6 +375,27 @@ fn a_force_in_another_way_than_in_proportion_is_refused_at_its_place() {
 }
 
 #[test]
+fn a_note_names_impulses_that_act_without_the_friction_of_their_constraint() {
+    let with = |events: &str| system_of(&format!("{RING}{events}")).notes;
+    assert_eq!(with(""), Vec::<String>::new());
+    let kick = r#"
+        [define.bead.events.kick]
+        guard = "x"
+        set = { x_dot = "x_dot + 1 [m/s]" }
+    "#;
+    let note = "an impulse of constraint `bead.ring`, as at `bead.kick`, acts without the friction by \
+                its force";
+    assert_eq!(with(kick), [note]);
+    let counted = r#"
+        [define.bead.modes.passes]
+        [define.bead.events.pass]
+        guard = "x"
+        set = { passes = "passes + 1" }
+    "#;
+    assert_eq!(with(counted), Vec::<String>::new());
+}
+
+#[test]
 fn the_force_of_a_dropped_constraint_is_not_read_silently() {
     let again = "    [define.bead.constraints.again]\n    \
                  expression = \"2*(sqrt(x^2 + y^2) - radius)\"\n";

@@ -128,6 +128,8 @@ pub fn assemble(
     };
     assembler.inertia(&mut system);
     impacts::reopen_frictions(&mut system);
+    let impulses = impacts::impulses_without_friction(&system);
+    system.notes.extend(impulses);
     system
 }
 

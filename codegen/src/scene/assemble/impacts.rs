@@ -15,7 +15,7 @@ use crate::scene::joints::{join, root};
 use crate::scene::system::{Constraint, Event, LagrangianSystem};
 use crate::scene::typed::integer;
 use crate::spec::friction::OPEN;
-use machinist_algebra::expr::{Expr, FirstOrderId, Function, Symbol};
+use machinist_algebra::expr::{ConstraintId, Expr, FirstOrderId, Function, Symbol};
 use machinist_contract::Jumps;
 
 /// Lets frictions begin anew after events through which velocities may jump.
@@ -42,6 +42,40 @@ pub(super) fn reopen_frictions(system: &mut LagrangianSystem) {
         }
     }
     system.events = events;
+}
+
+/// Returns a note for each constraint that may send an impulse and whose force causes friction, or
+/// another force: by Coulomb's law for impacts, the friction would send an impulse too.
+pub(super) fn impulses_without_friction(system: &LagrangianSystem) -> Vec<String> {
+    let forces = system.generalized_force.iter().flat_map(|force| force.total.symbols());
+    let read: BTreeSet<ConstraintId> = forces
+        .filter_map(|symbol| match symbol {
+            Symbol::Multiplier(id) => Some(id),
+            _ => None,
+        })
+        .collect();
+    if read.is_empty() {
+        return Vec::new();
+    }
+    let together = moved_together(system);
+    let notes = read.into_iter().filter_map(|id| {
+        let constraint = &system.constraints[id.0 as usize];
+        let moved: BTreeSet<usize> =
+            coordinates(&constraint.expr).into_iter().map(|one| together[one]).collect();
+        let sends = |event: &&Event| {
+            jumping(event, system).into_iter().any(|one| moved.contains(&together[one]))
+        };
+        let events = system.events.iter().filter(sends);
+        let events: Vec<String> = events.map(|event| format!("`{}`", event.name.path)).collect();
+        (!events.is_empty()).then(|| {
+            format!(
+                "an impulse of constraint `{}`, as at {}, acts without the friction by its force",
+                constraint.name.path,
+                events.join(", ")
+            )
+        })
+    });
+    notes.collect()
 }
 
 /// Notes where prescribed speeds jump that frictions follow while they stick.

@@ -186,7 +186,7 @@ impl CampbellDiagram {
             return Err(Failure::input(message, ""));
         }
         if from >= to || from.is_nan() {
-            let message = format!("{option}: the first value of the range is not below the last");
+            let message = format!("{option}: values must increase from the first to the last");
             return Err(Failure::input(message, "write the smaller value first"));
         }
         if let Some(order) = self.orders.iter().find(|order| !(order.is_finite() && **order > 0.0))

@@ -26,17 +26,16 @@ pub(super) fn reopen_frictions(system: &mut LagrangianSystem) {
     let together = moved_together(system);
     where_speeds_jump(system, &together);
     let frictions = system.constraints.iter().filter_map(|constraint| {
-        Some((constraint.friction_mode()?, coordinates(&constraint.expr)))
+        Some((constraint.friction_mode()?, groups(coordinates(&constraint.expr), &together)))
     });
     let frictions: Vec<(FirstOrderId, BTreeSet<usize>)> = frictions.collect();
     let mut events = std::mem::take(&mut system.events);
     for event in &mut events {
-        let jumping: BTreeSet<usize> =
-            jumping(event, system).into_iter().map(|one| together[one]).collect();
+        let jumping = groups(jumping(event, system), &together);
         for (slip, speed) in &frictions {
             let slip = Symbol::FirstOrder(*slip);
             let is_set = event.set.iter().any(|(symbol, _)| *symbol == slip);
-            if !is_set && speed.iter().any(|one| jumping.contains(&together[*one])) {
+            if !is_set && !speed.is_disjoint(&jumping) {
                 event.set.push((slip, integer(OPEN.into())));
             }
         }
@@ -60,11 +59,8 @@ pub(super) fn impulses_without_friction(system: &LagrangianSystem) -> Vec<String
     let together = moved_together(system);
     let notes = read.into_iter().filter_map(|id| {
         let constraint = &system.constraints[id.0 as usize];
-        let moved: BTreeSet<usize> =
-            coordinates(&constraint.expr).into_iter().map(|one| together[one]).collect();
-        let sends = |event: &&Event| {
-            jumping(event, system).into_iter().any(|one| moved.contains(&together[one]))
-        };
+        let moved = groups(coordinates(&constraint.expr), &together);
+        let sends = |event: &&Event| !groups(jumping(event, system), &together).is_disjoint(&moved);
         let events = system.events.iter().filter(sends);
         let events: Vec<String> = events.map(|event| format!("`{}`", event.name.path)).collect();
         (!events.is_empty()).then(|| {
@@ -80,9 +76,7 @@ pub(super) fn impulses_without_friction(system: &LagrangianSystem) -> Vec<String
 
 /// Notes where prescribed speeds jump that frictions follow while they stick.
 fn where_speeds_jump(system: &mut LagrangianSystem, together: &[usize]) {
-    let moves = |of: &Constraint| -> BTreeSet<usize> {
-        coordinates(&of.expr).into_iter().map(|one| together[one]).collect()
-    };
+    let moves = |of: &Constraint| groups(coordinates(&of.expr), together);
     let all = system.constraints.iter();
     let all: Vec<_> = all.map(|one| (moves(one), jumps(one), one.friction.is_some())).collect();
     for (index, constraint) in system.constraints.iter_mut().enumerate() {
@@ -184,6 +178,11 @@ fn moved_together(system: &LagrangianSystem) -> Vec<usize> {
         }
     }
     (0..roots.len()).map(|one| root(&mut roots, one)).collect()
+}
+
+/// Returns the representatives of coordinates among those that move together.
+fn groups(coordinates: BTreeSet<usize>, together: &[usize]) -> BTreeSet<usize> {
+    coordinates.into_iter().map(|one| together[one]).collect()
 }
 
 /// Returns the coordinates whose velocities an expression mentions.

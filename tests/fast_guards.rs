@@ -12,6 +12,15 @@ use crate::own_scene::of_text;
 const OWN: [Method; 6] =
     [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Taylor, Method::Auto];
 
+/// x = sin(t), from a start with x' = 1.
+const OSCILLATOR: &str = r#"
+        [define.part.coordinates.x]
+        unit = "1"
+        [define.part.energy]
+        kinetic = "0.5 [kg m^2]*x_dot^2"
+        potential = "0.5 [N m]*x^2"
+"#;
+
 /// x = sin(t), or a shaft, with more of the unit.
 fn scene(unit: &str, initial: &str) -> ModelSimulator {
     let text = format!(
@@ -34,11 +43,7 @@ fn scene(unit: &str, initial: &str) -> ModelSimulator {
 fn swing(guard: &str, direction: &str) -> ModelSimulator {
     let unit = format!(
         r#"
-        [define.part.coordinates.x]
-        unit = "1"
-        [define.part.energy]
-        kinetic = "0.5 [kg m^2]*x_dot^2"
-        potential = "0.5 [N m]*x^2"
+        {OSCILLATOR}
         [define.part.states.n]
         unit = "1"
         rate = "0 [1/s]"
@@ -254,11 +259,7 @@ fn guards_that_are_zero_with_their_rate_happen_once_where_they_change_sign() {
     ] {
         let unit = format!(
             r#"
-            [define.part.coordinates.x]
-            unit = "1"
-            [define.part.energy]
-            kinetic = "0.5 [kg m^2]*x_dot^2"
-            potential = "0.5 [N m]*x^2"
+            {OSCILLATOR}
             [define.part.states.y]
             unit = "1"
             rate = "1e-9 [1/s]*n"
@@ -284,26 +285,24 @@ fn guards_that_are_zero_with_their_rate_happen_once_where_they_change_sign() {
 /// the state before them.
 #[test]
 fn samples_at_the_time_of_an_event_show_the_state_before_it() {
-    let unit = r#"
-        [define.part.coordinates.x]
-        unit = "1"
-        [define.part.energy]
-        kinetic = "0.5 [kg m^2]*x_dot^2"
-        potential = "0.5 [N m]*x^2"
+    let unit = format!(
+        r#"
+        {OSCILLATOR}
         [define.part.states]
-        counted = { unit = "1", rate = "0 [1/s]" }
-        read = { unit = "1", rate = "0 [1/s]" }
+        counted = {{ unit = "1", rate = "0 [1/s]" }}
+        read = {{ unit = "1", rate = "0 [1/s]" }}
         [define.part.events.counts]
         guard = "t - 2 [s]"
-        set = { counted = "counted + 1" }
+        set = {{ counted = "counted + 1" }}
         [define.part.events.acts]
         guard = "t - 4 [s]"
-        set = { read = "read + 1" }
+        set = {{ read = "read + 1" }}
         [[define.part.forces]]
         coordinate = "x"
         expression = "0.1 [N m]*read"
-    "#;
-    let machine = scene(unit, "\"p.x_dot\" = 1");
+        "#
+    );
+    let machine = scene(&unit, "\"p.x_dot\" = 1");
     for method in OWN {
         let run = Simulation::new(&machine).method(method).rtol(1e-6).until(6.0).points(4).run();
         let run = run.unwrap_or_else(|error| panic!("{method}: {error}"));
@@ -328,11 +327,7 @@ fn guards_with_a_corner_at_zero_happen_alike_by_time_and_by_a_state() {
             for (by, read) in [("t/1 [s]", 1), ("z", 1), ("t/1 [s]", 0), ("z", 0)] {
                 let unit = format!(
                     r#"
-                    [define.part.coordinates.x]
-                    unit = "1"
-                    [define.part.energy]
-                    kinetic = "0.5 [kg m^2]*x_dot^2"
-                    potential = "0.5 [N m]*x^2"
+                    {OSCILLATOR}
                     [define.part.states]
                     z = {{ unit = "1", rate = "1 [1/s]" }}
                     n = {{ unit = "1", rate = "0 [1/s]" }}

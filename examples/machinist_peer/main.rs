@@ -26,7 +26,7 @@ use std::error::Error;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use machinist::method::{Problem, Stopped, System, Work};
+use machinist::method::{Auto, Problem, StepTolerance, Stopped, System, Work};
 use machinist::{Method, Sweep};
 use machinist_bench_scenes as bench;
 use machinist_contract::Describe;
@@ -123,6 +123,8 @@ fn run(
     simulator.discontinuities(parameters, &mut jumps);
     let span = simulator.run_defaults();
     let system = System::new(simulator, parameters, false);
+    let atol = model.scales().iter().map(|scale| rtol * scale).collect();
+    let auto = Auto::default();
     let problem = Problem {
         system: &system,
         from: span.from,
@@ -130,8 +132,8 @@ fn run(
         times: &[span.until],
         initial,
         jumps,
-        rtol,
-        atol: model.scales().iter().map(|scale| rtol * scale).collect(),
+        tolerance: StepTolerance::new((method, auto), (simulator, parameters), (rtol, atol)),
+        auto,
         max_steps: MAX_STEPS,
     };
     let state = problem.integrate(method)?.rows;

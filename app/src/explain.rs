@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use crate::object::{ObjectError, object};
+use crate::object::{Compiler, ObjectError};
 use machinist::{Discretisation, FieldSimulator, Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::emit::EmitOptions;
 use machinist_codegen::emit::rust::emit;
@@ -257,8 +257,10 @@ fn measure_objects(stages: &mut [(Stage, &Model)]) -> Result<(), ObjectError> {
     if stages.len() < 2 {
         return Ok(());
     }
+    let compiler = &Compiler::new()?;
     std::thread::scope(|scope| {
-        let compile = |model| scope.spawn(move || object(model).map(|object| object.len()));
+        let compile =
+            |model| scope.spawn(move || compiler.object(model).map(|object| object.len()));
         let compiled: Vec<_> = stages.iter().map(|(_, model)| compile(*model)).collect();
         for ((stage, _), compiled) in stages.iter_mut().zip(compiled) {
             let bytes = compiled.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));

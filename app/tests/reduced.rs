@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use machinist::{Method, Simulation, Trajectory};
-use machinist_app::object::object;
+use machinist_app::object::Compiler;
 use machinist_codegen::emit::EmitOptions;
 use machinist_codegen::emit::rust::emit;
 use machinist_codegen::mechanics::reduce::Keep;
@@ -276,7 +276,7 @@ fn a_unit_that_no_output_reaches_leaves_no_trace() {
 }
 
 fn compiled(program: &Model) -> Vec<u8> {
-    object(program).expect("compiled")
+    Compiler::new().expect("a compiler").object(program).expect("compiled")
 }
 
 fn holds(object: &[u8], name: &str) -> bool {

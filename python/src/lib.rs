@@ -13,6 +13,8 @@
 //! - [`machine`], [`run`], [`linear`], [`cycle`], [`fit`], [`sweep`], [`scatter`]: the
 //!   interface for Python.
 
+#![allow(clippy::needless_pass_by_value, reason = "what Python hands over comes by value")]
+
 mod arrays;
 mod cycle;
 mod derive;

@@ -16,11 +16,10 @@ use thiserror::Error;
 use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{SimulateError, StopCause};
 use crate::method::{
-    Auto, Memory, Method, Problem, StepTolerance, Stopped, System, Watch, identically_zero,
-    just_behind, within,
+    Auto, Memory, Method, Problem, StepTolerance, Stopped, System, Watch, just_behind, within,
 };
 use crate::scales::scales;
-use crate::simulate::{MAX_STEPS, Simulation, require_admitted};
+use crate::simulate::{MAX_STEPS, Simulation, require_admitted, require_guards};
 
 pub use branches::{branches, margins};
 
@@ -207,6 +206,7 @@ impl<'a> Hosted<'a> {
             return Err(SimulateError::BadTolerance(rtol).into());
         }
         require_admitted(simulator, parameters)?;
+        require_guards(simulator, parameters)?;
         let state = if in_equilibrium {
             let run = Simulation::new(simulator).parameters(parameters);
             let run = run.from(from).until(until).rtol(rtol);
@@ -230,7 +230,6 @@ impl<'a> Hosted<'a> {
         };
         self.pass_jumps(&mut standing);
         let system = System::new(simulator, parameters, false);
-        self.require_guards(&system, standing.span)?;
         let problem = self.problem(&system, &standing, until);
         let mut state = standing.state.clone();
         let Some(watch) = Watch::new(&problem, &mut state)? else {
@@ -410,17 +409,5 @@ impl<'a> Hosted<'a> {
             auto: Auto::default(),
             max_steps: MAX_STEPS,
         }
-    }
-
-    /// Checks that no guard is identically zero.
-    fn require_guards(&self, system: &System<'_>, span: (f64, f64)) -> Result<(), SimulateError> {
-        if self.simulator.events() == 0 {
-            return Ok(());
-        }
-        identically_zero(system, span).map_or(Ok(()), |index| {
-            let scene = self.simulator.name().to_owned();
-            let event = self.simulator.event(index).name.to_owned();
-            Err(SimulateError::GuardIsZero { scene, event })
-        })
     }
 }

@@ -66,7 +66,7 @@ pub(crate) use stretch::{cut, within};
 pub use system::System;
 pub use tolerance::StepTolerance;
 pub use watch::Watch;
-pub(crate) use watch::{EventRecord, Front, Memory, identically_zero};
+pub(crate) use watch::{EventRecord, Front, Memory};
 
 /// An integration method: carries a state over one smooth stretch of a run.
 ///

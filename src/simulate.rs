@@ -34,7 +34,7 @@ use crate::method::{Auto, Method, Problem, Run, StepTolerance, Stopped, System};
 pub use crate::trajectory::MAX_POINTS;
 use crate::trajectory::{Stop, Trajectory};
 
-pub(crate) use checked::require_admitted;
+pub(crate) use checked::{require_admitted, require_guards};
 pub use differentiate::Differentiated;
 pub use gradient::{Gradient, Pull, Slope};
 use sampling::Sampling;
@@ -471,7 +471,7 @@ impl<'a> Simulation<'a> {
         if method != asked {
             system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));
         }
-        self.check_guards(&system)?;
+        require_guards(self.simulator, parameters)?;
         self.note_projected(&system, &initial);
         self.negative_inertia_at(&initial).into_iter().for_each(|note| system.note(note));
         self.note_little_inertia(&system, &initial);

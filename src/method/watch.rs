@@ -24,7 +24,6 @@ mod noise;
 mod passing;
 mod polynomial;
 mod prescribed;
-mod probes;
 mod relations;
 mod settle;
 mod silent;
@@ -45,8 +44,6 @@ use counters::Counters;
 pub(crate) use hosted::Memory;
 use passing::{Guard, Outcome, Parts, Step, Zero};
 use prescribed::Turn;
-pub(crate) use probes::identically_zero;
-use probes::steered_guards;
 use relations::{Change, Relations};
 pub(super) use settle::is_beyond;
 use watched::{Sources, Watched};
@@ -210,12 +207,7 @@ impl<'a> Watch<'a> {
             relations: Relations::new(system.simulator().relations()),
             time: *from,
             start: state.to_vec(),
-            parts: Parts::new(
-                system,
-                watched.clone(),
-                (state.len(), scales),
-                steered_guards(system, (*from, *until)),
-            ),
+            parts: Parts::new(system, watched.clone(), (state.len(), scales)),
             clear: ClearBox::new(system, watched.len()),
             outcomes: Vec::new(),
             counters: Counters::new(system),

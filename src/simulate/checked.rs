@@ -1,28 +1,45 @@
 //! Checks of a request: parameters, tolerances, times and guards.
 
-use machinist_contract::Simulator;
+use machinist_contract::{Interval, Simulator};
 
 use super::{MAX_POINTS, Sampling, Simulation};
 use crate::error::SimulateError;
-use crate::method::{System, identically_zero};
+use crate::held::Held;
 use crate::scales::scales;
 
-impl Simulation<'_> {
-    /// Checks that no guard is identically zero.
-    pub(super) fn check_guards(&self, system: &System<'_>) -> Result<(), SimulateError> {
-        if self.simulator.events() == 0 {
-            return Ok(());
+/// Checks that no guard is identically zero in the modes in which it is watched, by its range over all times
+/// and states, if the simulator gives ranges.
+pub(crate) fn require_guards(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+) -> Result<(), SimulateError> {
+    let Some(ranges) = simulator.ranges().filter(|_| simulator.events() > 0) else {
+        return Ok(());
+    };
+    let held = Held::live(simulator, parameters);
+    let parameters: Vec<_> = held.all().iter().copied().map(Interval::of).collect();
+    let guards_in = |modes: &[(u32, f64)]| {
+        let mut state = vec![Interval::WHOLE; simulator.shape().states()];
+        for (mode, value) in modes {
+            state[*mode as usize] = Interval::of(*value);
         }
-        match identically_zero(system, (self.from, self.until)) {
-            None => Ok(()),
-            Some(index) => {
-                let scene = self.simulator.name().to_owned();
-                let event = self.simulator.event(index).name.to_owned();
-                Err(SimulateError::GuardIsZero { scene, event })
-            }
-        }
-    }
+        let mut guards = vec![Interval::WHOLE; simulator.events() + simulator.kinks()];
+        ranges.guard_ranges(Interval::WHOLE, &state, &parameters, &mut guards);
+        guards
+    };
+    let in_any = guards_in(&[]);
+    let is_zero = |index: &usize| match simulator.event(*index).when {
+        [] => in_any[*index].is_zero(),
+        when => guards_in(when)[*index].is_zero(),
+    };
+    (0..simulator.events()).find(is_zero).map_or(Ok(()), |index| {
+        let scene = simulator.name().to_owned();
+        let event = simulator.event(index).name.to_owned();
+        Err(SimulateError::GuardIsZero { scene, event })
+    })
+}
 
+impl Simulation<'_> {
     pub(super) fn checked_parameters(&self) -> Result<&[f64], SimulateError> {
         let name = |index| format!("parameter `{}`", self.simulator.parameter(index).name);
         self.check_list("parameters", &self.parameters, self.simulator.shape().parameters, name)?;

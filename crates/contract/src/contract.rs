@@ -96,6 +96,9 @@ pub struct Event<'a> {
     /// True if the event only counts: nothing that determines the motion or an event reads these
     /// entries, and their rates are zero. Such an event does not end a step.
     pub counts: bool,
+    /// True if the guard or its rate reads one of these entries other than a mode: the event may bring
+    /// its guard to rest at zero.
+    pub moves_guard: bool,
 }
 
 /// The way in which a step holds a relation.

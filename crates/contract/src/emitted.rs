@@ -324,10 +324,14 @@ macro_rules! coordinates {
 /// "spec.name": Rising, when [(mode, value), ..], sets [entry, ..], "meaning";
 /// ```
 ///
-/// with `Rising counts` for an event that only counts.
+/// with `Rising counts` for an event that only counts, and `Rising moves_guard` for one whose guard reads
+/// a state that it sets.
 #[macro_export]
 macro_rules! events {
-    ($($path:literal: $direction:ident $($counts:ident)?, when [$($when:tt)*], sets [$($set:tt)*], $doc:literal;)*) => {
+    (@flag counts counts) => { true };
+    (@flag moves_guard moves_guard) => { true };
+    (@flag $($other:ident)*) => { false };
+    ($($path:literal: $direction:ident $($flag:ident)?, when [$($when:tt)*], sets [$($set:tt)*], $doc:literal;)*) => {
         /// Number of events.
         pub const EVENTS: usize = EVENT_SHAPES.len();
         /// Number of values that all events reset.
@@ -339,7 +343,8 @@ macro_rules! events {
             direction: $crate::Direction::$direction,
             when: &[$($when)*],
             sets: &[$($set)*],
-            counts: !<[&str]>::is_empty(&[$(stringify!($counts))?]),
+            counts: $crate::events!(@flag counts $($flag)?),
+            moves_guard: $crate::events!(@flag moves_guard $($flag)?),
         }),*];
     };
 }

@@ -94,6 +94,21 @@ impl Interval {
         Self { low: low.next_down(), high: high.next_up() }
     }
 
+    /// Returns the interval between ends that are sums rounded to nearest: one that is zero is exact.
+    fn between_sums(low: f64, high: f64) -> Self {
+        let Self { low: below, high: above } = Self::outwards(low, high);
+        Self {
+            low: if low == 0.0 { 0.0 } else { below },
+            high: if high == 0.0 { 0.0 } else { above },
+        }
+    }
+
+    /// Returns whether zero is the only number.
+    #[must_use]
+    pub fn is_zero(self) -> bool {
+        self.low == 0.0 && self.high == 0.0
+    }
+
     /// Returns the interval between ends with an error of a few units in the last place.
     fn about(low: f64, high: f64) -> Self {
         const UNITS: f64 = 8.0 * f64::EPSILON;
@@ -154,20 +169,23 @@ impl Neg for Interval {
 impl Add for Interval {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self::outwards(self.low + other.low, self.high + other.high)
+        Self::between_sums(self.low + other.low, self.high + other.high)
     }
 }
 
 impl Sub for Interval {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self::outwards(self.low - other.high, self.high - other.low)
+        Self::between_sums(self.low - other.high, self.high - other.low)
     }
 }
 
 impl Mul for Interval {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return Self::of(0.0);
+        }
         let Self { low: a, high: b } = self;
         let Self { low: c, high: d } = other;
         let Self { low, high } = Self::hull_of([a * c, a * d, b * c, b * d]);
@@ -182,6 +200,9 @@ impl Div for Interval {
         let Self { low: c, high: d } = other;
         if c <= 0.0 && d >= 0.0 {
             return Self::WHOLE;
+        }
+        if self.is_zero() {
+            return self;
         }
         let Self { low, high } = Self::hull_of([a / c, a / d, b / c, b / d]);
         Self::outwards(low, high)

@@ -1,7 +1,7 @@
 //! Facts that the tapes of a model imply for every state: values that depend on parameters only.
 
 use crate::evaluate::{Evaluator, Inputs, call};
-use crate::{Function, Model, NodeId, Op, Requirement, Tape, What, needed_nodes};
+use crate::{Event, Function, Model, NodeId, Op, Requirement, StateKind, Tape, What, needed_nodes};
 
 impl Model {
     /// Returns the first requirement that the given parameters do not fulfil, with its value.
@@ -97,6 +97,49 @@ impl Model {
         let is_constant = |entry: &u32| matches!(rate(*entry), Op::Literal(0.0));
         let counts = |entry: &u32| !is_read[*entry as usize] && is_constant(entry);
         self.events.iter().map(|event| event.sets.iter().all(counts)).collect()
+    }
+
+    /// Returns for each event whether its guard or the rate of its guard reads a state, other than a
+    /// mode, that it sets.
+    #[must_use]
+    pub fn events_that_move_their_guard(&self) -> Vec<bool> {
+        let moves = |(index, event): (usize, &Event)| {
+            let is_set = |entry: &u32| {
+                let is_mode = self.states[*entry as usize].kind == StateKind::Mode;
+                !is_mode && event.sets.contains(entry)
+            };
+            let mut tapes = [&self.guards, &self.guard_rates].into_iter();
+            event.sets.iter().any(is_set)
+                && tapes.any(|tape| self.reads(tape, tape.results[index], &is_set))
+        };
+        self.events.iter().enumerate().map(moves).collect()
+    }
+
+    /// Returns whether a node of a tape depends on one of some states. What fields hand over depends
+    /// on all.
+    fn reads(&self, tape: &Tape, node: NodeId, is_one: &impl Fn(&u32) -> bool) -> bool {
+        let last = node.0 as usize;
+        let mut is_reached = vec![false; last + 1];
+        is_reached[last] = true;
+        for index in (0..=last).rev() {
+            if !is_reached[index] {
+                continue;
+            }
+            let op = tape.nodes[index].op;
+            let reads = match (op, &self.motion) {
+                (Op::State(entry), _) => is_one(&entry),
+                (Op::Handed(_), _) => true,
+                (Op::Motion(result), Some(motion)) => {
+                    self.reads(&motion.tape, motion.tape.results[result as usize], is_one)
+                }
+                _ => false,
+            };
+            if reads {
+                return true;
+            }
+            op.operands().iter().for_each(|operand| is_reached[operand.0 as usize] = true);
+        }
+        false
     }
 }
 

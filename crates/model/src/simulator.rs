@@ -47,6 +47,8 @@ pub struct ModelSimulator {
     fields: Box<[field::PointFunctions]>,
     /// For each event, whether it only counts.
     counters: Box<[bool]>,
+    /// For each event, whether its guard or the rate of its guard reads a state that it sets.
+    moves_guard: Box<[bool]>,
     inertia_has_corners: bool,
 }
 
@@ -88,6 +90,7 @@ impl ModelSimulator {
                 .map(|field| field::PointFunctions::new(&model, field))
                 .collect(),
             counters: model.counters().into(),
+            moves_guard: model.events_that_move_their_guard().into(),
             inertia_has_corners: model.inertia_has_corners(),
             model,
         }

@@ -61,7 +61,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 }
 
 ::machinist_contract::events! {
-    "ball.impact": Falling, when [(2, 0.0)], sets [1, 2], "impact on the plate";
+    "ball.impact": Falling moves_guard, when [(2, 0.0)], sets [1, 2], "impact on the plate";
     "ball.lift_off": Falling, when [(2, 1.0)], sets [2], "the mass lifts off the plate";
 }
 

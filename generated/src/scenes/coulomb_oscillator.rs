@@ -70,8 +70,8 @@ use ::machinist_contract::{
     "slider.breaks_forth": Falling, when [(2, 0.0)], sets [2], "the friction limit is reached: the mass slips forward";
     "slider.thrown_back": Falling, when [(2, 0.0)], sets [2], "the backward speed is too high to stick";
     "slider.thrown_forth": Rising, when [(2, 0.0)], sets [2], "the forward speed is too high to stick";
-    "slider.ends_back": Rising, when [(2, -1.0)], sets [1, 2], "backward slip ends: the mass sticks or slips forward";
-    "slider.ends_forth": Falling, when [(2, 1.0)], sets [1, 2], "forward slip ends: the mass sticks or slips backward";
+    "slider.ends_back": Rising moves_guard, when [(2, -1.0)], sets [1, 2], "backward slip ends: the mass sticks or slips forward";
+    "slider.ends_forth": Falling moves_guard, when [(2, 1.0)], sets [1, 2], "forward slip ends: the mass sticks or slips backward";
 }
 
 ::machinist_contract::patterns! {

@@ -109,9 +109,9 @@ use ::machinist_contract::{
     "pair.begins": Rising, when [(7, 0.0)], sets [7], "initial choice of stick or slip";
     "pair.breaks_back": Rising, when [(7, 0.0)], sets [7], "the friction limit is reached: the package slips behind";
     "pair.breaks_forth": Falling, when [(7, 0.0)], sets [7], "the friction limit is reached: the package runs ahead";
-    "pair.ends_back": Rising, when [(7, -1.0)], sets [3, 7], "the package catches up: it sticks or runs ahead";
-    "pair.ends_forth": Falling, when [(7, 1.0)], sets [3, 7], "the drum catches up: the package sticks or lags behind";
-    "pair.halts": Falling, when [(7, -1.0)], sets [3, 7], "the package comes to a standstill";
+    "pair.ends_back": Rising moves_guard, when [(7, -1.0)], sets [3, 7], "the package catches up: it sticks or runs ahead";
+    "pair.ends_forth": Falling moves_guard, when [(7, 1.0)], sets [3, 7], "the drum catches up: the package sticks or lags behind";
+    "pair.halts": Falling moves_guard, when [(7, -1.0)], sets [3, 7], "the package comes to a standstill";
     "pair.turns": Rising, when [(7, -2.0)], sets [7], "friction turns the package again";
 }
 

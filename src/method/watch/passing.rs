@@ -71,8 +71,6 @@ pub(super) struct Parts {
     /// Span in which each counter is evaluated at once \[s\].
     spans: Vec<f64>,
     noise: Noise,
-    /// Whether each event sets a state that its guard or the rate of its guard reads.
-    is_steered: Vec<bool>,
 }
 
 /// Extent of a guard and of its rate so far. A guard that oscillates, with amplitude A and angular
@@ -153,7 +151,6 @@ impl Parts {
         system: &System<'_>,
         watched: Vec<Watched>,
         (entries, scales): (usize, Vec<f64>),
-        is_steered: Vec<bool>,
     ) -> Self {
         let count = watched.len();
         let zeros = || vec![0.0; count];
@@ -175,7 +172,6 @@ impl Parts {
             excursions: zeros(),
             spans: vec![f64::INFINITY; count],
             noise: Noise::new(events, count - events, scales),
-            is_steered,
             watched,
         }
     }

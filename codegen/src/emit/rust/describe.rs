@@ -189,7 +189,8 @@ fn events(scene: &Scene<'_>) -> Result<String, EmitError> {
     if events.is_empty() {
         return Ok(String::new());
     }
-    let rows = events.iter().zip(scene.model.counters()).map(|(event, counts)| {
+    let flags = scene.model.counters().into_iter().zip(scene.model.events_that_move_their_guard());
+    let rows = events.iter().zip(flags).map(|(event, flags)| {
         let direction = match event.direction {
             Direction::Rising => "Rising",
             Direction::Falling => "Falling",
@@ -202,8 +203,12 @@ fn events(scene: &Scene<'_>) -> Result<String, EmitError> {
         let when = when.collect::<Result<Vec<_>, EmitError>>()?.join(", ");
         let sets = event.sets.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
         let (name, doc) = (string(&event.name.path), string(&event.doc));
-        let counts = if counts { " counts" } else { "" };
-        Ok(format!("{name}: {direction}{counts}, when [{when}], sets [{sets}], {doc};"))
+        let flag = match flags {
+            (true, _) => " counts",
+            (_, true) => " moves_guard",
+            _ => "",
+        };
+        Ok(format!("{name}: {direction}{flag}, when [{when}], sets [{sets}], {doc};"))
     });
     Ok(call("events", &rows.collect::<Result<Vec<_>, EmitError>>()?))
 }

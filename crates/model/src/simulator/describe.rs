@@ -96,6 +96,7 @@ impl Describe for ModelSimulator {
             when: &event.when,
             sets: &event.sets,
             counts: self.counters[index],
+            moves_guard: self.moves_guard[index],
         }
     }
     fn is_mode(&self, index: usize) -> bool {

@@ -372,7 +372,8 @@ impl Parts {
             return Start::Unseen;
         };
         // A guard that just crossed goes on, unless its event may have brought it to rest.
-        let goes_on = passed && (is_at_once || !self.is_steered[index]);
+        let moves_guard = || step.system.simulator().event(index).moves_guard;
+        let goes_on = passed && (is_at_once || !moves_guard());
         if !goes_on && is_far(seen) {
             Start::Leaves { from: -seen, zero: Some(at) }
         } else {

@@ -338,3 +338,65 @@ fn a_host_may_go_on_after_the_end_and_move_guards_over_zero() {
     assert_eq!((piece.switches.len(), piece.switches[0].time), (1, 10.0));
     assert!((standing.state[0] - 11.0).abs() < 1e-9, "{:?}", standing.state);
 }
+
+/// Short pieces once left out the springs of machines that are solved by their modes.
+#[test]
+fn short_pieces_of_a_linear_machine_make_up_its_motion() {
+    // x'' + d x' + k x = f, oscillating, creeping, nearly critical and without a spring.
+    let machine = crate::own_scene::of_text(
+        r#"
+        [scene]
+        name = "linear"
+        [units.u]
+        unit = "u"
+        [initial]
+        "u.x" = 1.0
+        "u.v" = -0.3
+        [run]
+        until = 1
+        points = 2
+        rtol = 1e-9
+        method = "auto"
+        [define.u.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.u.parameters]
+        d = { value = 0.0, unit = "N*s/m" }
+        k = { value = 9.0, unit = "N/m" }
+        f = { value = 0.0, unit = "N" }
+        [define.u.energy]
+        kinetic = "(1 [kg])*v^2/2"
+        potential = "k*x^2/2"
+        dissipation = "d*v^2/2"
+        [[define.u.forces]]
+        coordinate = "x"
+        expression = "f"
+        "#,
+        Keep::All,
+    );
+    let auto = (Method::Auto, false);
+    for (d, k) in [(0.0, 9.0), (0.5, 9.0), (7.0, 9.0), (6.0 + 1e-9, 9.0), (3.0, 0.0), (0.0, 0.0)] {
+        for f in [0.0, 2.0] {
+            let given = [d, k, f];
+            let named = ["u.d", "u.k", "u.f"];
+            let place =
+                |index: usize| named.iter().position(|it| *it == machine.parameter(index).name);
+            let given: Vec<f64> = (0..3).map(|it| given[place(it).expect("a parameter")]).collect();
+            let run =
+                Simulation::new(&machine).parameters(&given).method(Method::Dop853).rtol(1e-13);
+            let hosted = Hosted::new(&machine, &given);
+            let (mut standing, _) = run.begin().expect("it begins");
+            let mut size = 1e-9;
+            while standing.time < 0.5 {
+                let until = standing.time + size;
+                hosted.carry(&mut standing, until, auto, &|_, _| false).expect("it goes on");
+                size = if size > 3e-4 { 1e-9 } else { 1.7 * size };
+            }
+            let exact = run.until(standing.time).points(2).run().expect("it runs");
+            for (column, found) in exact.columns.iter().zip(&standing.state) {
+                let off = (column.values[1] - found).abs();
+                assert!(off < 2e-11, "{d} {k} {f}: {} is off by {off}", column.name);
+            }
+        }
+    }
+}

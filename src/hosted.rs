@@ -8,6 +8,7 @@
 mod branches;
 
 use std::cell::RefCell;
+use std::time::Duration;
 
 use machinist_contract::Simulator;
 use serde::{Deserialize, Serialize};
@@ -15,11 +16,13 @@ use thiserror::Error;
 
 use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{SimulateError, StopCause};
+use crate::method::patience::Patience;
 use crate::method::{
     Auto, Memory, Method, Problem, StepTolerance, Stopped, System, Watch, just_behind, within,
 };
 use crate::scales::scales;
 use crate::simulate::{MAX_STEPS, Simulation, require_admitted, require_guards};
+use crate::trajectory::Switch;
 
 pub use branches::{branches, margins};
 
@@ -36,6 +39,9 @@ fn at_once(time: f64) -> f64 {
 pub struct Hosted<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: &'a [f64],
+    auto: Auto,
+    max_steps: usize,
+    patience: Patience<'a>,
 }
 
 /// Status of a hosted run. Together with the parameters it determines all that follows, to the last
@@ -113,6 +119,15 @@ impl From<Stopped> for HostedError {
     }
 }
 
+/// Result of a piece of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Piece {
+    /// Reason for its end.
+    pub reached: Reached,
+    /// Events that happened, in order.
+    pub switches: Vec<Switch>,
+}
+
 /// Reason why a piece of a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reached {
@@ -130,8 +145,9 @@ impl Standing {
     pub fn fits(&self, simulator: &dyn Simulator<f64>) -> bool {
         let states = simulator.shape().states();
         let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
-        let Self { time, state, span, atol, rtol, memory, .. } = self;
+        let Self { time, state, span, atol, rtol, memory, parameters, .. } = self;
         [state.len(), atol.len()] == [states; 2]
+            && parameters.len() == simulator.shape().parameters
             && is_finite(state)
             && is_finite(&[*time, span.0, span.1])
             && span.0 < span.1
@@ -149,6 +165,18 @@ impl Standing {
     #[must_use]
     pub fn next_jump(&self) -> Option<f64> {
         (self.ends.1 < f64::INFINITY).then_some(self.ends.1)
+    }
+
+    /// Returns whether the motion slides along a switching surface.
+    #[must_use]
+    pub fn is_sliding(&self) -> bool {
+        self.memory.is_sliding()
+    }
+
+    /// Returns the end of the run; past it, that of another run of this length from now on.
+    fn end(&self) -> f64 {
+        let (from, until) = self.span;
+        if self.time < until { until } else { self.time + (until - from) }
     }
 
     /// Returns the relative tolerance of the run.
@@ -181,7 +209,42 @@ impl<'a> Hosted<'a> {
     /// Creates a machine from a simulator and all of its parameters, which are finite.
     #[must_use]
     pub fn new(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64]) -> Self {
-        Self { simulator, parameters }
+        let (auto, max_steps) = (Auto::default(), MAX_STEPS);
+        Self { simulator, parameters, auto, max_steps, patience: Patience::default() }
+    }
+
+    /// Sets the choices of `auto`.
+    #[must_use]
+    pub fn auto(self, auto: Auto) -> Self {
+        Self { auto, ..self }
+    }
+
+    /// Sets the number of steps after which a piece stops with an error; [`MAX_STEPS`] unless set.
+    #[must_use]
+    pub fn max_steps(self, max_steps: usize) -> Self {
+        Self { max_steps, ..self }
+    }
+
+    /// Limits the computing time of each piece, as [`Simulation::time_limit`] does for a run.
+    #[must_use]
+    pub fn time_limit(self, limit: Duration) -> Self {
+        Self { patience: Patience { limit: Some(limit), ..self.patience }, ..self }
+    }
+
+    /// Stops a piece with the cause that `why` returns; it is called after every step.
+    #[must_use]
+    pub fn until_told(self, why: &'a dyn Fn() -> Option<StopCause>) -> Self {
+        Self { patience: Patience { asked: Some(why), ..self.patience }, ..self }
+    }
+
+    /// Checks parameters that a host has set.
+    ///
+    /// # Errors
+    /// [`SimulateError`] as [`Simulation::run`](crate::Simulation::run).
+    pub fn check(&self) -> Result<(), SimulateError> {
+        let run = Simulation::new(self.simulator).parameters(self.parameters);
+        run.checked_parameters()?;
+        run.checked_jumps().map(|_| ())
     }
 
     /// Returns the number of indicators: one for each event, then one for each switching surface.
@@ -198,7 +261,7 @@ impl<'a> Hosted<'a> {
     pub fn begin(&self, beginning: Beginning<'_>) -> Result<Standing, HostedError> {
         let Beginning { from, until, rtol, is_stepped, state, is_given, in_equilibrium } =
             beginning;
-        let Self { simulator, parameters } = *self;
+        let Self { simulator, parameters, .. } = *self;
         if !(from < until && (until - from).is_finite()) {
             return Err(SimulateError::BadSpan { from, until }.into());
         }
@@ -206,7 +269,6 @@ impl<'a> Hosted<'a> {
             return Err(SimulateError::BadTolerance(rtol).into());
         }
         require_admitted(simulator, parameters)?;
-        require_guards(simulator, parameters)?;
         let state = if in_equilibrium {
             let run = Simulation::new(simulator).parameters(parameters);
             let run = run.from(from).until(until).rtol(rtol);
@@ -217,7 +279,7 @@ impl<'a> Hosted<'a> {
         };
         require_independent(simulator, parameters, from, &state)?;
         let scales = scales(simulator, parameters, from, &state);
-        let mut standing = Standing {
+        let begun = self.set_out(Standing {
             time: from,
             state,
             span: (from, until),
@@ -227,19 +289,28 @@ impl<'a> Hosted<'a> {
             is_stepped,
             parameters: parameters.to_vec(),
             memory: Memory::default(),
-        };
+        });
+        Ok(begun?.0)
+    }
+
+    /// Begins a run at a consistent state. Returns the events at its start.
+    fn set_out(&self, mut standing: Standing) -> Result<(Standing, Vec<Switch>), HostedError> {
+        let Standing { time: from, span, is_stepped, .. } = standing;
+        let until = span.1;
         self.pass_jumps(&mut standing);
-        let system = System::new(simulator, parameters, false);
+        require_guards(self.simulator, self.parameters)?;
+        let system = System::new(self.simulator, self.parameters, false);
         let problem = self.problem(&system, &standing, until);
         let mut state = standing.state.clone();
         let Some(watch) = Watch::new(&problem, &mut state)? else {
-            return Ok(standing);
+            return Ok((standing, Vec::new()));
         };
         system.constrain(from, &mut state)?;
-        standing.memory =
-            if is_stepped { watch.set_out(from, &mut state)? } else { watch.into_memory() };
+        let memory = if is_stepped { Some(watch.set_out(&problem, &mut state)?) } else { None };
+        let switches = watch.take_switches();
+        standing.memory = memory.unwrap_or_else(|| watch.into_memory());
         standing.state = state;
-        Ok(standing)
+        Ok((standing, switches))
     }
 
     /// Computes the indicators: one for each event and each switching surface. The host has to stop
@@ -274,7 +345,7 @@ impl<'a> Hosted<'a> {
     /// or the state has to be projected onto the constraints.
     pub fn step_is_complete(&self, standing: &mut Standing) -> bool {
         let system = System::new(self.simulator, self.parameters, false);
-        let problem = self.problem(&system, standing, standing.span.1);
+        let problem = self.problem(&system, standing, standing.end());
         let mut memory = standing.memory.clone();
         let asks = Watch::resume(&problem, &memory).is_some_and(|watch| {
             watch.look(&mut memory, standing.within(standing.time), &standing.state)
@@ -288,39 +359,38 @@ impl<'a> Hosted<'a> {
 
     /// Executes what is due at the current time: a jump of the rate, and events that were found or
     /// whose guards have crossed zero. Then projects the state onto the constraints. Returns the
-    /// names of the events.
+    /// events.
     ///
     /// # Errors
     /// [`HostedError`] as in any run; `standing` is then unchanged.
-    pub fn happen(&self, standing: &mut Standing) -> Result<Vec<String>, HostedError> {
+    pub fn happen(&self, standing: &mut Standing) -> Result<Vec<Switch>, HostedError> {
         let mut next = standing.clone();
         self.pass_jumps(&mut next);
         let system = System::new(self.simulator, self.parameters, false);
         let time = next.within(next.time);
         let mut state = next.state.clone();
         let is_jump = (time - next.ends.0).abs() <= at_once(time);
-        let problem = self.problem(&system, &next, next.span.1);
+        let problem = self.problem(&system, &next, next.end());
         if is_jump || next.parameters != self.parameters {
-            let times = (time.next_down(), just_behind(time, next.span.1));
+            let times = (time.next_down(), just_behind(time, next.end()));
             system.take_up(times, &problem.tolerance, &mut state)?;
             next.parameters.copy_from_slice(self.parameters);
         }
         system.constrain(time, &mut state)?;
         let mut memory = next.memory.clone();
-        let mut names = Vec::new();
+        let mut switches = Vec::new();
         if let Some(watch) = Watch::resume(&problem, &memory) {
-            let switches = if next.is_stepped {
-                watch.happen(&mut memory, (time, is_jump), &mut state)?;
+            switches = if next.is_stepped {
+                watch.happen(&problem, &mut memory, (time, is_jump), &mut state)?;
                 watch.into_switches()
             } else {
-                watch.go_through(&mut memory, time, &mut state)?
+                watch.go_through(&problem, &mut memory, time, &mut state)?
             };
-            names = switches.into_iter().map(|switch| switch.event).collect();
         }
         next.memory = memory;
         next.state = state;
         *standing = next;
-        Ok(names)
+        Ok(switches)
     }
 
     /// Integrates to a later time by a method of this crate, which restarts there. The piece ends
@@ -335,7 +405,7 @@ impl<'a> Hosted<'a> {
         until: f64,
         (method, halts): (Method, bool),
         leaves: &dyn Fn(f64, &[f64]) -> bool,
-    ) -> Result<Reached, HostedError> {
+    ) -> Result<Piece, HostedError> {
         let left = RefCell::new(None);
         let onlooker = |time: f64, state: &[f64]| {
             let is_left = leaves(time, state);
@@ -346,10 +416,10 @@ impl<'a> Hosted<'a> {
         };
         let system = System::new(self.simulator, self.parameters, false);
         let (from, end) = standing.span;
-        let system = system.shown_to(Some(&onlooker)).piece_of(end - from);
+        let system = system.within(self.patience).shown_to(Some(&onlooker)).piece_of(end - from);
         let (machine, requested) =
             ((self.simulator, self.parameters), (standing.rtol, standing.atol.clone()));
-        let tolerance = StepTolerance::new((method, Auto::default()), machine, requested);
+        let tolerance = StepTolerance::new((method, self.auto), machine, requested);
         let problem = Problem { tolerance, ..self.problem(&system, standing, until) };
         let watch = Watch::resume(&problem, &standing.memory);
         let mut state = standing.state.clone();
@@ -366,12 +436,17 @@ impl<'a> Hosted<'a> {
             },
             Err(stopped) => return Err(stopped.into()),
         };
-        let memory = watch.map(Watch::into_memory);
+        let mut switches = Vec::new();
+        let memory = watch.map(|watch| {
+            switches = watch.take_switches();
+            watch.into_memory()
+        });
         let mut next = Standing { time, state, ..standing.clone() };
         next.memory = memory.unwrap_or_default();
+        next.parameters.copy_from_slice(self.parameters);
         self.pass_jumps(&mut next);
         *standing = next;
-        Ok(reached)
+        Ok(Piece { reached, switches })
     }
 
     /// Returns the same run at another time and state.
@@ -406,8 +481,35 @@ impl<'a> Hosted<'a> {
             initial: standing.state.clone(),
             jumps,
             tolerance: StepTolerance::requested(standing.rtol, standing.atol.clone()),
-            auto: Auto::default(),
-            max_steps: MAX_STEPS,
+            auto: self.auto,
+            max_steps: self.max_steps,
         }
+    }
+}
+
+impl Simulation<'_> {
+    /// Begins a run with these settings that a host [carries](Hosted::carry) in pieces. Method and
+    /// limits are given for each piece. Also returns the events at the start.
+    ///
+    /// # Errors
+    /// [`HostedError`] where [`Simulation::run`] would fail before its first step.
+    pub fn begin(&self) -> Result<(Standing, Vec<Switch>), HostedError> {
+        let span = (self.start_time(), self.end_time());
+        self.checked_times()?;
+        let parameters = self.checked_parameters()?;
+        self.chosen_method()?.check(self.simulator()).map_err(SimulateError::from)?;
+        let state = self.checked_initial_state()?;
+        let atol = self.checked_atol(&state)?;
+        Hosted::new(self.simulator(), parameters).set_out(Standing {
+            time: span.0,
+            state,
+            span,
+            ends: (span.0, span.0),
+            rtol: self.relative_tolerance(),
+            atol,
+            is_stepped: false,
+            parameters: parameters.to_vec(),
+            memory: Memory::default(),
+        })
     }
 }

@@ -205,6 +205,12 @@ impl Problem<'_> {
         self.go_on((method, self.integrator(method)?), watch, state, &mut samples, halts)
     }
 
+    /// Applies events that a host has found, or that were found at the end of the piece before.
+    pub(crate) fn apply(&self, watch: &Watch<'_>, state: &mut [f64]) -> Result<(), Stopped> {
+        let stretch = Stretch::new(self, (self.from, self.until), Some(watch));
+        self.switch(&stretch, watch, state).map(|_| ())
+    }
+
     /// Returns the method, if it is made for such a machine and compiled in.
     fn integrator(&self, method: Method) -> Result<&'static (dyn Integrator + Sync), Stopped> {
         method.check(self.system.simulator()).map_err(|unsuitable| Stopped {

@@ -346,7 +346,7 @@ fn pieces_of_a_run_go_through_jumps_of_belts() {
         for until in ends.iter().copied().chain([UNTIL]) {
             let hosted = Hosted::new(simulator, &parameters);
             let reached = hosted.carry(&mut standing, until, (Method::Auto, false), &|_, _| false);
-            assert_eq!(reached.expect("it goes on"), Reached::End);
+            assert_eq!(reached.expect("it goes on").reached, Reached::End);
             if speed == "first" {
                 let passed = belt.jumps.iter().filter(|jump| **jump <= until).count();
                 parameters[first] = belt.speeds[passed];

@@ -1,8 +1,10 @@
 //! Runs that a host divides into pieces equal undivided runs.
 
 use std::cell::RefCell;
+use std::time::Duration;
 
-use machinist::hosted::{Beginning, Hosted, Reached, Standing, branches, margins};
+use machinist::error::StopCause;
+use machinist::hosted::{Beginning, Hosted, Piece, Reached, Standing, branches, margins};
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::{Describe, Simulator};
@@ -70,7 +72,7 @@ fn pieces_make_up_the_run() {
                 (Method::Auto, false),
                 &|_, _| false,
             );
-            assert_eq!(reached.expect("it goes on"), Reached::End);
+            assert_eq!(reached.expect("it goes on").reached, Reached::End);
         }
         for (index, exact) in last_state(simulator, until).iter().enumerate() {
             let found = standing.state[index];
@@ -95,7 +97,7 @@ fn a_piece_may_start_at_a_jump_in_time() {
             let mut standing = begun(&hosted, simulator, until);
             for to in ends.into_iter().chain([until]) {
                 let reached = hosted.carry(&mut standing, to, (Method::Auto, false), &|_, _| false);
-                assert_eq!(reached.expect("it goes on"), Reached::End);
+                assert_eq!(reached.expect("it goes on").reached, Reached::End);
             }
             for (index, exact) in exact.iter().enumerate() {
                 let found = standing.state[index];
@@ -103,6 +105,33 @@ fn a_piece_may_start_at_a_jump_in_time() {
                 assert!((found - exact).abs() < 1e-5 * size, "{name} {index}: {found}, {exact}");
             }
         }
+    }
+}
+
+#[test]
+fn a_piece_lists_its_events_and_keeps_to_its_limits() {
+    let simulator = scene("bouncing_mass");
+    let parameters = parameters(simulator);
+    let run = Simulation::new(simulator).rtol(1e-9).until(0.4).points(2).method(Method::Auto);
+    let whole = run.run().expect("it runs");
+    let (mut standing, _) = run.begin().expect("it begins");
+    let hosted = Hosted::new(simulator, &parameters);
+    let auto = (Method::Auto, false);
+    let told = || Some(StopCause::Interrupted);
+    for (limited, code) in [
+        (hosted.max_steps(3), "run::too-many-steps"),
+        (hosted.time_limit(Duration::ZERO), "run::too-slow"),
+        (hosted.until_told(&told), "run::interrupted"),
+    ] {
+        let before = standing.clone();
+        let error = limited.carry(&mut standing, 0.4, auto, &|_, _| false).expect_err(code);
+        assert_eq!(error.code(), code);
+        assert_eq!(standing, before);
+    }
+    let piece = hosted.carry(&mut standing, 0.4, auto, &|_, _| false).expect("it goes on");
+    assert_eq!(piece, Piece { reached: Reached::End, switches: whole.switches.clone() });
+    for (column, value) in whole.columns.iter().zip(&standing.state) {
+        assert_eq!(column.values[1].to_bits(), value.to_bits(), "{}", column.name);
     }
 }
 
@@ -117,17 +146,19 @@ fn a_run_halts_before_an_event_and_goes_on_after_it() {
     for event in &events.switches {
         let how = (Method::Auto, true);
         let reached = hosted.carry(&mut standing, until, how, &|_, _| false);
-        assert_eq!(reached.expect("it goes on"), Reached::Event);
+        assert_eq!(reached.expect("it goes on").reached, Reached::Event);
         assert!((standing.time - event.time).abs() < 1e-8, "{} {}", standing.time, event.time);
         assert!(standing.is_at_event());
         let before = standing.state.clone();
-        assert_eq!(hosted.happen(&mut standing).expect("it happens"), [event.event.as_str()]);
+        let happened = hosted.happen(&mut standing).expect("it happens");
+        let names: Vec<&str> = happened.iter().map(|switch| switch.event.as_str()).collect();
+        assert_eq!(names, [event.event.as_str()]);
         assert!(!standing.is_at_event());
         assert_ne!(standing.state, before);
     }
     let how = (Method::Auto, true);
     let reached = hosted.carry(&mut standing, until, how, &|_, _| false);
-    assert_eq!(reached.expect("it goes on"), Reached::End);
+    assert_eq!(reached.expect("it goes on").reached, Reached::End);
 }
 
 #[test]
@@ -142,7 +173,7 @@ fn a_piece_ends_where_who_looks_on_says() {
         time > 0.1
     };
     let reached = hosted.carry(&mut standing, 1.0, (Method::Dop853, false), &looks);
-    assert_eq!(reached.expect("it goes on"), Reached::Interrupted);
+    assert_eq!(reached.expect("it goes on").reached, Reached::Interrupted);
     let (time, state) = shown.borrow().last().cloned().expect("it was shown");
     assert!(time > 0.1 && time < 0.5, "{time}");
     assert_eq!((standing.time, &standing.state), (time, &state));
@@ -215,7 +246,7 @@ fn a_host_may_move_a_surface_along_which_a_run_slides() {
             for until in [0.5, 1.0, 1.7, 4.0] {
                 let hosted = Hosted::new(&machine, if until > 1.0 { &behind } else { &before });
                 let reached = hosted.carry(&mut standing, until, (method, false), &|_, _| false);
-                assert_eq!(reached.expect("it goes on"), Reached::End);
+                assert_eq!(reached.expect("it goes on").reached, Reached::End);
                 let [place, speed] = exact([0.4, 0.0, 0.5, 1.0], false, until);
                 let found = (standing.state[0], standing.state[1]);
                 let off = (found.0 - place).abs() + (found.1 - speed).abs();
@@ -237,4 +268,135 @@ fn a_host_that_steps_may_move_a_surface() {
     hosted.rate(&standing, &mut rate);
     assert_eq!(rate, [0.0, 0.2], "the belt drags it along");
     assert_eq!(standing.state, [0.0, 0.0]);
+}
+
+/// A mass of 1 kg that throws half of it off where it passes zero, so that its speed doubles.
+fn thrower() -> ModelSimulator {
+    crate::own_scene::of_text(
+        r#"
+        [scene]
+        name = "thrower"
+        [units.u]
+        unit = "u"
+        [initial]
+        "u.x" = -1.0
+        "u.v" = 1.0
+        [run]
+        until = 3
+        points = 2
+        [define.u.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.u.parameters]
+        place = { value = 0.0, unit = "m" }
+        [define.u.modes.thrown]
+        [define.u.energy]
+        kinetic = "piecewise(thrown < 1, 1 [kg], 0.5 [kg])*v^2/2"
+        [define.u.events.throws]
+        guard = "x - place"
+        direction = "rising"
+        when = { thrown = 0 }
+        set = { thrown = 1 }
+        "#,
+        Keep::All,
+    )
+}
+
+#[test]
+fn momentum_goes_on_through_events_that_a_host_executes() {
+    let machine = thrower();
+    let parameters = parameters(&machine);
+    let hosted = Hosted::new(&machine, &parameters);
+    let mut halted = begun(&hosted, &machine, 3.0);
+    let halts = (Method::Auto, true);
+    let piece = hosted.carry(&mut halted, 2.0, halts, &|_, _| false).expect("it goes on");
+    assert_eq!(piece.reached, Reached::Event);
+    let mut stepped = begun_as(true, &hosted, &machine, 3.0);
+    (stepped.time, stepped.state[0]) = (1.0 + 1e-12, 1e-12);
+    assert!(hosted.step_is_complete(&mut stepped));
+    for standing in [&mut halted, &mut stepped] {
+        let switches = hosted.happen(standing).expect("it happens");
+        assert_eq!(switches.len(), 1);
+        assert!((switches[0].time - 1.0).abs() < 1e-9, "{switches:?}");
+        assert!((standing.state[1] - 2.0).abs() < 1e-12, "{:?}", standing.state);
+    }
+}
+
+#[test]
+fn a_host_may_go_on_after_the_end_and_move_guards_over_zero() {
+    let machine = thrower();
+    let mut given = parameters(&machine);
+    given[0] = 20.0;
+    let mut standing = begun(&Hosted::new(&machine, &given), &machine, 3.0);
+    let auto = (Method::Auto, false);
+    let hosted = Hosted::new(&machine, &given);
+    hosted.carry(&mut standing, 10.0, auto, &|_, _| false).expect("it goes on");
+    hosted.happen(&mut standing).expect("nothing is due");
+    let moved = [5.0];
+    let hosted = Hosted::new(&machine, &moved);
+    let piece = hosted.carry(&mut standing, 11.0, auto, &|_, _| false).expect("it goes on");
+    assert_eq!((piece.switches.len(), piece.switches[0].time), (1, 10.0));
+    assert!((standing.state[0] - 11.0).abs() < 1e-9, "{:?}", standing.state);
+}
+
+/// Short pieces once left out the springs of machines that are solved by their modes.
+#[test]
+fn short_pieces_of_a_linear_machine_make_up_its_motion() {
+    // x'' + d x' + k x = f, oscillating, creeping, nearly critical and without a spring.
+    let machine = crate::own_scene::of_text(
+        r#"
+        [scene]
+        name = "linear"
+        [units.u]
+        unit = "u"
+        [initial]
+        "u.x" = 1.0
+        "u.v" = -0.3
+        [run]
+        until = 1
+        points = 2
+        rtol = 1e-9
+        method = "auto"
+        [define.u.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.u.parameters]
+        d = { value = 0.0, unit = "N*s/m" }
+        k = { value = 9.0, unit = "N/m" }
+        f = { value = 0.0, unit = "N" }
+        [define.u.energy]
+        kinetic = "(1 [kg])*v^2/2"
+        potential = "k*x^2/2"
+        dissipation = "d*v^2/2"
+        [[define.u.forces]]
+        coordinate = "x"
+        expression = "f"
+        "#,
+        Keep::All,
+    );
+    let auto = (Method::Auto, false);
+    for (d, k) in [(0.0, 9.0), (0.5, 9.0), (7.0, 9.0), (6.0 + 1e-9, 9.0), (3.0, 0.0), (0.0, 0.0)] {
+        for f in [0.0, 2.0] {
+            let given = [d, k, f];
+            let named = ["u.d", "u.k", "u.f"];
+            let place =
+                |index: usize| named.iter().position(|it| *it == machine.parameter(index).name);
+            let given: Vec<f64> = (0..3).map(|it| given[place(it).expect("a parameter")]).collect();
+            let run =
+                Simulation::new(&machine).parameters(&given).method(Method::Dop853).rtol(1e-13);
+            let hosted = Hosted::new(&machine, &given);
+            let (mut standing, _) = run.begin().expect("it begins");
+            let mut size = 1e-9;
+            while standing.time < 0.5 {
+                let until = standing.time + size;
+                hosted.carry(&mut standing, until, auto, &|_, _| false).expect("it goes on");
+                size = if size > 3e-4 { 1e-9 } else { 1.7 * size };
+            }
+            let exact = run.until(standing.time).points(2).run().expect("it runs");
+            for (column, found) in exact.columns.iter().zip(&standing.state) {
+                let off = (column.values[1] - found).abs();
+                assert!(off < 2e-11, "{d} {k} {f}: {} is off by {off}", column.name);
+            }
+        }
+    }
 }

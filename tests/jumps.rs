@@ -280,7 +280,7 @@ fn a_host_s_runs_go_through_jumps_of_imposed_speeds() {
             if !is_stepped {
                 let auto = (Method::Auto, false);
                 let reached = hosted.carry(&mut standing, until, auto, &|_, _| false);
-                assert_eq!(reached.expect("it goes on"), Reached::End);
+                assert_eq!(reached.expect("it goes on").reached, Reached::End);
                 continue;
             }
             let h = (until - standing.time) / 2000.0;

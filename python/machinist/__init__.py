@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from ._scatter import Scatter, scatter
     from ._sensitivities import Sensitivities
     from ._state_space import Estimator, LinearPiece, Regulator, StateSpace
+    from ._stepper import Stepper
     from ._sweep import Sweep, sweep
 
 #: Modules of the names that are imported on first use: the program `machinist` does without NumPy.
@@ -62,6 +63,7 @@ _LATER = {
     "Scatter": "_scatter",
     "Sensitivities": "_sensitivities",
     "StateSpace": "_state_space",
+    "Stepper": "_stepper",
     "Sweep": "_sweep",
     "branch": "_cycle",
     "cycle": "_cycle",
@@ -99,6 +101,7 @@ __all__ = [
     "SpecError",
     "SpecWarning",
     "StateSpace",
+    "Stepper",
     "StoppedError",
     "Sweep",
     "SweepError",

@@ -20,6 +20,7 @@ from ._run import Run
 from ._scatter import Scatter, scatter
 from ._sensitivities import Sensitivities
 from ._state_space import LinearPiece, StateSpace
+from ._stepper import Stepper
 from ._sweep import Sweep, sweep
 from ._tables import Event, Parameter, Quantity, State, Table, html, text
 from .errors import InputError, ModelFileError, StoppedError, UnknownNameError
@@ -326,6 +327,45 @@ class Model:
         assert isinstance(stopped, StoppedError), "a run that is not there has stopped"
         stopped.run = run
         raise stopped
+
+    def start(
+        self,
+        *,
+        until: float | None = None,
+        parameters: Parameters | None = None,
+        initial: Mapping[str, float] | ArrayLike | None = None,
+        start: float | None = None,
+        rtol: float | None = None,
+        atol: ArrayLike | None = None,
+        method: str | None = None,
+        auto: str | None = None,
+        max_steps: int | None = None,
+        equilibrium: bool | None = None,
+        time_limit: float | None = None,
+    ) -> Stepper:
+        """Start a run that is advanced piece by piece: by a controller, a co-simulation, an
+        environment for reinforcement learning, an estimator.
+
+        Settings are those of :meth:`simulate`, with the same start. `max_steps` and `time_limit`
+        are limits of each piece.
+
+        :param until: time that the run is expected to end [s]; default: after the scene's duration.
+            It sets the scale for what counts as a short time. The run may go on after it.
+        :raises InputError: as by :meth:`simulate`.
+        """
+        settings = _given(
+            until=until, parameters=parameters, initial=initial, start=start, rtol=rtol, atol=atol,
+            method=method, auto=auto, max_steps=max_steps, equilibrium=equilibrium,
+            time_limit=time_limit,
+        )  # fmt: skip
+        return Stepper(self, _machinist.Stepper(self._machine, settings))
+
+    def restore(self, data: bytes) -> Stepper:
+        """The run from the bytes of :meth:`Stepper.save`, in any process; it continues bit for bit.
+
+        :raises InputError: the bytes are damaged, or of another machine or version.
+        """
+        return Stepper(self, _machinist.Stepper.restore(self._machine, data))
 
     def modes(
         self,

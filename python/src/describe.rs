@@ -4,13 +4,11 @@ use machinist_contract::{Simulator, StateKind};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::tunable::tunable;
-
 /// Names, units, descriptions and defaults.
 pub fn describe<'py>(
     py: Python<'py>,
     simulator: &dyn Simulator<f64>,
-    running: &str,
+    (running, tunable): (&str, &[bool]),
 ) -> PyResult<Bound<'py, PyDict>> {
     let shape = simulator.shape();
     let told = PyDict::new(py);
@@ -20,8 +18,8 @@ pub fn describe<'py>(
     let row = |quantity: machinist_contract::Quantity<'_>| {
         [quantity.name, quantity.unit, quantity.doc].map(str::to_owned)
     };
-    let parameters: Vec<_> = tunable(simulator)
-        .into_iter()
+    let parameters: Vec<_> = tunable
+        .iter()
         .enumerate()
         .map(|(k, tunable)| (row(simulator.parameter(k)), simulator.parameter_default(k), tunable))
         .collect();

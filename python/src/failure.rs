@@ -88,6 +88,10 @@ impl From<Failure> for PyErr {
             }
             _ => None,
         };
+        let stopped = match &failure {
+            Failure::Simulate(SimulateError::Stopped { time, .. }) => Some(*time),
+            _ => None,
+        };
         let (class, code, message) = match failure {
             Failure::Python(error) => return error,
             Failure::Simulate(error) => (class_of(&error), Some(error.code()), error.to_string()),
@@ -103,6 +107,9 @@ impl From<Failure> for PyErr {
             let told = exception(py, class, code, &message).and_then(|error| {
                 if let Some(pair) = undifferentiable {
                     error.value(py).setattr("undifferentiable", pair)?;
+                }
+                if let Some(time) = stopped {
+                    error.value(py).setattr("time", time)?;
                 }
                 Ok(error)
             });

@@ -10,7 +10,7 @@
 //! - [`derive`]: models of specs, and the commands of the program;
 //! - [`settings`]: settings of a run, from keywords;
 //! - [`patience`]: interruption of runs by Ctrl-C;
-//! - [`machine`], [`run`], [`linear`], [`cycle`], [`fit`], [`sweep`], [`scatter`]: the
+//! - [`machine`], [`run`], [`stepper`], [`linear`], [`cycle`], [`fit`], [`sweep`], [`scatter`]: the
 //!   interface for Python.
 
 #![allow(clippy::needless_pass_by_value, reason = "what Python hands over comes by value")]
@@ -28,6 +28,7 @@ mod run;
 mod scatter;
 mod settings;
 mod source;
+mod stepper;
 mod sweep;
 mod tunable;
 
@@ -78,6 +79,8 @@ mod _machinist {
     use crate::scatter::scatter_results;
     #[pymodule_export]
     use crate::scatter::scatter_statistics;
+    #[pymodule_export]
+    use crate::stepper::Stepper;
     #[pymodule_export]
     use crate::sweep::negative_inertias;
     #[pymodule_export]

@@ -1,5 +1,6 @@
 //! Machines for Python.
 
+use std::sync::OnceLock;
 use std::time::Instant;
 
 use machinist::field::Discretisation;
@@ -13,11 +14,12 @@ use pyo3::types::PyDict;
 
 use crate::arrays::{Numbers, array, numbers};
 use crate::describe::describe;
-use crate::failure::{Failure, exception};
+use crate::failure::Failure;
 use crate::patience::Patience;
 use crate::run::Run;
 use crate::settings::Settings;
 use crate::source::Source;
+use crate::tunable::tunable;
 
 /// A machine ready to run.
 #[pyclass(frozen, module = "machinist._machinist")]
@@ -30,6 +32,7 @@ pub struct Machine {
     fingerprint: String,
     /// (row, column) of the nonzeros of the Jacobian.
     pattern: Vec<(u32, u32)>,
+    tunable: OnceLock<Vec<bool>>,
 }
 
 impl Machine {
@@ -47,7 +50,23 @@ impl Machine {
             (defaults, shape.states(), shape.outputs, pattern, behaviour)
         })?;
         let fingerprint = fingerprint.unwrap_or(behaviour);
-        Ok(Self { source, defaults, states, outputs, fingerprint, pattern })
+        let tunable = OnceLock::new();
+        Ok(Self { source, defaults, states, outputs, fingerprint, pattern, tunable })
+    }
+
+    /// Returns, for each parameter, whether it may change during a run.
+    pub fn tunable(&self) -> Result<&[bool], Failure> {
+        if let Some(known) = self.tunable.get() {
+            return Ok(known);
+        }
+        let found = self.source.with(tunable)?;
+        Ok(self.tunable.get_or_init(|| found))
+    }
+
+    /// Returns what distinguishes the machine: its fingerprint, and how its fields are divided.
+    pub fn identity(&self) -> (String, Option<usize>, Option<usize>) {
+        let Discretisation { elements, order } = self.source.discretisation();
+        (self.fingerprint.clone(), elements, order)
     }
 
     /// Parameters; those of the scene if none are given.
@@ -136,7 +155,8 @@ impl Machine {
 
     /// Description of the machine as a dictionary.
     fn describe<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.source.with(|simulator| describe(py, simulator, self.source.running()))?
+        let about = (self.source.running(), self.tunable()?);
+        self.source.with(|simulator| describe(py, simulator, about))?
     }
 
     /// Rate y' = f(t, y, p), written to `out` if given, with `held` branches if given.
@@ -292,16 +312,14 @@ impl Machine {
         quiet?;
         match run? {
             Ok(run) => Ok((Some(Run::new(run)), None)),
-            Err(error @ SimulateError::Stopped { .. }) => {
-                let told = exception(py, "StoppedError", Some(error.code()), &error.to_string())?
-                    .into_value(py);
-                let SimulateError::Stopped { time, kept, .. } = error else {
+            Err(mut error) => {
+                let SimulateError::Stopped { kept, .. } = &mut error else {
                     return Err(error.into());
                 };
-                told.setattr(py, "time", time)?;
-                Ok((kept.map(|kept| Run::new(*kept)), Some(told.into_any())))
+                let kept = kept.take().map(|kept| Run::new(*kept));
+                let told = PyErr::from(Failure::from(error)).into_value(py);
+                Ok((kept, Some(told.into_any())))
             }
-            Err(error) => Err(error.into()),
         }
     }
 

@@ -26,9 +26,12 @@ pub struct Settings {
     times: Option<Vec<f64>>,
     rtol: Option<f64>,
     atol: Option<Vec<f64>>,
-    method: Option<Method>,
-    auto: Option<Auto>,
-    max_steps: Option<usize>,
+    /// Integration method.
+    pub method: Option<Method>,
+    /// Choices of the method auto.
+    pub auto: Option<Auto>,
+    /// Maximum number of steps.
+    pub max_steps: Option<usize>,
     equilibrium: Option<bool>,
     energy_balance: bool,
     constant_energy: bool,
@@ -174,7 +177,10 @@ impl Settings {
 }
 
 /// `{name: number}`.
-fn assignments(what: &str, value: &Bound<'_, PyAny>) -> Result<Vec<(String, f64)>, Failure> {
+///
+/// # Errors
+/// A name or a number has another type.
+pub fn assignments(what: &str, value: &Bound<'_, PyAny>) -> Result<Vec<(String, f64)>, Failure> {
     let items = value.call_method0("items")?;
     let mut all = Vec::new();
     for item in items.try_iter()? {

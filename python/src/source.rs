@@ -69,6 +69,14 @@ impl Source {
         }
     }
 
+    /// Division of the fields as requested.
+    pub fn discretisation(&self) -> Discretisation {
+        match self {
+            Self::BuiltIn(_) | Self::Model(_) => Discretisation::default(),
+            Self::BuiltInFields(_, wanted) | Self::Fields(_, wanted) => *wanted,
+        }
+    }
+
     /// Discretizes the fields again.
     ///
     /// # Errors

@@ -229,6 +229,11 @@ impl<'a> Watch<'a> {
         Self { system, span, rtol, atol, tightness, watched, sources, inner }
     }
 
+    /// Takes all events that happened so far, in order.
+    pub(crate) fn take_switches(&self) -> Vec<Switch> {
+        std::mem::take(&mut self.inner.borrow_mut().switches)
+    }
+
     /// Returns all events that happened, in order.
     #[must_use]
     pub fn into_switches(self) -> Vec<Switch> {

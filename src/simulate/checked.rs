@@ -40,7 +40,7 @@ pub(crate) fn require_guards(
 }
 
 impl Simulation<'_> {
-    pub(super) fn checked_parameters(&self) -> Result<&[f64], SimulateError> {
+    pub(crate) fn checked_parameters(&self) -> Result<&[f64], SimulateError> {
         let name = |index| format!("parameter `{}`", self.simulator.parameter(index).name);
         self.check_list("parameters", &self.parameters, self.simulator.shape().parameters, name)?;
         require_admitted(self.simulator, &self.parameters)?;
@@ -65,7 +65,7 @@ impl Simulation<'_> {
         Err(SimulateError::NoConstantEnergy { scene, why })
     }
 
-    pub(super) fn checked_jumps(&self) -> Result<Vec<f64>, SimulateError> {
+    pub(crate) fn checked_jumps(&self) -> Result<Vec<f64>, SimulateError> {
         let count = self.simulator.shape().discontinuities;
         let mut jumps = vec![0.0; count];
         self.simulator.discontinuities(&self.parameters, &mut jumps);
@@ -93,7 +93,7 @@ impl Simulation<'_> {
         }
     }
 
-    pub(super) fn checked_atol(&self, initial: &[f64]) -> Result<Vec<f64>, SimulateError> {
+    pub(crate) fn checked_atol(&self, initial: &[f64]) -> Result<Vec<f64>, SimulateError> {
         if !(self.rtol > 0.0 && self.rtol <= 1.0) {
             return Err(SimulateError::BadTolerance(self.rtol));
         }
@@ -117,7 +117,7 @@ impl Simulation<'_> {
         }
     }
 
-    pub(super) fn checked_times(&self) -> Result<Vec<f64>, SimulateError> {
+    pub(crate) fn checked_times(&self) -> Result<Vec<f64>, SimulateError> {
         let (from, until) = (self.from, self.until);
         if !(from < until && (until - from).is_finite()) {
             return Err(SimulateError::BadSpan { from, until });

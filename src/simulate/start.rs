@@ -25,7 +25,7 @@ pub struct NegativeInertias {
 }
 
 impl Simulation<'_> {
-    pub(super) fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
+    pub(crate) fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
         let states = self.simulator.shape().states();
         let state = self.guess();
         let name = |index| format!("initial value of `{}`", self.simulator.state(index).name);

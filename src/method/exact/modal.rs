@@ -9,8 +9,9 @@ use super::piece::Piece;
 use super::response::responses;
 use crate::method::Stretch;
 
-/// Product of eigenvalue distance and span below which two eigenvalues count as equal. The
-/// neglected term is of its square; the avoided loss of accuracy is of its inverse.
+/// Product of eigenvalue distance and span below which two eigenvalues count as equal in the response
+/// to the excitation. The neglected term is of its square; the avoided loss of accuracy is of its
+/// inverse.
 const EQUAL: f64 = 1e-5;
 /// Relative distance below which two unequal eigenvalues cost too many digits.
 const CLOSE: f64 = 1e-3;
@@ -122,25 +123,25 @@ impl Mode {
     fn free(&self, h: f64) -> [f64; 2] {
         let [a, b] = self.eigenvalues;
         let [x, v] = self.start;
-        let (of_a, of_b) = ((a * h).exp(), (b * h).exp());
+        let distance = a - b;
         // x = x_0 c + v_0 s, with s the response to an impulse and c = s' - (a + b) s.
-        let (s, s_dot, s_dot_dot) = if self.is_double {
-            (of_a * h, of_a * (a * h + 1.0), of_a * a * (a * h + 2.0))
+        let (c, s, s_dot) = if distance.norm() * h <= 2.0 {
+            // This form has no cancellation, however short the time.
+            let (middle, half) = (0.5 * (a + b), 0.5 * distance * h);
+            let of_middle = (middle * h).exp();
+            let s = if half == Complex::ZERO { Complex::from(h) } else { half.sinh() / half * h };
+            let (even, odd) = (half.cosh(), middle * s);
+            (of_middle * (even - odd), of_middle * s, of_middle * (even + odd))
         } else {
-            let distance = a - b;
+            // Nor has this one, where one eigenvalue is far larger.
+            let (of_a, of_b) = ((a * h).exp(), (b * h).exp());
             (
+                (a * of_b - b * of_a) / distance,
                 (of_a - of_b) / distance,
                 (a * of_a - b * of_b) / distance,
-                (a * a * of_a - b * b * of_b) / distance,
             )
         };
-        let sum = a + b;
-        let (c, c_dot) = if self.is_double {
-            (s_dot - sum * s, s_dot_dot - sum * s_dot)
-        } else {
-            // This form has no cancellation where one eigenvalue is far larger.
-            ((a * of_b - b * of_a) / (a - b), -(a * b) * s)
-        };
+        let c_dot = -(a * b) * s;
         [(c * x + s * v).re, (c_dot * x + s_dot * v).re]
     }
 
@@ -153,6 +154,7 @@ impl Mode {
         };
         if self.is_double {
             // The impulse response is (h - s) e^(a (h - s)).
+            let a = 0.5 * (a + b);
             let of = responses(a, mu, h, highest + 1);
             let once = sum(&mut of.iter().copied());
             let twice = sum(&mut of.windows(2).map(|pair| pair[0] * h - pair[1]));
@@ -165,25 +167,22 @@ impl Mode {
     }
 }
 
-/// Returns the roots of l^2 + d l + k, and whether they count as equal; `None` if they are too
-/// close to be distinguished without loss.
+/// Returns the roots of l^2 + d l + k, and whether they count as equal for the excitation; `None` if
+/// they are too close to be distinguished without loss.
 fn eigenvalues(stiffness: f64, damping: f64, span: f64) -> Option<([Complex<f64>; 2], bool)> {
     let middle = -0.5 * damping;
     let distance = Complex::new(0.25 * damping * damping - stiffness, 0.0).sqrt();
     let size = stiffness.abs().sqrt().max(damping.abs());
-    if distance.norm() * span <= EQUAL && (size * span <= EQUAL || distance.norm() <= EQUAL * size)
-    {
-        let middle = Complex::new(middle, 0.0);
-        return Some(([middle, middle], true));
-    }
-    if distance.norm() <= CLOSE * size {
+    let is_double = distance.norm() * span <= EQUAL
+        && (size * span <= EQUAL || distance.norm() <= EQUAL * size);
+    if !is_double && distance.norm() <= CLOSE * size {
         return None;
     }
     if distance.im != 0.0 || damping == 0.0 {
-        return Some(([middle + distance, middle - distance], false));
+        return Some(([middle + distance, middle - distance], is_double));
     }
     // For real roots the smaller one follows by Vieta, without cancellation.
     let large = middle - distance.re.copysign(damping);
     let small = stiffness / large;
-    Some(([Complex::new(small, 0.0), Complex::new(large, 0.0)], false))
+    Some(([Complex::new(small, 0.0), Complex::new(large, 0.0)], is_double))
 }

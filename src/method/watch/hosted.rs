@@ -204,6 +204,7 @@ impl<'a> Watch<'a> {
     /// constraints.
     pub(crate) fn go_through(
         self,
+        problem: &Problem<'_>,
         memory: &mut Memory,
         time: f64,
         state: &mut [f64],
@@ -211,10 +212,8 @@ impl<'a> Watch<'a> {
         let left = || self.is_undetermined(time, state).then(|| (time, Vec::new()));
         let happening = memory.happening.take().or_else(left);
         self.inner.borrow_mut().happening = happening;
-        if self.switch(state)?.is_some() {
-            self.system.constrain(time, state)?;
-        }
-        let switches = std::mem::take(&mut self.inner.borrow_mut().switches);
+        problem.apply(&self, state)?;
+        let switches = self.take_switches();
         *memory = self.into_memory();
         Ok(switches)
     }
@@ -223,6 +222,7 @@ impl<'a> Watch<'a> {
     /// this time. Relations that jump with time change first. The state is then on the constraints.
     pub(crate) fn happen(
         &self,
+        problem: &Problem<'_>,
         memory: &mut Memory,
         (time, is_jump): (f64, bool),
         state: &mut [f64],
@@ -232,16 +232,16 @@ impl<'a> Watch<'a> {
             self.settle_at_jump(time, state)?;
         }
         let found = self.passed(memory, time, state);
-        self.follow(found, memory, time, state)
+        self.follow(problem, found, memory, (time, state))
     }
 
     /// Applies events and those that follow from them.
     fn follow(
         &self,
+        problem: &Problem<'_>,
         mut found: Vec<usize>,
         memory: &mut Memory,
-        time: f64,
-        state: &mut [f64],
+        (time, state): (f64, &mut [f64]),
     ) -> Result<(), Stopped> {
         for _ in 0..=self.most() {
             if found.is_empty() {
@@ -255,8 +255,7 @@ impl<'a> Watch<'a> {
                 return Ok(());
             }
             self.inner.borrow_mut().happening = Some((time, found));
-            self.switch(state)?;
-            self.system.constrain(time, state)?;
+            problem.apply(self, state)?;
             found = self.leave_zero(memory, time, state);
         }
         let latest = self.inner.borrow().switches.last().map(|switch| switch.event.clone());
@@ -265,13 +264,18 @@ impl<'a> Watch<'a> {
     }
 
     /// Determines the sides of guards that are zero at the start of a run of a host.
-    pub(crate) fn set_out(&self, time: f64, state: &mut [f64]) -> Result<Memory, Stopped> {
+    pub(crate) fn set_out(
+        &self,
+        problem: &Problem<'_>,
+        state: &mut [f64],
+    ) -> Result<Memory, Stopped> {
+        let time = problem.from;
         let sides = self.inner.borrow().sides.clone();
         let zeros = self.inner.borrow().zeros.clone();
         let [slack, sizes] = [(); 2].map(|()| vec![0.0; sides.len()]);
         let mut memory = Memory { sides, slack, sizes, zeros, ..Memory::default() };
         let found = self.leave_zero(&mut memory, time, state);
-        self.follow(found, &mut memory, time, state)?;
+        self.follow(problem, found, &mut memory, (time, state))?;
         Ok(memory)
     }
 

@@ -99,7 +99,8 @@ impl Instance {
         let machine = Arc::clone(&self.machine);
         let hosted = Hosted::new(machine.simulator(), &self.now.parameters);
         let mut standing = self.standing()?.clone();
-        let events = hosted.happen(&mut standing)?;
+        let switches = hosted.happen(&mut standing)?;
+        let events = switches.into_iter().map(|switch| switch.event).collect();
         let before = &self.standing()?.state;
         let differs = |entry: &usize| before[*entry].to_bits() != standing.state[*entry].to_bits();
         let moves = machine.variables.states().iter().any(differs);
@@ -235,9 +236,9 @@ impl Step {
                 leaves
             };
             let how = (Method::Auto, self.halts);
-            let reached = hosted.carry(&mut standing, jump.unwrap_or(until), how, &leaves)?;
+            let piece = hosted.carry(&mut standing, jump.unwrap_or(until), how, &leaves)?;
             let early = standing.time < self.until;
-            match reached {
+            match piece.reached {
                 Reached::Event => {
                     return Ok(Stepped { standing, parameters, event: true, early });
                 }

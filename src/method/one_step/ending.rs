@@ -35,6 +35,7 @@ pub(super) fn end_at(
         if !is_short && watch.is_of_error(from, state) {
             return Ok(Ending::OfError);
         }
+        stretch.count_rejected(from)?;
         watch.happens(from, passing, state);
         return change(stretch, watch, from, state);
     }

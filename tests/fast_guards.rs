@@ -90,6 +90,19 @@ fn a_guard_that_jumps_passes_each_time_it_jumps() {
 }
 
 #[test]
+fn a_guard_that_jumps_from_zero_leaves_it_there() {
+    // sin(t) rises through 0.5, and through 1/1.9, four times in 20 s.
+    for (guard, direction) in [
+        ("piecewise(x < 0.5, 0, 1)", "rising"),
+        ("piecewise(x < 0.5, 0, -1)", "falling"),
+        ("piecewise(x < 0.5, 0, x)", "rising"),
+        ("floor(1.9*max(x, 0))", "rising"),
+    ] {
+        counts(&swing(guard, direction), &[1e-4, 1e-6, 1e-9], 4, guard);
+    }
+}
+
+#[test]
 fn the_wrap_of_a_sawtooth_ticks_once_each_time() {
     let ticks = swing("mod(t, 0.7 [s]) - 0.35 [s]", "falling");
     // From 0.7 s to 19.6 s.

@@ -246,18 +246,29 @@ impl Watch<'_> {
             return Vec::new();
         }
         let after = self.guards(time, state);
-        let inner = &mut *self.inner.borrow_mut();
         let mut jumped = Vec::new();
         for index in 0..self.system.simulator().events() {
-            let Side::Known(side) = inner.sides[index] else { continue };
-            let is_beyond = side * after[index] < 0.0
-                && after[index].to_bits() != before[index].to_bits()
-                && after[index].abs() > inner.parts.rounding(index);
-            if is_beyond && !passed.contains(&index) {
+            if after[index].to_bits() == before[index].to_bits() || passed.contains(&index) {
+                continue;
+            }
+            let rounding = self.rounding_of(index);
+            let known = self.inner.borrow().sides[index];
+            let (side, zero) = match known {
+                Side::Known(side) => (side, rounding),
+                // A guard that rests at zero leaves it to the far side, as where it does not jump.
+                Side::Fresh { passed: false, .. }
+                    if self.direction(index) != Direction::Both
+                        && before[index].abs() <= rounding =>
+                {
+                    (-after[index].signum(), self.zero(index, time, state).max(rounding))
+                }
+                _ => continue,
+            };
+            if side * after[index] < 0.0 && after[index].abs() > zero {
                 if is_wanted(self.direction(index), side) {
                     jumped.push(index);
                 } else {
-                    inner.sides[index] = Side::Known(-side);
+                    self.inner.borrow_mut().sides[index] = Side::Known(-side);
                 }
             }
         }

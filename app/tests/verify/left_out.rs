@@ -280,3 +280,48 @@ fn times_of_a_run_at_which_something_switches_are_left_out() {
         assert_eq!(row.1, Some(true), "{name}");
     }
 }
+
+/// Switches at output times are on different sides for two derivations, by rounding alone; and a rate that
+/// depends on time by switches only has derivatives that are zero.
+#[test]
+fn a_drive_that_time_switches_is_checked_between_its_switches() {
+    let drive = |force: &str| {
+        format!(
+            r#"
+            [scene]
+            name = "drive"
+            [units.m]
+            unit = "driven"
+            [define.driven.coordinates.x]
+            unit = "m"
+            [define.driven.parameters]
+            m = {{ value = 1, unit = "kg" }}
+            c = {{ value = 2, unit = "N s/m" }}
+            F = {{ value = 5, unit = "N" }}
+            T = {{ value = 0.01, unit = "s" }}
+            [define.driven.energy]
+            kinetic = "m*x_dot^2/2"
+            dissipation = "c*x_dot^2/2"
+            [[define.driven.forces]]
+            coordinate = "x"
+            expression = "{force}"
+            [run]
+            until = 1
+            "#
+        )
+    };
+    for force in [
+        "piecewise(mod(t, T) < 0.3*T, F, 0*F)",
+        "F*sign(sin(2*pi*t/T))",
+        "F*floor(mod(t, 2*T)/T)",
+        "F*(step(t, 20*T) - step(t, 50*T))",
+    ] {
+        let (_folder, path) = written(&drive(force));
+        let (_, all) = rows(&path, &[]);
+        assert_eq!(failed(&all), Vec::<&str>::new(), "{force}");
+        for name in ["independent derivation", "time derivative along the run and around it"] {
+            let row = all.iter().find(|(row, _)| row == name).expect("a row");
+            assert_eq!(row.1, Some(true), "{force}: {name}");
+        }
+    }
+}

@@ -13,6 +13,8 @@ use crate::verify::matrix::{Weights, distances};
 const DIFFERENCES: &str = "extrapolated differences, relative to the entry (at least 1e-2 of its \
                            weighed row or column)";
 const TOLERANCE: f64 = 1e-6;
+/// Error of a difference, relative to its scale, up to which it counts.
+const SETTLED: f64 = 1e-2 * TOLERANCE;
 const SIX_DIGITS: &str = "differences are good to eight digits or more; entries that they do not \
                           settle, as beside a kink, are left out";
 const IMPLICIT: &str = "Implicit methods, modes and responses rest on it: they would be slow or \
@@ -116,7 +118,7 @@ fn compare(
     let mut settled = false;
     for point in visit.points.iter().filter(|point| !visit.is_at_kink(point)) {
         let ours = ours(point);
-        let Differences { values, changes } = differences(visit, point, along, sizes);
+        let Differences { values, changes, roundings } = differences(visit, point, along, sizes);
         let rate = visit.rate(point);
         let weights = Weights {
             rows: &visit.sizes,
@@ -133,10 +135,14 @@ fn compare(
             found.take(f64::NAN, || "Its shape is not that of the states.".to_owned());
             continue;
         };
+        // Where only rounding is left of a difference, as of a rate that does not depend on time, it sets
+        // the scale.
+        let rounded = roundings.map(|rounding| 2.0 * rounding / SETTLED);
         let floors = floors.zip_map(&least(visit, &rate, sizes), f64::max);
+        let floors = floors.zip_map(&rounded, f64::max);
         for ((i, j), distance) in distances(&ours, &exact, &floors) {
             let scale = exact[(i, j)].abs().max(floors[(i, j)]);
-            let is_settled = changes[(i, j)] <= 1e-2 * TOLERANCE * scale;
+            let is_settled = changes[(i, j)] + roundings[(i, j)] <= SETTLED * scale;
             settled |= is_settled;
             if is_settled || (distance.is_nan() && changes[(i, j)].is_finite()) {
                 found.take(distance, || {
@@ -171,11 +177,12 @@ fn name<'a>(visit: &Visit<'a>, along: Along, index: usize) -> &'a str {
     }
 }
 
-/// Differences, column by column, with the change by the last extrapolation: infinite where a
-/// switching surface is too near.
+/// Differences, column by column, with the change by the last extrapolation, infinite where a
+/// switching surface is too near, and their rounding.
 struct Differences {
     values: DMatrix<f64>,
     changes: DMatrix<f64>,
+    roundings: DMatrix<f64>,
 }
 
 fn differences(visit: &Visit<'_>, point: &Point, along: Along, sizes: &[f64]) -> Differences {
@@ -186,6 +193,7 @@ fn differences(visit: &Visit<'_>, point: &Point, along: Along, sizes: &[f64]) ->
     let mut found = Differences {
         values: DMatrix::zeros(states, sizes.len()),
         changes: DMatrix::zeros(states, sizes.len()),
+        roundings: DMatrix::zeros(states, sizes.len()),
     };
     for (column, size) in sizes.iter().enumerate() {
         // A mode is a whole number; derivatives by it are not needed.
@@ -201,7 +209,8 @@ fn differences(visit: &Visit<'_>, point: &Point, along: Along, sizes: &[f64]) ->
         for (row, ((value, change), (other, _))) in whole.into_iter().zip(shorter).enumerate() {
             found.values[(row, column)] = value;
             let change = change.max((value - other).abs());
-            let change = change + ROUNDINGS * f64::EPSILON * terms[row] / (LARGEST * size);
+            let rounding = ROUNDINGS * f64::EPSILON * terms[row] / (LARGEST * size);
+            found.roundings[(row, column)] = if rounding.is_finite() { rounding } else { 0.0 };
             found.changes[(row, column)] = if value.is_finite() { change } else { f64::INFINITY };
         }
     }
@@ -242,16 +251,11 @@ fn away_from_kinks(
     mut size: f64,
 ) -> Option<f64> {
     const HALVINGS: usize = 12;
-    let here = visit.guards(point);
+    let here = visit.branches(point);
     for _ in 0..HALVINGS {
         let step = FINE * LARGEST * size;
-        let [behind, ahead] =
-            [-step, step].map(|step| visit.guards(&shifted(point, along, column, step)));
-        let stays = |k: usize| {
-            let signs = [behind[k], here[k], ahead[k]].map(|v| v.partial_cmp(&0.0));
-            signs[0] == signs[1] && signs[1] == signs[2]
-        };
-        if (0..here.len()).all(stays) {
+        let mut ends = [-step, step].map(|step| shifted(point, along, column, step)).into_iter();
+        if ends.all(|end| visit.branches(&end) == here) {
             return Some(size);
         }
         size *= 0.5;

@@ -193,8 +193,8 @@ fn at_velocities(simulator: &dyn Simulator<f64>, point: &Point, factor: f64) -> 
 /// would pull.
 fn leaves_modes(visit: &Visit<'_>, point: &Point, factor: f64) -> bool {
     let simulator = visit.simulator;
-    let Some(on_run) = visit.points.iter().find(|other| other.time.total_cmp(&point.time).is_eq())
-    else {
+    let far = |other: &&Point| (other.time - point.time).abs();
+    let Some(on_run) = visit.points.iter().min_by(|a, b| far(a).total_cmp(&far(b))) else {
         return false;
     };
     let guards = |state: &[f64]| {

@@ -46,7 +46,8 @@ fn measure(visit: &Visit<'_>) -> Outcome {
         Ok(independent) => independent,
         Err(why) => return Outcome::Skipped(why.clone()),
     };
-    let looks = visit.points.iter().map(|point| Look {
+    let points = visit.points.iter().filter(|point| !visit.is_at_kink(point));
+    let looks = points.map(|point| Look {
         time: point.time,
         state: &point.state,
         parameters: &point.parameters,

@@ -141,18 +141,12 @@ fn compare(
         let mut parameters = base.parameter_values().to_vec();
         parameters[index] += times * step;
         let state = states(run).iter().map(|column| column[row]).collect();
-        visit.guards(&Point { time: run.times[row], state, parameters })
+        visit.branches(&Point { time: run.times[row], state, parameters })
     };
     // Runs must also be on one side of switching surfaces, at which times of the run may lie.
     let is_on_one_side = |row: usize| {
-        let (mut least, mut greatest) = (side(run, 0.0, row), side(run, 0.0, row));
-        for (other, times) in all {
-            for (index, value) in side(other, times, row).into_iter().enumerate() {
-                least[index] = least[index].min(value);
-                greatest[index] = greatest[index].max(value);
-            }
-        }
-        least.iter().zip(&greatest).all(|(least, greatest)| least * greatest >= 0.0)
+        let here = side(run, 0.0, row);
+        all.iter().all(|(other, times)| side(other, *times, row) == here)
     };
     let is_alike = |row: usize| {
         let time = run.times[row];

@@ -4,6 +4,7 @@ use std::cell::OnceCell;
 
 use machinist::Trajectory;
 use machinist::constraints::{Constraints, Level};
+use machinist::hosted::branches;
 use machinist_contract::Simulator;
 
 use super::runs::References;
@@ -16,6 +17,8 @@ const PLACES: usize = 8;
 const COLUMNS: usize = 1500;
 /// Distance of points around the run, relative to the size of a state's motion.
 const AROUND: f64 = 0.1;
+/// Distance of points in time from switches at all output times, as a share of that to the next one.
+const ASIDE: f64 = 0.38;
 
 /// A machine, its run, and the points of the checks.
 pub(super) struct Visit<'a> {
@@ -42,18 +45,30 @@ impl<'a> Visit<'a> {
         visit
     }
 
-    /// Returns equally spaced states of the run, each followed by one around it.
+    /// Returns about equally spaced states of the run, each followed by one around it. Output times may
+    /// be those of switches, beside which there are others.
     fn along_and_around(&self, columns: &[&[f64]]) -> Vec<Point> {
         let parameters = self.subject.simulation.parameter_values();
         let places = (COLUMNS / columns.len().max(1)).clamp(2, PLACES);
         let last = self.run.times.len() - 1;
         let mut random = SplitMix(0x5eed);
         let mut points = Vec::with_capacity(2 * places);
+        let at_row = |row: usize| {
+            let state = columns.iter().map(|column| column[row]).collect();
+            Point { time: self.run.times[row], state, parameters: parameters.to_vec() }
+        };
         for place in 0..places {
             let row = place * last / (places - 1);
-            let state: Vec<f64> = columns.iter().map(|column| column[row]).collect();
-            let along = Point { time: self.run.times[row], state, parameters: parameters.to_vec() };
+            let room = last / (2 * (places - 1));
+            let rows = (0..=room).flat_map(|by| [row + by, row.saturating_sub(by)]);
+            let mut beside = rows.filter(|row| *row <= last).map(at_row);
+            let along = beside.find(|point| place == 0 || !self.is_at_kink(point));
+            let along = along.unwrap_or_else(|| at_row(row));
             let mut around = along.clone();
+            if self.is_at_kink(&along) {
+                let next = self.run.times.iter().find(|time| **time > along.time);
+                around.time += next.map_or(0.0, |next| ASIDE * (next - along.time));
+            }
             for (index, value) in around.state.iter_mut().enumerate() {
                 let shift = AROUND * self.sizes[index] * random.signed();
                 *value += if self.simulator.is_mode(index) { 0.0 } else { shift };
@@ -71,18 +86,23 @@ impl<'a> Visit<'a> {
         self.rate(point).iter().all(|value| value.is_finite())
     }
 
-    /// Returns the values that change their sign where the rate is not smooth: guards of switching
-    /// surfaces, and times relative to those at which it is known to change.
-    pub(super) fn guards(&self, point: &Point) -> Vec<f64> {
-        let simulator = self.simulator;
-        let mut values = vec![0.0; simulator.kinks()];
-        if !values.is_empty() {
-            simulator.kink_guards(point.time, &point.state, &point.parameters, &mut values);
+    /// Returns numbers that differ between points unless the rate is smooth from one to the other:
+    /// branches of relations, sides of other switching surfaces and of times at which it is known to
+    /// change.
+    pub(super) fn branches(&self, point: &Point) -> Vec<f64> {
+        let (simulator, Point { time, state, parameters }) = (self.simulator, point);
+        let mut guards = vec![0.0; simulator.kinks()];
+        if !guards.is_empty() {
+            simulator.kink_guards(*time, state, parameters, &mut guards);
         }
         let mut times = vec![0.0; simulator.shape().discontinuities];
-        simulator.discontinuities(&point.parameters, &mut times);
-        values.extend(times.iter().map(|time| point.time - time));
-        values
+        simulator.discontinuities(parameters, &mut times);
+        let others = guards.into_iter().skip(simulator.relations());
+        let sides = others.chain(times.into_iter().map(|jump| time - jump));
+        let side = |value: f64| if value == 0.0 { 0.0 } else { value.signum() };
+        let mut branches = branches(simulator, parameters, (*time, state));
+        branches.extend(sides.map(side));
+        branches
     }
 
     /// Returns whether a point is at the time of a switching surface, as output times may be:
@@ -90,9 +110,8 @@ impl<'a> Visit<'a> {
     pub(super) fn is_at_kink(&self, point: &Point) -> bool {
         const NEAR: f64 = 1e-9;
         let near = NEAR * self.duration() + 4.0 * f64::EPSILON * point.time.abs();
-        let at = |time: f64| self.guards(&Point { time, ..point.clone() });
-        let signs = at(point.time - near).into_iter().zip(at(point.time + near));
-        signs.into_iter().any(|(before, behind)| before * behind < 0.0)
+        let at = |time: f64| self.branches(&Point { time, ..point.clone() });
+        at(point.time - near) != at(point.time + near)
     }
 
     /// Returns y' at a point.

@@ -103,6 +103,11 @@ impl Interval {
         }
     }
 
+    /// Returns whether it has finite numbers.
+    fn is_real(self) -> bool {
+        self.low < f64::INFINITY && self.high > f64::NEG_INFINITY
+    }
+
     /// Returns whether zero is the only number.
     #[must_use]
     pub fn is_zero(self) -> bool {
@@ -183,7 +188,7 @@ impl Sub for Interval {
 impl Mul for Interval {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        if self.is_zero() || other.is_zero() {
+        if self.is_zero() && other.is_real() || other.is_zero() && self.is_real() {
             return Self::of(0.0);
         }
         let Self { low: a, high: b } = self;
@@ -375,6 +380,21 @@ mod tests {
         ];
         for (index, range) in ranges.into_iter().enumerate() {
             assert_eq!(range, Interval::WHOLE, "{index}");
+        }
+    }
+
+    #[test]
+    fn what_is_surely_zero_is_exactly_zero() {
+        let zero = Interval::of(0.0);
+        let ranges = [
+            zero * Interval::WHOLE,
+            Interval::around(1.0, 2.0) * zero,
+            zero / Interval::of(3.0),
+            zero + zero * Interval::WHOLE,
+            Interval::of(2.5) - Interval::of(2.5),
+        ];
+        for (index, range) in ranges.into_iter().enumerate() {
+            assert!(range.is_zero(), "{index}: {range:?}");
         }
     }
 

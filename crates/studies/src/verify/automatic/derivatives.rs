@@ -210,8 +210,9 @@ fn differences(visit: &Visit<'_>, point: &Point, along: Along, sizes: &[f64]) ->
             found.values[(row, column)] = value;
             let change = change.max((value - other).abs());
             let rounding = ROUNDINGS * f64::EPSILON * terms[row] / (LARGEST * size);
-            found.roundings[(row, column)] = if rounding.is_finite() { rounding } else { 0.0 };
-            found.changes[(row, column)] = if value.is_finite() { change } else { f64::INFINITY };
+            let is_known = value.is_finite() && rounding.is_finite();
+            found.roundings[(row, column)] = if is_known { rounding } else { 0.0 };
+            found.changes[(row, column)] = if is_known { change } else { f64::INFINITY };
         }
     }
     found
